@@ -1,0 +1,2 @@
+//! The `railcrack` command.
+fn main() {}

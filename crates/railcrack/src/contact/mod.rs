@@ -1,0 +1,5 @@
+//! Unilateral contact with Coulomb friction on the crack faces.
+
+mod law;
+
+pub use law::{FaceState, FaceStatus};

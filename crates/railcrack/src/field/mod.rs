@@ -1,0 +1,25 @@
+//! Stress fields of the uncracked rail.
+
+mod depth_profile;
+mod hertz_half_plane;
+
+pub use depth_profile::{DepthProfile, ProfileError};
+pub use hertz_half_plane::hertz_stress;
+
+use crate::math::{Stress, Vec2};
+
+/// A stress field of the uncracked rail that does not depend on the wheel; fields add.
+pub trait StressField: Sync {
+    /// The stress (MPa) at `point` (mm).
+    fn stress(&self, point: Vec2) -> Stress;
+}
+
+/// The same stress everywhere: remote tension, for instance.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Uniform(pub Stress);
+
+impl StressField for Uniform {
+    fn stress(&self, _: Vec2) -> Stress {
+        self.0
+    }
+}

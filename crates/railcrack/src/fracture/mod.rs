@@ -1,0 +1,5 @@
+//! Stress intensity factors.
+
+mod sif;
+
+pub use sif::{Sif, SifHistory};

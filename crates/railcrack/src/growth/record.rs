@@ -1,0 +1,215 @@
+//! What a growth step leaves behind.
+
+use crate::contact::FaceState;
+use crate::crack::{Crack, End};
+use crate::fatigue::{DirectionCriterion, ParisLaw};
+use crate::fracture::Sif;
+use serde::{Deserialize, Serialize};
+
+/// How cracks grow and when a run ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GrowthSettings {
+    /// Number of increments; 0 computes the initial cracks only.
+    pub steps: usize,
+    /// Increment of the fastest tip as a fraction of its crack's current length.
+    pub increment: f64,
+    /// Rate.
+    pub law: ParisLaw,
+    /// Rate (mm per cycle) below which a tip is arrested.
+    pub arrest_rate: f64,
+    /// Direction.
+    pub criterion: DirectionCriterion,
+    /// A crack this long (mm) ends the run.
+    pub critical_length: Option<f64>,
+    /// This many load cycles end the run.
+    pub stop_after_cycles: Option<f64>,
+}
+
+/// A tip: which crack of the network (from 0) and which of its ends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub struct CrackTip {
+    /// Index of the crack, from 0.
+    pub crack: usize,
+    /// Index of the tip within its crack, from 0.
+    pub tip: usize,
+    /// Which end of the crack it is.
+    pub end: End,
+}
+
+/// Why a tip stopped.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum TipStop {
+    /// ΔK_eq at or below the threshold, or a rate below the arrest rate.
+    Arrest,
+    /// The ligament to the running surface is spent: a spall.
+    BreakOut,
+    /// Another crack is closer than can be resolved.
+    MeetsCrack,
+    /// The next increment would leave the rail.
+    LeavesRail,
+}
+
+impl TipStop {
+    /// The name in output files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Arrest => "arrest",
+            Self::BreakOut => "break-out",
+            Self::MeetsCrack => "meets-crack",
+            Self::LeavesRail => "leaves-rail",
+        }
+    }
+}
+
+/// Why the run ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum RunStop {
+    /// All increments done.
+    StepsDone,
+    /// The number of load cycles asked for.
+    Cycles,
+    /// A crack reached the critical length.
+    CriticalLength,
+    /// No tip grows; the reason of the last one that stopped.
+    NoTipGrows(TipStop),
+}
+
+impl RunStop {
+    /// The name in output files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::StepsDone => "steps-done",
+            Self::Cycles => "cycles",
+            Self::CriticalLength => "critical-length",
+            Self::NoTipGrows(stop) => stop.name(),
+        }
+    }
+}
+
+/// One passage on fixed cracks.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PassageRecord {
+    /// Output positions x_c in the order of travel, mm.
+    pub xc: Vec<f64>,
+    /// `sifs[tip][position]`, MPa √mm.
+    pub sifs: Vec<Vec<Sif>>,
+}
+
+/// A point of the crack faces.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct FacePoint {
+    /// Index of the crack, from 0.
+    pub crack: usize,
+    /// Index of the straight segment of the crack, from 0.
+    pub segment: usize,
+    /// Arc length from the first point of the crack, mm.
+    pub s: f64,
+}
+
+/// The faces during the stabilised passage.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FaceRecord {
+    /// The face points, crack by crack, along the walk.
+    pub points: Vec<FacePoint>,
+    /// `states[position][point]`.
+    pub states: Vec<Vec<FaceState>>,
+}
+
+/// One tip at one step: the state at its start, and what was decided.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct TipRecord {
+    /// Which tip.
+    pub tip: CrackTip,
+    /// Abscissa of the tip, mm.
+    pub x: f64,
+    /// Ordinate of the tip, mm.
+    pub y: f64,
+    /// Length of its crack, mm.
+    pub length: f64,
+    /// Largest K_I of the stabilised passage, MPa √mm.
+    pub ki_max: f64,
+    /// Range of K_I (clipped at zero), MPa √mm.
+    pub delta_ki: f64,
+    /// Range of K_II, MPa √mm.
+    pub delta_kii: f64,
+    /// ΔK_eq of the actual tip, MPa √mm.
+    pub delta_keq: f64,
+    /// Chosen kink, radians, counter-clockwise positive; none for a tip that does not load at all.
+    pub kink: Option<f64>,
+    /// The best other local maximum at least 15° away, radians.
+    pub rival: Option<f64>,
+    /// Its rate over the best rate.
+    pub rival_ratio: Option<f64>,
+    /// Increment to the next step, mm; 0 in the last step and for a stopped tip.
+    pub increment: f64,
+    /// da/dN, mm per cycle.
+    pub rate: f64,
+    /// Why this tip does not grow, if it does not.
+    pub stop: Option<TipStop>,
+}
+
+/// What the solvers did in one step.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct SolverCounts {
+    /// Passages until the history repeated.
+    pub passages: usize,
+    /// Load steps between output positions, beyond the one that each position needs.
+    pub substeps: usize,
+    /// Contact solutions.
+    pub solves: usize,
+    /// Contact iterations, all solutions together.
+    pub iterations: usize,
+    /// The most iterations of one solution.
+    pub iterations_max: usize,
+    /// Largest violation of the law of the faces, relative to the largest traction and jump.
+    pub complementarity_max: f64,
+}
+
+/// Wall time of the phases of one step, seconds.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct PhaseTimes {
+    /// The cracked body: C and S.
+    pub body_s: f64,
+    /// Loads on the faces and contact through all passages.
+    pub contact_s: f64,
+    /// Direction, rate, increments.
+    pub growth_s: f64,
+}
+
+/// Something the reader of the results must know.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Warning {
+    /// The step at which it arose.
+    pub step: usize,
+    /// A short name, `near-tie` for instance.
+    pub kind: String,
+    /// One sentence with its numbers.
+    pub text: String,
+}
+
+/// One growth step: the cracks at its start, their stabilised passage, and the increments to the next step.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StepRecord {
+    /// Step number; 0 is the initial geometry.
+    pub step: usize,
+    /// The cracks at the start of the step.
+    pub cracks: Vec<Crack>,
+    /// All tips, in order of crack and tip.
+    pub tips: Vec<TipRecord>,
+    /// All passages; the last one is the stabilised one.
+    pub passages: Vec<PassageRecord>,
+    /// The faces during the stabilised passage.
+    pub faces: FaceRecord,
+    /// Load cycles at the start of the step.
+    pub load_cycles: f64,
+    /// Number of displacement unknowns of the body.
+    pub dofs: usize,
+    /// Solver effort.
+    pub counts: SolverCounts,
+    /// Wall times.
+    pub times: PhaseTimes,
+    /// Warnings.
+    pub warnings: Vec<Warning>,
+    /// Set in the last step of a run.
+    pub stop: Option<RunStop>,
+}

@@ -1,0 +1,7 @@
+//! The wheel: Hertzian contact and its passage over the rail.
+
+mod hertz;
+mod passage;
+
+pub use hertz::{HertzianContact, LoadError};
+pub use passage::Passage;

@@ -1,0 +1,60 @@
+//! Linear isotropic elasticity in plane strain.
+
+use thiserror::Error;
+
+/// A material that cannot exist.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum MaterialError {
+    /// Young's modulus.
+    #[error("Young's modulus {value} MPa: must be positive and finite")]
+    YoungModulus {
+        /// What was given, MPa.
+        value: f64,
+    },
+    /// Poisson's ratio.
+    #[error("Poisson's ratio {value}: must lie in (-1, 0.5)")]
+    PoissonRatio {
+        /// What was given.
+        value: f64,
+    },
+}
+
+/// Isotropic linear elasticity.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct IsotropicElastic {
+    young: f64,
+    poisson: f64,
+}
+
+impl IsotropicElastic {
+    /// Young's modulus `young` in MPa (positive), Poisson's ratio `poisson` in (−1, 0.5).
+    pub fn new(young: f64, poisson: f64) -> Result<Self, MaterialError> {
+        if !(young > 0.0 && young.is_finite()) {
+            return Err(MaterialError::YoungModulus { value: young });
+        }
+        if !(poisson > -1.0 && poisson < 0.5) {
+            return Err(MaterialError::PoissonRatio { value: poisson });
+        }
+        Ok(Self { young, poisson })
+    }
+
+    /// E, MPa.
+    pub fn young(&self) -> f64 {
+        self.young
+    }
+
+    /// ν.
+    pub fn poisson(&self) -> f64 {
+        self.poisson
+    }
+
+    /// E′ = E / (1 − ν²), MPa: the modulus of plane strain, K = E′ √(2π/r) ⟦w⟧ / 8 behind a tip.
+    pub fn plane_strain_modulus(&self) -> f64 {
+        self.young / (1.0 - self.poisson * self.poisson)
+    }
+
+    /// G = E / (2 (1 + ν)), MPa.
+    pub fn shear_modulus(&self) -> f64 {
+        0.5 * self.young / (1.0 + self.poisson)
+    }
+}

@@ -1,0 +1,5 @@
+//! Isotropic elasticity.
+
+mod elastic;
+
+pub use elastic::{IsotropicElastic, MaterialError};

@@ -1,0 +1,80 @@
+//! A dense matrix, row-major.
+
+use std::ops::{Index, IndexMut};
+
+/// A dense real matrix stored row by row; `m[(i, j)]` is row i, column j, both from 0.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Matrix {
+    rows: usize,
+    columns: usize,
+    entries: Vec<f64>,
+}
+
+impl Matrix {
+    /// The zero matrix, `rows` × `columns`.
+    pub fn zeros(rows: usize, columns: usize) -> Self {
+        Self { rows, columns, entries: vec![0.0; rows * columns] }
+    }
+
+    /// The matrix whose entry (i, j) is `entry(i, j)`.
+    pub fn from_fn(rows: usize, columns: usize, mut entry: impl FnMut(usize, usize) -> f64) -> Self {
+        let entries = (0..rows * columns).map(|k| entry(k / columns, k % columns)).collect();
+        Self { rows, columns, entries }
+    }
+
+    /// Number of rows.
+    pub fn rows(&self) -> usize {
+        self.rows
+    }
+
+    /// Number of columns.
+    pub fn columns(&self) -> usize {
+        self.columns
+    }
+
+    /// Row i as a slice of `columns` entries.
+    pub fn row(&self, i: usize) -> &[f64] {
+        &self.entries[i * self.columns..(i + 1) * self.columns]
+    }
+
+    /// Row i, to write.
+    pub fn row_mut(&mut self, i: usize) -> &mut [f64] {
+        &mut self.entries[i * self.columns..(i + 1) * self.columns]
+    }
+
+    /// The product with a column vector of `columns` entries.
+    pub fn times(&self, vector: &[f64]) -> Vec<f64> {
+        (0..self.rows).map(|i| dot(self.row(i), vector)).collect()
+    }
+
+    /// The transpose.
+    pub fn transposed(&self) -> Self {
+        Self::from_fn(self.columns, self.rows, |i, j| self[(j, i)])
+    }
+}
+
+/// Scalar product in four interleaved partial sums: a fixed order, so the same bits on every machine.
+pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let mut sums = [0.0; 8];
+    let (a8, b8) = (a.chunks_exact(8), b.chunks_exact(8));
+    let tail: f64 = a8.remainder().iter().zip(b8.remainder()).map(|(x, y)| x * y).sum();
+    for (x, y) in a8.zip(b8) {
+        for k in 0..8 {
+            sums[k] += x[k] * y[k];
+        }
+    }
+    ((sums[0] + sums[4]) + (sums[1] + sums[5])) + ((sums[2] + sums[6]) + (sums[3] + sums[7])) + tail
+}
+
+impl Index<(usize, usize)> for Matrix {
+    type Output = f64;
+    fn index(&self, (i, j): (usize, usize)) -> &f64 {
+        &self.entries[i * self.columns + j]
+    }
+}
+
+impl IndexMut<(usize, usize)> for Matrix {
+    fn index_mut(&mut self, (i, j): (usize, usize)) -> &mut f64 {
+        &mut self.entries[i * self.columns + j]
+    }
+}

@@ -1,0 +1,13 @@
+//! Vectors, plane-strain stress tensors, dense matrices, quadrature rules, exact orientation.
+
+mod matrix;
+mod predicate;
+mod quadrature;
+mod stress;
+mod vector;
+
+pub use matrix::Matrix;
+pub use predicate::{Orientation, orientation, segments_touch};
+pub use quadrature::gauss_legendre;
+pub use stress::Stress;
+pub use vector::Vec2;
