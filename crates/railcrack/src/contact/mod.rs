@@ -1,5 +1,17 @@
 //! Unilateral contact with Coulomb friction on the crack faces.
 
+mod active_inverse;
+mod anderson;
+mod latin;
 mod law;
+mod newton;
+mod problem;
+mod solver;
+mod stepping;
 
+pub use latin::Latin;
 pub use law::{FaceState, FaceStatus};
+pub use newton::Newton;
+pub use problem::{FaceProblem, FaceSolution, PointStatus};
+pub use solver::{ContactSolver, LoadStep, NotConverged, StepSolver};
+pub use stepping::{LoadPath, Stepper, SteppingCounts, SteppingError};

@@ -1,1 +1,10 @@
-//! To come.
+//! The semi-analytic engine: continuous distributions of edge dislocations in a half-plane.
+
+mod assembly;
+mod engine;
+mod integrals;
+mod kernel;
+mod walk;
+
+pub use engine::{DislocationBody, DislocationError};
+pub use walk::FaceResolution;

@@ -7,6 +7,7 @@ mod stress;
 mod vector;
 
 pub use matrix::Matrix;
+pub(crate) use matrix::dot;
 pub use predicate::{Orientation, orientation, segments_touch};
 pub use quadrature::gauss_legendre;
 pub use stress::Stress;

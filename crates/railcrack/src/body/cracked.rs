@@ -1,0 +1,84 @@
+//! The trait that both engines implement.
+
+use crate::crack::End;
+use crate::math::{Matrix, Stress, Vec2};
+
+/// A tip as the body knows it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BodyTip {
+    /// Index of its crack in the network, from 0.
+    pub crack: usize,
+    /// Which end of the crack.
+    pub end: End,
+}
+
+/// A face point: where the law of the faces holds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MeshPoint {
+    /// Index of its crack in the network, from 0.
+    pub crack: usize,
+    /// Index of the straight segment of the crack, from 0.
+    pub segment: usize,
+    /// Arc length from the crack's first point, mm.
+    pub s: f64,
+    /// x1, along the walk; x2 is x1 turned by +90°.
+    pub tangent: Vec2,
+    /// Length of face that the point stands for: nodal force / weight = traction, mm.
+    pub weight: f64,
+}
+
+/// A quadrature point of the faces, for the nodal forces of a stress field.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FaceSample {
+    /// Where, mm.
+    pub point: Vec2,
+    /// x2 of the face there: the traction taken over is σ·x2.
+    pub normal: Vec2,
+    /// Face points that share the traction, with the length (mm) each takes of it; a point without share has 0.
+    pub shares: [(usize, f64); 2],
+}
+
+/// The face points and the quadrature between them.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct FaceMesh {
+    /// The face points, crack by crack along the walk.
+    pub points: Vec<MeshPoint>,
+    /// The quadrature points.
+    pub samples: Vec<FaceSample>,
+}
+
+impl FaceMesh {
+    /// Nodal forces on the + faces, N/mm, of removing a transmitted stress σ: ∫ φ_j σ·x2 ds in the frame of point j,
+    /// `[2 j]` along x1, `[2 j + 1]` along x2. `stress` gives σ (MPa) at a point (mm).
+    pub fn nodal_forces(&self, stress: impl Fn(Vec2) -> Stress) -> Vec<f64> {
+        let mut forces = vec![0.0; 2 * self.points.len()];
+        for sample in &self.samples {
+            let traction = stress(sample.point).traction(sample.normal);
+            for (point, length) in sample.shares {
+                let tangent = self.points[point].tangent;
+                forces[2 * point] += length * traction.dot(tangent);
+                forces[2 * point + 1] += length * traction.dot(tangent.left());
+            }
+        }
+        forces
+    }
+}
+
+/// A cracked elastic body loaded on its crack faces only, reduced to its face points.
+///
+/// With f the nodal forces on the + faces (N/mm, their negatives on the − faces), index 2 j along x1 and 2 j + 1 along
+/// x2 of face point j: ⟦w⟧ = C f (slip and opening, mm) and K = S f.
+pub trait CrackedBody: Sync {
+    /// The face points.
+    fn faces(&self) -> &FaceMesh;
+    /// The tips, in order of crack and tip.
+    fn tips(&self) -> &[BodyTip];
+    /// C, 2p × 2p, mm per N/mm; symmetric positive definite.
+    fn compliance(&self) -> &Matrix;
+    /// A = C⁻¹, 2p × 2p, N/mm per mm.
+    fn stiffness(&self) -> &Matrix;
+    /// S, 2q × 2p, mm^(−1/2): rows 2 t and 2 t + 1 are K_I and K_II of tip t.
+    fn sif_influence(&self) -> &Matrix;
+    /// Number of displacement unknowns behind C.
+    fn dofs(&self) -> usize;
+}

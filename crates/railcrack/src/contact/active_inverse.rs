@@ -1,0 +1,170 @@
+//! The inverse of the equations of the free jumps, updated as points change status.
+
+use crate::linear::{LinearError, general_inverse};
+use crate::math::{Matrix, dot};
+
+/// G = R⁻¹ where R holds, for each free jump component, its equation A_i + c_i A_{i+1} on the free components; c_i ≠ 0
+/// couples the shear of a slipping point to its pressure. Adding or removing a component costs n² operations.
+#[derive(Clone)]
+pub(super) struct ActiveInverse<'a> {
+    stiffness: &'a Matrix,
+    /// The free components, in the order of G's rows.
+    free: Vec<usize>,
+    /// Place of each component in `free`.
+    place: Vec<Option<usize>>,
+    /// c_i of each component.
+    coupling: Vec<f64>,
+    inverse: Vec<Vec<f64>>,
+}
+
+impl<'a> ActiveInverse<'a> {
+    pub(super) fn new(stiffness: &'a Matrix) -> Self {
+        let n = stiffness.rows();
+        Self {
+            stiffness,
+            free: Vec::with_capacity(n),
+            place: vec![None; n],
+            coupling: vec![0.0; n],
+            inverse: Vec::with_capacity(n),
+        }
+    }
+
+    pub(super) fn free(&self) -> &[usize] {
+        &self.free
+    }
+
+    pub(super) fn coupling(&self, component: usize) -> f64 {
+        self.coupling[component]
+    }
+
+    /// Entry of equation `row` at `column`.
+    fn equation(&self, row: usize, column: usize) -> f64 {
+        let coupling = self.coupling[row];
+        let own = self.stiffness[(row, column)];
+        if coupling == 0.0 { own } else { own + coupling * self.stiffness[(row + 1, column)] }
+    }
+
+    /// Frees `component` with the equation A_i + `coupling` A_{i+1}. False if that makes R singular.
+    #[must_use]
+    pub(super) fn add(&mut self, component: usize, coupling: f64) -> bool {
+        self.coupling[component] = coupling;
+        let n = self.free.len();
+        // The stiffness is symmetric: the column of `component` is its row.
+        let column_row = self.stiffness.row(component);
+        let column: Vec<f64> = self
+            .free
+            .iter()
+            .map(|&i| {
+                let coupling = self.coupling[i];
+                if coupling == 0.0 { column_row[i] } else { column_row[i] + coupling * column_row[i + 1] }
+            })
+            .collect();
+        let row: Vec<f64> = self.free.iter().map(|&j| self.equation(component, j)).collect();
+        let g_column: Vec<f64> = self.inverse.iter().map(|g| dot(g, &column)).collect();
+        let mut row_g = vec![0.0; n];
+        for (g, &r) in self.inverse.iter().zip(&row) {
+            axpy(r, g, &mut row_g);
+        }
+        let diagonal = self.equation(component, component);
+        let pivot = diagonal - dot(&row, &g_column);
+        if pivot.abs() <= SINGULAR * diagonal.abs() {
+            return false;
+        }
+        let scale = 1.0 / pivot;
+        for (g, &c) in self.inverse.iter_mut().zip(&g_column) {
+            axpy(c * scale, &row_g, g);
+            g.push(-c * scale);
+        }
+        for value in &mut row_g {
+            *value *= -scale;
+        }
+        row_g.push(scale);
+        self.inverse.push(row_g);
+        self.place[component] = Some(n);
+        self.free.push(component);
+        true
+    }
+
+    /// Holds `component`, which must be free. False if that makes R singular.
+    #[must_use]
+    pub(super) fn remove(&mut self, component: usize) -> bool {
+        let Some(place) = self.place[component].take() else { return true };
+        let last = self.free.len() - 1;
+        self.inverse.swap(place, last);
+        let mut pivot_row = self.inverse.pop().unwrap_or_default();
+        pivot_row.swap(place, last);
+        let pivot = pivot_row.pop().unwrap_or_default();
+        let scale = if pivot.abs() <= f64::MIN_POSITIVE { return false } else { 1.0 / pivot };
+        for g in &mut self.inverse {
+            g.swap(place, last);
+            let c = g.pop().unwrap_or_default() * scale;
+            axpy(-c, &pivot_row, g);
+        }
+        self.free.swap_remove(place);
+        if place < last {
+            self.place[self.free[place]] = Some(place);
+        }
+        self.coupling[component] = 0.0;
+        true
+    }
+
+    /// Inverts afresh.
+    pub(super) fn refresh(&mut self) -> Result<(), LinearError> {
+        let n = self.free.len();
+        let equations = Matrix::from_fn(n, n, |i, j| self.equation(self.free[i], self.free[j]));
+        let inverse = general_inverse(&equations)?;
+        self.inverse = (0..n).map(|i| inverse.row(i).to_vec()).collect();
+        Ok(())
+    }
+
+    /// G times the right-hand sides `right`, in the order of [`ActiveInverse::free`].
+    pub(super) fn solve<'s>(&'s self, right: &'s [f64]) -> impl Iterator<Item = f64> + 's {
+        self.inverse.iter().map(move |g| dot(g, right))
+    }
+
+    /// Copies `other`, reusing this one's memory.
+    pub(super) fn copy_from(&mut self, other: &Self) {
+        self.free.clone_from(&other.free);
+        self.place.clone_from(&other.place);
+        self.coupling.clone_from(&other.coupling);
+        self.inverse.truncate(other.inverse.len());
+        for (own, new) in self.inverse.iter_mut().zip(&other.inverse) {
+            own.clone_from(new);
+        }
+        let have = self.inverse.len();
+        self.inverse.extend_from_slice(&other.inverse[have..]);
+    }
+}
+
+/// Pivots below this fraction of the diagonal are taken for zero.
+const SINGULAR: f64 = 1e-12;
+
+/// y += a x.
+pub(super) fn axpy(a: f64, x: &[f64], y: &mut [f64]) {
+    for (y, x) in y.iter_mut().zip(x) {
+        *y += a * x;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn updates_agree_with_a_fresh_inverse() {
+        let stiffness =
+            Matrix::from_fn(8, 8, |i, j| 1.0 / (1.0 + (i as f64 - j as f64).abs()) + 2.0 * f64::from(i == j));
+        let mut active = ActiveInverse::new(&stiffness);
+        for (component, coupling) in [(2, 0.0), (4, 0.3), (0, -0.3), (7, 0.0), (6, 0.0)] {
+            assert!(active.add(component, coupling));
+        }
+        assert!(active.remove(4) && active.remove(6) && active.add(4, 0.0));
+        let right = [1.0, -2.0, 0.5, 3.0];
+        let updated: Vec<f64> = active.solve(&right).collect();
+        active.refresh().unwrap();
+        for (fast, fresh) in updated.iter().zip(active.solve(&right)) {
+            assert!((fast - fresh).abs() < 1e-13, "{fast} {fresh}");
+        }
+        assert_eq!(active.free(), [2, 7, 0, 4]);
+    }
+}

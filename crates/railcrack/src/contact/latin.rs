@@ -1,0 +1,210 @@
+//! The LATIN method condensed to the faces.
+
+use super::anderson::Anderson;
+use super::{ContactSolver, FaceProblem, FaceSolution, LoadStep, NotConverged, PointStatus, StepSolver};
+use crate::linear::spd_inverse;
+use crate::math::{Matrix, dot};
+
+/// The LATIN method of Trollé et al. 2014 (eqs 17 and 25) with the displacements condensed to the faces.
+///
+/// Local stage, point by point on the law, search direction f̂ − f = k (ŵ − w); global stage, equilibrium
+/// A w = f + f_load, search direction f − f̂ = −k⁻ (w − ŵ) with 1/k⁻ = 1/k + ξ, where ξ is the stabilisation of eq. (17):
+/// condensed, it is nothing but a softer global direction. Both are set a priori, k_j = `direction` / C_jj with the own
+/// compliance of each point, and never change, so that the global stage is one product with a fixed inverse. The
+/// fixed-point iteration is relaxed and extrapolated (Anderson 1965). See `docs/latin.md` for the sweep behind the
+/// defaults.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Latin {
+    /// k_j C_jj.
+    pub direction: f64,
+    /// ξ k: 0 for conjugate directions.
+    pub stabilisation: f64,
+    /// Share of the new iterate, in (0, 1].
+    pub relaxation: f64,
+    /// Iterates kept for extrapolation; 0 for none.
+    pub history: usize,
+    /// The LATIN indicator: distance of the local from the global solution, in forces, jumps and K, relative to the
+    /// largest of each.
+    pub tolerance: f64,
+    /// Iterations before the step is given up.
+    pub max_iterations: usize,
+}
+
+impl Default for Latin {
+    fn default() -> Self {
+        Self {
+            direction: 3.0,
+            stabilisation: 0.0,
+            relaxation: 0.8,
+            history: 10,
+            tolerance: 1e-9,
+            max_iterations: 3000,
+        }
+    }
+}
+
+impl ContactSolver for Latin {
+    fn prepare<'a>(&self, problem: &'a FaceProblem<'a>) -> Box<dyn StepSolver + 'a> {
+        Box::new(LatinSteps::new(problem, *self))
+    }
+}
+
+struct LatinSteps<'a> {
+    problem: &'a FaceProblem<'a>,
+    settings: Latin,
+    /// k_j per component.
+    direction: Vec<f64>,
+    /// k⁻ per component.
+    global_direction: Vec<f64>,
+    /// (A + k⁻)⁻¹.
+    global: Option<Matrix>,
+    /// z = f̂ + k⁻ ŵ, the state of the iteration.
+    combined: Vec<f64>,
+    solution: FaceSolution,
+    kept: (Vec<f64>, FaceSolution),
+    /// Largest jump, force and K seen.
+    scale: [f64; 3],
+}
+
+impl<'a> LatinSteps<'a> {
+    fn new(problem: &'a FaceProblem<'a>, settings: Latin) -> Self {
+        let compliance = problem.body().compliance();
+        let points = problem.points();
+        let direction: Vec<f64> = (0..2 * points)
+            .map(|i| {
+                // One k for both components of a point: the mean of its compliances.
+                let j = 2 * (i / 2);
+                2.0 * settings.direction / (compliance[(j, j)] + compliance[(j + 1, j + 1)])
+            })
+            .collect();
+        let global_direction: Vec<f64> =
+            direction.iter().map(|k| k / (1.0 + settings.stabilisation)).collect();
+        let stiffness = problem.stiffness();
+        let shifted = Matrix::from_fn(2 * points, 2 * points, |i, j| {
+            stiffness[(i, j)] + if i == j { global_direction[i] } else { 0.0 }
+        });
+        let solution = FaceSolution::virgin(points);
+        Self {
+            problem,
+            settings,
+            direction,
+            global_direction,
+            global: spd_inverse(&shifted).ok(),
+            combined: vec![0.0; 2 * points],
+            kept: (vec![0.0; 2 * points], solution.clone()),
+            solution,
+            scale: [0.0; 3],
+        }
+    }
+
+    /// The law at `point` met along −f̂ + k ŵ = `target` (shear, normal): fills ŵ, f̂ and the status.
+    fn local_stage(&mut self, point: usize, target: (f64, f64), reference: f64) {
+        let (t, n) = (2 * point, 2 * point + 1);
+        let k = self.direction[t];
+        let mu = self.problem.friction(point);
+        let solution = &mut self.solution;
+        if target.1 > 0.0 {
+            (solution.jump[n], solution.contact[n]) = (target.1 / k, 0.0);
+            (solution.jump[t], solution.contact[t]) = (target.0 / k, 0.0);
+            solution.status[point] = PointStatus::Open;
+            return;
+        }
+        let pressure = -target.1;
+        (solution.jump[n], solution.contact[n]) = (0.0, pressure);
+        let sticking = k * reference - target.0;
+        if mu > 0.0 && sticking.abs() <= mu * pressure {
+            (solution.jump[t], solution.contact[t]) = (reference, sticking);
+            solution.status[point] = PointStatus::Stick;
+        } else {
+            let shear = mu * pressure * sticking.signum();
+            (solution.jump[t], solution.contact[t]) = ((target.0 + shear) / k, shear);
+            solution.status[point] =
+                if sticking < 0.0 { PointStatus::SlipForward } else { PointStatus::SlipBackward };
+        }
+    }
+}
+
+impl StepSolver for LatinSteps<'_> {
+    fn solve(&mut self, step: LoadStep) -> Result<usize, NotConverged> {
+        let Settings { tolerance, max_iterations } = self.settings.limits();
+        let failure = |iterations, indicator| NotConverged { iterations, indicator, tolerance };
+        let n = 2 * self.problem.points();
+        let influence = self.problem.body().sif_influence();
+        let mut extrapolation = Anderson::new(self.settings.history);
+        let mut jump = vec![0.0; n];
+        let mut force = vec![0.0; n];
+        let mut right = vec![0.0; n];
+        let mut residual = vec![0.0; n];
+        let mut indicator = f64::INFINITY;
+        for iteration in 1..=max_iterations {
+            let Some(global) = &self.global else { return Err(failure(0, indicator)) };
+            for i in 0..n {
+                right[i] = step.forces[i] + self.combined[i];
+            }
+            for i in 0..n {
+                jump[i] = dot(global.row(i), &right);
+                force[i] = self.combined[i] - self.global_direction[i] * jump[i];
+            }
+            for point in 0..n / 2 {
+                let target = |i: usize| self.direction[i] * jump[i] - force[i];
+                let target = (target(2 * point), target(2 * point + 1));
+                self.local_stage(point, target, step.reference_slip[point]);
+            }
+            indicator = self.indicator(&jump, &force, step.forces, influence);
+            if indicator <= tolerance {
+                return Ok(iteration);
+            }
+            for i in 0..n {
+                let new = self.solution.contact[i] + self.global_direction[i] * self.solution.jump[i];
+                residual[i] = self.settings.relaxation * (new - self.combined[i]);
+            }
+            extrapolation.advance(&mut self.combined, &residual);
+        }
+        Err(failure(max_iterations, indicator))
+    }
+
+    fn solution(&self) -> &FaceSolution {
+        &self.solution
+    }
+
+    fn keep(&mut self) {
+        self.kept.0.clone_from(&self.combined);
+        self.kept.1.clone_from(&self.solution);
+    }
+
+    fn restore(&mut self) {
+        self.combined.clone_from(&self.kept.0);
+        self.solution.clone_from(&self.kept.1);
+    }
+}
+
+struct Settings {
+    tolerance: f64,
+    max_iterations: usize,
+}
+
+impl Latin {
+    fn limits(&self) -> Settings {
+        Settings { tolerance: self.tolerance, max_iterations: self.max_iterations }
+    }
+}
+
+impl LatinSteps<'_> {
+    /// The largest difference of the local from the global solution: forces and jumps, and what the difference of the
+    /// forces means for K, each relative to its largest value so far.
+    fn indicator(&mut self, jump: &[f64], force: &[f64], load: &[f64], influence: &Matrix) -> f64 {
+        let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0f64, |m, v| m.max(v.abs()));
+        let local = &self.solution;
+        let gap: Vec<f64> = local.contact.iter().zip(force).map(|(a, b)| a - b).collect();
+        let total: Vec<f64> = force.iter().zip(load).map(|(a, b)| a + b).collect();
+        let sif = largest(&mut (0..influence.rows()).map(|i| dot(influence.row(i), &total)));
+        self.scale[0] = self.scale[0].max(largest(&mut jump.iter().copied()));
+        self.scale[1] = self.scale[1].max(largest(&mut load.iter().copied()));
+        self.scale[2] = self.scale[2].max(sif);
+        let jumps = largest(&mut local.jump.iter().zip(jump).map(|(a, b)| a - b));
+        let forces = largest(&mut gap.iter().copied());
+        let sifs = largest(&mut (0..influence.rows()).map(|i| dot(influence.row(i), &gap)));
+        let relative = |value: f64, scale: f64| if value == 0.0 { 0.0 } else { value / scale };
+        relative(jumps, self.scale[0]).max(relative(forces, self.scale[1])).max(relative(sifs, self.scale[2]))
+    }
+}

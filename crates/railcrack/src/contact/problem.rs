@@ -1,0 +1,135 @@
+//! The faces of one cracked body, and one load step on them.
+
+use super::{FaceState, FaceStatus};
+use crate::body::CrackedBody;
+use crate::math::{Matrix, dot};
+
+/// Status of a face point; the sign of a slipping one is that of s12.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PointStatus {
+    /// No contact.
+    Open,
+    /// Contact, no slip.
+    Stick,
+    /// Contact, slip towards +x1: s12 = +μ |s22|.
+    SlipForward,
+    /// Contact, slip towards −x1: s12 = −μ |s22|.
+    SlipBackward,
+}
+
+impl PointStatus {
+    /// Whether the faces touch.
+    pub fn is_closed(self) -> bool {
+        self != Self::Open
+    }
+
+    /// The direction of slip: +1, −1, or 0 without slip.
+    pub fn direction(self) -> f64 {
+        match self {
+            Self::SlipForward => 1.0,
+            Self::SlipBackward => -1.0,
+            Self::Open | Self::Stick => 0.0,
+        }
+    }
+}
+
+/// Unilateral contact with Coulomb friction at the face points of a body.
+pub struct FaceProblem<'a> {
+    body: &'a dyn CrackedBody,
+    friction: Vec<f64>,
+}
+
+impl<'a> FaceProblem<'a> {
+    /// `crack_friction[crack]` is μ_c ≥ 0 of each crack of the body.
+    pub fn new(body: &'a dyn CrackedBody, crack_friction: &[f64]) -> Self {
+        let friction = body.faces().points.iter().map(|p| crack_friction[p.crack]).collect();
+        Self { body, friction }
+    }
+
+    /// The body.
+    pub fn body(&self) -> &'a dyn CrackedBody {
+        self.body
+    }
+
+    /// Number of face points p.
+    pub fn points(&self) -> usize {
+        self.friction.len()
+    }
+
+    /// μ_c of face point `point`.
+    pub fn friction(&self, point: usize) -> f64 {
+        self.friction[point]
+    }
+
+    /// Whether any face point has friction: only then does the history matter.
+    pub fn has_friction(&self) -> bool {
+        self.friction.iter().any(|&mu| mu > 0.0)
+    }
+
+    pub(super) fn stiffness(&self) -> &'a Matrix {
+        self.body.stiffness()
+    }
+}
+
+/// The equilibrium and contact state of the faces after a load step.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FaceSolution {
+    /// ⟦w⟧, mm: `[2 j]` slip, `[2 j + 1]` opening of point j.
+    pub jump: Vec<f64>,
+    /// Contact forces on the + faces, N/mm, same order: s22 = −force / weight.
+    pub contact: Vec<f64>,
+    /// Status of each point.
+    pub status: Vec<PointStatus>,
+}
+
+impl FaceSolution {
+    /// Unloaded virgin faces that just touch.
+    pub fn virgin(points: usize) -> Self {
+        Self {
+            jump: vec![0.0; 2 * points],
+            contact: vec![0.0; 2 * points],
+            status: vec![PointStatus::Stick; points],
+        }
+    }
+
+    /// K_I and K_II of each tip, `[2 t]` and `[2 t + 1]`, MPa √mm, under the nodal forces `load` of the step.
+    pub fn sifs(&self, body: &dyn CrackedBody, load: &[f64]) -> Vec<f64> {
+        let total: Vec<f64> = self.contact.iter().zip(load).map(|(c, l)| c + l).collect();
+        let influence = body.sif_influence();
+        (0..influence.rows()).map(|i| dot(influence.row(i), &total)).collect()
+    }
+
+    /// What each face point does, in stresses.
+    pub fn face_states(&self, problem: &FaceProblem) -> Vec<FaceState> {
+        let state = |(j, point): (usize, &crate::body::MeshPoint)| {
+            let status = match self.status[j] {
+                PointStatus::Open => FaceStatus::Open,
+                PointStatus::Stick => FaceStatus::Stick,
+                PointStatus::SlipForward | PointStatus::SlipBackward => FaceStatus::Slip,
+            };
+            FaceState {
+                opening: self.jump[2 * j + 1],
+                slip: self.jump[2 * j],
+                s22: -self.contact[2 * j + 1] / point.weight,
+                s12: -self.contact[2 * j] / point.weight,
+                status,
+            }
+        };
+        problem.body.faces().points.iter().enumerate().map(state).collect()
+    }
+
+    /// The largest violation of the law: negative opening relative to the largest jump; tension, shear beyond friction
+    /// or traction on an open point relative to the largest force.
+    pub fn violation(&self, problem: &FaceProblem) -> f64 {
+        let largest =
+            |values: &[f64]| values.iter().fold(0.0f64, |m, v| m.max(v.abs())).max(f64::MIN_POSITIVE);
+        let (jump, force) = (largest(&self.jump), largest(&self.contact));
+        (0..problem.points()).fold(0.0f64, |worst, j| {
+            let (tangential, normal) = (self.contact[2 * j], self.contact[2 * j + 1]);
+            let opening = self.jump[2 * j + 1];
+            let cone = tangential.abs() - problem.friction[j] * normal.max(0.0);
+            let product = (opening / jump).min(normal / force).max(0.0);
+            worst.max(-opening / jump).max(-normal / force).max(cone / force).max(product)
+        })
+    }
+}

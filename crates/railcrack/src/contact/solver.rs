@@ -1,0 +1,46 @@
+//! The trait of the contact solvers.
+
+use super::{FaceProblem, FaceSolution};
+use thiserror::Error;
+
+/// One implicit load step: the forces at its end, and the slip from which friction counts.
+#[derive(Debug, Clone, Copy)]
+pub struct LoadStep<'a> {
+    /// Nodal forces of the removed uncracked stress, N/mm, 2p.
+    pub forces: &'a [f64],
+    /// Slip (mm, p) of each point where it last touched or, if it is open, where it is expected to touch.
+    pub reference_slip: &'a [f64],
+}
+
+/// A step that could not be solved.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[error(
+    "contact not converged after {iterations} iterations: indicator {indicator:.3e}, tolerance {tolerance:.1e}"
+)]
+pub struct NotConverged {
+    /// Iterations spent.
+    pub iterations: usize,
+    /// What was reached.
+    pub indicator: f64,
+    /// What was asked for.
+    pub tolerance: f64,
+}
+
+/// A method of solving load steps.
+pub trait ContactSolver: Sync {
+    /// Makes ready for steps on the faces of `problem`, from virgin faces.
+    fn prepare<'a>(&self, problem: &'a FaceProblem<'a>) -> Box<dyn StepSolver + 'a>;
+}
+
+/// A solver at work on one body: it remembers the last solution as the start of the next.
+pub trait StepSolver {
+    /// Solves a step from the current solution; returns the iterations. After an error call
+    /// [`StepSolver::restore`].
+    fn solve(&mut self, step: LoadStep) -> Result<usize, NotConverged>;
+    /// The current solution.
+    fn solution(&self) -> &FaceSolution;
+    /// Makes the current solution the one to return to.
+    fn keep(&mut self);
+    /// Returns to the solution that was kept.
+    fn restore(&mut self);
+}

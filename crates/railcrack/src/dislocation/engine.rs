@@ -1,0 +1,107 @@
+//! The cracked half-plane as two matrices.
+
+use super::assembly::{discretise, stiffness};
+use super::walk::{FaceResolution, Walk};
+use crate::body::{BodyTip, CrackedBody, FaceMesh};
+use crate::crack::{CrackNetwork, End};
+use crate::linear::{LinearError, spd_inverse};
+use crate::material::IsotropicElastic;
+use crate::math::{Matrix, Vec2};
+use thiserror::Error;
+
+/// Cracks that the dislocation engine cannot resolve.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum DislocationError {
+    /// The energy of the jumps is not positive definite: elements far too coarse for the geometry.
+    #[error("the cracks cannot be resolved by dislocations: {0}")]
+    Unresolved(#[from] LinearError),
+}
+
+/// Cracks in the half-plane y ≤ 0 by a Galerkin method for the displacement jump: continuous, linear in √r between
+/// nodes (so that the tip behaviour is in the space), with the closed-form interaction of dislocations.
+#[derive(Debug, Clone)]
+pub struct DislocationBody {
+    faces: FaceMesh,
+    tips: Vec<BodyTip>,
+    stiffness: Matrix,
+    compliance: Matrix,
+    sif_influence: Matrix,
+}
+
+impl DislocationBody {
+    /// The body with `network` of cracks, of `steel`, resolved by `resolution`.
+    pub fn new(
+        network: &CrackNetwork,
+        steel: &IsotropicElastic,
+        resolution: FaceResolution,
+    ) -> Result<Self, DislocationError> {
+        let walks: Vec<Walk> = network.cracks().iter().map(Walk::new).collect();
+        let nodes: Vec<Vec<f64>> = walks
+            .iter()
+            .enumerate()
+            .map(|(i, walk)| walk.nodes(resolution, |point| clearance(network, i, point)))
+            .collect();
+        let (elements, faces) = discretise(&walks, &nodes);
+        let modulus = steel.plane_strain_modulus();
+        let stiffness = stiffness(&walks, &elements, &faces, modulus);
+        let compliance = spd_inverse(&stiffness)?;
+        let mut tips = Vec::new();
+        let mut rows = Vec::new();
+        for (crack, one) in network.cracks().iter().enumerate() {
+            for end in one.tips() {
+                tips.push(BodyTip { crack, end });
+                let mut own = elements.iter().filter(|e| e.crack == crack);
+                let (element, point) = match end {
+                    End::First => own.next().map(|e| (e, e.ends[1])),
+                    End::Last => own.next_back().map(|e| (e, e.ends[0])),
+                }
+                .and_then(|(e, p)| p.map(|p| (e, p)))
+                .expect("a crack has at least four elements");
+                // ⟦w⟧ = W √r / √r_1 on the tip element, and ⟦w⟧ = (8 K / E′) √(r / 2π).
+                let root = walks[crack].root_slope() / (element.range.1 - element.range.0);
+                let factor = modulus * std::f64::consts::TAU.sqrt() / 8.0 * root;
+                for row in [2 * point + 1, 2 * point] {
+                    rows.push(compliance.row(row).iter().map(|c| c * factor).collect::<Vec<f64>>());
+                }
+            }
+        }
+        let sif_influence = Matrix::from_fn(rows.len(), compliance.columns(), |i, j| rows[i][j]);
+        Ok(Self { faces, tips, stiffness, compliance, sif_influence })
+    }
+}
+
+/// Distance from a point of crack `own` to the nearest other crack, mm.
+fn clearance(network: &CrackNetwork, own: usize, point: Vec2) -> f64 {
+    let others = network.cracks().iter().enumerate().filter(|(i, _)| *i != own);
+    others.flat_map(|(_, crack)| crack.points().windows(2)).fold(f64::INFINITY, |nearest, p| {
+        let along = p[1] - p[0];
+        let t = ((point - p[0]).dot(along) / along.dot(along)).clamp(0.0, 1.0);
+        nearest.min((point - p[0] - along * t).length())
+    })
+}
+
+impl CrackedBody for DislocationBody {
+    fn faces(&self) -> &FaceMesh {
+        &self.faces
+    }
+
+    fn tips(&self) -> &[BodyTip] {
+        &self.tips
+    }
+
+    fn compliance(&self) -> &Matrix {
+        &self.compliance
+    }
+
+    fn stiffness(&self) -> &Matrix {
+        &self.stiffness
+    }
+
+    fn sif_influence(&self) -> &Matrix {
+        &self.sif_influence
+    }
+
+    fn dofs(&self) -> usize {
+        self.compliance.rows()
+    }
+}

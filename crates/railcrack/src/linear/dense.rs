@@ -1,0 +1,111 @@
+//! Inverses of dense matrices.
+
+use crate::math::Matrix;
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::{cholesky::llt, lu::partial_pivoting};
+use faer::{Mat, Par, Spec};
+use thiserror::Error;
+
+/// A matrix that cannot be factored.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+pub enum LinearError {
+    /// Not positive definite.
+    #[error("matrix of order {order} is not positive definite: pivot {pivot} is not positive")]
+    NotPositiveDefinite {
+        /// Order of the matrix.
+        order: usize,
+        /// Index of the pivot, from 0.
+        pivot: usize,
+    },
+    /// A matrix without inverse.
+    #[error("matrix of order {order} is singular to working precision")]
+    Singular {
+        /// Order of the matrix.
+        order: usize,
+    },
+}
+
+/// The inverse of a symmetric positive definite matrix, by Cholesky; exactly symmetric.
+pub fn spd_inverse(matrix: &Matrix) -> Result<Matrix, LinearError> {
+    let order = matrix.rows();
+    let mut factor = Mat::from_fn(order, order, |i, j| matrix[(i, j)]);
+    let scratch = llt::factor::cholesky_in_place_scratch::<f64>(order, Par::Seq, Spec::default())
+        .or(llt::inverse::inverse_scratch::<f64>(order, Par::Seq));
+    let mut buffer = MemBuffer::new(scratch);
+    let stack = MemStack::new(&mut buffer);
+    llt::factor::cholesky_in_place(factor.as_mut(), Default::default(), Par::Seq, stack, Spec::default())
+        .map_err(|error| match error {
+            llt::factor::LltError::NonPositivePivot { index } => {
+                LinearError::NotPositiveDefinite { order, pivot: index }
+            }
+        })?;
+    let mut inverse = Mat::zeros(order, order);
+    llt::inverse::inverse(inverse.as_mut(), factor.as_ref(), Par::Seq, stack);
+    Ok(Matrix::from_fn(order, order, |i, j| inverse[(i.max(j), i.min(j))]))
+}
+
+/// The inverse of a square matrix, by Gaussian elimination with partial pivoting.
+pub fn general_inverse(matrix: &Matrix) -> Result<Matrix, LinearError> {
+    let order = matrix.rows();
+    let mut factor = Mat::from_fn(order, order, |i, j| matrix[(i, j)]);
+    let (mut forward, mut backward) = (vec![0usize; order], vec![0usize; order]);
+    let scratch =
+        partial_pivoting::factor::lu_in_place_scratch::<usize, f64>(order, order, Par::Seq, Spec::default())
+            .or(partial_pivoting::inverse::inverse_scratch::<usize, f64>(order, Par::Seq));
+    let mut buffer = MemBuffer::new(scratch);
+    let stack = MemStack::new(&mut buffer);
+    let (_, permutation) = partial_pivoting::factor::lu_in_place(
+        factor.as_mut(),
+        &mut forward,
+        &mut backward,
+        Par::Seq,
+        stack,
+        Spec::default(),
+    );
+    let mut inverse = Mat::zeros(order, order);
+    partial_pivoting::inverse::inverse(
+        inverse.as_mut(),
+        factor.as_ref(),
+        factor.as_ref(),
+        permutation,
+        Par::Seq,
+        stack,
+    );
+    let inverse = Matrix::from_fn(order, order, |i, j| inverse[(i, j)]);
+    if (0..order).any(|i| inverse.row(i).iter().any(|v| !v.is_finite())) {
+        return Err(LinearError::Singular { order });
+    }
+    Ok(inverse)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn product(a: &Matrix, b: &Matrix) -> Matrix {
+        Matrix::from_fn(a.rows(), b.columns(), |i, j| (0..a.columns()).map(|k| a[(i, k)] * b[(k, j)]).sum())
+    }
+
+    fn distance_from_identity(m: &Matrix) -> f64 {
+        let entry = |i, j| (m[(i, j)] - f64::from(i == j)).abs();
+        (0..m.rows())
+            .flat_map(|i| (0..m.columns()).map(move |j| (i, j)))
+            .fold(0.0, |w, (i, j)| entry(i, j).max(w))
+    }
+
+    #[test]
+    fn inverses_by_residual() {
+        let hilbert = Matrix::from_fn(6, 6, |i, j| 1.0 / (i + j + 1) as f64 + 0.1 * f64::from(i == j));
+        let skewed =
+            Matrix::from_fn(7, 7, |i, j| ((3 * i + 5 * j) % 7) as f64 - 3.0 + 8.0 * f64::from(i == j));
+        assert!(distance_from_identity(&product(&hilbert, &spd_inverse(&hilbert).unwrap())) < 1e-13);
+        assert!(distance_from_identity(&product(&skewed, &general_inverse(&skewed).unwrap())) < 1e-13);
+    }
+
+    #[test]
+    fn refuses_what_has_no_inverse() {
+        let indefinite = Matrix::from_fn(2, 2, |i, j| if i == j { 1.0 } else { 2.0 });
+        assert_eq!(spd_inverse(&indefinite), Err(LinearError::NotPositiveDefinite { order: 2, pivot: 1 }));
+        assert_eq!(general_inverse(&Matrix::zeros(3, 3)), Err(LinearError::Singular { order: 3 }));
+    }
+}
