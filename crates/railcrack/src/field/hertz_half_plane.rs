@@ -77,7 +77,8 @@ mod tests {
     use crate::math::gauss_legendre;
     use std::f64::consts::PI;
 
-    const CONTACT: HertzianContact = HertzianContact { peak_pressure: 845.0, half_width: 6.75, friction: 0.4 };
+    const CONTACT: HertzianContact =
+        HertzianContact { peak_pressure: 845.0, half_width: 6.75, friction: 0.4 };
     const POISSON: f64 = 0.3;
     const XC: f64 = 2.5;
 
@@ -104,7 +105,8 @@ mod tests {
                 let phi = from + t * (to - from);
                 let force = CONTACT.peak_pressure * a * phi.cos().powi(2) * weight * (to - from);
                 let r = point - Vec2::new(XC + a * phi.sin(), 0.0);
-                let radial = Vec2::new(CONTACT.friction * force, -force).dot(r) * -2.0 / (PI * r.dot(r).powi(2));
+                let radial =
+                    Vec2::new(CONTACT.friction * force, -force).dot(r) * -2.0 / (PI * r.dot(r).powi(2));
                 let (xx, yy) = (radial * r.x * r.x, radial * r.y * r.y);
                 sum = sum + Stress { xx, yy, zz: POISSON * (xx + yy), xy: radial * r.x * r.y };
             }
