@@ -1,10 +1,14 @@
 //! Passage → histories, increments, stops: the cracks step by step.
 
 mod driver;
+mod increments;
 mod record;
+mod stops;
 
 pub use driver::{Growth, GrowthError, GrowthState, Watch};
+pub use increments::{Advance, StepState, TipAdvance, TipDrive, advance};
 pub use record::{
     CrackTip, FacePoint, FaceRecord, GrowthSettings, PassageRecord, PhaseTimes, RunStop, SolverCounts,
     StepRecord, TipRecord, TipStop, Warning,
 };
+pub use stops::RailBox;
