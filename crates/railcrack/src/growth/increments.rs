@@ -188,7 +188,7 @@ fn meetings(state: &StepState<'_>, steps: &[Option<Step>], cracks: &[Crack]) -> 
 fn nothing_grows(state: &StepState<'_>, stops: &[Option<TipStop>]) -> Option<RunStop> {
     let all: Vec<TipStop> = stops.iter().copied().collect::<Option<_>>()?;
     let of_this_step =
-        state.tips.iter().zip(&all).filter(|(tip, _)| tip.stopped.is_none()).map(|(_, s)| *s).last();
+        state.tips.iter().zip(&all).filter(|(tip, _)| tip.stopped.is_none()).map(|(_, s)| *s).next_back();
     of_this_step.or(all.last().copied()).map(RunStop::NoTipGrows)
 }
 
