@@ -20,3 +20,4 @@ pub mod load;
 pub mod material;
 pub mod math;
 pub mod output;
+pub mod shakedown;

@@ -1,7 +1,9 @@
 //! Polyline cracks and networks of them.
 
+mod distance;
 mod network;
 mod polyline;
 
+pub use distance::segment_distance;
 pub use network::{CrackNetwork, NetworkError};
 pub use polyline::{Crack, CrackError, End};

@@ -4,7 +4,7 @@ mod depth_profile;
 mod hertz_half_plane;
 
 pub use depth_profile::{DepthProfile, ProfileError};
-pub use hertz_half_plane::hertz_stress;
+pub use hertz_half_plane::{HertzField, hertz_stress};
 
 use crate::math::{Stress, Vec2};
 

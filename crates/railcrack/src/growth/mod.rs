@@ -1,12 +1,16 @@
 //! Passage → histories, increments, stops: the cracks step by step.
 
 mod driver;
+mod increments;
 mod passage;
 mod record;
+mod stops;
 
 pub use driver::{Growth, GrowthError, GrowthState, Watch};
+pub use increments::{Advance, StepState, TipAdvance, TipDrive, advance};
 pub use passage::{PassageError, PassageSettings, RailLoad, StabilisedPassage, stabilised_passage};
 pub use record::{
     CrackTip, FacePoint, FaceRecord, GrowthSettings, PassageRecord, PhaseTimes, RunStop, SolverCounts,
     StepRecord, TipRecord, TipStop, Warning,
 };
+pub use stops::RailBox;

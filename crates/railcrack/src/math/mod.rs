@@ -1,11 +1,13 @@
-//! Vectors, plane-strain stress tensors, dense matrices, quadrature rules, exact orientation.
+//! Vectors, plane-strain stress tensors, dense matrices, quadrature rules, exact orientation, enclosing balls.
 
+mod ball;
 mod matrix;
 mod predicate;
 mod quadrature;
 mod stress;
 mod vector;
 
+pub use ball::{Ball, smallest_ball};
 pub use matrix::Matrix;
 pub(crate) use matrix::dot;
 pub use predicate::{Orientation, orientation, segments_touch};

@@ -24,6 +24,14 @@ impl Stress {
     pub fn traction(self, normal: Vec2) -> Vec2 {
         Vec2::new(self.xx * normal.x + self.xy * normal.y, self.xy * normal.x + self.yy * normal.y)
     }
+
+    /// The deviator s in coordinates whose Euclidean norm is its Frobenius norm √(s:s), MPa:
+    /// ((s_xx − s_yy)/√2, √(3/2) s_zz, √2 s_xy). √J2 is their norm over √2.
+    pub fn deviator(self) -> [f64; 3] {
+        const ROOT_2: f64 = std::f64::consts::SQRT_2;
+        let zz = (2.0 * self.zz - self.xx - self.yy) / 3.0;
+        [(self.xx - self.yy) / ROOT_2, 1.5_f64.sqrt() * zz, ROOT_2 * self.xy]
+    }
 }
 
 impl Add for Stress {
@@ -44,5 +52,20 @@ impl Mul<f64> for Stress {
     type Output = Self;
     fn mul(self, s: f64) -> Self {
         Self { xx: self.xx * s, yy: self.yy * s, zz: self.zz * s, xy: self.xy * s }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn deviator_keeps_the_frobenius_norm() {
+        let s = Stress { xx: 3.0, yy: -1.0, zz: 4.0, xy: 2.0 };
+        // Mean 2: s = diag(1, −3, 2), s_xy = 2, s:s = 1 + 9 + 4 + 2 · 4.
+        let norm: f64 = s.deviator().iter().map(|c| c * c).sum();
+        assert!((norm - 22.0).abs() < 1e-13); // round-off
+        let pressure = Stress { xx: -5.0, yy: -5.0, zz: -5.0, xy: 0.0 };
+        assert_eq!(pressure.deviator(), [0.0; 3]);
     }
 }

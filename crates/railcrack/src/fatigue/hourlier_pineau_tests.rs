@@ -1,0 +1,137 @@
+//! Directions that theory knows, ties, mirrors, and the reduction to corners.
+
+use super::*;
+
+const ALL: [DirectionCriterion; 3] =
+    [DirectionCriterion::MaxRate, DirectionCriterion::MaxDeltaK1, DirectionCriterion::MaxK1];
+
+fn with(criterion: DirectionCriterion) -> HourlierPineau {
+    HourlierPineau { law: ParisLaw::RAIL_STEEL, criterion }
+}
+
+fn history(samples: impl IntoIterator<Item = (f64, f64)>) -> SifHistory {
+    SifHistory { samples: samples.into_iter().map(|(k1, k2)| Sif { k1, k2 }).collect() }
+}
+
+/// A passage that is neither proportional nor symmetric, K_I noisy at zero while closed.
+fn passage(count: usize) -> SifHistory {
+    history((0..count).map(|i| {
+        let t = 6.0 * (i as f64 / (count - 1) as f64) - 3.0;
+        let opening = 120.0 * (-(t + 1.0) * (t + 1.0)).exp() - 20.0;
+        (opening.max(1e-9 * (i % 7) as f64), 300.0 * t * (-t * t).exp() + 40.0 * (-t * t).exp())
+    }))
+}
+
+#[test]
+fn pure_mode_one_goes_straight_ahead() {
+    for criterion in ALL {
+        let kink = with(criterion).kink(&history([(0.0, 0.0), (100.0, 0.0)])).unwrap();
+        assert!(kink.angle.abs() < 1e-7, "{criterion:?}: {kink:?}"); // golden section, see its steps
+        assert!((kink.delta_k1 - 100.0).abs() < 1e-9 && kink.delta_k2 < 1e-5, "{kink:?}");
+    }
+}
+
+#[test]
+fn pulsating_mode_two_turns_to_the_side_where_it_opens() {
+    // K_II > 0 opens at −76.6°, with k1 = 1.2316 K_II.
+    for (k2, sign) in [(100.0, -1.0), (-100.0, 1.0)] {
+        for criterion in [DirectionCriterion::MaxDeltaK1, DirectionCriterion::MaxK1] {
+            let kink = with(criterion).kink(&history([(0.0, 0.0), (0.0, k2)])).unwrap();
+            assert!((kink.angle.to_degrees() - 76.6 * sign).abs() < 0.05, "{criterion:?}: {kink:?}");
+            assert!((kink.delta_k1 - 123.16).abs() < 0.01, "{kink:?}");
+            assert!(kink.rival.is_none(), "{kink:?}");
+        }
+    }
+}
+
+#[test]
+fn alternating_mode_two_is_a_tie_that_goes_to_the_positive_angle() {
+    let alternating = history([(0.0, 100.0), (0.0, -100.0)]);
+    let kink = with(DirectionCriterion::MaxK1).kink(&alternating).unwrap();
+    let rival = kink.rival.unwrap();
+    assert!((kink.angle.to_degrees() - 76.6).abs() < 0.05, "{kink:?}");
+    assert_eq!((rival.angle, rival.ratio), (-kink.angle, 1.0));
+}
+
+#[test]
+fn clipping_makes_alternating_mode_two_coplanar() {
+    // Clipped, Δk1 at ±76.6° is 1.2316 K_II, but w Δk2² straight ahead is 0.772 · (2 K_II)²: co-planar wins.
+    let kink = with(DirectionCriterion::MaxRate).kink(&history([(0.0, 100.0), (0.0, -100.0)])).unwrap();
+    assert!(kink.angle.abs() < 1e-6, "{kink:?}");
+    assert!((kink.delta_k2 - 200.0).abs() < 1e-6 && kink.delta_k1 < 1e-3, "{kink:?}");
+}
+
+#[test]
+fn chosen_angle_is_the_best_of_a_fine_scan() {
+    for criterion in ALL {
+        let rule = with(criterion);
+        let history = passage(2000);
+        let kink = rule.kink(&history).unwrap();
+        // All samples, no hull: the reduction to corners must not change anything.
+        let value = |beta: f64| rule.value(&history.samples, beta);
+        let scan = (-11000..=11000).map(|i| (0.01 * f64::from(i)).to_radians());
+        let best = scan.max_by(|a, b| value(*a).total_cmp(&value(*b))).unwrap();
+        assert!((best - kink.angle).abs() < 0.01_f64.to_radians(), "{criterion:?}: {best} {kink:?}");
+        assert!(value(kink.angle) >= value(best));
+        let corners = convex_hull(&history.samples);
+        assert_eq!(value(kink.angle), rule.value(&corners, kink.angle));
+    }
+}
+
+#[test]
+fn rival_is_another_local_maximum() {
+    let rule = with(DirectionCriterion::MaxRate);
+    // Opening under positive K_II, then reversed shear while closed.
+    let samples = history([(0.0, 0.0), (60.0, 100.0), (0.0, -80.0)]).samples;
+    let kink = rule.kink(&SifHistory { samples: samples.clone() }).unwrap();
+    let rival = kink.rival.unwrap();
+    assert!((rival.angle - kink.angle).abs() >= RIVAL_DISTANCE);
+    assert!(rival.ratio > 0.0 && rival.ratio < 1.0, "{kink:?}");
+    let value = |beta: f64| rule.value(&samples, beta);
+    assert!(
+        value(rival.angle) >= value(rival.angle - 0.01) && value(rival.angle) >= value(rival.angle + 0.01)
+    );
+    let ratio = (value(rival.angle) / value(kink.angle)).powf(rule.law.m);
+    assert!((ratio - rival.ratio).abs() < 1e-12); // same formula, other summation order
+}
+
+#[test]
+fn mirrored_history_gives_the_opposite_angle_to_the_bit() {
+    for criterion in ALL {
+        let history = passage(1501);
+        let mirrored =
+            SifHistory { samples: history.samples.iter().map(|k| Sif { k1: k.k1, k2: -k.k2 }).collect() };
+        let (kink, other) =
+            (with(criterion).kink(&history).unwrap(), with(criterion).kink(&mirrored).unwrap());
+        let opposite =
+            Kink { angle: -other.angle, rival: other.rival.map(|r| Rival { angle: -r.angle, ..r }), ..other };
+        assert_eq!(kink, opposite);
+    }
+}
+
+#[test]
+fn histories_without_drive_give_no_kink() {
+    for criterion in ALL {
+        assert_eq!(with(criterion).kink(&SifHistory::default()), None);
+        assert_eq!(with(criterion).kink(&history([(0.0, 0.0), (0.0, 0.0)])), None);
+        assert_eq!(with(criterion).kink(&history([(0.0, 0.0), (f64::NAN, 0.0)])), None);
+    }
+}
+
+#[test]
+#[ignore = "prints a time"]
+fn time_per_tip() {
+    for count in [2000, 5000] {
+        let history = passage(count);
+        let start = std::time::Instant::now();
+        let mut sum = 0.0;
+        for _ in 0..200 {
+            sum += with(DirectionCriterion::MaxRate).kink(&history).map_or(0.0, |k| k.angle);
+        }
+        let corners = convex_hull(&history.samples).len();
+        println!(
+            "{count} samples, {corners} corners: {:.1} us, {sum}",
+            start.elapsed().as_secs_f64() * 1e6 / 200.0
+        );
+    }
+}

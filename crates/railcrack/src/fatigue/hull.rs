@@ -1,0 +1,62 @@
+//! The corners of a history.
+
+use crate::fracture::Sif;
+use crate::math::{Orientation, Vec2, orientation};
+
+/// The corners of the convex hull of `samples` in the (K_I, K_II) plane, counter-clockwise: a linear function of K
+/// has its largest and smallest value at corners. Fewer than three samples, or samples on a line, give their ends.
+///
+/// Andrew's monotone chain with an exact orientation test; all samples finite.
+pub(super) fn convex_hull(samples: &[Sif]) -> Vec<Sif> {
+    // Adding zero turns −0 into +0: they are one value, and must not sort apart.
+    let mut points: Vec<Vec2> = samples.iter().map(|k| Vec2::new(k.k1 + 0.0, k.k2 + 0.0)).collect();
+    points.sort_unstable_by(|p, q| p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)));
+    points.dedup();
+    let to_sif = |p: &Vec2| Sif { k1: p.x, k2: p.y };
+    if points.len() < 3 {
+        return points.iter().map(to_sif).collect();
+    }
+    let mut corners = half_hull(points.iter().copied());
+    corners.extend(half_hull(points.iter().rev().copied()));
+    corners.iter().map(to_sif).collect()
+}
+
+/// The corners from the first point up to, but without, the last one, all others to the left.
+fn half_hull(points: impl Iterator<Item = Vec2>) -> Vec<Vec2> {
+    let mut chain: Vec<Vec2> = Vec::new();
+    for point in points {
+        while let [.., before, last] = chain[..] {
+            if orientation(before, last, point) == Orientation::Left {
+                break;
+            }
+            chain.pop();
+        }
+        chain.push(point);
+    }
+    chain.pop();
+    chain
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn k(k1: f64, k2: f64) -> Sif {
+        Sif { k1, k2 }
+    }
+
+    #[test]
+    fn corners_of_a_square_with_points_inside_and_on_its_sides() {
+        let samples =
+            [k(0., 0.), k(1., 1.), k(2., 0.), k(1., 0.), k(2., 2.), k(0., 2.), k(0., 1.), k(2., 2.)];
+        assert_eq!(convex_hull(&samples), [k(0., 0.), k(2., 0.), k(2., 2.), k(0., 2.)]);
+    }
+
+    #[test]
+    fn a_line_has_two_ends_and_a_point_one() {
+        let line: Vec<Sif> = (0..9).map(|i| k(f64::from(i), -2.0 * f64::from(i))).collect();
+        assert_eq!(convex_hull(&line), [k(0., 0.), k(8., -16.)]);
+        assert_eq!(convex_hull(&[k(0., 0.), k(-0.0, 0.)]), [k(0., 0.)]);
+        assert!(convex_hull(&[]).is_empty());
+    }
+}

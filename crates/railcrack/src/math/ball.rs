@@ -1,0 +1,165 @@
+//! Smallest enclosing balls.
+
+/// A ball in three dimensions.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ball {
+    /// Centre.
+    pub centre: [f64; 3],
+    /// Radius.
+    pub radius: f64,
+}
+
+/// Points outside by less, relative to the radius squared, count as inside: round-off of a circumscribed ball.
+const INSIDE: f64 = 1e-13;
+/// Flatter simplices (squared height over squared edges) have no usable circumscribed ball.
+const FLAT: f64 = 1e-14;
+/// Every pivot enlarges the ball, so the loop ends by itself; this bounds it for coordinates that are not numbers.
+const PIVOTS: usize = 1000;
+
+/// The smallest ball that contains all `points`; radius 0 at the origin for none.
+///
+/// Farthest points are added one by one to a short list, whose smallest ball Welzl's recursion gives exactly.
+///
+/// Source: Welzl 1991, Smallest enclosing disks; Gärtner 1999, Fast and robust smallest enclosing balls (pivoting).
+pub fn smallest_ball(points: &[[f64; 3]]) -> Ball {
+    let Some(&first) = points.first() else { return Ball { centre: [0.0; 3], radius: 0.0 } };
+    let mut pivots = vec![first];
+    let mut ball = Ball { centre: first, radius: 0.0 };
+    for _ in 0..PIVOTS {
+        let (mut farthest, mut largest) = (first, 0.0);
+        for &point in points {
+            let distance = squared(difference(point, ball.centre));
+            if distance > largest {
+                (farthest, largest) = (point, distance);
+            }
+        }
+        if largest <= ball.radius * ball.radius * (1.0 + INSIDE) {
+            break;
+        }
+        pivots.insert(0, farthest);
+        let larger = ball_with(&pivots, &mut Vec::with_capacity(4));
+        if larger.radius <= ball.radius {
+            break;
+        }
+        ball = larger;
+    }
+    ball
+}
+
+/// The smallest ball around `points` that has all of `boundary` on its surface (Welzl).
+fn ball_with(points: &[[f64; 3]], boundary: &mut Vec<[f64; 3]>) -> Ball {
+    let mut ball = circumscribed(boundary);
+    if boundary.len() == 4 {
+        return ball;
+    }
+    for (i, &point) in points.iter().enumerate() {
+        let inside = ball.radius >= 0.0
+            && squared(difference(point, ball.centre)) <= ball.radius * ball.radius * (1.0 + INSIDE);
+        if !inside {
+            boundary.push(point);
+            ball = ball_with(&points[..i], boundary);
+            boundary.pop();
+        }
+    }
+    ball
+}
+
+/// The smallest ball with up to four points on its surface; radius −1 for none. A point that lies in the plane of the
+/// others, as far as can be computed, is left out.
+///
+/// centre = p0 + Σ λ_i q_i in the orthogonalised edges q_i, from (c − p0)·(p_i − p0) = |p_i − p0|²/2.
+fn circumscribed(boundary: &[[f64; 3]]) -> Ball {
+    let Some((&origin, others)) = boundary.split_first() else {
+        return Ball { centre: [0.0; 3], radius: -1.0 };
+    };
+    let mut offset = [0.0; 3];
+    let mut axes: Vec<[f64; 3]> = Vec::with_capacity(3);
+    for &point in others {
+        let edge = difference(point, origin);
+        let axis = axes.iter().fold(edge, |rest, q| added(rest, *q, -dot(rest, *q) / squared(*q)));
+        let height = squared(axis);
+        if height > FLAT * squared(edge) {
+            let missing = 0.5 * squared(edge) - dot(offset, edge);
+            offset = added(offset, axis, missing / height);
+            axes.push(axis);
+        }
+    }
+    Ball { centre: added(origin, offset, 1.0), radius: squared(offset).sqrt() }
+}
+
+fn difference(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    added(a, b, -1.0)
+}
+
+fn added(a: [f64; 3], b: [f64; 3], times: f64) -> [f64; 3] {
+    [a[0] + times * b[0], a[1] + times * b[1], a[2] + times * b[2]]
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn squared(a: [f64; 3]) -> f64 {
+    dot(a, a)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Round-off of a circumscribed ball of well-shaped points.
+    const ROUNDING: f64 = 1e-12;
+
+    fn assert_ball(points: &[[f64; 3]], centre: [f64; 3], radius: f64) {
+        let ball = smallest_ball(points);
+        assert!((ball.radius - radius).abs() < ROUNDING, "{ball:?}");
+        assert!(squared(difference(ball.centre, centre)).sqrt() < ROUNDING, "{ball:?}");
+    }
+
+    #[test]
+    fn known_balls() {
+        assert_ball(&[], [0.0; 3], 0.0);
+        assert_ball(&[[1.0, 2.0, 3.0]; 4], [1.0, 2.0, 3.0], 0.0);
+        assert_ball(&[[0.0; 3], [2.0, 0.0, 0.0], [1.0, 0.5, 0.0]], [1.0, 0.0, 0.0], 1.0);
+        let h = 3_f64.sqrt();
+        let triangle = [[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, h, 0.0], [0.1, 0.2, 0.3]];
+        assert_ball(&triangle, [0.0, 1.0 / h, 0.0], 2.0 / h);
+        let tetrahedron =
+            [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0], [0.1; 3]];
+        assert_ball(&tetrahedron, [0.0; 3], h);
+        let cube: Vec<[f64; 3]> = (0..8).map(|i| [0, 1, 2].map(|k| f64::from((i >> k) & 1))).collect();
+        assert_ball(&cube, [0.5; 3], 0.5 * h);
+    }
+
+    #[test]
+    fn smallest_by_its_optimality() {
+        // The centre of the smallest ball is a convex combination of the points on it: no direction brings all of
+        // them nearer. Pseudo-random points, some repeated, some on a line.
+        let mut seed = 1_u64;
+        let mut next = || {
+            seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            (seed >> 40) as f64 / f64::from(1 << 24) - 0.5
+        };
+        for round in 0..200 {
+            let flat = f64::from(u8::from(round % 3 != 0));
+            let mut points: Vec<[f64; 3]> = (0..60).map(|_| [next(), 3.0 * next(), flat * next()]).collect();
+            points.extend_from_within(..10);
+            let ball = smallest_ball(&points);
+            let on: Vec<[f64; 3]> = points
+                .iter()
+                .map(|p| difference(*p, ball.centre))
+                .filter(|p| (squared(*p).sqrt() / ball.radius - 1.0).abs() < 1e-9)
+                .collect();
+            assert!(
+                points
+                    .iter()
+                    .all(|p| squared(difference(*p, ball.centre)).sqrt() <= ball.radius * (1.0 + 1e-12))
+            );
+            for _ in 0..500 {
+                let direction = [next(), next(), next()];
+                let nearest = on.iter().map(|p| dot(*p, direction)).fold(f64::INFINITY, f64::min);
+                assert!(nearest <= 1e-9, "round {round}: {nearest:e}");
+            }
+        }
+    }
+}
