@@ -1,6 +1,6 @@
 //! The checkpoint: everything a run needs in order to go on after its last finished step.
 
-use super::folder::{self, CHECKPOINT_FILE, Durability};
+use super::folder::{self, CHECKPOINT_FILE, CaseFiles, Durability};
 use super::story::Story;
 use super::{OutputError, VERSION};
 use crate::growth::GrowthState;
@@ -28,8 +28,7 @@ pub(crate) struct TableLengths {
 pub(crate) struct Checkpoint {
     /// Version of the program.
     pub program: String,
-    /// The case, as in `case.toml`.
-    pub case: String,
+    pub case: CaseFiles,
     pub state: GrowthState,
     pub lengths: TableLengths,
     pub story: Story,
@@ -37,7 +36,7 @@ pub(crate) struct Checkpoint {
 
 impl Checkpoint {
     /// Puts this checkpoint in the place of the one before.
-    pub(crate) fn write(&self, folder: &Path) -> Result<(), OutputError> {
+    pub(crate) fn write(&self, folder: &Path, durability: Durability) -> Result<(), OutputError> {
         let path = folder.join(CHECKPOINT_FILE);
         let body =
             postcard::to_stdvec(self).map_err(|reason| OutputError::damaged(&path, reason.to_string()))?;
@@ -46,7 +45,7 @@ impl Checkpoint {
         bytes.extend_from_slice(&FORMAT.to_le_bytes());
         bytes.extend_from_slice(&checksum(&body).to_le_bytes());
         bytes.extend_from_slice(&body);
-        folder::replace_file(&path, &bytes, Durability::Synced)
+        folder::replace_file(&path, &bytes, durability)
     }
 
     /// The checkpoint in `folder`; none where no step has finished.

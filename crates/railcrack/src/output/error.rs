@@ -25,17 +25,19 @@ pub enum OutputError {
     },
     /// The case is not the one that the folder's run computes.
     #[error(
-        "the run in {} computes another case (line {line} of its case.toml differs: \"{stored}\" there, \"{given}\" now): resume with the case and options it was started with, or start afresh with --force",
+        "the run in {} computes another case (line {line} of its {file} differs: \"{stored}\" there, \"{given}\" now): resume with the case and options it was started with, or start afresh with --force",
         folder.display()
     )]
     CaseChanged {
         /// The folder.
         folder: PathBuf,
+        /// `case.toml`, or a file that it names.
+        file: String,
         /// The first line that differs, from 1.
         line: usize,
-        /// That line in the folder's case.
+        /// That line in the folder.
         stored: String,
-        /// That line in the case given now.
+        /// That line now.
         given: String,
     },
     /// The run was written by another version of the program.

@@ -3,6 +3,7 @@
 use super::OutputError;
 use super::csv::{FACES_FILE, GROWTH_FILE, RESIDUAL_FILE, SIF_FILE};
 use super::figures::{PLOT_FILES, PLOTS_FOLDER};
+use serde::{Deserialize, Serialize};
 use std::fs::{self, File};
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
@@ -13,7 +14,7 @@ pub(crate) const SUMMARY_FILE: &str = "summary.json";
 
 /// Files of a run beside `case.toml`, in the order in which a replaced run is removed: without its checkpoint a run
 /// is one that has not begun.
-const RUN_FILES: [&str; 8] = [
+const RUN_FILES: [&str; 10] = [
     CHECKPOINT_FILE,
     SIF_FILE,
     GROWTH_FILE,
@@ -22,10 +23,24 @@ const RUN_FILES: [&str; 8] = [
     SUMMARY_FILE,
     "report.html",
     "fields.pvd",
+    "inputs/residual-stress.csv",
+    "inputs/initial-residual.csv",
 ];
+
+/// Folder of the files that `case.toml` names.
+const INPUTS_FOLDER: &str = "inputs";
 
 /// Ending of a file that is being written and not yet in place.
 const PARTIAL: &str = "partial";
+
+/// What is computed: the text of `case.toml` and the files that it names.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub struct CaseFiles {
+    /// The case, defaults filled in.
+    pub toml: String,
+    /// Name in the run folder (`inputs/residual-stress.csv`) and text of each file that the case names.
+    pub companions: Vec<(String, String)>,
+}
 
 /// What to do with a run that the folder already holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -69,9 +84,9 @@ fn partial_of(path: &Path) -> PathBuf {
     PathBuf::from(name)
 }
 
-/// Makes `folder` a run folder with nothing but `case.toml`. From that file on, the folder holds a run that can be
+/// Makes `folder` a run folder with nothing but the case. From `case.toml` on, the folder holds a run that can be
 /// resumed.
-pub(crate) fn begin(folder: &Path, case: &str, existing: Existing) -> Result<(), OutputError> {
+pub(crate) fn begin(folder: &Path, case: &CaseFiles, existing: Existing) -> Result<(), OutputError> {
     if existing == Existing::Refuse
         && let Some(file) = run_file_in(folder)
     {
@@ -82,18 +97,37 @@ pub(crate) fn begin(folder: &Path, case: &str, existing: Existing) -> Result<(),
         return Err(OutputError::io("use as a run folder", folder)(reason));
     }
     fs::create_dir_all(folder).map_err(OutputError::io("create the run folder", folder))?;
-    if existing == Existing::Refuse {
-        return replace_file(&folder.join(CASE_FILE), case.as_bytes(), Durability::Synced);
+    if existing == Existing::Replace {
+        // The order matters to a kill in between: first the old run loses its checkpoint, then the new case takes
+        // the old one's place; whatever is left over then belongs to a run that starts from its beginning.
+        remove(&folder.join(CHECKPOINT_FILE))?;
     }
-    // The order matters to a kill in between: first the old run loses its checkpoint, then the new case takes the
-    // old one's place; whatever is left over then belongs to a run that starts from its beginning.
-    remove(&folder.join(CHECKPOINT_FILE))?;
-    replace_file(&folder.join(CASE_FILE), case.as_bytes(), Durability::Synced)?;
-    clear_results(folder)
+    replace_file(&folder.join(CASE_FILE), case.toml.as_bytes(), Durability::Synced)?;
+    if existing == Existing::Replace {
+        clear_results(folder)?;
+    }
+    write_companions(folder, case)
 }
 
-/// Removes every result of a run, and the folder of plots where nothing else is in it.
-pub(crate) fn clear_results(folder: &Path) -> Result<(), OutputError> {
+/// Writes the case of a run that goes on: its text and the files that it names.
+pub(crate) fn restore_case(folder: &Path, case: &CaseFiles) -> Result<(), OutputError> {
+    replace_file(&folder.join(CASE_FILE), case.toml.as_bytes(), Durability::Cached)?;
+    write_companions(folder, case)
+}
+
+fn write_companions(folder: &Path, case: &CaseFiles) -> Result<(), OutputError> {
+    for (name, text) in &case.companions {
+        let path = folder.join(name);
+        if let Some(parent) = path.parent() {
+            fs::create_dir_all(parent).map_err(OutputError::io("create", parent))?;
+        }
+        replace_file(&path, text.as_bytes(), Durability::Cached)?;
+    }
+    Ok(())
+}
+
+/// Removes every result of a run and its inputs, and their folders where nothing else is in them.
+fn clear_results(folder: &Path) -> Result<(), OutputError> {
     for file in RUN_FILES {
         remove(&folder.join(file))?;
         remove(&partial_of(&folder.join(file)))?;
@@ -103,8 +137,10 @@ pub(crate) fn clear_results(folder: &Path) -> Result<(), OutputError> {
         remove(&plots.join(file))?;
         remove(&partial_of(&plots.join(file)))?;
     }
-    // Refused where the user keeps files of his own in it, or where it does not exist: both are fine.
-    let _ = fs::remove_dir(&plots);
+    for emptied in [plots, folder.join(INPUTS_FOLDER)] {
+        // Refused where the user keeps files of his own in it, or where it does not exist: both are fine.
+        let _ = fs::remove_dir(emptied);
+    }
     Ok(())
 }
 

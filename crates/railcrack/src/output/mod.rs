@@ -17,7 +17,7 @@ mod summary;
 pub use csv::{FACES_COLUMNS, GROWTH_COLUMNS, RESIDUAL_COLUMNS, ResidualRow, SIF_COLUMNS};
 pub use error::OutputError;
 pub use figures::rebuild_plots;
-pub use folder::Existing;
+pub use folder::{CaseFiles, Existing};
 pub use recorder::{Recorder, RunInfo};
 pub use summary::{CrackSummary, PhaseSeconds, Summary, TipSummary};
 

@@ -5,14 +5,18 @@ use super::csv::{
     CsvFile, FACES_FILE, GROWTH_FILE, RESIDUAL_FILE, Rows, SIF_FILE, SifScale, faces_header, faces_rows,
     growth_header, growth_rows, residual_table, sif_header, sif_rows,
 };
-use super::folder::{self, CASE_FILE, Durability, SUMMARY_FILE};
+use super::folder::{self, CASE_FILE, CaseFiles, Durability, SUMMARY_FILE};
 use super::memory::peak_memory_mb;
 use super::story::Story;
 use super::summary::{Summary, finite_summary};
 use super::{Existing, OutputError, ResidualRow, VERSION, rebuild_plots};
 use crate::growth::{GrowthState, StepRecord, Warning};
 use std::path::{Path, PathBuf};
-use std::time::Instant;
+use std::time::{Duration, Instant};
+
+/// Steps faster than this do not each wait for the disk: a kill loses nothing by that, a power failure at most a run
+/// that is quickly computed again.
+const SYNC_INTERVAL: Duration = Duration::from_millis(500);
 
 /// What the files say of a run that its step records do not.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,7 +42,7 @@ pub struct RunInfo {
 #[derive(Debug)]
 pub struct Recorder {
     folder: PathBuf,
-    case: String,
+    case: CaseFiles,
     info: RunInfo,
     sif: CsvFile,
     growth: CsvFile,
@@ -46,15 +50,22 @@ pub struct Recorder {
     story: Story,
     /// Until when `story.wall_s` counts.
     counted: Instant,
+    /// When the disk was last known to have everything.
+    synced: Instant,
     rows: [Rows; 3],
 }
 
 impl Recorder {
-    /// Starts a run in `folder`, which is created where it does not exist; `case` is the text of its `case.toml`.
+    /// Starts a run in `folder`, which is created where it does not exist; `case` goes into it.
     ///
     /// Errors: the folder holds a run and `existing` says to leave it alone; the system refuses to write.
-    pub fn start(folder: &Path, case: &str, info: RunInfo, existing: Existing) -> Result<Self, OutputError> {
-        folder::begin(folder, case, existing)?;
+    pub fn start(
+        folder: &Path,
+        case: CaseFiles,
+        info: RunInfo,
+        existing: Existing,
+    ) -> Result<Self, OutputError> {
+        folder::begin(folder, &case, existing)?;
         Self::from_the_beginning(folder, case, info)
     }
 
@@ -65,45 +76,47 @@ impl Recorder {
     /// damaged; the system refuses.
     pub fn resume(
         folder: &Path,
-        case: &str,
+        case: CaseFiles,
         info: RunInfo,
     ) -> Result<(Self, Option<GrowthState>), OutputError> {
         let Some(checkpoint) = Checkpoint::read(folder)? else {
             match folder::stored_case(folder)? {
-                Some(stored) => same_case(folder, &stored, case)?,
+                Some(stored) => same_text(folder, CASE_FILE, &stored, &case.toml)?,
                 None if folder::was_about_to_begin(folder) => {}
                 None => return Err(OutputError::NoRun { folder: folder.to_path_buf() }),
             }
-            folder::begin(folder, case, Existing::Replace)?;
+            folder::begin(folder, &case, Existing::Replace)?;
             return Ok((Self::from_the_beginning(folder, case, info)?, None));
         };
-        same_case(folder, &checkpoint.case, case)?;
-        folder::replace_file(&folder.join(CASE_FILE), case.as_bytes(), Durability::Synced)?;
+        same_case(folder, &checkpoint.case, &case)?;
+        folder::restore_case(folder, &case)?;
         let lengths = checkpoint.lengths;
         let recorder = Self {
             sif: CsvFile::cut_back(&folder.join(SIF_FILE), lengths.sif)?,
             growth: CsvFile::cut_back(&folder.join(GROWTH_FILE), lengths.growth)?,
             faces: CsvFile::cut_back(&folder.join(FACES_FILE), lengths.faces)?,
             folder: folder.to_path_buf(),
-            case: checkpoint.case,
+            case,
             info,
             story: checkpoint.story,
             counted: Instant::now(),
+            synced: Instant::now(),
             rows: Default::default(),
         };
         Ok((recorder, Some(checkpoint.state)))
     }
 
-    fn from_the_beginning(folder: &Path, case: &str, info: RunInfo) -> Result<Self, OutputError> {
+    fn from_the_beginning(folder: &Path, case: CaseFiles, info: RunInfo) -> Result<Self, OutputError> {
         Ok(Self {
             sif: CsvFile::create(&folder.join(SIF_FILE), &sif_header())?,
             growth: CsvFile::create(&folder.join(GROWTH_FILE), &growth_header())?,
             faces: CsvFile::create(&folder.join(FACES_FILE), &faces_header())?,
             folder: folder.to_path_buf(),
-            case: case.to_owned(),
+            case,
             info,
             story: Story::default(),
             counted: Instant::now(),
+            synced: Instant::now(),
             rows: Default::default(),
         })
     }
@@ -126,8 +139,17 @@ impl Recorder {
         finite_summary(record)?;
         self.append(record)?;
         self.story.add(record);
-        for table in [&self.sif, &self.growth, &self.faces] {
-            table.sync()?;
+        let durability = if record.stop.is_some() || self.synced.elapsed() >= SYNC_INTERVAL {
+            Durability::Synced
+        } else {
+            Durability::Cached
+        };
+        if durability == Durability::Synced {
+            // The tables before the checkpoint that counts on them.
+            for table in [&self.sif, &self.growth, &self.faces] {
+                table.sync()?;
+            }
+            self.synced = Instant::now();
         }
         self.count_time(begun);
         let checkpoint = Checkpoint {
@@ -141,7 +163,7 @@ impl Recorder {
             },
             story: self.story.clone(),
         };
-        checkpoint.write(&self.folder)?;
+        checkpoint.write(&self.folder, durability)?;
         self.write_summary(Durability::Cached)?;
         Ok(())
     }
@@ -196,7 +218,16 @@ impl Recorder {
     }
 }
 
-fn same_case(folder: &Path, stored: &str, given: &str) -> Result<(), OutputError> {
+fn same_case(folder: &Path, stored: &CaseFiles, given: &CaseFiles) -> Result<(), OutputError> {
+    same_text(folder, CASE_FILE, &stored.toml, &given.toml)?;
+    for (name, text) in &given.companions {
+        let before = stored.companions.iter().find(|companion| companion.0 == *name);
+        same_text(folder, name, before.map_or("", |companion| companion.1.as_str()), text)?;
+    }
+    Ok(())
+}
+
+fn same_text(folder: &Path, file: &str, stored: &str, given: &str) -> Result<(), OutputError> {
     if stored == given {
         return Ok(());
     }
@@ -205,6 +236,7 @@ fn same_case(folder: &Path, stored: &str, given: &str) -> Result<(), OutputError
     let line = (0..lines).find(|&line| line_of(stored, line) != line_of(given, line)).unwrap_or(0);
     Err(OutputError::CaseChanged {
         folder: folder.to_path_buf(),
+        file: file.to_owned(),
         line: line + 1,
         stored: line_of(stored, line),
         given: line_of(given, line),

@@ -11,7 +11,7 @@ use railcrack::growth::{
     StepRecord, TipRecord, Warning,
 };
 use railcrack::math::Vec2;
-use railcrack::output::{OutputError, Recorder, RunInfo};
+use railcrack::output::{CaseFiles, OutputError, Recorder, RunInfo};
 use std::path::{Path, PathBuf};
 
 /// Half-width of the contact, mm.
@@ -59,6 +59,14 @@ pub fn info() -> RunInfo {
         half_width: HALF_WIDTH,
         axle_load: Some(17.0),
         warnings: Vec::new(),
+    }
+}
+
+/// A case with a file that it names.
+pub fn case() -> CaseFiles {
+    CaseFiles {
+        toml: "title = \"synthetic\"\n[solver]\nengine = \"dislocation\"\n".to_owned(),
+        companions: vec![("inputs/residual-stress.csv".to_owned(), "depth_mm,sxx_mpa\n0,-100\n".to_owned())],
     }
 }
 

@@ -34,7 +34,7 @@ impl Rows {
         self.text.push(b',');
     }
 
-    /// The real number of `column`: `6.0`, `0.04`, `1e-5`.
+    /// The real number of `column`: `6.0`, `0.04`, `1e-7`.
     pub(crate) fn real(&mut self, column: &'static str, value: f64) {
         if value.is_finite() {
             self.text.extend_from_slice(ryu::Buffer::new().format_finite(value).as_bytes());
@@ -84,7 +84,7 @@ mod tests {
 
     #[test]
     fn numbers_are_plain_and_read_back() {
-        let values = [6.0, 0.1 + 0.2, 1e-5, -2.5e-17, 1e300, f64::MIN_POSITIVE, -0.0, 123_456_789.25];
+        let values = [6.0, 0.1 + 0.2, 1e-7, -2.5e-17, 1e300, f64::MIN_POSITIVE, -0.0, 123_456_789.25];
         let mut rows = Rows::default();
         for value in values {
             rows.count(usize::MAX);
@@ -94,7 +94,7 @@ mod tests {
         }
         let text = String::from_utf8(rows.text("test.csv").unwrap().to_vec()).unwrap();
         assert!(text.starts_with("18446744073709551615,6.0,\n"), "{text}");
-        assert!(text.contains(",1e-5,"), "{text}");
+        assert!(text.contains(",1e-7,"), "{text}");
         for (line, value) in text.lines().zip(values) {
             let read: f64 = line.split(',').nth(1).unwrap().parse().unwrap();
             assert_eq!(read.to_bits(), value.to_bits(), "{line}");

@@ -29,7 +29,7 @@ pub(super) fn length_against_cycles(summary: &Summary, growth: &[GrowthRow]) -> 
     let last = growth.iter().map(|row| row.load_cycles).fold(0.0, f64::max);
     let axes = Axes {
         frame,
-        x: if last > 0.0 { Axis::exact(0.0, 1.04 * last, 8) } else { Axis::exact(0.0, 1.0, 5) },
+        x: if last > 0.0 { Axis::exact(0.0, 1.04 * last, 8) } else { Axis::exact(-1.0, 1.0, 2) },
         y: Axis::around(growth.iter().map(|row| row.length), 8),
     };
     axes.draw_grid(&mut svg);

@@ -4,8 +4,8 @@ use super::stored::{CrackFaces, FaceMap, Status};
 use super::{HEADING, draw_heading, wheel_position};
 use crate::output::Summary;
 use crate::output::plot::{
-    Axes, Axis, BLUE, Entry, Frame, Mark, ORANGE, Span, Svg, coordinate, draw_legend, legend_width,
-    round_step, sequence,
+    Anchor, Axes, Axis, BLUE, Entry, Frame, INK, Mark, ORANGE, Span, Svg, TextStyle, coordinate, draw_legend,
+    legend_width, round_step, sequence,
 };
 use std::fmt::Write;
 
@@ -20,7 +20,7 @@ pub(super) fn face_map(summary: &Summary, map: &FaceMap) -> String {
     let row_height = (560.0 / shown.len().max(1) as f64).clamp(90.0, 260.0);
     let step = pressure_step(shown);
     let legend = legend(step, shown);
-    let (left, panel, gap) = (72.0, 420.0, 24.0);
+    let (left, panel, gap) = (72.0, 420.0, 44.0);
     let right = left + 2.0 * panel + gap;
     let width = right + 18.0 + legend_width(&legend);
     let bottom = HEADING + 20.0 + shown.len() as f64 * (row_height + 14.0) - 14.0;
@@ -40,7 +40,7 @@ pub(super) fn face_map(summary: &Summary, map: &FaceMap) -> String {
         for column in [Column::Status, Column::Pressure] {
             let beside = if column == Column::Status { 0.0 } else { panel + gap };
             let frame = Frame { left: left + beside, top, width: panel, height: row_height };
-            let y_ticks = (row_height / 40.0) as usize + 1;
+            let y_ticks = (row_height / 36.0) as usize + 1;
             let axes = Axes {
                 frame,
                 x: Axis::exact(first, last, 8),
@@ -49,8 +49,8 @@ pub(super) fn face_map(summary: &Summary, map: &FaceMap) -> String {
             axes.clip(&mut svg);
             draw_cells(&mut svg, &axes, &cells, faces, column, step);
             svg.unclip();
-            let is_last = row + 1 == shown.len();
-            draw_panel_frame(&mut svg, &axes, column, is_last);
+            let x_title = if row + 1 == shown.len() { wheel_position() } else { Vec::new() };
+            axes.draw_frame(&mut svg, &x_title, &[]);
             if row == 0 {
                 draw_column_title(&mut svg, frame, column);
             }
@@ -59,6 +59,9 @@ pub(super) fn face_map(summary: &Summary, map: &FaceMap) -> String {
             }
         }
     }
+    let arc = [Span::plain("Arc length "), Span::Italic("s"), Span::plain("  (mm)")];
+    let style = TextStyle { size: 13.0, anchor: Anchor::Upwards, colour: INK, weight: "normal" };
+    svg.text([left - 36.0, 0.5 * (HEADING + 20.0 + bottom)], &arc, style);
     draw_legend(&mut svg, [right + 14.0, HEADING + 20.0], &legend);
     svg.finish(&format!("Crack faces in step {}: {}", map.step, summary.title))
 }
@@ -69,15 +72,7 @@ enum Column {
     Pressure,
 }
 
-fn draw_panel_frame(svg: &mut Svg, axes: &Axes, column: Column, is_last: bool) {
-    let arc = [Span::plain("Arc length "), Span::Italic("s"), Span::plain("  (mm)")];
-    let x_title = if is_last { wheel_position() } else { Vec::new() };
-    let y_title: &[Span] = if column == Column::Status { &arc } else { &[] };
-    axes.draw_frame(svg, &x_title, y_title);
-}
-
 fn draw_column_title(svg: &mut Svg, frame: Frame, column: Column) {
-    use crate::output::plot::{Anchor, INK, TextStyle};
     let words = match column {
         Column::Status => "Status",
         Column::Pressure => "Contact pressure",
@@ -157,13 +152,18 @@ fn pressure_step(cracks: &[CrackFaces]) -> f64 {
 
 fn legend(step: f64, cracks: &[CrackFaces]) -> Vec<Entry> {
     let entry = |fill: String, words: String| Entry { mark: Mark::Box(fill), words };
+    let heading = |words: &str| Entry { mark: Mark::Heading, words: words.to_owned() };
     let mut entries = vec![
+        heading("Status"),
         entry(OPEN.to_owned(), "open".to_owned()),
         entry(BLUE.to_owned(), "stick".to_owned()),
         entry(ORANGE.to_owned(), "slip".to_owned()),
     ];
     let states = || cracks.iter().flat_map(|faces| &faces.states).flatten();
     let highest = states().map(|&state| class(state, Column::Pressure, step)).max().unwrap_or(0);
+    if highest > 0 {
+        entries.extend([heading(""), heading("Pressure")]);
+    }
     let decimals = (-step.log10() - 1e-9).ceil().clamp(0.0, 12.0) as usize;
     for level in (1..=highest).rev() {
         let (low, high) = ((level - 1) as f64 * step, level as f64 * step);

@@ -63,7 +63,7 @@ fn sif_plot(
 }
 
 /// One colour per step for a single tip; for several tips one colour per tip, the last step dashed.
-fn curves<'a>(histories: &'a [History]) -> Vec<Curve<'a>> {
+fn curves(histories: &[History]) -> Vec<Curve<'_>> {
     let initial: Vec<(usize, usize)> =
         histories.iter().filter(|h| h.step == 0).map(|h| (h.crack, h.tip)).collect();
     let has_two_tips = histories.iter().any(|h| h.tip > 1);
@@ -72,22 +72,23 @@ fn curves<'a>(histories: &'a [History]) -> Vec<Curve<'a>> {
         steps.dedup();
         steps
     };
-    let curve = |history: &'a History| {
+    let named = |history: &History| -> (Stroke, String) {
         let History { step, crack, tip, .. } = history;
         if initial.len() <= 1 {
             let place = steps.iter().position(|s| s == step).unwrap_or(0) as f64 / steps.len().max(2) as f64;
             let colour = sequence(place * 1.1);
             let words = if *step == 0 { "initial crack".to_owned() } else { format!("step {step}") };
-            return Curve { history, stroke: Stroke::solid(&colour, 1.8), words };
+            return (Stroke::solid(&colour, 1.8), words);
         }
         let place = initial.iter().position(|tip| *tip == (history.crack, history.tip)).unwrap_or(0);
         let colour = tip_colour(place, initial.len());
         let dashes = if *step == 0 { "" } else { "6 4" };
         let name = if has_two_tips { format!("crack {crack}, tip {tip}") } else { format!("crack {crack}") };
         let words = if *step == 0 { name } else { format!("{name}, step {step}") };
-        Curve { history, stroke: Stroke { dashes, ..Stroke::solid(&colour, 1.6) }, words }
+        (Stroke { dashes, ..Stroke::solid(&colour, 1.6) }, words)
     };
-    histories.iter().map(curve).collect()
+    let curve = |(history, (stroke, words))| Curve { history, stroke, words };
+    histories.iter().map(|history| (history, named(history))).map(curve).collect()
 }
 
 /// The colour of tip or crack `place` of `count`: distinct colours for a few, an ordered scale for many.

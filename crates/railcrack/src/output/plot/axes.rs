@@ -1,7 +1,7 @@
 //! Axes: a frame, two scales, ticks at round numbers.
 
 use super::ticks::{multiples, round_step, scale_exponent, tick_label};
-use super::{Anchor, GREY, INK, LIGHT, Span, Stroke, Svg, TextStyle};
+use super::{Anchor, INK, LIGHT, Span, Stroke, Svg, TextStyle};
 
 /// The rectangle inside the axes, pixels.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -86,6 +86,13 @@ impl Axis {
     }
 }
 
+/// Whether ticks have labels.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Labels {
+    Shown,
+    Hidden,
+}
+
 /// A frame with two scales.
 pub(crate) struct Axes {
     pub frame: Frame,
@@ -121,10 +128,11 @@ impl Axes {
         svg.clip(self.frame.rectangle());
     }
 
-    /// Frame, ticks and their labels. Drawn after the data; an empty title leaves it out.
+    /// Frame, ticks and their labels. Drawn after the data; an empty title leaves it out, on the x axis with the
+    /// labels: another panel below has them.
     pub(crate) fn draw_frame(&self, svg: &mut Svg, x_title: &[Span], y_title: &[Span]) {
         svg.rectangle(self.frame.rectangle(), "none", INK);
-        self.draw_x_ticks(svg);
+        self.draw_x_ticks(svg, if x_title.is_empty() { Labels::Hidden } else { Labels::Shown });
         let tick_style = TextStyle { size: 12.0, anchor: Anchor::End, colour: INK, weight: "normal" };
         let mut widest: usize = 0;
         for &tick in &self.y.ticks {
@@ -154,19 +162,23 @@ impl Axes {
         }
     }
 
-    fn draw_x_ticks(&self, svg: &mut Svg) {
+    fn draw_x_ticks(&self, svg: &mut Svg, labels: Labels) {
         let style = TextStyle { size: 12.0, anchor: Anchor::Middle, colour: INK, weight: "normal" };
         let bottom = self.frame.bottom();
         for &tick in &self.x.ticks {
             let [x, _] = self.at(tick, self.y.from);
             svg.polyline("tick", &[[x, bottom], [x, bottom + 4.0]], &Stroke::solid(INK, 1.0));
-            svg.text([x, bottom + 18.0], &[Span::Plain(self.x.label(tick))], style);
+            if labels == Labels::Shown {
+                svg.text([x, bottom + 18.0], &[Span::Plain(self.x.label(tick))], style);
+            }
         }
     }
 
-    /// A line of small text inside the upper left corner.
+    /// A small label on a light ground inside the upper left corner.
     pub(crate) fn note(&self, svg: &mut Svg, text: &str) {
-        let style = TextStyle { size: 12.0, anchor: Anchor::Start, colour: GREY, weight: "normal" };
-        svg.text([self.frame.left + 8.0, self.frame.top + 16.0], &[Span::plain(text)], style);
+        let style = TextStyle { size: 11.0, anchor: Anchor::Start, colour: INK, weight: "normal" };
+        let (x, y) = (self.frame.left + 5.0, self.frame.top + 5.0);
+        svg.rectangle([x, y, 6.6 * text.chars().count() as f64 + 8.0, 16.0], "#ffffff", "none");
+        svg.text([x + 4.0, y + 12.0], &[Span::plain(text)], style);
     }
 }

@@ -11,6 +11,8 @@ pub(crate) enum Mark {
     Dotted(Stroke),
     /// A filled box.
     Box(String),
+    /// Nothing: the words head the entries below.
+    Heading,
 }
 
 /// One line of a legend.
@@ -44,8 +46,11 @@ pub(crate) fn draw_legend(svg: &mut Svg, at: [f64; 2], entries: &[Entry]) {
                     svg.dot([x + part * MARK, y], 2.2, &stroke.colour);
                 }
             }
+            Mark::Heading => {}
             Mark::Box(fill) => svg.rectangle([x + 6.0, y - 6.0, 12.0, 12.0], fill, "#999999"),
         }
-        svg.text([x + MARK + 8.0, y + 4.2], &[Span::plain(&entry.words)], style);
+        let (indent, weight) =
+            if entry.mark == Mark::Heading { (0.0, "bold") } else { (MARK + 8.0, "normal") };
+        svg.text([x + indent, y + 4.2], &[Span::plain(&entry.words)], TextStyle { weight, ..style });
     }
 }

@@ -161,8 +161,9 @@ impl Svg {
             let _ = write!(content, r#"<tspan dy="{shift}"{style_of_span}>{}</tspan>"#, escaped(text));
         }
         let TextStyle { size, colour, weight, .. } = style;
+        // Spaces at the border of two spans would be dropped without xml:space.
         self.push(format_args!(
-            r#"<text x="{x}" y="{y}" font-size="{size}" font-weight="{weight}" text-anchor="{anchor}" fill="{colour}"{turn}>{content}</text>"#
+            r#"<text xml:space="preserve" x="{x}" y="{y}" font-size="{size}" font-weight="{weight}" text-anchor="{anchor}" fill="{colour}"{turn}>{content}</text>"#
         ));
     }
 
