@@ -375,9 +375,13 @@ fn plots_are_rebuilt_from_the_folder_alone() {
     // A half row at the end is not a row.
     let path = scratch.path().join("sif.csv");
     let mut text = fs::read(&path).unwrap();
-    text.extend_from_slice(b"5,1,1,1,1,0.");
-    fs::write(&path, text).unwrap();
+    text.extend_from_slice(b"4,3,1,1,1,-40.5,-6.0,0.0,1");
+    fs::write(&path, &text).unwrap();
     rebuild_plots(scratch.path()).unwrap();
+    let after = content(scratch.path());
+    assert!(
+        before.iter().filter(|file| file.0.starts_with("plots")).all(|(name, bytes)| after[name] == *bytes)
+    );
     fs::write(&path, "step,passage\n0,1\n").unwrap();
     let refused = rebuild_plots(scratch.path()).unwrap_err();
     assert!(refused.to_string().contains("no column crack"), "{refused}");
