@@ -1,1 +1,25 @@
-//! To come.
+//! The run folder: tables as steps finish, a checkpoint, a summary, plots.
+//!
+//! This module reads results and writes files; nothing that computes knows it. Every file, column, unit and sign is
+//! described in `docs/file-formats.md`.
+
+mod checkpoint;
+mod csv;
+mod error;
+mod figures;
+mod folder;
+mod memory;
+mod plot;
+mod recorder;
+mod story;
+mod summary;
+
+pub use csv::{FACES_COLUMNS, GROWTH_COLUMNS, RESIDUAL_COLUMNS, ResidualRow, SIF_COLUMNS};
+pub use error::OutputError;
+pub use figures::rebuild_plots;
+pub use folder::{CaseFiles, Existing};
+pub use recorder::{Recorder, RunInfo};
+pub use summary::{CrackSummary, PhaseSeconds, Summary, TipSummary};
+
+/// Version of the program that writes the files.
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");

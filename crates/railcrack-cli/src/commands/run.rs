@@ -1,0 +1,169 @@
+//! `railcrack run`.
+
+use crate::drive::{Ending, RunError, StepSource, drive};
+use crate::interruption::Interruption;
+use crate::progress::{Progress, Verbosity, cycles};
+use clap::Args;
+use railcrack::growth::GrowthState;
+use railcrack::output::{CaseFiles, Existing, Recorder, ResidualRow, RunInfo, Summary};
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
+
+/// Compute the growth of the cracks of a case
+///
+/// Results go to the run folder as steps finish. An interrupted run keeps what was computed; --resume goes on with
+/// it.
+#[derive(Debug, Args)]
+pub struct RunArguments {
+    /// The case file
+    #[arg(value_name = "CASE")]
+    pub case: PathBuf,
+    /// The run folder [default: the case's name beside it]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// What computes the cracked rail, in place of the case's: xfem or dislocation
+    #[arg(long, value_name = "ENGINE")]
+    pub engine: Option<String>,
+    /// What solves the contact of the crack faces, in place of the case's: latin or newton
+    #[arg(long, value_name = "SOLVER")]
+    pub contact: Option<String>,
+    /// Number of increments, in place of the case's
+    #[arg(long, value_name = "N")]
+    pub steps: Option<u64>,
+    /// Number of threads [default: all]; results are the same with any
+    #[arg(long, value_name = "N")]
+    pub threads: Option<NonZeroUsize>,
+    /// Say nothing while computing
+    #[arg(long)]
+    pub quiet: bool,
+    /// Go on with the run in the folder after its last finished step
+    #[arg(long, conflicts_with = "force")]
+    pub resume: bool,
+    /// Replace the run in the folder
+    #[arg(long)]
+    pub force: bool,
+}
+
+/// What the case says of a run before anything is computed.
+#[derive(Debug)]
+pub struct Job {
+    /// `case.toml` and the files that it names.
+    pub case: CaseFiles,
+    /// What the files say of the run.
+    pub info: RunInfo,
+    /// Number of increments.
+    pub increments: usize,
+}
+
+/// A run that came to an end or was interrupted.
+#[derive(Debug)]
+pub struct Finished {
+    /// How it ended.
+    pub ending: Ending,
+    /// The run in numbers.
+    pub summary: Summary,
+    /// The run folder.
+    pub folder: PathBuf,
+}
+
+/// Runs `job`: checks and prepares the run folder, then has `start` build what computes the steps (from the state to
+/// go on from, none at the beginning) with the residual stress that it carries, and writes step by step.
+///
+/// Errors: see [`RunError`].
+pub fn execute<S: StepSource>(
+    arguments: &RunArguments,
+    job: Job,
+    interruption: &Interruption,
+    start: impl FnOnce(Option<GrowthState>) -> Result<(S, Vec<ResidualRow>), RunError>,
+) -> Result<Finished, RunError> {
+    let folder = arguments.out.clone().unwrap_or_else(|| default_folder(&arguments.case));
+    let (mut recorder, state) = open(arguments, &folder, job.case, job.info)?;
+    if state.as_ref().is_some_and(|state| state.ended.is_some()) {
+        return Ok(Finished { ending: Ending::Ended, summary: recorder.finish()?, folder });
+    }
+    let first = state.as_ref().map_or(0, |state| state.step);
+    let (mut source, residual) = start(state)?;
+    if !residual.is_empty() {
+        recorder.residual(&residual)?;
+    }
+    let verbosity = if arguments.quiet { Verbosity::Quiet } else { Verbosity::Progress };
+    let progress = Progress::new(verbosity, job.increments, first);
+    let (ending, summary) = drive(&mut source, &mut recorder, &progress, interruption)?;
+    Ok(Finished { ending, summary, folder })
+}
+
+/// Has all parallel parts use `threads` threads; all of the machine where none are given. Once per program.
+///
+/// Errors: the system refuses.
+pub fn use_threads(threads: Option<NonZeroUsize>) -> Result<(), RunError> {
+    let Some(threads) = threads else { return Ok(()) };
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.get());
+    pool.build_global().map_err(|reason| RunError::System {
+        action: format!("start {threads} threads"),
+        reason: reason.to_string(),
+    })
+}
+
+/// The name of the case file without its ending, beside it.
+fn default_folder(case: &Path) -> PathBuf {
+    case.with_extension("")
+}
+
+fn open(
+    arguments: &RunArguments,
+    folder: &Path,
+    case: CaseFiles,
+    info: RunInfo,
+) -> Result<(Recorder, Option<GrowthState>), RunError> {
+    if arguments.resume {
+        return Ok(Recorder::resume(folder, case, info)?);
+    }
+    if is_same_file(&arguments.case, &folder.join("case.toml")) {
+        return Err(RunError::CaseInRunFolder { path: arguments.case.clone() });
+    }
+    let existing = if arguments.force { Existing::Replace } else { Existing::Refuse };
+    Ok((Recorder::start(folder, case, info, existing)?, None))
+}
+
+fn is_same_file(one: &Path, other: &Path) -> bool {
+    match (one.canonicalize(), other.canonicalize()) {
+        (Ok(one), Ok(other)) => one == other,
+        _ => false,
+    }
+}
+
+/// The result as a few lines for standard output.
+pub fn result_text(finished: &Finished) -> String {
+    let Finished { ending, summary, folder } = finished;
+    let how = match (ending, &summary.stop) {
+        (Ending::Ended, Some(stop)) => stop.as_str(),
+        (Ending::Ended, None) => "ended",
+        (Ending::Interrupted, _) => "interrupted",
+    };
+    let mut text = format!("{how} at step {}, {} load cycles", summary.steps, cycles(summary.load_cycles));
+    if let Some(tonnes) = summary.million_gross_tonnes {
+        text.push_str(&format!(", {tonnes:.3} million gross tonnes"));
+    }
+    text.push('\n');
+    for tip in &summary.tips {
+        let stop = tip.stop.as_ref().map_or_else(String::new, |stop| format!(", {stop}"));
+        text.push_str(&format!(
+            "crack {} tip {}: at ({:.3}, {:.3}) mm, length {:.3} mm{stop}\n",
+            tip.crack, tip.tip, tip.x_mm, tip.y_mm, tip.length_mm
+        ));
+    }
+    match summary.warnings.len() {
+        0 => {}
+        1 => text.push_str("1 warning, see summary.json\n"),
+        count => text.push_str(&format!("{count} warnings, see summary.json\n")),
+    }
+    text.push_str(&format!("results in {}\n", folder.display()));
+    if *ending == Ending::Interrupted {
+        text.push_str("the same command with --resume goes on from here\n");
+    }
+    text
+}
+
+#[cfg(test)]
+#[path = "run_tests.rs"]
+mod tests;

@@ -1,0 +1,144 @@
+//! The loop of a run: compute a step, write it, say so.
+
+use crate::interruption::Interruption;
+use crate::progress::Progress;
+use railcrack::growth::{Growth, GrowthError, GrowthState, StepRecord, Watch};
+use railcrack::output::{OutputError, Recorder, Summary};
+use std::path::PathBuf;
+use thiserror::Error;
+
+/// What computes steps: [`Growth`], and synthetic runs in tests.
+pub trait StepSource {
+    /// The next step; none when the run has ended. On an error the state is that before the step.
+    fn next_step(&mut self, watch: &dyn Watch) -> Result<Option<StepRecord>, GrowthError>;
+    /// The state after the last computed step.
+    fn state(&self) -> &GrowthState;
+}
+
+impl StepSource for Growth {
+    fn next_step(&mut self, watch: &dyn Watch) -> Result<Option<StepRecord>, GrowthError> {
+        Growth::next_step(self, watch)
+    }
+
+    fn state(&self) -> &GrowthState {
+        Growth::state(self)
+    }
+}
+
+/// How a run came to its end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Ending {
+    /// By itself: all steps done, or a physical stop.
+    Ended,
+    /// By the user; `--resume` goes on.
+    Interrupted,
+}
+
+/// Why a run failed. What was computed is kept.
+#[derive(Debug, Error)]
+pub enum RunError {
+    /// The run folder.
+    #[error(transparent)]
+    Output(#[from] OutputError),
+    /// The computation.
+    #[error(transparent)]
+    Growth(#[from] GrowthError),
+    /// The run would overwrite its own case file.
+    #[error(
+        "{} is the case file and would be overwritten by the run: choose another folder with --out",
+        path.display()
+    )]
+    CaseInRunFolder {
+        /// The case file.
+        path: PathBuf,
+    },
+    /// The system refuses threads or signal handlers.
+    #[error("cannot {action}: {reason}")]
+    System {
+        /// What was tried.
+        action: String,
+        /// The system's reason.
+        reason: String,
+    },
+}
+
+impl RunError {
+    /// The exit code of the program.
+    pub fn exit_code(&self) -> u8 {
+        match self {
+            Self::CaseInRunFolder { .. } => 2,
+            Self::Output(error) => match error {
+                OutputError::HoldsRun { .. }
+                | OutputError::NoRun { .. }
+                | OutputError::CaseChanged { .. }
+                | OutputError::OtherVersion { .. } => 2,
+                OutputError::NotFinite { .. } => 3,
+                OutputError::Damaged { .. } | OutputError::Io { .. } => 4,
+            },
+            Self::Growth(_) => 3,
+            Self::System { .. } => 4,
+        }
+    }
+}
+
+/// Lets the computation tell how far it is and learn that it should stop.
+struct Watcher<'a> {
+    progress: &'a Progress,
+    interruption: &'a Interruption,
+}
+
+impl Watch for Watcher<'_> {
+    fn progress(&self, fraction: f64) {
+        self.progress.fraction(fraction);
+    }
+
+    fn interrupted(&self) -> bool {
+        self.interruption.asked()
+    }
+}
+
+/// Computes the steps of `source` into `recorder` until the run ends or is interrupted, and writes summary and plots.
+///
+/// Errors: a step cannot be computed (the steps before it are kept, with summary and plots); the system refuses to
+/// write.
+pub fn drive(
+    source: &mut impl StepSource,
+    recorder: &mut Recorder,
+    progress: &Progress,
+    interruption: &Interruption,
+) -> Result<(Ending, Summary), RunError> {
+    let watcher = Watcher { progress, interruption };
+    let computed = compute(source, recorder, &watcher);
+    progress.close();
+    match computed {
+        Ok(ending) => Ok((ending, recorder.finish()?)),
+        // After a refusal to write, another attempt would hide it.
+        Err(RunError::Output(error @ OutputError::Io { .. })) => Err(error.into()),
+        Err(error) => {
+            recorder.finish()?;
+            Err(error)
+        }
+    }
+}
+
+fn compute(
+    source: &mut impl StepSource,
+    recorder: &mut Recorder,
+    watcher: &Watcher,
+) -> Result<Ending, RunError> {
+    while source.state().ended.is_none() {
+        if watcher.interrupted() {
+            return Ok(Ending::Interrupted);
+        }
+        let record = match source.next_step(watcher) {
+            Ok(Some(record)) => record,
+            Ok(None) => break,
+            Err(GrowthError::Interrupted { .. }) => return Ok(Ending::Interrupted),
+            #[allow(unreachable_patterns)]
+            Err(error) => return Err(error.into()),
+        };
+        recorder.record(&record, source.state())?;
+        watcher.progress.finished(&record);
+    }
+    Ok(Ending::Ended)
+}

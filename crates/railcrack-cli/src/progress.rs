@@ -1,0 +1,146 @@
+//! How far a run is: a bar on a terminal, a line per step elsewhere.
+
+use indicatif::{ProgressBar, ProgressStyle};
+use railcrack::growth::{StepRecord, TipRecord};
+use std::io::{IsTerminal, Write};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Instant;
+
+/// Parts of a step on the bar.
+const PARTS: u64 = 1000;
+
+/// What a run says while it computes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Verbosity {
+    /// A bar on a terminal, lines elsewhere.
+    Progress,
+    /// Nothing.
+    Quiet,
+}
+
+#[derive(Debug)]
+enum Display {
+    Bar(ProgressBar),
+    Lines,
+    Quiet,
+}
+
+/// The progress of one run, told on standard error.
+#[derive(Debug)]
+pub struct Progress {
+    display: Display,
+    increments: usize,
+    step: AtomicUsize,
+    begun: Instant,
+}
+
+impl Progress {
+    /// A run of `increments` increments that goes on with step `first`.
+    pub fn new(verbosity: Verbosity, increments: usize, first: usize) -> Self {
+        let display = match verbosity {
+            Verbosity::Quiet => Display::Quiet,
+            Verbosity::Progress if std::io::stderr().is_terminal() => Display::Bar(bar(increments, first)),
+            Verbosity::Progress => Display::Lines,
+        };
+        Self { display, increments, step: AtomicUsize::new(first), begun: Instant::now() }
+    }
+
+    /// The fraction (0 to 1) of the current step that is done.
+    pub fn fraction(&self, fraction: f64) {
+        if let Display::Bar(bar) = &self.display {
+            let parts = (fraction.clamp(0.0, 1.0) * PARTS as f64) as u64;
+            bar.set_position(self.step.load(Ordering::Relaxed) as u64 * PARTS + parts);
+        }
+    }
+
+    /// A step is finished and written.
+    pub fn finished(&self, record: &StepRecord) {
+        self.step.store(record.step + 1, Ordering::Relaxed);
+        for warning in &record.warnings {
+            self.say(&format!("warning, step {}, {}: {}", warning.step, warning.kind, warning.text));
+        }
+        match &self.display {
+            Display::Bar(bar) => {
+                let next = (record.step + 1).min(self.increments);
+                bar.set_prefix(format!("{next}/{}", self.increments));
+                bar.set_message(state_of(record));
+                self.fraction(0.0);
+            }
+            Display::Lines => self.say(&format!(
+                "step {}/{}  {}  cycles {}  {} passages  {:.1} s",
+                record.step,
+                self.increments,
+                state_of(record),
+                cycles(record.load_cycles),
+                record.counts.passages,
+                self.begun.elapsed().as_secs_f64()
+            )),
+            Display::Quiet => {}
+        }
+    }
+
+    /// A line of text; nobody is left to tell when standard error itself is gone.
+    pub fn say(&self, line: &str) {
+        match &self.display {
+            Display::Bar(bar) => bar.println(line),
+            Display::Lines => drop(writeln!(std::io::stderr().lock(), "{line}")),
+            Display::Quiet => {}
+        }
+    }
+
+    /// Takes the bar away.
+    pub fn close(&self) {
+        if let Display::Bar(bar) = &self.display {
+            bar.finish_and_clear();
+        }
+    }
+}
+
+fn bar(increments: usize, first: usize) -> ProgressBar {
+    let bar = ProgressBar::new((increments as u64 + 1) * PARTS).with_position(first as u64 * PARTS);
+    let template = "step {prefix} [{bar:28}] {percent}%  {msg}  {elapsed} elapsed, {eta} left";
+    // A template that does not parse leaves the plain bar.
+    if let Ok(style) = ProgressStyle::with_template(template) {
+        bar.set_style(style.progress_chars("=> "));
+    }
+    bar.set_prefix(format!("{first}/{increments}"));
+    // Time left follows from this session's pace, not from steps that an earlier one did.
+    bar.reset_eta();
+    bar
+}
+
+/// Length and rate of the fastest tip.
+fn state_of(record: &StepRecord) -> String {
+    let faster = |one: &TipRecord, other: &TipRecord| one.rate.total_cmp(&other.rate);
+    let fastest = record.tips.iter().max_by(|one, other| faster(one, other));
+    fastest.map_or_else(String::new, |tip| {
+        format!("length {:.3} mm  rate {:.2e} mm/cycle", tip.length, tip.rate)
+    })
+}
+
+/// A number of load cycles as people write it: whole, with spaces between thousands.
+pub fn cycles(cycles: f64) -> String {
+    let digits = format!("{cycles:.0}");
+    if digits.len() > 15 {
+        return format!("{cycles:.3e}");
+    }
+    let mut text = String::new();
+    for (i, digit) in digits.chars().enumerate() {
+        if i > 0 && (digits.len() - i).is_multiple_of(3) {
+            text.push(' ');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::cycles;
+
+    #[test]
+    fn cycles_are_grouped() {
+        assert_eq!([0.0, 999.6, 381_234.4].map(cycles), ["0", "1 000", "381 234"]);
+        assert_eq!(cycles(1.5e18), "1.500e18");
+    }
+}

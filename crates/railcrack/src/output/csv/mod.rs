@@ -1,0 +1,38 @@
+//! The tables of a run as CSV.
+
+mod faces;
+mod file;
+mod growth;
+mod read;
+mod residual;
+mod rows;
+mod sif;
+
+pub use faces::FACES_COLUMNS;
+pub use growth::GROWTH_COLUMNS;
+pub use residual::{RESIDUAL_COLUMNS, ResidualRow};
+pub use sif::SIF_COLUMNS;
+
+pub(crate) use faces::{FACES_FILE, faces_header, faces_rows};
+pub(crate) use file::CsvFile;
+pub(crate) use growth::{GROWTH_FILE, growth_header, growth_rows};
+pub(crate) use read::{Row, read_steps};
+pub(crate) use residual::{RESIDUAL_FILE, residual_table};
+pub(crate) use rows::Rows;
+pub(crate) use sif::{SIF_FILE, SifScale, sif_header, sif_rows};
+
+/// MPa √mm in one MPa √m.
+pub(crate) const MPA_SQRT_MM: f64 = 31.622_776_601_683_793;
+
+/// Comment lines, then the column names.
+fn header(comments: &[&str], columns: &[&str]) -> String {
+    let mut text = format!("# railcrack {}\n", super::VERSION);
+    for comment in comments {
+        text.push_str("# ");
+        text.push_str(comment);
+        text.push('\n');
+    }
+    text.push_str(&columns.join(","));
+    text.push('\n');
+    text
+}

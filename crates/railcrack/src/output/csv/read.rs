@@ -1,0 +1,87 @@
+//! Reading the tables of a run back.
+
+use crate::output::OutputError;
+use std::fs::File;
+use std::io::{BufRead, BufReader};
+use std::path::Path;
+
+/// One row: the columns asked for, in the order asked for.
+pub(crate) struct Row<'a> {
+    path: &'a Path,
+    line: usize,
+    columns: &'a [&'static str],
+    fields: &'a [&'a str],
+}
+
+impl Row<'_> {
+    /// The text of the `i`-th column asked for.
+    pub(crate) fn text(&self, i: usize) -> &str {
+        self.fields[i]
+    }
+
+    /// A number that counts.
+    pub(crate) fn count(&self, i: usize) -> Result<usize, OutputError> {
+        self.fields[i].parse().map_err(|_| self.unreadable(i, "a whole number"))
+    }
+
+    /// A real number.
+    pub(crate) fn real(&self, i: usize) -> Result<f64, OutputError> {
+        let value = self.fields[i].parse().ok().filter(|value: &f64| value.is_finite());
+        value.ok_or_else(|| self.unreadable(i, "a finite number"))
+    }
+
+    /// The error that the `i`-th column asked for should hold what is `accepted`.
+    pub(crate) fn unreadable(&self, i: usize, accepted: &str) -> OutputError {
+        let (line, column, found) = (self.line, self.columns[i], self.fields[i]);
+        OutputError::damaged(self.path, format!("line {line}: {column} is \"{found}\", not {accepted}"))
+    }
+}
+
+/// Gives the rows of the table at `path` whose step is `wanted` to `take`, with the named `columns` only. The first
+/// column of the table must be the step. A last line without its end, left by a kill, is not a row.
+pub(crate) fn read_steps(
+    path: &Path,
+    columns: &[&'static str],
+    wanted: impl Fn(usize) -> bool,
+    mut take: impl FnMut(&Row) -> Result<(), OutputError>,
+) -> Result<(), OutputError> {
+    let file = File::open(path).map_err(OutputError::io("read", path))?;
+    let mut reader = BufReader::with_capacity(1 << 16, file);
+    let mut text = String::new();
+    let mut order: Option<Vec<usize>> = None;
+    for line in 1.. {
+        text.clear();
+        let read = reader.read_line(&mut text).map_err(OutputError::io("read", path))?;
+        if read == 0 || !text.ends_with('\n') {
+            break;
+        }
+        let row = text.trim_end();
+        if row.starts_with('#') {
+            continue;
+        }
+        let Some(order) = &order else {
+            order = Some(find_columns(path, row, columns)?);
+            continue;
+        };
+        let step = row.split(',').next().and_then(|step| step.parse().ok());
+        let step = step.ok_or_else(|| OutputError::damaged(path, format!("line {line}: no step number")))?;
+        if !wanted(step) {
+            continue;
+        }
+        let all: Vec<&str> = row.split(',').collect();
+        let fields: Option<Vec<&str>> = order.iter().map(|&place| all.get(place).copied()).collect();
+        let fields =
+            fields.ok_or_else(|| OutputError::damaged(path, format!("line {line}: {} fields", all.len())))?;
+        take(&Row { path, line, columns, fields: &fields })?;
+    }
+    Ok(())
+}
+
+fn find_columns(path: &Path, header: &str, columns: &[&'static str]) -> Result<Vec<usize>, OutputError> {
+    let present: Vec<&str> = header.split(',').collect();
+    let place = |column: &&'static str| {
+        let found = present.iter().position(|name| name == column);
+        found.ok_or_else(|| OutputError::damaged(path, format!("no column {column}")))
+    };
+    columns.iter().map(place).collect()
+}

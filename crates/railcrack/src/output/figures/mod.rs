@@ -1,0 +1,95 @@
+//! The plots of a run, built from its folder alone.
+
+mod cycles;
+mod faces;
+mod paths;
+mod sif;
+mod stored;
+
+use super::folder::{Durability, SUMMARY_FILE, read_if_there, replace_file};
+use super::plot::{Anchor, GREY, INK, Span, Svg, TextStyle};
+use super::{OutputError, Summary};
+use std::path::Path;
+use stored::{chosen_steps, read_faces, read_growth, read_histories};
+
+pub(crate) const PLOTS_FOLDER: &str = "plots";
+
+/// Every file that [`rebuild_plots`] may write.
+pub(crate) const PLOT_FILES: [&str; 6] =
+    ["ki.svg", "kii.svg", "paths.svg", "length-cycles.svg", "faces.svg", "faces-last.svg"];
+
+/// Builds the plots of the run in `folder` from its tables and `summary.json`, for the steps that the summary counts,
+/// and writes them to `plots/`. A run without a finished step has no plots.
+///
+/// Errors: no run in the folder; a file of it is damaged; the system refuses.
+pub fn rebuild_plots(folder: &Path) -> Result<(), OutputError> {
+    let path = folder.join(SUMMARY_FILE);
+    let Some(text) = read_if_there(&path)? else {
+        return Err(OutputError::NoRun { folder: folder.to_path_buf() });
+    };
+    let summary: Summary =
+        serde_json::from_slice(&text).map_err(|reason| OutputError::damaged(&path, reason.to_string()))?;
+    if summary.steps_recorded == 0 {
+        return Ok(());
+    }
+    let growth = read_growth(folder, summary.steps_recorded)?;
+    let steps = chosen_steps(&growth);
+    let histories = read_histories(folder, &steps)?;
+    let last = summary.steps_recorded - 1;
+    let mut plots = vec![
+        ("ki.svg", sif::mode_1(&summary, &histories)),
+        ("kii.svg", sif::mode_2(&summary, &histories)),
+        ("paths.svg", paths::paths(&summary)),
+        ("length-cycles.svg", cycles::length_against_cycles(&summary, &growth)),
+    ];
+    let shown =
+        if last > 0 { vec![("faces.svg", 0), ("faces-last.svg", last)] } else { vec![("faces.svg", 0)] };
+    for (file, step) in shown {
+        let map = read_faces(folder, step, &histories, &growth)?;
+        plots.push((file, faces::face_map(&summary, &map)));
+    }
+    let plots_folder = folder.join(PLOTS_FOLDER);
+    std::fs::create_dir_all(&plots_folder).map_err(OutputError::io("create", &plots_folder))?;
+    for (file, picture) in plots {
+        replace_file(&plots_folder.join(file), picture.as_bytes(), Durability::Cached)?;
+    }
+    Ok(())
+}
+
+/// Height of the heading.
+const HEADING: f64 = 58.0;
+
+/// The title of the case and, below it, what the picture shows and for which model.
+fn draw_heading(svg: &mut Svg, left: f64, room: f64, summary: &Summary, shows: &[Span]) {
+    let bold = TextStyle { size: 15.0, anchor: Anchor::Start, colour: INK, weight: "bold" };
+    let quiet = TextStyle { size: 12.0, anchor: Anchor::Start, colour: GREY, weight: "normal" };
+    svg.text([left, 24.0], &[Span::Plain(shortened(&summary.title, room / 8.6))], bold);
+    let Summary { engine, contact, boundary, .. } = summary;
+    let mut spans = shows.to_vec();
+    spans.push(Span::Plain(format!(" \u{b7} {boundary}, engine {engine}, contact {contact}")));
+    svg.text([left, 43.0], &spans, quiet);
+}
+
+/// `text` cut to about `letters` letters.
+fn shortened(text: &str, letters: f64) -> String {
+    let most = letters.max(8.0) as usize;
+    if text.chars().count() <= most {
+        return text.to_owned();
+    }
+    let mut short: String = text.chars().take(most - 1).collect();
+    short.truncate(short.trim_end().len());
+    short.push('\u{2026}');
+    short
+}
+
+/// `x_c / a`, from the mouth of the first crack.
+fn wheel_position() -> Vec<Span> {
+    vec![
+        Span::plain("Wheel position  "),
+        Span::Italic("x"),
+        Span::Sub("c"),
+        Span::plain(" / "),
+        Span::Italic("a"),
+        Span::plain("  (from the mouth of the first crack)"),
+    ]
+}

@@ -1,0 +1,13 @@
+//! Drawing: SVG elements, axes with round ticks, legends, colours. Knows nothing of cracks.
+
+mod axes;
+mod legend;
+mod palette;
+mod svg;
+mod ticks;
+
+pub(crate) use axes::{Axes, Axis, Frame};
+pub(crate) use legend::{Entry, Mark, draw_legend, legend_width};
+pub(crate) use palette::{BLUE, CATEGORIES, GREY, INK, LIGHT, ORANGE, sequence};
+pub(crate) use svg::{Anchor, Span, Stroke, Svg, TextStyle, coordinate};
+pub(crate) use ticks::round_step;

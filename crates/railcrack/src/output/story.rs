@@ -1,0 +1,56 @@
+//! What a run remembers of its finished steps beyond the tables.
+
+use crate::crack::Crack;
+use crate::growth::{PhaseTimes, RunStop, SolverCounts, StepRecord, TipRecord, Warning};
+use serde::{Deserialize, Serialize};
+
+/// One finished step.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct StepDigest {
+    pub step: usize,
+    pub load_cycles: f64,
+    pub tips: Vec<TipRecord>,
+    pub dofs: usize,
+    pub face_points: usize,
+    pub counts: SolverCounts,
+    pub times: PhaseTimes,
+    pub stop: Option<RunStop>,
+}
+
+/// All finished steps.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub(crate) struct Story {
+    /// The cracks of step 0.
+    pub initial_cracks: Vec<Crack>,
+    /// The cracks of the last finished step.
+    pub cracks: Vec<Crack>,
+    pub steps: Vec<StepDigest>,
+    pub warnings: Vec<Warning>,
+    /// Wall time of the finished steps over all sessions, seconds.
+    pub wall_s: f64,
+    /// Part of it that went into writing, seconds.
+    pub output_s: f64,
+    /// The most memory of any session, MB.
+    pub peak_memory_mb: Option<f64>,
+}
+
+impl Story {
+    /// Takes up a finished step.
+    pub(crate) fn add(&mut self, record: &StepRecord) {
+        if self.steps.is_empty() {
+            self.initial_cracks.clone_from(&record.cracks);
+        }
+        self.cracks.clone_from(&record.cracks);
+        self.warnings.extend(record.warnings.iter().cloned());
+        self.steps.push(StepDigest {
+            step: record.step,
+            load_cycles: record.load_cycles,
+            tips: record.tips.clone(),
+            dofs: record.dofs,
+            face_points: record.faces.points.len(),
+            counts: record.counts,
+            times: record.times,
+            stop: record.stop,
+        });
+    }
+}

@@ -1,0 +1,185 @@
+//! `summary.json`: the run in numbers.
+
+use super::VERSION;
+use super::recorder::RunInfo;
+use super::story::Story;
+use crate::growth::{StepRecord, Warning};
+use serde::{Deserialize, Serialize};
+
+/// Wall time by phase, all sessions of the run together, seconds.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct PhaseSeconds {
+    /// The cracked body.
+    pub body: f64,
+    /// Loads on the faces and contact.
+    pub contact: f64,
+    /// Direction, rate, increments.
+    pub growth: f64,
+    /// Tables, checkpoints, plots.
+    pub output: f64,
+}
+
+/// A tip in the last finished step.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct TipSummary {
+    /// Number of its crack, from 1.
+    pub crack: usize,
+    /// Number of the tip within its crack, from 1.
+    pub tip: usize,
+    /// Abscissa, mm.
+    pub x_mm: f64,
+    /// Ordinate, mm.
+    pub y_mm: f64,
+    /// Length of its crack, mm.
+    pub length_mm: f64,
+    /// da/dN in the last finished step, mm per cycle.
+    pub rate_mm_per_cycle: f64,
+    /// Why it stopped, where it did.
+    pub stop: Option<String>,
+}
+
+/// The path of a crack: points (x, y) in mm from the first to the last.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct CrackSummary {
+    /// In step 0.
+    pub initial_points_mm: Vec<[f64; 2]>,
+    /// In the last finished step.
+    pub points_mm: Vec<[f64; 2]>,
+}
+
+/// What `summary.json` holds. Keys are the fields' names.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Summary {
+    /// Version of the program.
+    pub version: String,
+    /// Title of the case.
+    pub title: String,
+    /// `xfem` or `dislocation`.
+    pub engine: String,
+    /// `latin` or `newton`.
+    pub contact: String,
+    /// Boundary of the rail: `half-plane` or `block`.
+    pub boundary: String,
+    /// Half-width a of the wheel contact, mm.
+    pub half_width_mm: f64,
+    /// Whether the run has ended; otherwise `--resume` goes on.
+    pub complete: bool,
+    /// Why the run ended; null while it is not complete.
+    pub stop: Option<String>,
+    /// Number of increments done: the number of the last finished step.
+    pub steps: usize,
+    /// Number of finished steps, the initial geometry counted.
+    pub steps_recorded: usize,
+    /// Load cycles (axles) at the start of the last finished step.
+    pub load_cycles: f64,
+    /// The same in million gross tonnes, where the case gives the axle load.
+    pub million_gross_tonnes: Option<f64>,
+    /// Wall time, all sessions together, seconds.
+    pub wall_s: f64,
+    /// Wall time by phase.
+    pub phases_s: PhaseSeconds,
+    /// The most memory held, MB; null where the system does not tell.
+    pub peak_memory_mb: Option<f64>,
+    /// Displacement unknowns, the most of all steps.
+    pub dofs: usize,
+    /// Points on the crack faces, the most of all steps.
+    pub face_points: usize,
+    /// Load steps between output positions, all steps together.
+    pub substeps: usize,
+    /// Contact solutions, all steps together.
+    pub contact_solves: usize,
+    /// Contact iterations per solution.
+    pub contact_iterations_mean: f64,
+    /// The most iterations of one solution.
+    pub contact_iterations_max: usize,
+    /// Largest violation of the law of the faces, relative.
+    pub complementarity_max: f64,
+    /// Passages until the history repeated, the most of all steps.
+    pub passages: usize,
+    /// The same for each step.
+    pub passages_per_step: Vec<usize>,
+    /// Warnings, in order.
+    pub warnings: Vec<Warning>,
+    /// Tips in the last finished step.
+    pub tips: Vec<TipSummary>,
+    /// Paths.
+    pub cracks: Vec<CrackSummary>,
+}
+
+impl Summary {
+    pub(crate) fn new(info: &RunInfo, story: &Story) -> Self {
+        let steps = &story.steps;
+        let last = steps.last();
+        let sum = |count: fn(&super::story::StepDigest) -> usize| steps.iter().map(count).sum::<usize>();
+        let most = |count: fn(&super::story::StepDigest) -> usize| steps.iter().map(count).max().unwrap_or(0);
+        let seconds = |time: fn(&super::story::StepDigest) -> f64| steps.iter().map(time).sum::<f64>();
+        let solves = sum(|step| step.counts.solves);
+        let load_cycles = last.map_or(0.0, |step| step.load_cycles);
+        let stop = last.and_then(|step| step.stop);
+        Self {
+            version: VERSION.to_owned(),
+            title: info.title.clone(),
+            engine: info.engine.clone(),
+            contact: info.contact.clone(),
+            boundary: info.boundary.clone(),
+            half_width_mm: info.half_width,
+            complete: stop.is_some(),
+            stop: stop.map(|stop| stop.name().to_owned()),
+            steps: last.map_or(0, |step| step.step),
+            steps_recorded: steps.len(),
+            load_cycles,
+            million_gross_tonnes: info.axle_load.map(|tonnes| load_cycles * tonnes / 1e6),
+            wall_s: story.wall_s,
+            phases_s: PhaseSeconds {
+                body: seconds(|step| step.times.body_s),
+                contact: seconds(|step| step.times.contact_s),
+                growth: seconds(|step| step.times.growth_s),
+                output: story.output_s,
+            },
+            peak_memory_mb: story.peak_memory_mb,
+            dofs: most(|step| step.dofs),
+            face_points: most(|step| step.face_points),
+            substeps: sum(|step| step.counts.substeps),
+            contact_solves: solves,
+            contact_iterations_mean: sum(|step| step.counts.iterations) as f64 / solves.max(1) as f64,
+            contact_iterations_max: most(|step| step.counts.iterations_max),
+            complementarity_max: steps.iter().map(|step| step.counts.complementarity_max).fold(0.0, f64::max),
+            passages: most(|step| step.counts.passages),
+            passages_per_step: steps.iter().map(|step| step.counts.passages).collect(),
+            warnings: info.warnings.iter().chain(&story.warnings).cloned().collect(),
+            tips: last.map_or_else(Vec::new, |step| step.tips.iter().map(tip_summary).collect()),
+            cracks: (story.initial_cracks.iter().zip(&story.cracks))
+                .map(|(initial, now)| CrackSummary {
+                    initial_points_mm: points(initial),
+                    points_mm: points(now),
+                })
+                .collect(),
+        }
+    }
+}
+
+fn tip_summary(tip: &crate::growth::TipRecord) -> TipSummary {
+    TipSummary {
+        crack: tip.tip.crack + 1,
+        tip: tip.tip.tip + 1,
+        x_mm: tip.x,
+        y_mm: tip.y,
+        length_mm: tip.length,
+        rate_mm_per_cycle: tip.rate,
+        stop: tip.stop.map(|stop| stop.name().to_owned()),
+    }
+}
+
+fn points(crack: &crate::crack::Crack) -> Vec<[f64; 2]> {
+    crack.points().iter().map(|point| [point.x, point.y]).collect()
+}
+
+/// Checks what has no column in a table and yet goes into the summary.
+pub(crate) fn finite_summary(record: &StepRecord) -> Result<(), super::OutputError> {
+    let value = record.counts.complementarity_max;
+    if value.is_finite() {
+        return Ok(());
+    }
+    let (file, column) = (super::folder::SUMMARY_FILE, "complementarity_max");
+    Err(super::OutputError::NotFinite { file, column, row: format!("step {}", record.step), value })
+}
