@@ -93,20 +93,20 @@ fn contact(
     };
     match HertzianContact::from_line_load(line_load, wheel, rail, steel, friction) {
         Ok(contact) => {
-            let mut accepted = Some(contact);
-            for (name, value) in
+            let outside =
                 [("peak_pressure_mpa", contact.peak_pressure), ("half_width_mm", contact.half_width)]
-            {
-                if let Some(range) = range_of(section, name)
-                    && !range.contains(value)
-                {
-                    refuse(format!(
-                        "`contact.line_load_n_per_mm = {line_load}` gives {name} = {value:.4}: must be in {range}"
-                    ));
-                    accepted = None;
+                    .into_iter()
+                    .find_map(|(name, value)| {
+                        let range = range_of(section, name).filter(|range| !range.contains(value))?;
+                        Some(format!("{name} = {value:.4}: must be in {range}"))
+                    });
+            match outside {
+                None => Some(contact),
+                Some(outside) => {
+                    refuse(format!("`contact.line_load_n_per_mm = {line_load}` gives {outside}"));
+                    None
                 }
             }
-            accepted
         }
         Err(error) => {
             refuse(format!("`contact`: {error}"));
@@ -123,6 +123,9 @@ fn range_of(section: &SectionValues, key: &str) -> Option<NumberRange> {
 }
 
 fn rail(section: &SectionValues, placed: Option<&PlacedCracks>) -> Option<Rail> {
+    if section.is_refused("centre_mm") {
+        return None;
+    }
     let middle = placed.map(|p| 0.5 * (p.network.leftmost_mouth() + p.network.rightmost_mouth()));
     Some(Rail {
         width: section.number("width_mm")?,

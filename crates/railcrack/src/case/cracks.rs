@@ -107,6 +107,9 @@ fn blamed_point(error: &CrackError) -> Option<usize> {
 fn shifts(section: &SectionValues, report: &mut Report) -> Option<Vec<f64>> {
     let count = section.integer("count")?;
     let is_written = |key: &str| section.entry(key).is_some_and(|e| e.span.is_some());
+    if section.is_refused("spacing_mm") {
+        return None;
+    }
     let spacing = section.number("spacing_mm");
     let mut refuse = |key: &str, other: &str, message: String| {
         report.add(Fault {

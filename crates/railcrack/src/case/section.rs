@@ -19,6 +19,8 @@ pub(super) struct SectionValues {
     /// Where it stands in the file.
     pub span: Range<usize>,
     entries: Vec<Entry>,
+    /// Keys whose value was given but not accepted.
+    refused: Vec<&'static str>,
 }
 
 /// One accepted value.
@@ -35,6 +37,11 @@ pub(super) struct Entry {
 impl SectionValues {
     pub fn entry(&self, key: &str) -> Option<&Entry> {
         self.entries.iter().find(|e| e.key.name == key)
+    }
+
+    /// Whether `key` was given a value that was not accepted: nothing more can be said about it.
+    pub fn is_refused(&self, key: &str) -> bool {
+        self.refused.contains(&key)
     }
 
     /// Where `key` stands, or the section where it does not.
@@ -89,7 +96,7 @@ pub(super) fn read_section(
         _ => section.name.to_string(),
     };
     let span = table.as_ref().map_or(0..0, |(_, span)| span.clone());
-    let mut read = SectionValues { section, path, span, entries: Vec::new() };
+    let mut read = SectionValues { section, path, span, entries: Vec::new(), refused: Vec::new() };
     let mut given: Vec<(&'static Key, Range<usize>)> = Vec::new();
     for (name, value) in table.iter().flat_map(|(table, _)| table.iter()) {
         let is_section =
@@ -106,6 +113,7 @@ pub(super) fn read_section(
             None => report.add(unknown_key(&read, name, value)),
         }
     }
+    given.sort_by_key(|(_, span)| span.start);
     for key in section.keys {
         if let Some((option, raw)) = overrides.of(section.name, key.name) {
             given.push((key, 0..0));
@@ -135,6 +143,7 @@ fn read_value(read: &mut SectionValues, key: &'static Key, value: &Spanned<DeVal
             read.entries.push(Entry { key, value: value_read, span: Some(value.span()), parts });
         }
         Err(refusal) => {
+            read.refused.push(key.name);
             let dotted = read.dotted(key.name);
             let shown = shown(report, &value.span());
             report.add(Fault {
