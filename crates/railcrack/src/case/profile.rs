@@ -67,11 +67,12 @@ pub(super) fn read_profile(
         Ok(source) => match parse(&source) {
             Ok(profile) => Some(ProfileFile { given: given.into(), text: source.text.to_string(), profile }),
             Err(fault) => {
-                report.add_to(&source, Fault { key: Some(key.into()), ..fault });
+                report.add_to(&source, Fault { key: Some(key.into()), ..*fault });
                 None
             }
         },
-        Err((source, fault)) => {
+        Err(unreadable) => {
+            let (source, fault) = *unreadable;
             if fault.span.is_some() {
                 report.add_to(&source, Fault { key: Some(key.into()), ..fault });
             } else {
@@ -94,7 +95,7 @@ struct Line<'a> {
     span: Range<usize>,
 }
 
-fn parse(source: &Source) -> Result<DepthProfile, Fault> {
+fn parse(source: &Source) -> Result<DepthProfile, Box<Fault>> {
     let mut offset = 0;
     let mut lines = Vec::new();
     for raw in source.text.split_inclusive('\n') {
@@ -130,15 +131,15 @@ fn parse(source: &Source) -> Result<DepthProfile, Fault> {
     })
 }
 
-fn fault(message: String, span: &Range<usize>) -> Fault {
+fn fault(message: String, span: &Range<usize>) -> Box<Fault> {
     let help = format!(
         "a profile begins with the header {},{}[,{}] and has a row per depth, downwards",
         COLUMNS[0], COLUMNS[1], COLUMNS[2]
     );
-    Fault { message, span: Some(span.clone()), help: Some(help), ..Fault::default() }
+    Box::new(Fault { message, span: Some(span.clone()), help: Some(help), ..Fault::default() })
 }
 
-fn read_header<'a>(header: &Line<'a>) -> Result<Vec<&'a str>, Fault> {
+fn read_header<'a>(header: &Line<'a>) -> Result<Vec<&'a str>, Box<Fault>> {
     let columns: Vec<&str> = header.text.split(',').map(str::trim).collect();
     for (i, name) in columns.iter().enumerate() {
         if columns[..i].contains(name) {
@@ -160,7 +161,7 @@ fn read_header<'a>(header: &Line<'a>) -> Result<Vec<&'a str>, Fault> {
     Ok(columns)
 }
 
-fn read_row(row: &Line, columns: &[&str]) -> Result<Vec<f64>, Fault> {
+fn read_row(row: &Line, columns: &[&str]) -> Result<Vec<f64>, Box<Fault>> {
     let fields: Vec<&str> = row.text.split(',').map(str::trim).collect();
     if fields.len() != columns.len() {
         let message = format!("{} values in a row of {} columns", fields.len(), columns.len());
@@ -180,7 +181,7 @@ fn read_row(row: &Line, columns: &[&str]) -> Result<Vec<f64>, Fault> {
     Ok(values)
 }
 
-fn check_vanishing(columns: &[&str], table: &[Vec<f64>], rows: &[Line]) -> Result<(), Fault> {
+fn check_vanishing(columns: &[&str], table: &[Vec<f64>], rows: &[Line]) -> Result<(), Box<Fault>> {
     let stress = |name: &str| name.ends_with("_mpa") && !IGNORED.contains(&name);
     let mut largest: f64 = 0.0;
     for row in table {

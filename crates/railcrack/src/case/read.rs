@@ -27,7 +27,8 @@ impl Case {
             Ok(source) => {
                 Self::parse_with(&source.text, &name, path.parent().unwrap_or(Path::new("")), overrides)
             }
-            Err((source, fault)) => {
+            Err(unreadable) => {
+                let (source, fault) = *unreadable;
                 let mut report = Report::new(source);
                 report.add(fault);
                 Err(report.into_errors())
@@ -58,11 +59,11 @@ impl Case {
 }
 
 /// The text of a file, or why it cannot be had, with whatever of it can be shown.
-pub(super) fn read_text(path: &Path, name: &str) -> Result<Source, (Source, Fault)> {
+pub(super) fn read_text(path: &Path, name: &str) -> Result<Source, Box<(Source, Fault)>> {
     let source = |text: &str| Source { name: name.into(), text: Arc::from(text) };
     let unreadable = |why: String| {
         let fault = Fault { message: format!("cannot read `{name}`: {why}"), ..Fault::default() };
-        (source(""), fault)
+        Box::new((source(""), fault))
     };
     if path.is_dir() {
         return Err(unreadable("it is a folder, not a file".into()));
@@ -82,7 +83,7 @@ pub(super) fn read_text(path: &Path, name: &str) -> Result<Source, (Source, Faul
                 help: Some("store the file as UTF-8".into()),
                 ..Fault::default()
             };
-            Err((source(&shown), fault))
+            Err(Box::new((source(&shown), fault)))
         }
     }
 }
