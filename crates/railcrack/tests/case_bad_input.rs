@@ -339,7 +339,7 @@ fn unknown_names() {
             Append("[rail]\nyoungs_modulus = 210e3"),
             11,
             "rail.youngs_modulus",
-            "unknown key `rail.youngs_modulus`",
+            "`rail.youngs_modulus = 210e3`: unknown key",
             "nearest known key: `young_modulus_mpa`",
         ),
         wrong(
@@ -374,7 +374,7 @@ fn unknown_names() {
             Replace("angle_deg = 15.0", "angle_deg = 15.0\nlength = 6.0"),
             9,
             "crack[1].length",
-            "unknown key `crack[1].length`",
+            "`crack[1].length = 6.0`: unknown key",
             "`length_mm`",
         ),
         wrong(

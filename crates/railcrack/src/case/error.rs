@@ -130,11 +130,9 @@ impl Report {
     /// Adds an error about another file.
     pub fn add_to(&mut self, source: &Source, fault: Fault) {
         let Fault { message, key, span, help, also } = fault;
-        let label = |span: &Range<usize>, what: &str| {
-            LabeledSpan::new_with_span(Some(what.to_string()), span.clone())
-        };
-        let mut labels: Vec<LabeledSpan> = span.iter().map(|s| label(s, "here")).collect();
-        labels.extend(also.iter().map(|(s, what)| label(s, what)));
+        let primary = span.clone().map(|s| LabeledSpan::new_primary_with_span(Some("here".into()), s));
+        let second = also.map(|(s, what)| LabeledSpan::new_with_span(Some(what.into()), s));
+        let labels = primary.into_iter().chain(second).collect();
         self.errors.push(CaseError {
             message,
             file: source.name.clone(),

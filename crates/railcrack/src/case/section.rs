@@ -110,7 +110,10 @@ pub(super) fn read_section(
                 read_value(&mut read, key, value, report);
             }
             Some(_) => (),
-            None => report.add(unknown_key(&read, name, value)),
+            None => {
+                let shown = shown(report, &value.span());
+                report.add(unknown_key(&read, name, value, &shown));
+            }
         }
     }
     given.sort_by_key(|(_, span)| span.start);
@@ -168,6 +171,7 @@ fn unknown_key(
     read: &SectionValues,
     name: &Spanned<std::borrow::Cow<str>>,
     value: &Spanned<DeValue>,
+    shown: &str,
 ) -> Fault {
     let given = name.get_ref();
     let section = read.section;
@@ -207,7 +211,7 @@ fn unknown_key(
         format!("nearest known key: `{near}`; {} knows {}", section.header(), known.join(", "))
     };
     Fault {
-        message: format!("unknown key `{}`", read.dotted(given)),
+        message: format!("`{} = {shown}`: unknown key", read.dotted(given)),
         key: Some(read.dotted(given)),
         span: Some(name.span()),
         help: Some(help),
@@ -218,7 +222,6 @@ fn unknown_key(
 /// Chooses the form, refuses what does not go together, fills in the defaults, names what is missing.
 fn fill(read: &mut SectionValues, given: &[(&'static Key, Range<usize>)], report: &mut Report) {
     let section = read.section;
-    let is_given = |name: &str| given.iter().any(|(k, _)| k.name == name);
     let form = choose_form(read, given, report);
     let in_a_form = |key: &Key| section.forms.iter().any(|f| f.keys.contains(&key.name));
     for key in section.keys {
@@ -243,7 +246,7 @@ fn fill(read: &mut SectionValues, given: &[(&'static Key, Range<usize>)], report
             Presence::Default(preset) if key.only_with.is_none() => {
                 read.entries.push(Entry { key, value: preset.into(), span: None, parts: Vec::new() });
             }
-            Presence::Required(_) if !is_given(key.name) => report.add(Fault {
+            Presence::Required(_) => report.add(Fault {
                 message: format!(
                     "`{}` is missing: it must be {}",
                     read.dotted(key.name),
@@ -291,9 +294,11 @@ fn choose_form(
                 } else {
                     ((b, b_span), (a, a_span))
                 };
+                let value = read.entry(late.0.name).and_then(|e| e.span.as_ref());
+                let value = value.map_or(String::new(), |span| format!(" = {}", shown(report, span)));
                 report.add(Fault {
                     message: format!(
-                        "`{}` says the same thing as `{}`: give one or the other",
+                        "`{}{value}` says the same thing as `{}`: give one or the other",
                         read.dotted(late.0.name),
                         early.0.name
                     ),
