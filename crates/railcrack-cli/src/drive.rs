@@ -1,5 +1,6 @@
 //! The loop of a run: compute a step, write it, say so.
 
+use crate::exit::Exit;
 use crate::interruption::Interruption;
 use crate::progress::Progress;
 use railcrack::growth::{Growth, GrowthError, GrowthState, StepRecord, Watch};
@@ -64,19 +65,19 @@ pub enum RunError {
 
 impl RunError {
     /// The exit code of the program.
-    pub fn exit_code(&self) -> u8 {
+    pub fn exit(&self) -> Exit {
         match self {
-            Self::CaseInRunFolder { .. } => 2,
+            Self::CaseInRunFolder { .. } => Exit::BadInput,
             Self::Output(error) => match error {
                 OutputError::HoldsRun { .. }
                 | OutputError::NoRun { .. }
                 | OutputError::CaseChanged { .. }
-                | OutputError::OtherVersion { .. } => 2,
-                OutputError::NotFinite { .. } => 3,
-                OutputError::Damaged { .. } | OutputError::Io { .. } => 4,
+                | OutputError::OtherVersion { .. } => Exit::BadInput,
+                OutputError::NotFinite { .. } => Exit::NotConverged,
+                OutputError::Damaged { .. } | OutputError::Io { .. } => Exit::CannotReadOrWrite,
             },
-            Self::Growth(_) => 3,
-            Self::System { .. } => 4,
+            Self::Growth(_) => Exit::NotConverged,
+            Self::System { .. } => Exit::CannotReadOrWrite,
         }
     }
 }
@@ -134,7 +135,6 @@ fn compute(
             Ok(Some(record)) => record,
             Ok(None) => break,
             Err(GrowthError::Interrupted { .. }) => return Ok(Ending::Interrupted),
-            #[allow(unreachable_patterns)]
             Err(error) => return Err(error.into()),
         };
         recorder.record(&record, source.state())?;

@@ -1,13 +1,30 @@
-//! The `railcrack` command.
+//! The `railcrack` command: growth of rolling-contact-fatigue cracks in rails.
 
-// The command line that calls `run` comes with the case file.
-#![allow(dead_code)]
-
-mod commands {
-    pub mod run;
-}
+mod arguments;
+mod commands;
 mod drive;
+mod exit;
 mod interruption;
+mod print;
 mod progress;
 
-fn main() {}
+use arguments::Arguments;
+use clap::Parser;
+use exit::Exit;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let arguments = Arguments::parse();
+    run(arguments).into()
+}
+
+/// Does what was asked for; says on stderr what went wrong.
+fn run(arguments: Arguments) -> Exit {
+    match commands::dispatch(arguments.command) {
+        Ok(exit) => exit,
+        Err(failure) => {
+            print::failure(&failure);
+            failure.exit()
+        }
+    }
+}

@@ -1,10 +1,15 @@
 //! `railcrack run`.
 
 use crate::drive::{Ending, RunError, StepSource, drive};
+use crate::exit::{Exit, Failure};
 use crate::interruption::Interruption;
+use crate::print;
 use crate::progress::{Progress, Verbosity, cycles};
 use clap::Args;
+use railcrack::case::{Case, Overrides};
+use railcrack::field::StressField;
 use railcrack::growth::GrowthState;
+use railcrack::math::Vec2;
 use railcrack::output::{CaseFiles, Existing, Recorder, ResidualRow, RunInfo, Summary};
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
@@ -44,6 +49,37 @@ pub struct RunArguments {
     pub force: bool,
 }
 
+/// Runs the case and prints the result.
+pub fn run(arguments: &RunArguments) -> Result<Exit, Failure> {
+    let overrides = Overrides {
+        steps: arguments.steps,
+        engine: arguments.engine.clone(),
+        contact: arguments.contact.clone(),
+    };
+    let case = Case::read_with(&arguments.case, &overrides)?;
+    use_threads(arguments.threads)?;
+    let interruption = Interruption::listen().map_err(|reason| RunError::System {
+        action: "listen to signals".into(),
+        reason: reason.to_string(),
+    })?;
+    let finished = execute(arguments, Job::of(&case), &interruption, |state| {
+        Ok((case.growth_run(state), residual_rows(&case)))
+    })?;
+    print::stdout(&result_text(&finished))?;
+    Ok(match finished.ending {
+        Ending::Ended => Exit::Done,
+        Ending::Interrupted => Exit::Interrupted,
+    })
+}
+
+/// The residual stress that the rail carries, at the depths of its profile.
+fn residual_rows(case: &Case) -> Vec<ResidualRow> {
+    let Some(file) = &case.residual_stress else { return Vec::new() };
+    let profile = file.profile();
+    let at = |depth: f64| ResidualRow { depth, stress: profile.stress(Vec2::new(case.rail.centre, -depth)) };
+    profile.rows().iter().map(|row| at(row.0)).collect()
+}
+
 /// What the case says of a run before anything is computed.
 #[derive(Debug)]
 pub struct Job {
@@ -53,6 +89,26 @@ pub struct Job {
     pub info: RunInfo,
     /// Number of increments.
     pub increments: usize,
+}
+
+impl Job {
+    fn of(case: &Case) -> Self {
+        let companions =
+            case.companions().into_iter().map(|file| (file.name.into(), file.text.into())).collect();
+        Self {
+            case: CaseFiles { toml: case.to_toml(), companions },
+            info: RunInfo {
+                title: case.title.clone(),
+                engine: case.engine.name().into(),
+                contact: case.contact_solver.name().into(),
+                boundary: case.rail.boundary.name().into(),
+                half_width: case.contact.half_width,
+                axle_load: case.axle_load,
+                warnings: Vec::new(),
+            },
+            increments: case.growth.steps,
+        }
+    }
 }
 
 /// A run that came to an end or was interrupted.

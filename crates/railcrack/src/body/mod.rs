@@ -1,5 +1,7 @@
 //! The cracked body: two matrices at the face points.
 
 mod cracked;
+mod engine;
 
 pub use cracked::{BodyTip, CrackedBody, FaceMesh, FaceSample, MeshPoint};
+pub use engine::{BodyEngine, BodyError};

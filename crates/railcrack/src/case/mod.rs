@@ -1,1 +1,43 @@
-//! To come.
+//! The case file: what a user writes, checked and turned into the types of the library.
+//!
+//! One table ([`SECTIONS`]) declares every section and key once. Reading, range checks, defaults, the JSON Schema,
+//! the commented first file, the page of documentation and the case as written back all derive from it.
+
+mod accept;
+mod build;
+mod cracks;
+mod declare;
+mod error;
+mod markdown;
+mod overrides;
+mod problem;
+mod profile;
+mod read;
+mod run;
+mod schema;
+mod section;
+mod sections;
+mod settings;
+mod size;
+mod suggest;
+mod table;
+mod validated;
+mod write;
+
+pub use accept::Value;
+pub use error::{CaseError, CaseErrors};
+pub use markdown::markdown;
+pub use overrides::Overrides;
+pub use profile::ProfileFile;
+pub use schema::json_schema;
+pub use sections::SECTIONS;
+pub use size::RunSize;
+pub use table::{
+    Availability, Choice, Form, Key, Kind, NumberRange, OnlyWith, Presence, Preset, RangeEnd, Section,
+    SectionPresence,
+};
+pub use validated::{
+    Boundary, Case, Companion, ContactSolver, Engine, MeshSettings, PassageSettings, Rail, ShakedownMethod,
+    ShakedownSettings,
+};
+pub use write::init_text;

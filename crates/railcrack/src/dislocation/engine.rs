@@ -2,7 +2,7 @@
 
 use super::assembly::{discretise, stiffness};
 use super::walk::{FaceResolution, Walk};
-use crate::body::{BodyTip, CrackedBody, FaceMesh};
+use crate::body::{BodyEngine, BodyError, BodyTip, CrackedBody, FaceMesh};
 use crate::crack::{CrackNetwork, End};
 use crate::linear::{LinearError, spd_inverse};
 use crate::material::IsotropicElastic;
@@ -103,5 +103,31 @@ impl CrackedBody for DislocationBody {
 
     fn dofs(&self) -> usize {
         self.compliance.rows()
+    }
+}
+
+/// The dislocation engine: [`DislocationBody`] for one steel and resolution.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DislocationEngine {
+    /// The steel.
+    pub steel: IsotropicElastic,
+    /// Elements along the cracks.
+    pub resolution: FaceResolution,
+}
+
+/// Distance that is resolved, over the length of the shortest crack: elements there follow the distance, but below this
+/// the stress between the faces says nothing about a real crack.
+const RESOLVED: f64 = 0.005;
+
+impl BodyEngine for DislocationEngine {
+    fn body(&self, network: &CrackNetwork) -> Result<Box<dyn CrackedBody>, BodyError> {
+        match DislocationBody::new(network, &self.steel, self.resolution) {
+            Ok(body) => Ok(Box::new(body)),
+            Err(reason) => Err(BodyError { reason: Box::new(reason) }),
+        }
+    }
+
+    fn resolution(&self, network: &CrackNetwork) -> f64 {
+        RESOLVED * network.cracks().iter().map(|crack| crack.length()).fold(f64::INFINITY, f64::min)
     }
 }

@@ -1,8 +1,18 @@
 //! The run: an iterator of growth steps that can be stored and taken up again.
 
-use super::{RunStop, StepRecord, TipStop};
-use crate::crack::Crack;
+use super::{
+    CrackTip, GrowthSettings, PassageError, PassageSettings, PhaseTimes, RailBox, RailLoad, RunStop,
+    StabilisedPassage, StepRecord, StepState, TipDrive, TipRecord, TipStop, Warning, advance,
+    stabilised_passage,
+};
+use crate::body::{BodyEngine, BodyError, CrackedBody};
+use crate::contact::{ContactSolver, FaceProblem};
+use crate::crack::{Crack, CrackNetwork, NetworkError};
+use crate::fatigue::{HourlierPineau, Kink, SifRanges};
+use crate::field::StressField;
+use crate::load::HertzianContact;
 use serde::{Deserialize, Serialize};
+use std::time::Instant;
 
 /// What a run needs in order to go on after a step: everything else follows from the case.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -19,16 +29,24 @@ pub struct GrowthState {
     pub ended: Option<RunStop>,
 }
 
+impl GrowthState {
+    /// The beginning of a run with `cracks`.
+    pub fn initial(cracks: Vec<Crack>) -> Self {
+        let stopped = cracks.iter().map(|crack| vec![None; crack.tips().len()]).collect();
+        Self { step: 0, cracks, load_cycles: 0.0, stopped, ended: None }
+    }
+}
+
 /// Someone who watches a step being computed, and may interrupt it.
 pub trait Watch: Sync {
-    /// The fraction (0 to 1) of the current step's passages that is done.
+    /// The fraction (0 to 1) of the current passage that is done.
     fn progress(&self, fraction: f64);
     /// Whether to give up the current step now.
     fn interrupted(&self) -> bool;
 }
 
 /// Why a step could not be computed.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, thiserror::Error)]
 pub enum GrowthError {
     /// The watcher interrupted the step; the state before it is intact.
     #[error("interrupted at step {step}")]
@@ -36,22 +54,237 @@ pub enum GrowthError {
         /// The step that was given up.
         step: usize,
     },
+    /// The engine cannot represent the cracks.
+    #[error("step {step}: {source}")]
+    Body {
+        /// The step.
+        step: usize,
+        /// What the engine says.
+        source: BodyError,
+    },
+    /// Contact did not converge.
+    #[error("step {step}: {source}")]
+    Passage {
+        /// The step.
+        step: usize,
+        /// Where and how.
+        source: PassageError,
+    },
+    /// The cracks have run into each other.
+    #[error("step {step}: {source}")]
+    Network {
+        /// The step.
+        step: usize,
+        /// Which of them.
+        source: NetworkError,
+    },
+}
+
+/// What does not change in a run.
+pub struct GrowthProblem {
+    /// Turns cracks into a body.
+    pub engine: Box<dyn BodyEngine>,
+    /// Solves contact on the faces.
+    pub solver: Box<dyn ContactSolver>,
+    /// Takes over for a step that `solver` cannot do.
+    pub fallback: Box<dyn ContactSolver>,
+    /// μ_c of each crack.
+    pub crack_friction: Vec<f64>,
+    /// The wheel.
+    pub contact: HertzianContact,
+    /// ν.
+    pub poisson: f64,
+    /// Balanced residual stress.
+    pub residual: Option<Box<dyn StressField>>,
+    /// The passages.
+    pub passages: PassageSettings,
+    /// Growth law, increments, stops.
+    pub growth: GrowthSettings,
+    /// The rail.
+    pub rail: RailBox,
 }
 
 /// A run over growth steps. [`Growth::next_step`] computes one step; [`Growth::state`] is what to store after it.
 pub struct Growth {
+    problem: GrowthProblem,
     state: GrowthState,
 }
 
+/// A rival kink whose rate comes this close to the best is a near tie.
+const NEAR_TIE: f64 = 0.98;
+
 impl Growth {
+    /// A run of `problem` from `state` on.
+    pub fn new(problem: GrowthProblem, state: GrowthState) -> Self {
+        Self { problem, state }
+    }
+
     /// The state after the last computed step: give it to a new run to go on from there.
     pub fn state(&self) -> &GrowthState {
         &self.state
     }
 
     /// Computes the next step; `None` when the run has ended. On an error the state is that before the step.
+    ///
+    /// Each step starts on virgin faces: slip of the step before is not carried over to the longer cracks.
     pub fn next_step(&mut self, watch: &dyn Watch) -> Result<Option<StepRecord>, GrowthError> {
-        let _ = watch;
-        Ok(None)
+        if self.state.ended.is_some() {
+            return Ok(None);
+        }
+        let step = self.state.step;
+        let started = Instant::now();
+        let network = CrackNetwork::new(self.state.cracks.clone())
+            .map_err(|source| GrowthError::Network { step, source })?;
+        let body = self.problem.engine.body(&network).map_err(|source| GrowthError::Body { step, source })?;
+        let body_s = started.elapsed().as_secs_f64();
+
+        let started = Instant::now();
+        let mut warnings = Vec::new();
+        let passage = self.stabilise(body.as_ref(), watch, &mut warnings)?;
+        let contact_s = started.elapsed().as_secs_f64();
+
+        let started = Instant::now();
+        let mut tips = self.tip_records(&passage);
+        for tip in &tips {
+            warnings.extend(self.near_tie(tip));
+        }
+        warnings.extend(self.unrepeated(&passage));
+        let drives: Vec<TipDrive> = tips.iter().map(|tip| self.drive(tip)).collect();
+        let way = advance(
+            &StepState {
+                step,
+                cracks: &self.state.cracks,
+                tips: &drives,
+                load_cycles: self.state.load_cycles,
+                rail: self.problem.rail,
+                resolution: self.problem.engine.resolution(&network),
+            },
+            &self.problem.growth,
+        );
+        for (tip, ahead) in tips.iter_mut().zip(&way.tips) {
+            tip.increment = ahead.increment;
+            tip.stop = ahead.stop;
+        }
+        let record = StepRecord {
+            step,
+            cracks: self.state.cracks.clone(),
+            passages: passage.passages,
+            faces: passage.faces,
+            load_cycles: self.state.load_cycles,
+            dofs: body.dofs(),
+            counts: passage.counts,
+            times: PhaseTimes { body_s, contact_s, growth_s: started.elapsed().as_secs_f64() },
+            warnings,
+            stop: way.stop,
+            tips,
+        };
+        for tip in &record.tips {
+            self.state.stopped[tip.tip.crack][tip.tip.tip] = tip.stop;
+        }
+        self.state.step += 1;
+        self.state.cracks = way.cracks;
+        self.state.load_cycles += way.cycles;
+        self.state.ended = way.stop;
+        Ok(Some(record))
+    }
+
+    /// The passages, by the solver or, where it fails, by the other one.
+    fn stabilise(
+        &self,
+        body: &dyn CrackedBody,
+        watch: &dyn Watch,
+        warnings: &mut Vec<Warning>,
+    ) -> Result<StabilisedPassage, GrowthError> {
+        let step = self.state.step;
+        let faces = FaceProblem::new(body, &self.problem.crack_friction);
+        let load = RailLoad {
+            contact: self.problem.contact,
+            poisson: self.problem.poisson,
+            residual: self.problem.residual.as_deref(),
+        };
+        let settings = &self.problem.passages;
+        let first = stabilised_passage(&faces, self.problem.solver.as_ref(), load, settings, watch);
+        let result = match first {
+            Err(PassageError::NotConverged { .. }) => {
+                let second =
+                    stabilised_passage(&faces, self.problem.fallback.as_ref(), load, settings, watch);
+                if let (Err(failure), Ok(_)) = (&first, &second) {
+                    let text = format!("the other contact solver did this step, since: {failure}");
+                    warnings.push(Warning { step, kind: "contact-fallback".into(), text });
+                }
+                if matches!(second, Err(PassageError::NotConverged { .. })) { first } else { second }
+            }
+            other => other,
+        };
+        result.map_err(|source| match source {
+            PassageError::Interrupted => GrowthError::Interrupted { step },
+            source @ PassageError::NotConverged { .. } => GrowthError::Passage { step, source },
+        })
+    }
+
+    /// The state and the demand of every tip, without increments.
+    fn tip_records(&self, passage: &StabilisedPassage) -> Vec<TipRecord> {
+        let law = self.problem.growth.law;
+        let direction = HourlierPineau { law, criterion: self.problem.growth.criterion };
+        let ends = self.state.cracks.iter().enumerate().flat_map(|(crack, one)| {
+            one.tips().into_iter().enumerate().map(move |(tip, end)| (CrackTip { crack, tip, end }, one))
+        });
+        ends.zip(&passage.histories)
+            .map(|((tip, crack), history)| {
+                let ranges = SifRanges::of(history);
+                let kink = direction.kink(history);
+                let rival = kink.as_ref().and_then(|kink: &Kink| kink.rival);
+                let at = crack.tip(tip.end);
+                TipRecord {
+                    tip,
+                    x: at.x,
+                    y: at.y,
+                    length: crack.length(),
+                    ki_max: ranges.ki_max,
+                    delta_ki: ranges.delta_ki,
+                    delta_kii: ranges.delta_kii,
+                    delta_keq: law.equivalent_range(ranges.delta_ki, ranges.delta_kii),
+                    kink: kink.map(|kink| kink.angle),
+                    rival: rival.map(|rival| rival.angle),
+                    rival_ratio: rival.map(|rival| rival.ratio),
+                    increment: 0.0,
+                    rate: law.rate(ranges.delta_ki, ranges.delta_kii),
+                    stop: None,
+                }
+            })
+            .collect()
+    }
+
+    fn drive(&self, tip: &TipRecord) -> TipDrive {
+        let stopped = self.state.stopped[tip.tip.crack][tip.tip.tip];
+        TipDrive { tip: tip.tip, kink: tip.kink, rate: tip.rate, stopped }
+    }
+
+    fn near_tie(&self, tip: &TipRecord) -> Option<Warning> {
+        let (kink, rival, ratio) = (tip.kink?, tip.rival?, tip.rival_ratio?);
+        if ratio <= NEAR_TIE || self.state.stopped[tip.tip.crack][tip.tip.tip].is_some() {
+            return None;
+        }
+        let text = format!(
+            "crack {} tip {}: kinks of {:.1} and {:.1} degrees are nearly as good, ratio {ratio:.4}; the path hangs on it",
+            tip.tip.crack + 1,
+            tip.tip.tip + 1,
+            kink.to_degrees(),
+            rival.to_degrees()
+        );
+        Some(Warning { step: self.state.step, kind: "near-tie".into(), text })
+    }
+
+    fn unrepeated(&self, passage: &StabilisedPassage) -> Option<Warning> {
+        let change = passage.last_change?;
+        let tolerance = self.problem.passages.passage_tolerance;
+        (change > tolerance).then(|| Warning {
+            step: self.state.step,
+            kind: "passages".into(),
+            text: format!(
+                "K still changes by {change:.2e} of its peak after {} passages, tolerance {tolerance:.1e}",
+                passage.counts.passages
+            ),
+        })
     }
 }

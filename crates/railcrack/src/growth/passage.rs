@@ -2,7 +2,7 @@
 
 use super::{FacePoint, FaceRecord, PassageRecord, SolverCounts, Watch};
 use crate::contact::{ContactSolver, FaceProblem, FaceSolution, LoadPath, Stepper, SteppingError};
-use crate::field::{StressField, hertz_stress};
+use crate::field::{HertzField, StressField};
 use crate::fracture::{Sif, SifHistory};
 use crate::load::{HertzianContact, Passage};
 use thiserror::Error;
@@ -91,7 +91,8 @@ impl LoadPath for FaceLoad<'_> {
             PathKind::Far { origin, side } => origin + side / at,
             PathKind::Over => at,
         };
-        let stress = |point| hertz_stress(&self.load.contact, self.load.poisson, point, xc);
+        let wheel = HertzField::new(&self.load.contact, self.load.poisson);
+        let stress = |point| wheel.stress(point, xc);
         let mut forces = self.problem.body().faces().nodal_forces(stress);
         forces.iter_mut().zip(self.residual).for_each(|(f, r)| *f += r);
         forces
@@ -137,8 +138,6 @@ pub fn stabilised_passage(
     let (first, last) = (xc[0], xc[xc.len() - 1]);
     let travel = (last - first).signum();
     let reach = |x: f64| {
-        let nearest = problem.body().faces().points.len();
-        let _ = nearest;
         let near = faces.samples.iter().map(|s| (s.point.x - x).abs()).fold(f64::INFINITY, f64::min);
         near.max(load.contact.half_width)
     };

@@ -1,0 +1,41 @@
+//! What can be written on the command line.
+
+use crate::commands::{check::CheckArguments, init::InitArguments, run::RunArguments};
+use clap::{Parser, Subcommand};
+
+const AFTER_HELP: &str = "\
+Exit codes:
+    0  done; a physical stop such as arrest or a spall is done
+    2  bad input: the command line, the case file or a file that it names
+    3  not converged
+    4  cannot read or write
+  130  interrupted; what was computed is kept
+
+Start:
+  railcrack init case.toml     a commented file, the reference case
+  railcrack check case.toml    what would be computed
+  railcrack run case.toml      compute it
+";
+
+/// Predicts the growth of rolling-contact-fatigue cracks in rails.
+///
+/// A case file (TOML) describes the rail, the wheel, the cracks and the growth law. Lengths are in mm, stresses in
+/// MPa, angles in degrees.
+#[derive(Debug, Parser)]
+#[command(name = "railcrack", version, after_long_help = AFTER_HELP, after_help = AFTER_HELP)]
+pub struct Arguments {
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// The commands, in the order of `--help`.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    Init(InitArguments),
+    Check(CheckArguments),
+    Run(RunArguments),
+    /// Print the JSON Schema of the case file
+    ///
+    /// Editors with a TOML language server use it to complete keys, to show what they mean and to mark errors.
+    Schema,
+}

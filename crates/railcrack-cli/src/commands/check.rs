@@ -1,0 +1,216 @@
+//! `railcrack check`.
+
+use crate::exit::{Exit, Failure};
+use crate::print;
+use clap::Args;
+use railcrack::case::Case;
+use railcrack::crack::Crack;
+use railcrack::fatigue::DirectionCriterion;
+use std::path::PathBuf;
+
+/// Validate a case file and say what would be computed
+///
+/// Nothing is computed and nothing is written. The exit code is 0 for a valid case and 2 otherwise; every error of
+/// the file is reported at once.
+#[derive(Debug, Args)]
+pub struct CheckArguments {
+    /// The case file
+    #[arg(value_name = "CASE")]
+    case: PathBuf,
+}
+
+/// Validates the case and prints what would be computed.
+pub fn check(arguments: &CheckArguments) -> Result<Exit, Failure> {
+    let case = Case::read(&arguments.case)?;
+    print::stdout(&summary(&case))?;
+    Ok(Exit::Done)
+}
+
+/// Name and value of a line of the summary.
+type Row = (&'static str, String);
+
+fn summary(case: &Case) -> String {
+    let mut text = format!("{}\n", case.title);
+    for (heading, rows) in [
+        ("rail", rail(case)),
+        ("contact", contact(case)),
+        ("passage", passage(case)),
+        ("cracks", cracks(case)),
+        ("residual stress", residual_stress(case)),
+        ("solution", solution(case)),
+        ("growth", growth(case)),
+        ("bounds", bounds(case)),
+    ] {
+        if !rows.is_empty() {
+            text.push_str(&format!("\n{heading}\n"));
+        }
+        for (name, value) in rows {
+            let line = if name.is_empty() { value } else { format!("{name:<20} {value}") };
+            text.push_str(&format!("  {line}\n"));
+        }
+    }
+    text
+}
+
+fn rail(case: &Case) -> Vec<Row> {
+    let rail = &case.rail;
+    let (left, right) = (rail.centre - 0.5 * rail.width, rail.centre + 0.5 * rail.width);
+    vec![
+        ("elasticity", format!("E = {} MPa, nu = {}", case.steel.young(), case.steel.poisson())),
+        ("boundary", rail.boundary.name().into()),
+        (
+            "cracks stay within",
+            format!("x = {} to {} mm, depth {} mm", number(left), number(right), rail.depth),
+        ),
+    ]
+}
+
+fn contact(case: &Case) -> Vec<Row> {
+    let contact = &case.contact;
+    vec![
+        ("peak pressure p0", format!("{} MPa", number(contact.peak_pressure))),
+        ("half width a", format!("{} mm", number(contact.half_width))),
+        ("line load", format!("{} N/mm", number(contact.line_load()))),
+        ("friction", format!("{}", contact.friction)),
+    ]
+}
+
+fn passage(case: &Case) -> Vec<Row> {
+    let (passage, settings) = (&case.passage, &case.passage_settings);
+    let first_mouth = case.cracks.cracks().first().map_or(0.0, |c| c.points()[0].x);
+    let over_a = |x: f64| number((x - first_mouth) / case.contact.half_width);
+    let towards = if passage.from < passage.to { "+x" } else { "-x" };
+    vec![
+        ("wheel runs towards", towards.into()),
+        ("from, to", format!("x = {} to {} mm", number(passage.from), number(passage.to))),
+        ("over a", format!("{} to {} from the first crack", over_a(passage.from), over_a(passage.to))),
+        ("output positions", passage.positions.to_string()),
+        (
+            "passages",
+            format!("until K repeats to {}, at most {}", settings.passage_tolerance, settings.max_passages),
+        ),
+        ("substeps", format!("until K changes by less than {} of its peak", settings.step_tolerance)),
+    ]
+}
+
+fn cracks(case: &Case) -> Vec<Row> {
+    let columns = "   #   x mm        y mm        length mm   angle deg   friction   tips mm";
+    let mut rows = vec![("number", case.cracks.cracks().len().to_string()), ("", columns.into())];
+    for (i, (crack, friction)) in case.cracks.cracks().iter().zip(&case.crack_friction).enumerate() {
+        rows.push(("", crack_line(i + 1, crack, *friction)));
+    }
+    rows
+}
+
+fn crack_line(count: usize, crack: &Crack, friction: f64) -> String {
+    let (first, next) = crack.segment(0);
+    let angle = -(next - first).angle().to_degrees();
+    let tips: Vec<String> = crack
+        .tips()
+        .into_iter()
+        .map(|end| crack.tip(end))
+        .map(|tip| format!("({}, {})", number(tip.x), number(tip.y)))
+        .collect();
+    format!(
+        "{count:>4}   {:<11} {:<11} {:<11} {:<11} {friction:<10} {}",
+        number(first.x),
+        number(first.y),
+        number(crack.length()),
+        number(angle),
+        tips.join(" ")
+    )
+}
+
+fn residual_stress(case: &Case) -> Vec<Row> {
+    let Some(file) = &case.residual_stress else { return Vec::new() };
+    let rows = file.profile().rows();
+    let extreme = |pick: fn(f64, f64) -> f64| rows.iter().map(|r| r.1).reduce(pick).unwrap_or(0.0);
+    let deepest = rows.last().map_or(0.0, |r| r.0);
+    vec![
+        ("profile", file.given_name().into()),
+        ("rows", format!("{} to depth {deepest} mm", rows.len())),
+        ("sigma_xx", format!("{} to {} MPa", extreme(f64::min), extreme(f64::max))),
+    ]
+}
+
+fn solution(case: &Case) -> Vec<Row> {
+    let size = case.size();
+    vec![
+        ("engine", case.engine.name().into()),
+        ("contact", case.contact_solver.name().into()),
+        ("face points", format!("{}, {} per crack", size.face_points, case.mesh.interface_elements)),
+        ("unknowns", size.unknowns.to_string()),
+        ("tips", size.tips.to_string()),
+        ("memory", format!("about {} MB", size.memory_bytes.div_ceil(1 << 20))),
+    ]
+}
+
+fn growth(case: &Case) -> Vec<Row> {
+    let growth = &case.growth;
+    let law = &growth.law;
+    let direction = match growth.criterion {
+        DirectionCriterion::MaxRate => "largest growth rate of the kink",
+        DirectionCriterion::MaxDeltaK1 => "largest range of k1",
+        DirectionCriterion::MaxK1 => "largest k1",
+    };
+    let steps = match growth.steps {
+        0 => "0: the initial cracks only".into(),
+        steps => format!("{steps}, each {} % of the length", number(100.0 * growth.increment)),
+    };
+    let mut rows = vec![
+        ("increments", steps),
+        (
+            "law",
+            format!(
+                "da/dN = {:e} dKeq^{} mm/cycle, dKeq^2 = dKI^2 + {} dKII^2, MPa sqrt(m)",
+                law.c, law.m, law.mode_2_weight
+            ),
+        ),
+        ("threshold", format!("{} MPa sqrt(m)", law.threshold)),
+        ("arrest below", format!("{:e} mm/cycle", growth.arrest_rate)),
+        ("direction", direction.into()),
+    ];
+    if let Some(length) = growth.critical_length {
+        rows.push(("stops at length", format!("{length} mm")));
+    }
+    if let Some(cycles) = growth.stop_after_cycles {
+        rows.push(("stops after", format!("{cycles:e} cycles")));
+    }
+    if let Some(load) = case.axle_load {
+        rows.push(("axle load", format!("{load} t")));
+    }
+    rows
+}
+
+/// How the pressure compares with the yield stress.
+fn bounds(case: &Case) -> Vec<Row> {
+    let shear_yield = case.shakedown.yield_stress / 3f64.sqrt();
+    let ratio = case.contact.peak_pressure / shear_yield;
+    vec![
+        ("shear yield stress k", format!("{} MPa", number(shear_yield))),
+        ("p0 / k", number(ratio)),
+        // First yield and shakedown limit as p0 / k belong here, from the friction of the contact and Poisson's ratio.
+    ]
+}
+
+/// Six significant digits, without trailing zeros: enough to recognise a number, few enough to read.
+fn number(value: f64) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return if value == 0.0 { "0".into() } else { value.to_string() };
+    }
+    let magnitude = value.abs().log10().floor() as i32;
+    let decimals = (5 - magnitude).clamp(0, 9) as usize;
+    let text = format!("{value:.decimals$}");
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').into() } else { text }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::number;
+
+    #[test]
+    fn six_digits() {
+        let shown = [845.0, 6.75, 8959.4123, -0.125, 1e-4 / 3.0, 210_000.0, -0.0].map(number);
+        assert_eq!(shown, ["845", "6.75", "8959.41", "-0.125", "0.000033333", "210000", "0"]);
+    }
+}

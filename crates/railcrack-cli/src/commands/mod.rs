@@ -1,0 +1,19 @@
+//! The commands, one file each.
+
+pub mod check;
+pub mod init;
+pub mod run;
+pub mod schema;
+
+use crate::arguments::Command;
+use crate::exit::{Exit, Failure};
+
+/// Does what `command` asks for.
+pub fn dispatch(command: Command) -> Result<Exit, Failure> {
+    match command {
+        Command::Init(arguments) => init::init(&arguments),
+        Command::Check(arguments) => check::check(&arguments),
+        Command::Run(arguments) => run::run(&arguments),
+        Command::Schema => schema::schema(),
+    }
+}

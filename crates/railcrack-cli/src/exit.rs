@@ -1,0 +1,73 @@
+//! Exit codes, and what leads to them.
+
+use crate::drive::RunError;
+use railcrack::case::CaseErrors;
+use std::path::PathBuf;
+use std::process::ExitCode;
+use thiserror::Error;
+
+/// How the program ends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Exit {
+    /// What was asked for is done.
+    Done,
+    /// The command line, the case file or a file that it names is wrong.
+    BadInput,
+    /// Something cannot be read or written.
+    CannotReadOrWrite,
+    /// No solution was found.
+    NotConverged,
+    /// The user stopped it; what was computed is kept.
+    Interrupted,
+}
+
+impl From<Exit> for ExitCode {
+    fn from(exit: Exit) -> Self {
+        Self::from(match exit {
+            Exit::Done => 0,
+            Exit::BadInput => 2,
+            Exit::NotConverged => 3,
+            Exit::CannotReadOrWrite => 4,
+            Exit::Interrupted => 130,
+        })
+    }
+}
+
+/// Why a command could not do its work.
+#[derive(Debug, Error)]
+pub enum Failure {
+    /// A case that is wrong.
+    #[error("{0}")]
+    Case(#[from] CaseErrors),
+    /// A run that failed.
+    #[error(transparent)]
+    Run(#[from] RunError),
+    /// A file that is already there.
+    #[error("{} is already there; --force replaces it", path.display())]
+    Exists {
+        /// The file.
+        path: PathBuf,
+    },
+    /// A file that cannot be written.
+    #[error("cannot write {}: {source}", path.display())]
+    CannotWrite {
+        /// The file.
+        path: PathBuf,
+        /// What the system says.
+        source: std::io::Error,
+    },
+    /// Standard output that cannot be written.
+    #[error("cannot write to standard output: {0}")]
+    Stdout(std::io::Error),
+}
+
+impl Failure {
+    /// The exit code of this failure.
+    pub fn exit(&self) -> Exit {
+        match self {
+            Self::Case(_) => Exit::BadInput,
+            Self::Run(error) => error.exit(),
+            Self::Exists { .. } | Self::CannotWrite { .. } | Self::Stdout(_) => Exit::CannotReadOrWrite,
+        }
+    }
+}

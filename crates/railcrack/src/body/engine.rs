@@ -1,0 +1,23 @@
+//! What turns cracks into a body.
+
+use super::CrackedBody;
+use crate::crack::CrackNetwork;
+use std::error::Error;
+use thiserror::Error;
+
+/// Cracks that an engine cannot represent, with the engine's reason.
+#[derive(Debug, Error)]
+#[error("{reason}")]
+pub struct BodyError {
+    /// The engine's own error.
+    #[source]
+    pub reason: Box<dyn Error + Send + Sync>,
+}
+
+/// A method of computing cracked bodies.
+pub trait BodyEngine {
+    /// The body with `network` of cracks.
+    fn body(&self, network: &CrackNetwork) -> Result<Box<dyn CrackedBody>, BodyError>;
+    /// The smallest distance (mm) between a tip and the surface or another crack that is still resolved.
+    fn resolution(&self, network: &CrackNetwork) -> f64;
+}

@@ -1,0 +1,205 @@
+//! From a TOML value to an accepted value of a key.
+
+use super::suggest::nearest;
+use super::table::{Availability, Kind, Preset, available};
+use std::ops::Range;
+use toml::Spanned;
+use toml::de::DeValue;
+
+/// An accepted value.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Value {
+    /// A number.
+    Number(f64),
+    /// An integer.
+    Integer(u64),
+    /// Text, a choice or a path.
+    Text(String),
+    /// Points (x, y), mm.
+    Points(Vec<[f64; 2]>),
+}
+
+impl From<Preset> for Value {
+    fn from(preset: Preset) -> Self {
+        match preset {
+            Preset::Number(x) => Self::Number(x),
+            Preset::Integer(n) => Self::Integer(n),
+            Preset::Text(s) => Self::Text(s.into()),
+            Preset::Points(points) => Self::Points(points.to_vec()),
+        }
+    }
+}
+
+/// What was written, before it is known whether it is accepted.
+#[derive(Debug, Clone)]
+pub(super) enum Raw {
+    Integer(i64),
+    Float(f64),
+    TooLarge,
+    Text(String),
+    List(Vec<(Raw, Range<usize>)>),
+    Other(&'static str),
+}
+
+impl Raw {
+    pub(super) fn read(value: &DeValue) -> Self {
+        match value {
+            DeValue::String(text) => Self::Text(text.to_string()),
+            DeValue::Integer(n) => {
+                i64::from_str_radix(n.as_str(), n.radix()).map_or(Self::TooLarge, Self::Integer)
+            }
+            DeValue::Float(x) => match x.as_str().parse::<f64>() {
+                // 1e400 is not a way to write infinity.
+                Ok(value) if value.is_infinite() && !x.as_str().contains("inf") => Self::TooLarge,
+                Ok(value) => Self::Float(value),
+                Err(_) => Self::TooLarge,
+            },
+            DeValue::Boolean(_) => Self::Other("a boolean"),
+            DeValue::Datetime(_) => Self::Other("a date or time"),
+            DeValue::Array(items) => Self::List(items.iter().map(spanned).collect()),
+            DeValue::Table(_) => Self::Other("a table"),
+        }
+    }
+
+    fn number(&self) -> Option<f64> {
+        match self {
+            Self::Integer(n) => Some(*n as f64),
+            Self::Float(x) => Some(*x),
+            _ => None,
+        }
+    }
+
+    fn kind(&self) -> &'static str {
+        match self {
+            Self::Integer(_) | Self::Float(_) | Self::TooLarge => "a number",
+            Self::Text(_) => "a string",
+            Self::List(_) => "a list",
+            Self::Other(kind) => kind,
+        }
+    }
+}
+
+fn spanned(item: &Spanned<DeValue>) -> (Raw, Range<usize>) {
+    (Raw::read(item.get_ref()), item.span())
+}
+
+/// Why a value is not accepted.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Refusal {
+    /// Follows the key and the value: "must be …".
+    pub message: String,
+    pub help: Option<String>,
+    /// The part of the value that is wrong, where it is not the whole.
+    pub part: Option<Range<usize>>,
+}
+
+impl Refusal {
+    fn new(message: String) -> Self {
+        Self { message, help: None, part: None }
+    }
+}
+
+/// Points of a polyline: a limit that no drawing of a crack meets, and pairs of segments stay few.
+const MOST_POINTS: usize = 200;
+
+/// Coordinates stay within ± this (mm): a kilometre of rail.
+const FARTHEST: f64 = 1e6;
+
+impl Kind {
+    /// The value that `raw` gives, or why it is refused.
+    pub(super) fn accept(&self, raw: &Raw) -> Result<Value, Refusal> {
+        match self {
+            Self::Number { range, .. } => match (raw.number(), raw) {
+                (Some(value), _) if range.contains(value) => Ok(Value::Number(value)),
+                (Some(_), _) | (None, Raw::TooLarge) => Err(self.must_be()),
+                _ => Err(self.wrong_type(raw)),
+            },
+            Self::Integer { min, max } => match raw {
+                Raw::Integer(n) => match u64::try_from(*n) {
+                    Ok(n) if (*min..=*max).contains(&n) => Ok(Value::Integer(n)),
+                    _ => Err(self.must_be()),
+                },
+                Raw::TooLarge => Err(self.must_be()),
+                Raw::Float(_) => Err(Refusal::new(format!(
+                    "must be {}, written without a decimal point or exponent",
+                    self.accepted()
+                ))),
+                _ => Err(self.wrong_type(raw)),
+            },
+            Self::Text => match raw {
+                Raw::Text(text) if text.chars().count() <= 200 && !text.chars().any(char::is_control) => {
+                    Ok(Value::Text(text.clone()))
+                }
+                Raw::Text(_) => Err(self.must_be()),
+                _ => Err(self.wrong_type(raw)),
+            },
+            Self::Path => match raw {
+                Raw::Text(text) if !text.is_empty() && !text.contains('\0') => Ok(Value::Text(text.clone())),
+                Raw::Text(_) => Err(self.must_be()),
+                _ => Err(self.wrong_type(raw)),
+            },
+            Self::Choice(choices) => match raw {
+                Raw::Text(text) => match choices.iter().find(|c| c.name == text) {
+                    Some(choice) => match choice.availability {
+                        Availability::Now => Ok(Value::Text(text.clone())),
+                        Availability::Later { reason, instead } => {
+                            Err(Refusal { message: reason.into(), help: Some(instead.into()), part: None })
+                        }
+                    },
+                    None => Err(Refusal {
+                        help: nearest(text, available(choices).map(|c| c.name))
+                            .map(|name| format!("nearest: \"{name}\"")),
+                        ..self.must_be()
+                    }),
+                },
+                _ => Err(self.wrong_type(raw)),
+            },
+            Self::Points => self.points(raw),
+        }
+    }
+
+    fn points(&self, raw: &Raw) -> Result<Value, Refusal> {
+        let Raw::List(items) = raw else { return Err(self.wrong_type(raw)) };
+        if items.len() < 2 || items.len() > MOST_POINTS {
+            let message =
+                format!("must be {}, at most {MOST_POINTS}; {} given", self.accepted(), items.len());
+            return Err(Refusal::new(message));
+        }
+        let mut points = Vec::with_capacity(items.len());
+        for (index, (item, span)) in items.iter().enumerate() {
+            let pair = match item {
+                Raw::List(pair) => match pair.as_slice() {
+                    [(x, _), (y, _)] => x.number().zip(y.number()),
+                    _ => None,
+                },
+                _ => None,
+            };
+            match pair {
+                Some((x, y)) if x.abs() <= FARTHEST && y.abs() <= FARTHEST => points.push([x, y]),
+                _ => {
+                    return Err(Refusal {
+                        message: format!("point {} must be two numbers [x, y] in [-1e6, 1e6] mm", index + 1),
+                        help: None,
+                        part: Some(span.clone()),
+                    });
+                }
+            }
+        }
+        Ok(Value::Points(points))
+    }
+
+    fn must_be(&self) -> Refusal {
+        Refusal::new(format!("must be {}", self.accepted()))
+    }
+
+    fn wrong_type(&self, raw: &Raw) -> Refusal {
+        let help = match (self, raw) {
+            (Self::Number { .. } | Self::Integer { .. }, Raw::Text(_)) => {
+                Some("numbers are written without quotes".into())
+            }
+            (Self::Choice(_) | Self::Text | Self::Path, _) => Some("text is written in quotes".into()),
+            _ => None,
+        };
+        Refusal { message: format!("must be {}, not {}", self.accepted(), raw.kind()), help, part: None }
+    }
+}

@@ -1,0 +1,157 @@
+//! What is wrong with a case file.
+
+use miette::{Diagnostic, LabeledSpan, NamedSource};
+use std::fmt;
+use std::ops::Range;
+use std::sync::Arc;
+use thiserror::Error;
+
+/// One thing that is wrong with a case file or a file that it names.
+#[derive(Debug, Clone, Error, Diagnostic)]
+#[error("{message}")]
+pub struct CaseError {
+    message: String,
+    file: String,
+    key: Option<String>,
+    span: Option<Range<usize>>,
+    #[help]
+    help: Option<String>,
+    #[source_code]
+    text: NamedSource<Arc<str>>,
+    #[label(collection)]
+    labels: Vec<LabeledSpan>,
+}
+
+impl CaseError {
+    /// What is wrong: key, value given, what is accepted.
+    pub fn message(&self) -> &str {
+        &self.message
+    }
+
+    /// What to do about it.
+    pub fn help(&self) -> Option<&str> {
+        self.help.as_deref()
+    }
+
+    /// The file as the user named it.
+    pub fn file(&self) -> &str {
+        &self.file
+    }
+
+    /// The key with its section, `rail.width_mm` or `crack[2].length_mm` (cracks count from 1).
+    pub fn key(&self) -> Option<&str> {
+        self.key.as_deref()
+    }
+
+    /// Bytes of the file that are wrong; none where the file cannot be read or the command line is wrong.
+    pub fn span(&self) -> Option<Range<usize>> {
+        self.span.clone()
+    }
+
+    /// Line and column in the file, from 1; columns count characters.
+    pub fn position(&self) -> Option<(usize, usize)> {
+        let start = self.span.as_ref()?.start;
+        let before = self.text.inner().get(..start)?;
+        let line = before.matches('\n').count() + 1;
+        let column = before.rsplit('\n').next().map_or(0, |rest| rest.chars().count()) + 1;
+        Some((line, column))
+    }
+
+    /// The whole on one line: `file:line:column: message (help)`.
+    pub fn one_line(&self) -> String {
+        let place = match self.position() {
+            Some((line, column)) => format!("{}:{line}:{column}", self.file),
+            None => self.file.clone(),
+        };
+        match &self.help {
+            Some(help) => format!("{place}: {} ({help})", self.message),
+            None => format!("{place}: {}", self.message),
+        }
+    }
+}
+
+/// Everything that is wrong with a case, in the order of the file; never empty.
+#[derive(Debug, Clone, Error, Diagnostic)]
+pub struct CaseErrors {
+    #[related]
+    errors: Vec<CaseError>,
+}
+
+impl CaseErrors {
+    /// The errors.
+    pub fn errors(&self) -> &[CaseError] {
+        &self.errors
+    }
+}
+
+impl fmt::Display for CaseErrors {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let lines: Vec<String> = self.errors.iter().map(CaseError::one_line).collect();
+        write!(f, "{}", lines.join("\n"))
+    }
+}
+
+/// A text and the name under which errors speak of it.
+#[derive(Debug, Clone)]
+pub(super) struct Source {
+    pub name: String,
+    pub text: Arc<str>,
+}
+
+/// An error in the making.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Fault {
+    pub message: String,
+    pub key: Option<String>,
+    pub span: Option<Range<usize>>,
+    pub help: Option<String>,
+    /// A second place that the error is about, and what it is.
+    pub also: Option<(Range<usize>, &'static str)>,
+}
+
+/// Collects the errors of a case.
+#[derive(Debug)]
+pub(super) struct Report {
+    pub source: Source,
+    errors: Vec<CaseError>,
+}
+
+impl Report {
+    pub fn new(source: Source) -> Self {
+        Self { source, errors: Vec::new() }
+    }
+
+    /// Adds an error about the case file.
+    pub fn add(&mut self, fault: Fault) {
+        let source = self.source.clone();
+        self.add_to(&source, fault);
+    }
+
+    /// Adds an error about another file.
+    pub fn add_to(&mut self, source: &Source, fault: Fault) {
+        let Fault { message, key, span, help, also } = fault;
+        let primary = span.clone().map(|s| LabeledSpan::new_primary_with_span(Some("here".into()), s));
+        let second = also.map(|(s, what)| LabeledSpan::new_with_span(Some(what.into()), s));
+        let labels = primary.into_iter().chain(second).collect();
+        self.errors.push(CaseError {
+            message,
+            file: source.name.clone(),
+            key,
+            span,
+            help,
+            text: NamedSource::new(&source.name, source.text.clone()),
+            labels,
+        });
+    }
+
+    /// Whether nothing is wrong so far.
+    pub fn is_clean(&self) -> bool {
+        self.errors.is_empty()
+    }
+
+    /// The errors in the order of the file.
+    pub fn into_errors(mut self) -> CaseErrors {
+        self.errors.sort_by_key(|e| e.span.as_ref().map(|s| s.start));
+        CaseErrors { errors: self.errors }
+    }
+}

@@ -1,0 +1,169 @@
+//! Sections that say how it is computed and how cracks grow.
+
+use super::declare::{FINITE_ELEMENTS, choice, closed, integer, key, later, length, now, number, positive};
+use super::table::{Availability, Kind, Presence, Preset, Section, SectionPresence};
+use Preset::{Number, Text};
+
+pub(super) const SHAKEDOWN: Section = Section {
+    name: "shakedown",
+    doc: "Plastic behaviour of the rail under the repeated passage, and the Dang Van criterion.",
+    presence: SectionPresence::Defaulted,
+    keys: &[
+        number(
+            "yield_stress_mpa",
+            "MPa",
+            positive(1e4),
+            500.0,
+            "Yield stress in tension; k is it over sqrt(3).",
+        ),
+        number(
+            "hardening_modulus_mpa",
+            "MPa",
+            positive(1e7),
+            20e3,
+            "Modulus C of the linear kinematic hardening X = (2/3) C eps_p.",
+        ),
+        choice(
+            "method",
+            &[
+                now("pass-by-pass", "each passage starts from the state the one before left"),
+                now("direct", "the stabilised state in one iteration"),
+            ],
+            "pass-by-pass",
+            "Way to the stabilised state.",
+        ),
+        key(
+            "initial_residual",
+            Kind::Path,
+            Presence::Optional(Text("manufacturing.csv")),
+            "Balanced profile present before the first passage, as [residual_stress] profile.",
+        ),
+        number("dang_van_a", "", closed(0.0, 10.0), 0.3, "Slope of the Dang Van criterion."),
+        number(
+            "dang_van_b_mpa",
+            "MPa",
+            positive(1e4),
+            250.0,
+            "Fatigue limit in pure shear of the criterion.",
+        ),
+    ],
+    forms: &[],
+    availability: Availability::Now,
+};
+
+pub(super) const GROWTH: Section = Section {
+    name: "growth",
+    doc: "Growth: da/dN = C dKeq^m, dKeq^2 = dKI^2 + w dKII^2.",
+    presence: SectionPresence::Defaulted,
+    keys: &[
+        integer("steps", 0, 10_000, 25, "Number of increments; 0 computes the initial cracks only."),
+        number(
+            "increment",
+            "",
+            positive(0.5),
+            0.04,
+            "Increment of the fastest tip, as a fraction of its crack's length.",
+        ),
+        number("paris_c", "mm/cycle, MPa sqrt(m)", positive(1.0), 2e-9, "C of the law."),
+        number("paris_m", "", positive(20.0), 3.33, "m of the law."),
+        number("mode_2_weight", "", closed(0.0, 100.0), 0.772, "w, weight of mode II."),
+        number(
+            "threshold_mpa_sqrt_m",
+            "MPa sqrt(m)",
+            closed(0.0, 1e3),
+            0.0,
+            "At or below this dKeq nothing grows.",
+        ),
+        number(
+            "arrest_rate_mm_per_cycle",
+            "mm/cycle",
+            closed(0.0, 1.0),
+            1e-9,
+            "A tip slower than this is arrested.",
+        ),
+        choice(
+            "direction",
+            &[
+                now("max-rate", "the largest growth rate of the kink (Hourlier-Pineau)"),
+                now("max-delta-k1", "the largest range of k1"),
+                now("max-k1", "the largest k1"),
+            ],
+            "max-rate",
+            "What the direction of growth maximises.",
+        ),
+        key(
+            "critical_length_mm",
+            length(positive(1e5)),
+            Presence::Optional(Number(20.0)),
+            "A crack this long ends the run.",
+        ),
+        key(
+            "stop_after_cycles",
+            Kind::Number { unit: "cycles", range: positive(1e18) },
+            Presence::Optional(Number(1e7)),
+            "This many load cycles end the run.",
+        ),
+    ],
+    forms: &[],
+    availability: Availability::Now,
+};
+
+pub(super) const MESH: Section = Section {
+    name: "mesh",
+    doc: "Discretisation.",
+    presence: SectionPresence::Defaulted,
+    keys: &[
+        number(
+            "element_size_mm",
+            "mm",
+            positive(100.0),
+            0.1,
+            "Element size near the cracks in a finite-element engine; without effect on the dislocation engine.",
+        ),
+        integer("interface_elements", 8, 400, 40, "Elements along each crack in the dislocation engine."),
+    ],
+    forms: &[],
+    availability: Availability::Now,
+};
+
+pub(super) const SOLVER: Section = Section {
+    name: "solver",
+    doc: "Solvers.",
+    presence: SectionPresence::Defaulted,
+    keys: &[
+        choice(
+            "engine",
+            &[
+                now("dislocation", "distributed dislocations in a half-plane"),
+                later("xfem", "extended finite elements", FINITE_ELEMENTS),
+            ],
+            "dislocation",
+            "What computes the cracked rail.",
+        ),
+        choice(
+            "contact",
+            &[
+                now("newton", "active sets, exact complementarity"),
+                now("latin", "the LATIN method of the paper"),
+            ],
+            "newton",
+            "What solves the contact of the crack faces.",
+        ),
+    ],
+    forms: &[],
+    availability: Availability::Now,
+};
+
+pub(super) const TRAFFIC: Section = Section {
+    name: "traffic",
+    doc: "Traffic: with it, cycles are also given in million gross tonnes.",
+    presence: SectionPresence::Optional,
+    keys: &[key(
+        "axle_load_t",
+        Kind::Number { unit: "t", range: positive(100.0) },
+        Presence::Required(Number(17.0)),
+        "Load of one axle; one passage is one axle.",
+    )],
+    forms: &[],
+    availability: Availability::Now,
+};

@@ -1,0 +1,39 @@
+//! How large a run is.
+
+use super::validated::{Case, Engine};
+
+/// Size of the face problem of a case at its first step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct RunSize {
+    /// Points of the crack faces, p.
+    pub face_points: usize,
+    /// Tips, q.
+    pub tips: usize,
+    /// Unknowns of the contact problem: two per face point.
+    pub unknowns: usize,
+    /// Estimate of the memory needed, bytes.
+    pub memory_bytes: usize,
+}
+
+/// Dense matrices of the size of C alive at once: C itself, its kernel before inversion, the factors, and the
+/// working copy of the contact solver.
+const MATRICES: usize = 4;
+
+/// What the program needs whatever the case, bytes.
+const BASE: usize = 20 << 20;
+
+impl Case {
+    /// The size of the run.
+    pub fn size(&self) -> RunSize {
+        let tips = self.cracks.cracks().iter().map(|c| c.tips().len()).sum();
+        let face_points = match self.engine {
+            Engine::Dislocation => self.mesh.interface_elements * self.cracks.cracks().len(),
+        };
+        let unknowns = 2 * face_points;
+        let number = size_of::<f64>();
+        let matrices = MATRICES * unknowns * unknowns + 2 * tips * unknowns;
+        // Face record of one passage: four numbers and a status per position and point.
+        let records = self.passage.positions * (5 * face_points + 2 * tips);
+        RunSize { face_points, tips, unknowns, memory_bytes: BASE + number * (matrices + records) }
+    }
+}

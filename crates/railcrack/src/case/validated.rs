@@ -1,0 +1,184 @@
+//! A case that has passed every check.
+
+use super::accept::Value;
+use super::profile::ProfileFile;
+use crate::crack::CrackNetwork;
+use crate::growth::GrowthSettings;
+use crate::load::{HertzianContact, Passage};
+use crate::material::IsotropicElastic;
+
+/// What is to be computed: everything in a case file, checked, in the types of the library.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Case {
+    /// Heading of plots and reports.
+    pub title: String,
+    /// Steel of rail and wheel.
+    pub steel: IsotropicElastic,
+    /// Extent of the rail.
+    pub rail: Rail,
+    /// Wheel on rail.
+    pub contact: HertzianContact,
+    /// Output positions, mm.
+    pub passage: Passage,
+    /// How passages are repeated and resolved.
+    pub passage_settings: PassageSettings,
+    /// The cracks, copies written out: in the order of the file, the copies of each from left to right.
+    pub cracks: CrackNetwork,
+    /// Friction coefficient of the faces of each crack.
+    pub crack_friction: Vec<f64>,
+    /// Balanced residual stress that adds to the wheel.
+    pub residual_stress: Option<ProfileFile>,
+    /// Plastic behaviour under the repeated passage.
+    pub shakedown: ShakedownSettings,
+    /// How cracks grow and when a run ends.
+    pub growth: GrowthSettings,
+    /// Discretisation.
+    pub mesh: MeshSettings,
+    /// What computes the cracked rail.
+    pub engine: Engine,
+    /// What solves the contact of the crack faces.
+    pub contact_solver: ContactSolver,
+    /// Load of one axle, t.
+    pub axle_load: Option<f64>,
+    /// Sections and values as written, defaults filled in.
+    pub(super) written: Vec<(&'static str, Vec<(&'static str, Value)>)>,
+}
+
+/// Extent of the rail: cracks stay in `centre` ± `width` / 2 and above −`depth`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rail {
+    /// Length along x, mm.
+    pub width: f64,
+    /// Depth, mm.
+    pub depth: f64,
+    /// Abscissa of the middle, mm.
+    pub centre: f64,
+    /// What the rail ends at.
+    pub boundary: Boundary,
+}
+
+/// What the rail ends at.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Boundary {
+    /// The running surface alone.
+    HalfPlane,
+}
+
+/// How passages are repeated and resolved.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PassageSettings {
+    /// Most passages on a fixed crack, at least 1.
+    pub max_passages: usize,
+    /// Change of K between two passages, relative to its peak, below which the history repeats.
+    pub passage_tolerance: f64,
+    /// Substeps are refined until K changes by less, relative to its peak.
+    pub step_tolerance: f64,
+}
+
+/// Plastic behaviour of the rail and the criterion of initiation.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ShakedownSettings {
+    /// Yield stress in tension, MPa.
+    pub yield_stress: f64,
+    /// C of the back stress X = (2/3) C ε_p, MPa.
+    pub hardening_modulus: f64,
+    /// Way to the stabilised state.
+    pub method: ShakedownMethod,
+    /// Balanced profile present before the first passage.
+    pub initial_residual: Option<ProfileFile>,
+    /// a of τ + a p_h ≤ b (Dang Van).
+    pub dang_van_a: f64,
+    /// b, MPa.
+    pub dang_van_b: f64,
+}
+
+/// Way to the stabilised plastic state.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ShakedownMethod {
+    /// Each passage starts from the state that the one before left.
+    PassByPass,
+    /// Upstream := downstream in every iteration.
+    Direct,
+}
+
+/// Discretisation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MeshSettings {
+    /// Element size near the cracks, mm; without effect on the dislocation engine.
+    pub element_size: f64,
+    /// Elements along each crack in the dislocation engine.
+    pub interface_elements: usize,
+}
+
+/// What computes the cracked rail.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Engine {
+    /// Distributed dislocations in a half-plane.
+    Dislocation,
+}
+
+/// What solves the contact of the crack faces.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ContactSolver {
+    /// Active sets, exact complementarity.
+    Newton,
+    /// The LATIN method.
+    Latin,
+}
+
+impl Engine {
+    /// The name in case files and results.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Dislocation => "dislocation",
+        }
+    }
+}
+
+impl ContactSolver {
+    /// The name in case files and results.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Newton => "newton",
+            Self::Latin => "latin",
+        }
+    }
+}
+
+impl Boundary {
+    /// The name in case files and results.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::HalfPlane => "half-plane",
+        }
+    }
+}
+
+/// A file that belongs beside the text of [`Case::to_toml`], under the name by which that text calls it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Companion<'a> {
+    /// Its name, relative to the folder of the case file, with `/`.
+    pub name: &'static str,
+    /// Its content.
+    pub text: &'a str,
+}
+
+/// Where a run folder keeps the profile of `[residual_stress]`.
+pub(super) const RESIDUAL_STRESS_NAME: &str = "inputs/residual-stress.csv";
+
+/// Where a run folder keeps the profile of `[shakedown] initial_residual`.
+pub(super) const INITIAL_RESIDUAL_NAME: &str = "inputs/initial-residual.csv";
+
+impl Case {
+    /// The files that the text of [`Case::to_toml`] names: a folder with that text and these files is complete.
+    pub fn companions(&self) -> Vec<Companion<'_>> {
+        let mut companions = Vec::new();
+        if let Some(profile) = &self.residual_stress {
+            companions.push(Companion { name: RESIDUAL_STRESS_NAME, text: profile.text() });
+        }
+        if let Some(profile) = &self.shakedown.initial_residual {
+            companions.push(Companion { name: INITIAL_RESIDUAL_NAME, text: profile.text() });
+        }
+        companions
+    }
+}
