@@ -96,6 +96,16 @@ fn rival_is_another_local_maximum() {
 }
 
 #[test]
+fn end_of_the_searched_range_is_no_rival() {
+    // The criterion still rises at an end of the range, without a maximum there.
+    let rising = history([(0.0, 0.0), (60.0, 100.0), (0.0, -50.0)]);
+    let rule = with(DirectionCriterion::MaxRate);
+    let end = *KINK_ANGLES.end();
+    assert!(rule.value(&rising.samples, end) > rule.value(&rising.samples, end - 0.01));
+    assert_eq!(rule.kink(&rising).unwrap().rival, None);
+}
+
+#[test]
 fn mirrored_history_gives_the_opposite_angle_to_the_bit() {
     for criterion in ALL {
         let history = passage(1501);
@@ -114,7 +124,8 @@ fn histories_without_drive_give_no_kink() {
     for criterion in ALL {
         assert_eq!(with(criterion).kink(&SifHistory::default()), None);
         assert_eq!(with(criterion).kink(&history([(0.0, 0.0), (0.0, 0.0)])), None);
-        assert_eq!(with(criterion).kink(&history([(0.0, 0.0), (f64::NAN, 0.0)])), None);
+        let broken = [(0.0, 0.0), (9.0, 1.0), (5.0, f64::NAN), (8.0, -7.0), (2.0, 3.0)];
+        assert_eq!(with(criterion).kink(&history(broken)), None);
     }
 }
 

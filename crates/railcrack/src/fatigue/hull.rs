@@ -58,5 +58,7 @@ mod tests {
         assert_eq!(convex_hull(&line), [k(0., 0.), k(8., -16.)]);
         assert_eq!(convex_hull(&[k(0., 0.), k(-0.0, 0.)]), [k(0., 0.)]);
         assert!(convex_hull(&[]).is_empty());
+        let zeros_of_both_signs = [k(-0.0, 3.), k(0., 1.), k(0., 7.), k(1., 0.)];
+        assert_eq!(convex_hull(&zeros_of_both_signs), [k(0., 1.), k(1., 0.), k(0., 7.)]);
     }
 }

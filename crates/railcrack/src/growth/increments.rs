@@ -164,9 +164,10 @@ fn extended_cracks(
         let (Some(step), Some(kink)) = (step, drive.kink) else { continue };
         let crack = &cracks[drive.tip.crack];
         let extended = crack.extended(drive.tip.end, pace.increment(drive.rate), kink);
-        let stop = stop_of_one(step, crack, &extended, state.rail, state.resolution);
+        let stop = stop_of_one(step, crack, state.rail, state.resolution);
         match (stop, extended) {
             (None, Ok(longer)) => cracks[drive.tip.crack] = longer,
+            // A polyline that is none any more crossed its own faces.
             (stop, _) => blocked.push((i, stop.unwrap_or(TipStop::MeetsCrack))),
         }
     }

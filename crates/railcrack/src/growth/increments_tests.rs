@@ -112,6 +112,9 @@ fn tip_that_would_meet_another_crack_or_itself_stops() {
     // A hook that turns back on its own faces, and a straight crack of many short segments, which does not.
     let hook = polyline(&[(0.0, 0.0), (0.0, -4.0), (3.0, -4.0), (3.0, -3.0), (0.2, -3.0)]);
     assert_eq!(stop_of_first(&[hook], 0.0), Some(TipStop::MeetsCrack));
+    // Faces crossed 0.15 mm behind the tip.
+    let curl = polyline(&[(0.0, 0.0), (0.0, -4.0), (2.0, -4.0), (2.0, -3.95), (1.95, -3.95)]);
+    assert_eq!(stop_of_first(std::slice::from_ref(&curl), 90.0), Some(TipStop::MeetsCrack));
     let short: Vec<(f64, f64)> = (0..=100).map(|i| (0.02 * f64::from(i), -0.02 * f64::from(i))).collect();
     assert_eq!(stop_of_first(&[polyline(&short)], 60.0), None);
 }

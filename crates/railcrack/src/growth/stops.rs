@@ -1,7 +1,7 @@
 //! Why a tip, or the run, goes no further.
 
 use super::{CrackTip, GrowthSettings, RunStop, TipStop};
-use crate::crack::{Crack, CrackError, End, segment_distance};
+use crate::crack::{Crack, End, segment_distance};
 use crate::math::Vec2;
 
 /// The rail as a rectangle below y = 0.
@@ -37,17 +37,11 @@ pub(super) struct Step {
 }
 
 /// Why the step cannot be made whatever the other cracks do: it would leave the rail, spend the ligament to the
-/// running surface, or come back to its own faces. `extended` is the attempt to lengthen the crack by it, and
-/// `resolution` (mm) the length that the engine resolves.
+/// running surface, or come back to its own faces. `resolution` (mm) is the length that the engine resolves. Faces
+/// crossed right behind the tip are left to [`Crack::extended`].
 ///
 /// The ligament is the depth of the new tip; it is spent only by a tip that rises.
-pub(super) fn stop_of_one(
-    step: &Step,
-    crack: &Crack,
-    extended: &Result<Crack, CrackError>,
-    rail: RailBox,
-    resolution: f64,
-) -> Option<TipStop> {
+pub(super) fn stop_of_one(step: &Step, crack: &Crack, rail: RailBox, resolution: f64) -> Option<TipStop> {
     let ligament = f64::max(LIGAMENT_RESOLUTIONS * resolution, LIGAMENT_FRACTION * crack.length());
     if step.to.y >= 0.0 || (step.to.y > step.from.y && -step.to.y < ligament) {
         return Some(TipStop::BreakOut);
@@ -57,9 +51,8 @@ pub(super) fn stop_of_one(
     if !inside {
         return Some(TipStop::LeavesRail);
     }
-    let meets_itself = extended.is_err()
-        || faces_behind(crack, step.tip.end, OWN_FACES_FROM * resolution)
-            .any(|(c, d)| segment_distance(step.from, step.to, c, d) < resolution);
+    let meets_itself = faces_behind(crack, step.tip.end, OWN_FACES_FROM * resolution)
+        .any(|(c, d)| segment_distance(step.from, step.to, c, d) < resolution);
     meets_itself.then_some(TipStop::MeetsCrack)
 }
 
