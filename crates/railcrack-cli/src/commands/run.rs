@@ -190,13 +190,16 @@ fn is_same_file(one: &Path, other: &Path) -> bool {
 
 /// The result as a few lines for standard output.
 pub fn result_text(finished: &Finished) -> String {
-    let Finished { ending, summary, folder } = finished;
+    let Finished { ending, summary, .. } = finished;
+    if summary.steps_recorded == 0 {
+        return format!("interrupted before the first step was finished\n{}", where_and_on(finished));
+    }
     let how = match (ending, &summary.stop) {
-        (Ending::Ended, Some(stop)) => stop.as_str(),
-        (Ending::Ended, None) => "ended",
-        (Ending::Interrupted, _) => "interrupted",
+        (Ending::Ended, Some(stop)) => format!("{stop} at"),
+        (Ending::Ended, None) => "ended at".to_owned(),
+        (Ending::Interrupted, _) => "interrupted after".to_owned(),
     };
-    let mut text = format!("{how} at step {}, {} load cycles", summary.steps, cycles(summary.load_cycles));
+    let mut text = format!("{how} step {}, {} load cycles", summary.steps, cycles(summary.load_cycles));
     if let Some(tonnes) = summary.million_gross_tonnes {
         text.push_str(&format!(", {tonnes:.3} million gross tonnes"));
     }
@@ -213,8 +216,14 @@ pub fn result_text(finished: &Finished) -> String {
         1 => text.push_str("1 warning, see summary.json\n"),
         count => text.push_str(&format!("{count} warnings, see summary.json\n")),
     }
-    text.push_str(&format!("results in {}\n", folder.display()));
-    if *ending == Ending::Interrupted {
+    text.push_str(&where_and_on(finished));
+    text
+}
+
+/// Where the results are, and how to go on.
+fn where_and_on(finished: &Finished) -> String {
+    let mut text = format!("results in {}\n", finished.folder.display());
+    if finished.ending == Ending::Interrupted {
         text.push_str("the same command with --resume goes on from here\n");
     }
     text

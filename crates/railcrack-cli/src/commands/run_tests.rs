@@ -82,7 +82,9 @@ fn an_interrupted_run_resumes_to_the_same_tables() {
     let line = ["x.toml", "--quiet", "--out", &cut, "--resume"];
     let interrupted = run(&line[..4], Some(2)).unwrap();
     assert_eq!(interrupted.ending, Ending::Interrupted);
-    assert!(result_text(&interrupted).contains("--resume"));
+    let text = result_text(&interrupted);
+    assert!(text.starts_with("interrupted after step 1, 41 000 load cycles"), "{text}");
+    assert!(text.contains("--resume"), "{text}");
     assert!(!interrupted.summary.complete);
     // Interrupted again before anything new: nothing is lost.
     assert_eq!(run(&line, Some(2)).unwrap().summary.steps_recorded, 2);
