@@ -670,6 +670,20 @@ fn derived_contact_out_of_range() {
 }
 
 #[test]
+fn only_inf_is_infinity() {
+    let text = |radius: &str| {
+        let load = format!("line_load_n_per_mm = 9000\nwheel_radius_mm = 460\nrail_radius_mm = {radius}");
+        GOOD.replace("peak_pressure_mpa = 845.0\nhalf_width_mm = 6.75", &load)
+    };
+    assert!(Case::parse(&text("inf"), "case.toml", Path::new("")).is_ok());
+    for radius in ["1e400", "nan", "-inf", "0", "-300"] {
+        let errors = errors(&text(radius));
+        assert_eq!(errors.errors()[0].key(), Some("contact.rail_radius_mm"), "{errors}");
+        assert!(errors.to_string().contains("must be a number in (0, inf] mm"), "{errors}");
+    }
+}
+
+#[test]
 fn missing_profile() {
     check(&[
         wrong(

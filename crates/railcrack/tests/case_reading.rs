@@ -83,6 +83,7 @@ fn nine_cracks() {
     assert_eq!(case.crack_friction, vec![0.5; 9]);
     assert_eq!((case.passage.from, case.passage.to), (-40.5, 67.5));
     assert_eq!(case.rail.centre, 13.5);
+    assert!(case.to_toml().contains("\ncentre_mm = 13.5\n"), "defaults are filled in");
     assert_eq!(case.growth.steps, 5);
     assert_eq!(case.size().unknowns, 9 * 40 * 2);
 }
