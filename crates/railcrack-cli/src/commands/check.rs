@@ -6,6 +6,7 @@ use clap::Args;
 use railcrack::case::Case;
 use railcrack::crack::Crack;
 use railcrack::fatigue::DirectionCriterion;
+use railcrack::shakedown::{first_yield_ratio, shakedown_limit_ratio};
 use std::path::PathBuf;
 
 /// Validate a case file and say what would be computed
@@ -186,10 +187,21 @@ fn growth(case: &Case) -> Vec<Row> {
 fn bounds(case: &Case) -> Vec<Row> {
     let shear_yield = case.shakedown.yield_stress / 3f64.sqrt();
     let ratio = case.contact.peak_pressure / shear_yield;
+    let first_yield = first_yield_ratio(case.contact.friction, case.steel.poisson());
+    let shakedown = shakedown_limit_ratio(case.contact.friction, case.steel.poisson());
+    let state = if ratio <= first_yield.ratio {
+        "the virgin rail stays elastic"
+    } else if ratio <= shakedown.ratio {
+        "the rail yields, elastic shakedown is possible"
+    } else {
+        "beyond elastic shakedown: every passage yields"
+    };
+    let at = |depth_over_a: f64| format!("depth {} mm", number(depth_over_a * case.contact.half_width));
     vec![
         ("shear yield stress k", format!("{} MPa", number(shear_yield))),
-        ("p0 / k", number(ratio)),
-        // First yield and shakedown limit as p0 / k belong here, from the friction of the contact and Poisson's ratio.
+        ("p0 / k", format!("{}: {state}", number(ratio))),
+        ("first yield", format!("p0 / k = {:.4}, {}", first_yield.ratio, at(first_yield.depth_over_a))),
+        ("shakedown limit", format!("p0 / k = {:.4}, {}", shakedown.ratio, at(shakedown.depth_over_a))),
     ]
 }
 

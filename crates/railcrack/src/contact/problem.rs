@@ -118,12 +118,12 @@ impl FaceSolution {
         problem.body.faces().points.iter().enumerate().map(state).collect()
     }
 
-    /// The largest violation of the law: negative opening relative to the largest jump; tension, shear beyond friction
-    /// or traction on an open point relative to the largest force.
-    pub fn violation(&self, problem: &FaceProblem) -> f64 {
+    /// The largest violation of the law of the faces under the nodal forces `load`: negative opening relative to the
+    /// largest jump; tension, shear beyond friction, or force across an opening relative to the largest force.
+    pub fn violation(&self, problem: &FaceProblem, load: &[f64]) -> f64 {
         let largest =
             |values: &[f64]| values.iter().fold(0.0f64, |m, v| m.max(v.abs())).max(f64::MIN_POSITIVE);
-        let (jump, force) = (largest(&self.jump), largest(&self.contact));
+        let (jump, force) = (largest(&self.jump), largest(&self.contact).max(largest(load)));
         (0..problem.points()).fold(0.0f64, |worst, j| {
             let (tangential, normal) = (self.contact[2 * j], self.contact[2 * j + 1]);
             let opening = self.jump[2 * j + 1];

@@ -178,7 +178,7 @@ impl<'a> Stepper<'a> {
             self.solver.restore();
             return Ok(Some(shorter));
         }
-        self.counts.violation_max = self.counts.violation_max.max(after.violation(self.problem));
+        self.counts.violation_max = self.counts.violation_max.max(after.violation(self.problem, &load));
         for (j, scale) in self.scale.iter_mut().enumerate() {
             *scale = scale.max(after.jump[2 * j].abs()).max(after.jump[2 * j + 1].abs());
         }

@@ -47,7 +47,7 @@ impl HertzianContact {
         positive("wheel radius (mm)", wheel_radius, "positive")?;
         positive("rail radius (mm)", rail_radius, "positive, inf for a flat rail")?;
         let curvature = 1.0 / wheel_radius + 1.0 / rail_radius;
-        if !(curvature > 0.0) {
+        if curvature <= 0.0 || curvature.is_nan() {
             return Err(LoadError {
                 quantity: "1/R_wheel + 1/R_rail (1/mm)",
                 value: curvature,
