@@ -14,7 +14,8 @@ pub(super) struct ActiveInverse<'a> {
     place: Vec<Option<usize>>,
     /// c_i of each component.
     coupling: Vec<f64>,
-    inverse: Vec<Vec<f64>>,
+    /// G in the leading corner of rows as long as there are components.
+    inverse: Vec<f64>,
 }
 
 impl<'a> ActiveInverse<'a> {
@@ -25,8 +26,13 @@ impl<'a> ActiveInverse<'a> {
             free: Vec::with_capacity(n),
             place: vec![None; n],
             coupling: vec![0.0; n],
-            inverse: Vec::with_capacity(n),
+            inverse: vec![0.0; n * n],
         }
+    }
+
+    /// Row `i` of G.
+    fn row(&self, i: usize) -> &[f64] {
+        &self.inverse[i * self.place.len()..][..self.free.len()]
     }
 
     pub(super) fn free(&self) -> &[usize] {
@@ -60,51 +66,57 @@ impl<'a> ActiveInverse<'a> {
             })
             .collect();
         let row: Vec<f64> = self.free.iter().map(|&j| self.equation(component, j)).collect();
-        let g_column: Vec<f64> = self.inverse.iter().map(|g| dot(g, &column)).collect();
+        let g_column: Vec<f64> = (0..n).map(|i| dot(self.row(i), &column)).collect();
         let mut row_g = vec![0.0; n];
-        for (g, &r) in self.inverse.iter().zip(&row) {
-            axpy(r, g, &mut row_g);
+        for (i, &r) in row.iter().enumerate() {
+            axpy(r, self.row(i), &mut row_g);
         }
         let diagonal = self.equation(component, component);
         let pivot = diagonal - dot(&row, &g_column);
         if pivot.abs() <= SINGULAR * diagonal.abs() {
+            self.coupling[component] = 0.0;
             return false;
         }
         let scale = 1.0 / pivot;
-        for (g, &c) in self.inverse.iter_mut().zip(&g_column) {
-            axpy(c * scale, &row_g, g);
-            g.push(-c * scale);
+        let stride = self.place.len();
+        for (g, &c) in self.inverse.chunks_exact_mut(stride).zip(&g_column) {
+            axpy(c * scale, &row_g, &mut g[..n]);
+            g[n] = -c * scale;
         }
-        for value in &mut row_g {
-            *value *= -scale;
+        let last = &mut self.inverse[n * stride..][..=n];
+        for (g, r) in last.iter_mut().zip(&row_g) {
+            *g = -r * scale;
         }
-        row_g.push(scale);
-        self.inverse.push(row_g);
+        last[n] = scale;
         self.place[component] = Some(n);
         self.free.push(component);
         true
     }
 
-    /// Holds `component`, which must be free. False if that makes R singular.
+    /// Holds `component`. False if that makes R singular.
     #[must_use]
     pub(super) fn remove(&mut self, component: usize) -> bool {
         let Some(place) = self.place[component].take() else { return true };
+        self.coupling[component] = 0.0;
+        let stride = self.place.len();
         let last = self.free.len() - 1;
-        self.inverse.swap(place, last);
-        let mut pivot_row = self.inverse.pop().unwrap_or_default();
-        pivot_row.swap(place, last);
-        let pivot = pivot_row.pop().unwrap_or_default();
-        let scale = if pivot.abs() <= f64::MIN_POSITIVE { return false } else { 1.0 / pivot };
-        for g in &mut self.inverse {
-            g.swap(place, last);
-            let c = g.pop().unwrap_or_default() * scale;
-            axpy(-c, &pivot_row, g);
-        }
+        let mut pivot_row = self.row(place).to_vec();
+        let pivot = pivot_row[place];
+        pivot_row.swap_remove(place);
         self.free.swap_remove(place);
         if place < last {
             self.place[self.free[place]] = Some(place);
+            let (head, tail) = self.inverse.split_at_mut(last * stride);
+            head[place * stride..][..=last].copy_from_slice(&tail[..=last]);
         }
-        self.coupling[component] = 0.0;
+        if pivot.abs() <= f64::MIN_POSITIVE {
+            return false;
+        }
+        for g in self.inverse.chunks_exact_mut(stride).take(last) {
+            let c = g[place] / pivot;
+            g[place] = g[last];
+            axpy(-c, &pivot_row, &mut g[..last]);
+        }
         true
     }
 
@@ -113,26 +125,15 @@ impl<'a> ActiveInverse<'a> {
         let n = self.free.len();
         let equations = Matrix::from_fn(n, n, |i, j| self.equation(self.free[i], self.free[j]));
         let inverse = general_inverse(&equations)?;
-        self.inverse = (0..n).map(|i| inverse.row(i).to_vec()).collect();
+        for (i, g) in self.inverse.chunks_exact_mut(self.place.len()).take(n).enumerate() {
+            g[..n].copy_from_slice(inverse.row(i));
+        }
         Ok(())
     }
 
     /// G times the right-hand sides `right`, in the order of [`ActiveInverse::free`].
     pub(super) fn solve<'s>(&'s self, right: &'s [f64]) -> impl Iterator<Item = f64> + 's {
-        self.inverse.iter().map(move |g| dot(g, right))
-    }
-
-    /// Copies `other`, reusing this one's memory.
-    pub(super) fn copy_from(&mut self, other: &Self) {
-        self.free.clone_from(&other.free);
-        self.place.clone_from(&other.place);
-        self.coupling.clone_from(&other.coupling);
-        self.inverse.truncate(other.inverse.len());
-        for (own, new) in self.inverse.iter_mut().zip(&other.inverse) {
-            own.clone_from(new);
-        }
-        let have = self.inverse.len();
-        self.inverse.extend_from_slice(&other.inverse[have..]);
+        (0..self.free.len()).map(move |i| dot(self.row(i), right))
     }
 }
 

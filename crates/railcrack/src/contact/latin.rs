@@ -1,7 +1,9 @@
 //! The LATIN method condensed to the faces.
 
 use super::anderson::Anderson;
-use super::{ContactSolver, FaceProblem, FaceSolution, LoadStep, NotConverged, PointStatus, StepSolver};
+use super::{
+    ContactSolver, FaceProblem, FaceResponse, FaceSolution, LoadStep, NotConverged, PointStatus, StepSolver,
+};
 use crate::linear::spd_inverse;
 use crate::math::{Matrix, dot};
 
@@ -44,7 +46,7 @@ impl Default for Latin {
 }
 
 impl ContactSolver for Latin {
-    fn prepare<'a>(&self, problem: &'a FaceProblem<'a>) -> Box<dyn StepSolver + 'a> {
+    fn prepare<'a>(&self, problem: &'a FaceProblem<'a>) -> Box<dyn StepSolver<'a> + 'a> {
         Box::new(LatinSteps::new(problem, *self))
     }
 }
@@ -61,7 +63,7 @@ struct LatinSteps<'a> {
     /// z = f̂ + k⁻ ŵ, the state of the iteration.
     combined: Vec<f64>,
     solution: FaceSolution,
-    kept: (Vec<f64>, FaceSolution),
+    kept: Vec<f64>,
     /// Largest jump, force and K seen.
     scale: [f64; 3],
 }
@@ -91,7 +93,7 @@ impl<'a> LatinSteps<'a> {
             global_direction,
             global: spd_inverse(&shifted).ok(),
             combined: vec![0.0; 2 * points],
-            kept: (vec![0.0; 2 * points], solution.clone()),
+            kept: vec![0.0; 2 * points],
             solution,
             scale: [0.0; 3],
         }
@@ -124,8 +126,8 @@ impl<'a> LatinSteps<'a> {
     }
 }
 
-impl StepSolver for LatinSteps<'_> {
-    fn solve(&mut self, step: LoadStep) -> Result<usize, NotConverged> {
+impl<'a> StepSolver<'a> for LatinSteps<'a> {
+    fn solve(&mut self, step: LoadStep, faces: &mut FaceResponse<'a>) -> Result<usize, NotConverged> {
         let Settings { tolerance, max_iterations } = self.settings.limits();
         let failure = |iterations, indicator| NotConverged { iterations, indicator, tolerance };
         let n = 2 * self.problem.points();
@@ -152,6 +154,7 @@ impl StepSolver for LatinSteps<'_> {
             }
             indicator = self.indicator(&jump, &force, step.forces, influence);
             if indicator <= tolerance {
+                faces.adopt(&self.solution).map_err(|_| failure(iteration, indicator))?;
                 return Ok(iteration);
             }
             for i in 0..n {
@@ -163,18 +166,12 @@ impl StepSolver for LatinSteps<'_> {
         Err(failure(max_iterations, indicator))
     }
 
-    fn solution(&self) -> &FaceSolution {
-        &self.solution
-    }
-
     fn keep(&mut self) {
-        self.kept.0.clone_from(&self.combined);
-        self.kept.1.clone_from(&self.solution);
+        self.kept.clone_from(&self.combined);
     }
 
     fn restore(&mut self) {
-        self.combined.clone_from(&self.kept.0);
-        self.solution.clone_from(&self.kept.1);
+        self.combined.clone_from(&self.kept);
     }
 }
 

@@ -2,10 +2,12 @@
 
 mod active_inverse;
 mod anderson;
+mod forecast;
 mod latin;
 mod law;
 mod newton;
 mod problem;
+mod response;
 mod solver;
 mod stepping;
 
@@ -13,5 +15,6 @@ pub use latin::Latin;
 pub use law::{FaceState, FaceStatus};
 pub use newton::Newton;
 pub use problem::{FaceProblem, FaceSolution, PointStatus};
+pub use response::FaceResponse;
 pub use solver::{ContactSolver, LoadStep, NotConverged, StepSolver};
 pub use stepping::{LoadPath, Stepper, SteppingCounts, SteppingError};

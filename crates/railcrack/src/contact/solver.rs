@@ -1,6 +1,6 @@
 //! The trait of the contact solvers.
 
-use super::{FaceProblem, FaceSolution};
+use super::{FaceProblem, FaceResponse};
 use thiserror::Error;
 
 /// One implicit load step: the forces at its end, and the slip from which friction counts.
@@ -29,18 +29,16 @@ pub struct NotConverged {
 /// A method of solving load steps.
 pub trait ContactSolver: Sync {
     /// Makes ready for steps on the faces of `problem`, from virgin faces.
-    fn prepare<'a>(&self, problem: &'a FaceProblem<'a>) -> Box<dyn StepSolver + 'a>;
+    fn prepare<'a>(&self, problem: &'a FaceProblem<'a>) -> Box<dyn StepSolver<'a> + 'a>;
 }
 
-/// A solver at work on one body: it remembers the last solution as the start of the next.
-pub trait StepSolver {
-    /// Solves a step from the current solution; returns the iterations. After an error call
-    /// [`StepSolver::restore`].
-    fn solve(&mut self, step: LoadStep) -> Result<usize, NotConverged>;
-    /// The current solution.
-    fn solution(&self) -> &FaceSolution;
-    /// Makes the current solution the one to return to.
+/// A solver at work on the faces of one body.
+pub trait StepSolver<'a> {
+    /// Solves a step from the solution in `faces`, and leaves the new one there; returns the iterations. After an error
+    /// `faces` holds no solution.
+    fn solve(&mut self, step: LoadStep, faces: &mut FaceResponse<'a>) -> Result<usize, NotConverged>;
+    /// Makes what the solver remembers of the current solution the one to return to.
     fn keep(&mut self);
-    /// Returns to the solution that was kept.
+    /// Returns to what was kept.
     fn restore(&mut self);
 }

@@ -123,7 +123,7 @@ pub fn stabilised_passage(
     let xc = settings.passage.abscissae();
     let path = |kind| FaceLoad { problem, load, residual: &residual, kind };
     let expected = expected_slip(problem, &path(PathKind::Over), &xc);
-    let mut stepper = Stepper::new(problem, solver.prepare(problem), settings.step_tolerance, &expected);
+    let mut stepper = Stepper::new(problem, solver, settings.step_tolerance, &expected);
     let failed = |passage, phase| move |source| PassageError::NotConverged { passage, phase, source };
 
     if load.residual.is_some() {

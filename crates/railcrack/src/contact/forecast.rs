@@ -1,0 +1,107 @@
+//! What a face point will do within a step, and how short the step must be for it.
+
+use super::PointStatus;
+
+/// The motion of a point over a step in which no point changes its status.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Motion {
+    /// Status at the start.
+    pub status: PointStatus,
+    /// Slip at start and end, mm.
+    pub slip: (f64, f64),
+    /// Opening at start and end, mm; negative where the point has passed through the other face.
+    pub opening: (f64, f64),
+    /// Slip per unit of path during the step before, and the length of that step.
+    pub last_rate: Option<(f64, f64)>,
+}
+
+/// The event of a point within a step.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Forecast {
+    /// Slip at which the point is held if it sticks within the step, mm.
+    pub slip: f64,
+    /// Slip (mm) that makes the event uncertain; 0 without event.
+    free: f64,
+    /// Path until an open point touches, if it does.
+    closing: Option<f64>,
+}
+
+impl Forecast {
+    pub(super) fn of(motion: &Motion, step: f64) -> Self {
+        let (start, end) = motion.slip;
+        let mut forecast = Self { slip: start, free: 0.0, closing: None };
+        match motion.status {
+            PointStatus::Open if motion.opening.1 < 0.0 => {
+                let share = motion.opening.0 / (motion.opening.0 - motion.opening.1);
+                forecast.slip = start + share * (end - start);
+                forecast.free = (end - start).abs();
+                forecast.closing = Some(share * step);
+            }
+            PointStatus::SlipForward | PointStatus::SlipBackward => {
+                let direction = motion.status.direction();
+                let top = turning_point(motion, step).unwrap_or(end);
+                let ahead = |slip: f64| direction * (top - slip);
+                // Slip beyond both ends of the step: the point should have stuck there.
+                if ahead(start) > 0.0 {
+                    forecast.slip = if ahead(end) > 0.0 { top } else { start };
+                }
+                forecast.free = ahead(if direction * (end - start) > 0.0 { end } else { start }).max(0.0);
+            }
+            PointStatus::Open | PointStatus::Stick => {}
+        }
+        forecast
+    }
+
+    /// A shorter step, if more than `allowed` mm of slip is uncertain in this one.
+    pub(super) fn cut(&self, allowed: f64, step: f64) -> Option<f64> {
+        if self.free <= allowed {
+            return None;
+        }
+        let short = 0.8 * step.abs() * allowed / self.free;
+        let to_closing = self.closing.map_or(0.0, |path| path.abs() - 0.5 * short);
+        Some(shorter_than(step, to_closing.max(short)))
+    }
+
+    /// A shorter step, if the point had an event that was not foreseen. `change` are its statuses before and after,
+    /// `gone` its slip in the step, `last_rate` that per unit of path in the step before.
+    pub(super) fn cut_unforeseen(
+        &self,
+        change: (PointStatus, PointStatus),
+        gone: f64,
+        last_rate: f64,
+        allowed: f64,
+        step: f64,
+    ) -> Option<f64> {
+        let (before, after) = change;
+        let touched = before == PointStatus::Open && after.is_closed() && self.closing.is_none();
+        let turned = before.direction() != 0.0 && after.is_closed() && after != before;
+        let free = gone.abs().max((last_rate * step).abs());
+        let free = if touched {
+            free
+        } else if turned {
+            TURNING_SHARE * free
+        } else {
+            0.0
+        };
+        (free > allowed).then(|| shorter_than(step, 0.8 * step.abs() * allowed / free))
+    }
+}
+
+/// Share of its slip in the step before that a point can slip on before it turns back.
+const TURNING_SHARE: f64 = 0.25;
+
+/// `length`, but not much shorter and certainly shorter than `step`.
+fn shorter_than(step: f64, length: f64) -> f64 {
+    length.clamp(0.1 * step.abs(), 0.8 * step.abs()).copysign(step)
+}
+
+/// The slip at the top of the parabola through the slips of this step and the one before, if it lies within this step.
+fn turning_point(motion: &Motion, step: f64) -> Option<f64> {
+    let (last_rate, last_step) = motion.last_rate?;
+    let rate = (motion.slip.1 - motion.slip.0) / step;
+    let curvature = 2.0 * (rate - last_rate) / (step + last_step);
+    let first_rate = rate - 0.5 * curvature * step;
+    let path = -first_rate / curvature;
+    let within = path * step.signum() > 0.0 && path.abs() < step.abs();
+    within.then_some(motion.slip.0 + 0.5 * first_rate * path)
+}

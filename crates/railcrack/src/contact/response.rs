@@ -1,0 +1,148 @@
+//! The linear response of the faces while no point changes its status.
+
+use super::active_inverse::{ActiveInverse, axpy};
+use super::{FaceProblem, FaceSolution, PointStatus};
+
+/// The faces with their statuses: for given loads the jumps of the free components and the forces of the held ones
+/// follow linearly. Newton's method works on it; the step control uses it to foresee events.
+pub struct FaceResponse<'a> {
+    problem: &'a FaceProblem<'a>,
+    active: ActiveInverse<'a>,
+    /// A times the held slips.
+    held: Vec<f64>,
+    /// A w of the last equilibrium, work space.
+    forces: Vec<f64>,
+    solution: FaceSolution,
+}
+
+/// Residual of the free equations, relative to the largest force, above which the inverse is made afresh.
+const DRIFT: f64 = 1e-11;
+
+/// Statuses whose equations have no solution: the pivot of a change vanished.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Degenerate;
+
+impl<'a> FaceResponse<'a> {
+    /// Virgin unloaded faces that just touch.
+    pub(super) fn virgin(problem: &'a FaceProblem<'a>) -> Self {
+        let points = problem.points();
+        Self {
+            problem,
+            active: ActiveInverse::new(problem.stiffness()),
+            held: vec![0.0; 2 * points],
+            forces: vec![0.0; 2 * points],
+            solution: FaceSolution::virgin(points),
+        }
+    }
+
+    /// The last equilibrium and its statuses.
+    pub fn solution(&self) -> &FaceSolution {
+        &self.solution
+    }
+
+    /// Gives `point` another status; one that sticks is held at slip `reference` (mm).
+    pub(super) fn set_status(
+        &mut self,
+        point: usize,
+        status: PointStatus,
+        reference: f64,
+    ) -> Result<(), Degenerate> {
+        let (t, n) = (2 * point, 2 * point + 1);
+        let old = self.solution.status[point];
+        self.solution.status[point] = status;
+        let mut sound = true;
+        if old == PointStatus::Stick {
+            self.hold_at(point, 0.0);
+        } else {
+            sound &= self.active.remove(t);
+        }
+        if old == PointStatus::Open && status != PointStatus::Open {
+            sound &= self.active.remove(n);
+        }
+        match status {
+            PointStatus::Open => {
+                if old != PointStatus::Open {
+                    sound &= self.active.add(n, 0.0);
+                }
+                sound &= self.active.add(t, 0.0);
+            }
+            PointStatus::Stick => {
+                self.solution.jump[t] = 0.0;
+                self.hold_at(point, reference);
+            }
+            PointStatus::SlipForward | PointStatus::SlipBackward => {
+                sound &= self.active.add(t, status.direction() * self.problem.friction(point));
+            }
+        }
+        if status.is_closed() {
+            self.solution.jump[n] = 0.0;
+        }
+        if sound || self.active.refresh().is_ok() { Ok(()) } else { Err(Degenerate) }
+    }
+
+    /// Holds a sticking `point` at `slip` (mm).
+    pub(super) fn hold_at(&mut self, point: usize, slip: f64) {
+        let component = 2 * point;
+        let change = slip - self.solution.jump[component];
+        if change != 0.0 {
+            self.solution.jump[component] = slip;
+            axpy(change, self.problem.stiffness().row(component), &mut self.held);
+        }
+    }
+
+    /// Equilibrium under the nodal forces `load` with the present statuses: jumps of the free components, contact forces
+    /// of all.
+    pub(super) fn equilibrate(&mut self, load: &[f64]) {
+        let scale = load.iter().chain(&self.held).fold(0.0f64, |m, v| m.max(v.abs()));
+        if self.solve(load) > DRIFT * scale && self.active.refresh().is_ok() {
+            self.solve(load);
+        }
+    }
+
+    /// One solution; returns the largest residual of the free equations.
+    fn solve(&mut self, load: &[f64]) -> f64 {
+        let Self { problem, active, held, forces, solution } = self;
+        let stiffness = problem.stiffness();
+        let right: Vec<f64> = active
+            .free()
+            .iter()
+            .map(|&i| {
+                let coupling = active.coupling(i);
+                let own = load[i] - held[i];
+                if coupling == 0.0 { own } else { own + coupling * (load[i + 1] - held[i + 1]) }
+            })
+            .collect();
+        forces.copy_from_slice(held);
+        for (&i, jump) in active.free().iter().zip(active.solve(&right)) {
+            solution.jump[i] = jump;
+            axpy(jump, stiffness.row(i), forces);
+        }
+        for (contact, (force, load)) in solution.contact.iter_mut().zip(forces.iter().zip(load)) {
+            *contact = force - load;
+        }
+        active.free().iter().fold(0.0f64, |worst, &i| {
+            let coupling = active.coupling(i);
+            let next = if coupling == 0.0 { 0.0 } else { coupling * solution.contact[i + 1] };
+            worst.max((solution.contact[i] + next).abs())
+        })
+    }
+
+    /// Returns the values to those of `solution`, which has the present statuses and held slips.
+    pub(super) fn recall(&mut self, solution: &FaceSolution) {
+        self.solution.clone_from(solution);
+    }
+
+    /// Takes over statuses and jumps of `solution`, which is in equilibrium.
+    pub(super) fn adopt(&mut self, solution: &FaceSolution) -> Result<(), Degenerate> {
+        for (point, &status) in solution.status.iter().enumerate() {
+            let slip = solution.jump[2 * point];
+            if self.solution.status[point] != status {
+                self.set_status(point, status, slip)?;
+            } else if status == PointStatus::Stick {
+                self.hold_at(point, slip);
+            }
+        }
+        self.solution.clone_from(solution);
+        Ok(())
+    }
+}
