@@ -163,10 +163,10 @@ impl Walk {
                     density.max(ds / (coarseness * (MOUTH_ELEMENT * self.length() + MOUTH_GRADING * s)));
             }
             if segment == segments - 1 {
-                density = density.max(TIP_ELEMENTS / last_segment[0]);
+                density = density.max(TIP_ELEMENTS / coarseness / last_segment[0]);
             }
             if segment == 0 && !self.surface_breaking {
-                density = density.max(TIP_ELEMENTS / last_segment[1]);
+                density = density.max(TIP_ELEMENTS / coarseness / last_segment[1]);
             }
             density
         };
@@ -206,7 +206,7 @@ const MOUTH_ELEMENT: f64 = 0.002;
 const MOUTH_GRADING: f64 = 0.1;
 /// Elements are shorter than this times the distance to another crack.
 const NEIGHBOUR_SHARE: f64 = 1.0;
-/// Elements, at least, on the segment that ends at a tip.
+/// Elements, at least, on the segment that ends at a tip, at the default resolution.
 const TIP_ELEMENTS: f64 = 14.0;
 
 /// Interior points that divide [a, b] into equal integrals of `density`, their number its rounded integral.
