@@ -35,7 +35,7 @@ fn second_order_in_the_elements() {
         .into_iter()
         .map(|elements| factors(90.0, elements).0 - NORMAL_CRACK)
         .collect();
-    println!("{errors:.2?}");
+    println!("{:?}", errors.iter().map(|e| format!("{e:.2e}")).collect::<Vec<_>>());
     for pair in errors.windows(2) {
         println!("order {}", order(pair[0], pair[1]));
     }
