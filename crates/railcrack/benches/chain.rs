@@ -6,7 +6,7 @@ use railcrack::case::{Case, Overrides};
 use railcrack::contact::{ContactSolver, FaceProblem, Latin, Newton};
 use railcrack::dislocation::{DislocationBody, FaceResolution};
 use railcrack::growth::{
-    Growth, PassageSettings, RailLoad, StabilisedPassage, StepRecord, Watch, stabilised_passage,
+    Growth, PassageSettings, RailLoad, StabilisedPassage, StepRecord, Unwatched, stabilised_passage,
 };
 use std::path::{Path, PathBuf};
 
@@ -35,16 +35,6 @@ fn body(case: &Case) -> DislocationBody {
 fn cracked_body(bencher: Bencher, case: &str) {
     let case = read(case);
     bencher.bench(|| body(black_box(&case)).dofs());
-}
-
-struct Unwatched;
-
-impl Watch for Unwatched {
-    fn progress(&self, _: f64) {}
-
-    fn interrupted(&self) -> bool {
-        false
-    }
 }
 
 /// All passages of the reference case until the history repeats, on a body that is there.
