@@ -104,7 +104,7 @@ fn bar(increments: usize, first: usize) -> ProgressBar {
         bar.set_style(style.progress_chars("=> "));
     }
     bar.set_prefix(format!("{first}/{increments}"));
-    // Time left follows from this session's pace, not from steps that an earlier one did.
+    // Time left follows from the pace since now, not from steps that were done before.
     bar.reset_eta();
     bar
 }

@@ -139,7 +139,7 @@ fn solution(case: &Case) -> Vec<Row> {
     vec![
         ("engine", case.engine.name().into()),
         ("contact", case.contact_solver.name().into()),
-        ("face points", format!("{}, {} per crack", size.face_points, case.mesh.interface_elements)),
+        ("face points", size.face_points.to_string()),
         ("unknowns", size.unknowns.to_string()),
         ("tips", size.tips.to_string()),
         ("memory", format!("about {} MB", size.memory_bytes.div_ceil(1 << 20))),

@@ -223,7 +223,7 @@ fn growth(section: &SectionValues) -> Option<GrowthSettings> {
 fn mesh(section: &SectionValues) -> Option<MeshSettings> {
     Some(MeshSettings {
         element_size: section.number("element_size_mm")?,
-        interface_elements: count(section, "interface_elements")?,
+        interface_elements: count(section, "interface_elements"),
     })
 }
 

@@ -7,13 +7,20 @@ use crate::field::StressField;
 use crate::growth::{Growth, GrowthProblem, GrowthState, PassageSettings, RailBox};
 
 impl Case {
+    /// How finely the dislocation engine resolves the faces.
+    pub fn face_resolution(&self) -> FaceResolution {
+        let cracks = self.cracks.cracks().len();
+        self.mesh
+            .interface_elements
+            .map_or(FaceResolution::for_cracks(cracks), |elements| FaceResolution { elements })
+    }
+
     /// The run of this case: from `state` on, from its beginning where there is none.
     pub fn growth_run(&self, state: Option<GrowthState>) -> Growth {
         let engine = match self.engine {
-            Engine::Dislocation => Box::new(DislocationEngine {
-                steel: self.steel,
-                resolution: FaceResolution { elements: self.mesh.interface_elements },
-            }),
+            Engine::Dislocation => {
+                Box::new(DislocationEngine { steel: self.steel, resolution: self.face_resolution() })
+            }
         };
         let newton: Box<dyn contact::ContactSolver> = Box::new(Newton::default());
         let latin: Box<dyn contact::ContactSolver> = Box::new(Latin::default());

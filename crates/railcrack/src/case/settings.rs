@@ -2,7 +2,7 @@
 
 use super::declare::{FINITE_ELEMENTS, choice, closed, integer, key, later, length, now, number, positive};
 use super::table::{Availability, Kind, Presence, Preset, Section, SectionPresence};
-use Preset::{Number, Text};
+use Preset::{Integer, Number, Text};
 
 pub(super) const SHAKEDOWN: Section = Section {
     name: "shakedown",
@@ -120,7 +120,13 @@ pub(super) const MESH: Section = Section {
             0.1,
             "Element size near the cracks in a finite-element engine; without effect on the dislocation engine.",
         ),
-        integer("interface_elements", 8, 400, 40, "Elements along each crack in the dislocation engine."),
+        key(
+            "interface_elements",
+            Kind::Integer { min: 8, max: 400 },
+            Presence::Optional(Integer(40)),
+            "Elements along each crack in the dislocation engine, before its grading towards mouth and kinks; without \
+             it 40, and 180 shared by all cracks, but at least 20 each, where there are more than four.",
+        ),
     ],
     forms: &[],
     availability: Availability::Now,

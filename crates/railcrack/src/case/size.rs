@@ -1,6 +1,7 @@
 //! How large a run is.
 
 use super::validated::{Case, Engine};
+use crate::dislocation;
 
 /// Size of the face problem of a case at its first step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -27,7 +28,7 @@ impl Case {
     pub fn size(&self) -> RunSize {
         let tips = self.cracks.cracks().iter().map(|c| c.tips().len()).sum();
         let face_points = match self.engine {
-            Engine::Dislocation => self.mesh.interface_elements * self.cracks.cracks().len(),
+            Engine::Dislocation => dislocation::face_points(&self.cracks, self.face_resolution()),
         };
         let unknowns = 2 * face_points;
         let number = size_of::<f64>();

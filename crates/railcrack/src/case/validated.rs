@@ -106,8 +106,8 @@ pub enum ShakedownMethod {
 pub struct MeshSettings {
     /// Element size near the cracks, mm; without effect on the dislocation engine.
     pub element_size: f64,
-    /// Elements along each crack in the dislocation engine.
-    pub interface_elements: usize,
+    /// Elements along each crack in the dislocation engine; chosen by the number of cracks where none.
+    pub interface_elements: Option<usize>,
 }
 
 /// What computes the cracked rail.

@@ -1,7 +1,7 @@
 //! The inverse of the equations of the free jumps, updated as points change status.
 
 use crate::linear::{LinearError, general_inverse};
-use crate::math::{Matrix, dot};
+use crate::math::{Matrix, axpy, axpy_two, dot};
 
 /// G = R⁻¹ where R holds, for each free jump component, its equation A_i + c_i A_{i+1} on the free components; c_i ≠ 0
 /// couples the shear of a slipping point to its pressure. Adding or removing a component costs n² operations.
@@ -68,9 +68,7 @@ impl<'a> ActiveInverse<'a> {
         let row: Vec<f64> = self.free.iter().map(|&j| self.equation(component, j)).collect();
         let g_column: Vec<f64> = (0..n).map(|i| dot(self.row(i), &column)).collect();
         let mut row_g = vec![0.0; n];
-        for (i, &r) in row.iter().enumerate() {
-            axpy(r, self.row(i), &mut row_g);
-        }
+        add_rows(&row, |i| self.row(i), &mut row_g);
         let diagonal = self.equation(component, component);
         let pivot = diagonal - dot(&row, &g_column);
         if pivot.abs() <= SINGULAR * diagonal.abs() {
@@ -140,10 +138,14 @@ impl<'a> ActiveInverse<'a> {
 /// Pivots below this fraction of the diagonal are taken for zero.
 const SINGULAR: f64 = 1e-12;
 
-/// y += a x.
-pub(super) fn axpy(a: f64, x: &[f64], y: &mut [f64]) {
-    for (y, x) in y.iter_mut().zip(x) {
-        *y += a * x;
+/// y += Σ weights_i rows(i), two rows at a time.
+pub(super) fn add_rows<'m>(weights: &[f64], rows: impl Fn(usize) -> &'m [f64], y: &mut [f64]) {
+    let mut pairs = weights.chunks_exact(2);
+    for (k, pair) in pairs.by_ref().enumerate() {
+        axpy_two((pair[0], rows(2 * k)), (pair[1], rows(2 * k + 1)), y);
+    }
+    if let [last] = pairs.remainder() {
+        axpy(*last, rows(weights.len() - 1), y);
     }
 }
 

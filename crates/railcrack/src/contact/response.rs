@@ -1,7 +1,8 @@
 //! The linear response of the faces while no point changes its status.
 
-use super::active_inverse::{ActiveInverse, axpy};
+use super::active_inverse::{ActiveInverse, add_rows};
 use super::{FaceProblem, FaceSolution, PointStatus};
+use crate::math::axpy;
 
 /// The faces with their statuses: for given loads the jumps of the free components and the forces of the held ones
 /// follow linearly. Newton's method works on it; the step control uses it to foresee events.
@@ -93,16 +94,13 @@ impl<'a> FaceResponse<'a> {
     /// Equilibrium under the nodal forces `load` with the present statuses: jumps of the free components, contact forces
     /// of all.
     pub(super) fn equilibrate(&mut self, load: &[f64]) {
-        let scale = load.iter().chain(&self.held).fold(0.0f64, |m, v| m.max(v.abs()));
-        if self.solve(load) > DRIFT * scale && self.active.refresh().is_ok() {
-            self.solve(load);
-        }
+        self.move_free(load);
+        self.load_faces(load);
     }
 
-    /// One solution; returns the largest residual of the free equations.
-    fn solve(&mut self, load: &[f64]) -> f64 {
-        let Self { problem, active, held, forces, solution } = self;
-        let stiffness = problem.stiffness();
+    /// The jumps of the free components under the nodal forces `load`, without the contact forces.
+    pub(super) fn move_free(&mut self, load: &[f64]) {
+        let Self { active, held, solution, .. } = self;
         let right: Vec<f64> = active
             .free()
             .iter()
@@ -112,18 +110,41 @@ impl<'a> FaceResponse<'a> {
                 if coupling == 0.0 { own } else { own + coupling * (load[i + 1] - held[i + 1]) }
             })
             .collect();
-        forces.copy_from_slice(held);
         for (&i, jump) in active.free().iter().zip(active.solve(&right)) {
             solution.jump[i] = jump;
-            axpy(jump, stiffness.row(i), forces);
         }
+    }
+
+    /// The contact forces under the nodal forces `load` at the present jumps, which are those of equilibrium.
+    pub(super) fn load_faces(&mut self, load: &[f64]) {
+        let scale = load.iter().chain(&self.held).fold(0.0f64, |m, v| m.max(v.abs()));
+        self.sum_forces(load);
+        if self.residual() > DRIFT * scale && self.active.refresh().is_ok() {
+            self.move_free(load);
+            self.sum_forces(load);
+        }
+    }
+
+    /// Contact forces = A w − load.
+    fn sum_forces(&mut self, load: &[f64]) {
+        let Self { problem, active, held, forces, solution } = self;
+        let stiffness = problem.stiffness();
+        forces.copy_from_slice(held);
+        let free = active.free();
+        let jumps: Vec<f64> = free.iter().map(|&i| solution.jump[i]).collect();
+        add_rows(&jumps, |k| stiffness.row(free[k]), forces);
         for (contact, (force, load)) in solution.contact.iter_mut().zip(forces.iter().zip(load)) {
             *contact = force - load;
         }
-        active.free().iter().fold(0.0f64, |worst, &i| {
-            let coupling = active.coupling(i);
-            let next = if coupling == 0.0 { 0.0 } else { coupling * solution.contact[i + 1] };
-            worst.max((solution.contact[i] + next).abs())
+    }
+
+    /// The largest residual of the equations of the free components, N/mm.
+    fn residual(&self) -> f64 {
+        let contact = &self.solution.contact;
+        self.active.free().iter().fold(0.0f64, |worst, &i| {
+            let coupling = self.active.coupling(i);
+            let next = if coupling == 0.0 { 0.0 } else { coupling * contact[i + 1] };
+            worst.max((contact[i] + next).abs())
         })
     }
 

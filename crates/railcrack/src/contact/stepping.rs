@@ -193,7 +193,7 @@ impl<'a> Stepper<'a> {
 
     /// What each point would do in a step to `load` of length `step` if no point changed its status.
     fn foresee(&mut self, load: &[f64], step: f64) -> Vec<Forecast> {
-        self.faces.equilibrate(load);
+        self.faces.move_free(load);
         let end = self.faces.solution();
         let motion = |j: usize| Motion {
             status: self.current.status[j],

@@ -36,11 +36,7 @@ impl DislocationBody {
         resolution: FaceResolution,
     ) -> Result<Self, DislocationError> {
         let walks: Vec<Walk> = network.cracks().iter().map(Walk::new).collect();
-        let nodes: Vec<Vec<f64>> = walks
-            .iter()
-            .enumerate()
-            .map(|(i, walk)| walk.nodes(resolution, |point| clearance(network, i, point)))
-            .collect();
+        let nodes = nodes(network, &walks, resolution);
         let (elements, faces) = discretise(&walks, &nodes);
         let modulus = steel.plane_strain_modulus();
         let stiffness = stiffness(&walks, &elements, &faces, modulus);
@@ -68,6 +64,18 @@ impl DislocationBody {
         let sif_influence = Matrix::from_fn(rows.len(), compliance.columns(), |i, j| rows[i][j]);
         Ok(Self { faces, tips, stiffness, compliance, sif_influence })
     }
+}
+
+/// Number of face points of `network` at `resolution`.
+pub fn face_points(network: &CrackNetwork, resolution: FaceResolution) -> usize {
+    let walks: Vec<Walk> = network.cracks().iter().map(Walk::new).collect();
+    let tips: usize = network.cracks().iter().map(|crack| crack.tips().len()).sum();
+    nodes(network, &walks, resolution).iter().map(Vec::len).sum::<usize>() - tips
+}
+
+fn nodes(network: &CrackNetwork, walks: &[Walk], resolution: FaceResolution) -> Vec<Vec<f64>> {
+    let of_walk = |(i, walk): (usize, &Walk)| walk.nodes(resolution, |point| clearance(network, i, point));
+    walks.iter().enumerate().map(of_walk).collect()
 }
 
 /// Distance from a point of crack `own` to the nearest other crack, mm.

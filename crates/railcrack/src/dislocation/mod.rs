@@ -6,5 +6,5 @@ mod integrals;
 mod kernel;
 mod walk;
 
-pub use engine::{DislocationBody, DislocationEngine, DislocationError};
+pub use engine::{DislocationBody, DislocationEngine, DislocationError, face_points};
 pub use walk::FaceResolution;

@@ -6,8 +6,16 @@ use crate::math::Vec2;
 /// How finely the faces are resolved.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct FaceResolution {
-    /// Elements along a straight crack, at least 4; kinks and close neighbours add their own.
+    /// Elements along a straight crack, at least 4; mouth, kinks and close neighbours add their own.
     pub elements: usize,
+}
+
+impl FaceResolution {
+    /// The default for `cracks` cracks: 40 elements each give K to 0.4 % of its peak; networks share 180, but at least 20
+    /// each, which gives 0.8 % in the network of nine.
+    pub fn for_cracks(cracks: usize) -> Self {
+        Self { elements: (180 / cracks.max(1)).clamp(20, 40) }
+    }
 }
 
 impl Default for FaceResolution {
@@ -124,6 +132,7 @@ impl Walk {
         let vertices = self.vertices();
         let segments = self.tangents.len();
         let base = resolution.elements.max(4) as f64 / (end - start);
+        let coarseness = FaceResolution::default().elements as f64 / resolution.elements.max(4) as f64;
         // (s of the kink, length of the element across it)
         let kinks: Vec<(f64, f64)> = (1..segments)
             .filter_map(|i| {
@@ -150,13 +159,14 @@ impl Walk {
             }
             density = density.max(ds / (NEIGHBOUR_SHARE * clearance(self.position(segment, g))));
             if self.surface_breaking {
-                density = density.max(ds / (MOUTH_ELEMENT * self.length() + MOUTH_GRADING * s));
+                density =
+                    density.max(ds / (coarseness * (MOUTH_ELEMENT * self.length() + MOUTH_GRADING * s)));
             }
             if segment == segments - 1 {
-                density = density.max(TIP_ELEMENTS / last_segment[0]);
+                density = density.max(TIP_ELEMENTS / coarseness / last_segment[0]);
             }
             if segment == 0 && !self.surface_breaking {
-                density = density.max(TIP_ELEMENTS / last_segment[1]);
+                density = density.max(TIP_ELEMENTS / coarseness / last_segment[1]);
             }
             density
         };
@@ -189,15 +199,15 @@ const SMALL_KINK: f64 = 0.05;
 const KINK_ELEMENT: f64 = 0.03;
 /// Growth of elements away from a kink: length per distance.
 const KINK_GRADING: f64 = 0.5;
-/// Element at the mouth, over the length of the crack. The edge of the wheel contact passes over the mouth, and the stress
+/// Element at the mouth, over the length of the crack, at the default resolution. The edge of the wheel contact passes over the mouth, and the stress
 /// there varies over its distance from the surface; mouths without this grading cost 1 % of the peak K.
 const MOUTH_ELEMENT: f64 = 0.002;
 /// Growth of elements away from the mouth: length per distance.
 const MOUTH_GRADING: f64 = 0.1;
 /// Elements are shorter than this times the distance to another crack.
 const NEIGHBOUR_SHARE: f64 = 1.0;
-/// Elements, at least, on the segment that ends at a tip.
-const TIP_ELEMENTS: f64 = 8.0;
+/// Elements, at least, on the segment that ends at a tip, at the default resolution.
+const TIP_ELEMENTS: f64 = 14.0;
 
 /// Interior points that divide [a, b] into equal integrals of `density`, their number its rounded integral.
 fn quantiles(a: f64, b: f64, density: impl Fn(f64) -> f64) -> Vec<f64> {

@@ -1,5 +1,6 @@
 //! A dense matrix, row-major.
 
+use super::dot;
 use std::ops::{Index, IndexMut};
 
 /// A dense real matrix stored row by row; `m[(i, j)]` is row i, column j, both from 0.
@@ -51,19 +52,6 @@ impl Matrix {
     pub fn transposed(&self) -> Self {
         Self::from_fn(self.columns, self.rows, |i, j| self[(j, i)])
     }
-}
-
-/// Scalar product in four interleaved partial sums: a fixed order, so the same bits on every machine.
-pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let mut sums = [0.0; 8];
-    let (a8, b8) = (a.chunks_exact(8), b.chunks_exact(8));
-    let tail: f64 = a8.remainder().iter().zip(b8.remainder()).map(|(x, y)| x * y).sum();
-    for (x, y) in a8.zip(b8) {
-        for k in 0..8 {
-            sums[k] += x[k] * y[k];
-        }
-    }
-    ((sums[0] + sums[4]) + (sums[1] + sums[5])) + ((sums[2] + sums[6]) + (sums[3] + sums[7])) + tail
 }
 
 impl Index<(usize, usize)> for Matrix {

@@ -1,6 +1,7 @@
 //! Vectors, plane-strain stress tensors, dense matrices, quadrature rules, exact orientation, enclosing balls.
 
 mod ball;
+mod kernels;
 mod matrix;
 mod predicate;
 mod quadrature;
@@ -8,8 +9,8 @@ mod stress;
 mod vector;
 
 pub use ball::{Ball, smallest_ball};
+pub(crate) use kernels::{axpy, axpy_two, dot};
 pub use matrix::Matrix;
-pub(crate) use matrix::dot;
 pub use predicate::{Orientation, orientation, segments_touch};
 pub use quadrature::gauss_legendre;
 pub use stress::Stress;

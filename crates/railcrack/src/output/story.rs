@@ -26,11 +26,11 @@ pub(crate) struct Story {
     pub cracks: Vec<Crack>,
     pub steps: Vec<StepDigest>,
     pub warnings: Vec<Warning>,
-    /// Wall time of the finished steps over all sessions, seconds.
+    /// Wall time of the finished steps, resumptions counted, seconds.
     pub wall_s: f64,
     /// Part of it that went into writing, seconds.
     pub output_s: f64,
-    /// The most memory of any session, MB.
+    /// The most memory held so far, resumptions counted, MB.
     pub peak_memory_mb: Option<f64>,
 }
 

@@ -6,7 +6,7 @@ use super::story::Story;
 use crate::growth::{StepRecord, Warning};
 use serde::{Deserialize, Serialize};
 
-/// Wall time by phase, all sessions of the run together, seconds.
+/// Wall time by phase, of the run and its resumptions, seconds.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct PhaseSeconds {
     /// The cracked body.
@@ -74,7 +74,7 @@ pub struct Summary {
     pub load_cycles: f64,
     /// The same in million gross tonnes, where the case gives the axle load.
     pub million_gross_tonnes: Option<f64>,
-    /// Wall time, all sessions together, seconds.
+    /// Wall time of the run and its resumptions, seconds.
     pub wall_s: f64,
     /// Wall time by phase.
     pub phases_s: PhaseSeconds,

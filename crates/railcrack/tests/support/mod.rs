@@ -172,7 +172,7 @@ fn faces(size: Size, cracks: &[Crack], xc: &[f64]) -> FaceRecord {
     let state = |x: f64, s: f64| {
         let u = (x - 0.9 * s) / HALF_WIDTH;
         if u < -1.0 && u > -2.2 {
-            let opening = 1e-3 * (u + 1.0) * (u + 2.2) * -1.0;
+            let opening = -1e-3 * (u + 1.0) * (u + 2.2);
             return FaceState { opening, slip: 1e-4 * s, s22: 0.0, s12: 0.0, status: FaceStatus::Open };
         }
         let s22 = -400.0 * (-u * u).exp() - 7.0 / (1.0 + u * u);

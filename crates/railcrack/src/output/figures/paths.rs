@@ -11,8 +11,11 @@ const WIDTH: f64 = 620.0;
 const HEIGHTS: (f64, f64) = (150.0, 560.0);
 
 pub(super) fn paths(summary: &Summary) -> String {
-    let increments =
-        summary.cracks.iter().map(|crack| crack.points_mm.len() - crack.initial_points_mm.len()).sum();
+    let increments = summary
+        .cracks
+        .iter()
+        .map(|crack| crack.points_mm.len().saturating_sub(crack.initial_points_mm.len()))
+        .sum();
     let entries = entries(summary, increments);
     let axes = equal_axes(&summary.cracks);
     let frame = axes.frame;
@@ -34,8 +37,10 @@ pub(super) fn paths(summary: &Summary) -> String {
         let style = TextStyle { size: 11.0, anchor: Anchor::Middle, colour: INK, weight: "normal" };
         let every = summary.cracks.len().div_ceil(20);
         for (i, crack) in summary.cracks.iter().enumerate().step_by(every) {
-            let [x, _] = axes.at(crack.initial_points_mm[0][0], 0.0);
-            svg.text([x, surface - 7.0], &[Span::Plain((i + 1).to_string())], style);
+            if let Some([mouth, _]) = crack.initial_points_mm.first() {
+                let [x, _] = axes.at(*mouth, 0.0);
+                svg.text([x, surface - 7.0], &[Span::Plain((i + 1).to_string())], style);
+            }
         }
     }
     axes.draw_frame(&mut svg, &[Span::Italic("x"), Span::plain("  (mm)")], &[Span::plain("Depth  (mm)")]);
@@ -47,9 +52,9 @@ pub(super) fn paths(summary: &Summary) -> String {
 fn equal_axes(cracks: &[CrackSummary]) -> Axes {
     let points = || cracks.iter().flat_map(|crack| &crack.points_mm);
     let bounds = |c: usize| {
-        points()
-            .map(|p| p[c])
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)))
+        let all = points().map(|point| point[c]);
+        let ends = all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
+        if ends.0 <= ends.1 { ends } else { (0.0, 0.0) }
     };
     let ((left, right), (bottom, _)) = (bounds(0), bounds(1));
     let across = (right - left).max(1e-6);
