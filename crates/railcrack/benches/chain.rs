@@ -4,7 +4,7 @@ use divan::{Bencher, black_box};
 use railcrack::body::CrackedBody;
 use railcrack::case::{Case, Overrides};
 use railcrack::contact::{ContactSolver, FaceProblem, Latin, Newton};
-use railcrack::dislocation::{DislocationBody, FaceResolution};
+use railcrack::dislocation::DislocationBody;
 use railcrack::growth::{
     Growth, PassageSettings, RailLoad, StabilisedPassage, StepRecord, Unwatched, stabilised_passage,
 };
@@ -26,8 +26,7 @@ fn read(case: &str) -> Case {
 }
 
 fn body(case: &Case) -> DislocationBody {
-    let resolution = FaceResolution { elements: case.mesh.interface_elements };
-    DislocationBody::new(&case.cracks, &case.steel, resolution).unwrap()
+    DislocationBody::new(&case.cracks, &case.steel, case.face_resolution()).unwrap()
 }
 
 /// C and S: assembly of the energy of the jumps, and its inverse.
