@@ -123,9 +123,9 @@ pub(super) const MESH: Section = Section {
         key(
             "interface_elements",
             Kind::Integer { min: 8, max: 400 },
-            Presence::Optional(Integer(40)),
+            Presence::Optional(Integer(48)),
             "Elements along each crack in the dislocation engine, before its grading towards mouth and kinks; without \
-             it 40, and 180 shared by all cracks, but at least 20 each, where there are more than four.",
+             it 48, and 180 shared by all cracks, but at least 20 each, where there are more than three.",
         ),
     ],
     forms: &[],

@@ -22,44 +22,50 @@ pub(super) struct Forecast {
     pub slip: f64,
     /// Slip (mm) that makes the event uncertain; 0 without event.
     free: f64,
-    /// Path until an open point touches, if it does.
-    closing: Option<f64>,
+    /// Path until the event: an open point touches, or a slipping one turns back.
+    event: Option<f64>,
+    /// Whether the point touches.
+    touches: bool,
 }
 
 impl Forecast {
     pub(super) fn of(motion: &Motion, step: f64) -> Self {
         let (start, end) = motion.slip;
-        let mut forecast = Self { slip: start, free: 0.0, closing: None };
+        let mut forecast = Self { slip: start, free: 0.0, event: None, touches: false };
         match motion.status {
             PointStatus::Open if motion.opening.1 < 0.0 => {
                 let share = motion.opening.0 / (motion.opening.0 - motion.opening.1);
+                let gone = (end - start).abs();
                 forecast.slip = start + share * (end - start);
-                forecast.free = (end - start).abs();
-                forecast.closing = Some(share * step);
+                // What goes on after the event, and the error of linear interpolation up to it.
+                forecast.free = gone * (1.0 - share) * (1.0 + INTERPOLATION * share);
+                forecast.event = Some(share * step);
+                forecast.touches = true;
             }
             PointStatus::SlipForward | PointStatus::SlipBackward => {
                 let direction = motion.status.direction();
-                let top = turning_point(motion, step).unwrap_or(end);
+                let turn = turning_point(motion, step);
+                let top = turn.map_or(end, |(_, slip)| slip);
                 let ahead = |slip: f64| direction * (top - slip);
                 // Slip beyond both ends of the step: the point should have stuck there.
                 if ahead(start) > 0.0 {
                     forecast.slip = if ahead(end) > 0.0 { top } else { start };
                 }
                 forecast.free = ahead(if direction * (end - start) > 0.0 { end } else { start }).max(0.0);
+                forecast.event = turn.map(|(path, _)| path);
             }
             PointStatus::Open | PointStatus::Stick => {}
         }
         forecast
     }
 
-    /// A shorter step, if more than `allowed` mm of slip is uncertain in this one.
+    /// A shorter step, if more than `allowed` mm of slip is uncertain in this one: it ends shortly after the event.
     pub(super) fn cut(&self, allowed: f64, step: f64) -> Option<f64> {
         if self.free <= allowed {
             return None;
         }
-        let short = 0.8 * step.abs() * allowed / self.free;
-        let to_closing = self.closing.map_or(0.0, |path| path.abs() - 0.5 * short);
-        Some(shorter_than(step, to_closing.max(short)))
+        let short = 0.5 * step.abs() * allowed / self.free;
+        Some(shorter_than(step, self.event.map_or(0.0, f64::abs) + short))
     }
 
     /// A shorter step, if the point had an event that was not foreseen. `change` are its statuses before and after,
@@ -73,7 +79,7 @@ impl Forecast {
         step: f64,
     ) -> Option<f64> {
         let (before, after) = change;
-        let touched = before == PointStatus::Open && after.is_closed() && self.closing.is_none();
+        let touched = before == PointStatus::Open && after.is_closed() && !self.touches;
         let turned = before.direction() != 0.0 && after.is_closed() && after != before;
         let free = gone.abs().max((last_rate * step).abs());
         let free = if touched {
@@ -87,21 +93,24 @@ impl Forecast {
     }
 }
 
+/// Curvature of the slip within a step, as a share of the slip itself.
+const INTERPOLATION: f64 = 0.5;
 /// Share of its slip in the step before that a point can slip on before it turns back.
 const TURNING_SHARE: f64 = 0.25;
 
 /// `length`, but not much shorter and certainly shorter than `step`.
 fn shorter_than(step: f64, length: f64) -> f64 {
-    length.clamp(0.1 * step.abs(), 0.8 * step.abs()).copysign(step)
+    length.clamp(0.1 * step.abs(), 0.9 * step.abs()).copysign(step)
 }
 
-/// The slip at the top of the parabola through the slips of this step and the one before, if it lies within this step.
-fn turning_point(motion: &Motion, step: f64) -> Option<f64> {
+/// Path to the top of the parabola through the slips of this step and the one before, and the slip there, if it lies
+/// within this step.
+fn turning_point(motion: &Motion, step: f64) -> Option<(f64, f64)> {
     let (last_rate, last_step) = motion.last_rate?;
     let rate = (motion.slip.1 - motion.slip.0) / step;
     let curvature = 2.0 * (rate - last_rate) / (step + last_step);
     let first_rate = rate - 0.5 * curvature * step;
     let path = -first_rate / curvature;
     let within = path * step.signum() > 0.0 && path.abs() < step.abs();
-    within.then_some(motion.slip.0 + 0.5 * first_rate * path)
+    within.then_some((path, motion.slip.0 + 0.5 * first_rate * path))
 }

@@ -63,7 +63,7 @@ pub struct Stepper<'a> {
 
 /// Slip of a point in a step in which it touches or turns back, over the tolerance times the largest jump seen there.
 /// Measured in `docs/step-control.md`.
-const FREE_SLIP: f64 = 0.3;
+const FREE_SLIP: f64 = 0.7;
 /// Slip that counts as large before any has been seen, as a share of the slip without contact.
 const EXPECTED_SHARE: f64 = 1e-3;
 /// Smallest step as a fraction of the distance between stations.

@@ -11,16 +11,16 @@ pub struct FaceResolution {
 }
 
 impl FaceResolution {
-    /// The default for `cracks` cracks: 40 elements each give K to 0.4 % of its peak; networks share 180, but at least 20
+    /// The default for `cracks` cracks: 48 elements each give K to 0.4 % of its peak; networks share 180, but at least 20
     /// each, which gives 0.8 % in the network of nine.
     pub fn for_cracks(cracks: usize) -> Self {
-        Self { elements: (180 / cracks.max(1)).clamp(20, 40) }
+        Self { elements: (180 / cracks.max(1)).clamp(20, 48) }
     }
 }
 
 impl Default for FaceResolution {
     fn default() -> Self {
-        Self { elements: 40 }
+        Self { elements: 48 }
     }
 }
 
@@ -201,13 +201,13 @@ const KINK_ELEMENT: f64 = 0.03;
 const KINK_GRADING: f64 = 0.5;
 /// Element at the mouth, over the length of the crack, at the default resolution. The edge of the wheel contact passes over the mouth, and the stress
 /// there varies over its distance from the surface; mouths without this grading cost 1 % of the peak K.
-const MOUTH_ELEMENT: f64 = 0.002;
+const MOUTH_ELEMENT: f64 = 0.0017;
 /// Growth of elements away from the mouth: length per distance.
-const MOUTH_GRADING: f64 = 0.1;
+const MOUTH_GRADING: f64 = 0.085;
 /// Elements are shorter than this times the distance to another crack.
 const NEIGHBOUR_SHARE: f64 = 1.0;
 /// Elements, at least, on the segment that ends at a tip, at the default resolution.
-const TIP_ELEMENTS: f64 = 14.0;
+const TIP_ELEMENTS: f64 = 17.0;
 
 /// Interior points that divide [a, b] into equal integrals of `density`, their number its rounded integral.
 fn quantiles(a: f64, b: f64, density: impl Fn(f64) -> f64) -> Vec<f64> {
