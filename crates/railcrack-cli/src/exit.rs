@@ -21,15 +21,22 @@ pub enum Exit {
     Interrupted,
 }
 
+impl Exit {
+    /// The exit code of the program.
+    pub const fn code(self) -> u8 {
+        match self {
+            Self::Done => 0,
+            Self::BadInput => 2,
+            Self::NotConverged => 3,
+            Self::CannotReadOrWrite => 4,
+            Self::Interrupted => 130,
+        }
+    }
+}
+
 impl From<Exit> for ExitCode {
     fn from(exit: Exit) -> Self {
-        Self::from(match exit {
-            Exit::Done => 0,
-            Exit::BadInput => 2,
-            Exit::NotConverged => 3,
-            Exit::CannotReadOrWrite => 4,
-            Exit::Interrupted => 130,
-        })
+        Self::from(exit.code())
     }
 }
 

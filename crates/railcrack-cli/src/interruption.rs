@@ -1,11 +1,9 @@
 //! Ctrl-C and the like: once to stop after saving, twice to stop at once.
 
+use crate::exit::Exit;
 use signal_hook::consts::{SIGINT, SIGTERM};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-
-/// Exit code of an interrupted run.
-pub const INTERRUPTED: u8 = 130;
 
 /// SIGHUP is not among them: a run under `nohup` must outlive its terminal.
 const SIGNALS: [i32; 2] = [SIGINT, SIGTERM];
@@ -38,7 +36,7 @@ impl Interruption {
             for _ in signals.forever() {
                 asked.store(true, Ordering::Relaxed);
                 if first.get_or_insert_with(Instant::now).elapsed() > ONE_WISH {
-                    std::process::exit(i32::from(INTERRUPTED));
+                    std::process::exit(i32::from(Exit::Interrupted.code()));
                 }
             }
         })?;
@@ -50,7 +48,11 @@ impl Interruption {
         use signal_hook::flag;
         for signal in SIGNALS {
             // In this order: the first signal finds the flag down and raises it, the second finds it up.
-            flag::register_conditional_shutdown(signal, i32::from(INTERRUPTED), Arc::clone(&self.asked))?;
+            flag::register_conditional_shutdown(
+                signal,
+                i32::from(Exit::Interrupted.code()),
+                Arc::clone(&self.asked),
+            )?;
             flag::register(signal, Arc::clone(&self.asked))?;
         }
         Ok(())

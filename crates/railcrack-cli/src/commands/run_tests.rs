@@ -100,7 +100,7 @@ fn an_interrupted_run_resumes_to_the_same_tables() {
 fn refusals_have_their_exit_codes() {
     let scratch = Scratch::new("cli-codes");
     let folder = scratch.path().join("run").display().to_string();
-    let code = |line: &[&str]| run(line, None).unwrap_err().exit_code();
+    let code = |line: &[&str]| run(line, None).unwrap_err().exit().code();
     assert_eq!(code(&["x.toml", "--quiet", "--out", &folder, "--resume"]), 2);
     run(&["x.toml", "--quiet", "--out", &folder], None).unwrap();
     assert_eq!(code(&["x.toml", "--quiet", "--out", &folder]), 2);
@@ -114,7 +114,7 @@ fn refusals_have_their_exit_codes() {
     assert_eq!(code(&["x.toml", "--quiet", "--out", &file]), 4);
     let not_finite =
         OutputError::NotFinite { file: "sif.csv", column: "xc_mm", row: String::new(), value: f64::NAN };
-    assert_eq!(RunError::from(not_finite).exit_code(), 3);
+    assert_eq!(RunError::from(not_finite).exit().code(), 3);
 }
 
 #[test]

@@ -45,6 +45,18 @@ pub trait Watch: Sync {
     fn interrupted(&self) -> bool;
 }
 
+/// Nobody: the step is computed in silence and to its end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Unwatched;
+
+impl Watch for Unwatched {
+    fn progress(&self, _: f64) {}
+
+    fn interrupted(&self) -> bool {
+        false
+    }
+}
+
 /// Why a step could not be computed.
 #[derive(Debug, thiserror::Error)]
 pub enum GrowthError {

@@ -1,0 +1,74 @@
+//! Times of the chain from cracks to increments: the body, one geometry under the wheel, one growth step.
+
+use divan::{Bencher, black_box};
+use railcrack::body::CrackedBody;
+use railcrack::case::{Case, Overrides};
+use railcrack::contact::{ContactSolver, FaceProblem, Latin, Newton};
+use railcrack::dislocation::DislocationBody;
+use railcrack::growth::{
+    Growth, PassageSettings, RailLoad, StabilisedPassage, StepRecord, Unwatched, stabilised_passage,
+};
+use std::path::{Path, PathBuf};
+
+const REFERENCE: &str = "reference.toml";
+const NINE_CRACKS: &str = "network-nine.toml";
+
+fn main() {
+    divan::main();
+}
+
+fn path(case: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases").join(case)
+}
+
+fn read(case: &str) -> Case {
+    Case::read(&path(case)).unwrap()
+}
+
+fn body(case: &Case) -> DislocationBody {
+    DislocationBody::new(&case.cracks, &case.steel, case.face_resolution()).unwrap()
+}
+
+/// C and S: assembly of the energy of the jumps, and its inverse.
+#[divan::bench(args = [REFERENCE, NINE_CRACKS], sample_count = 10, sample_size = 1)]
+fn cracked_body(bencher: Bencher, case: &str) {
+    let case = read(case);
+    bencher.bench(|| body(black_box(&case)).dofs());
+}
+
+/// All passages of the reference case until the history repeats, on a body that is there.
+fn passages(bencher: Bencher, solver: &dyn ContactSolver) {
+    let case = read(REFERENCE);
+    let body = body(&case);
+    let problem = FaceProblem::new(&body, &case.crack_friction);
+    let load = RailLoad { contact: case.contact, poisson: case.steel.poisson(), residual: None };
+    let settings = PassageSettings {
+        passage: case.passage,
+        max_passages: case.passage_settings.max_passages,
+        passage_tolerance: case.passage_settings.passage_tolerance,
+        step_tolerance: case.passage_settings.step_tolerance,
+    };
+    bencher.bench_local(|| -> StabilisedPassage {
+        stabilised_passage(&problem, solver, load, &settings, &Unwatched).unwrap()
+    });
+}
+
+#[divan::bench(sample_count = 5, sample_size = 1)]
+fn stabilised_passage_newton(bencher: Bencher) {
+    passages(bencher, &Newton::default());
+}
+
+#[divan::bench(sample_count = 3, sample_size = 1)]
+fn stabilised_passage_latin(bencher: Bencher) {
+    passages(bencher, &Latin::default());
+}
+
+/// The first growth step of the reference case as a run computes it: body, passages, direction, increment.
+#[divan::bench(args = ["newton", "latin"], sample_count = 3, sample_size = 1)]
+fn growth_step(bencher: Bencher, solver: &str) {
+    let overrides = Overrides { contact: Some(solver.into()), ..Overrides::default() };
+    let case = Case::read_with(&path(REFERENCE), &overrides).unwrap();
+    bencher
+        .with_inputs(|| case.growth_run(None))
+        .bench_local_values(|mut run: Growth| -> Option<StepRecord> { run.next_step(&Unwatched).unwrap() });
+}

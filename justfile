@@ -1,0 +1,33 @@
+# Recipes; `just --list` shows them.
+
+# All tests
+test:
+    cargo test --release --workspace
+
+# Tests that take long or print measurements
+extra:
+    cargo test --release --workspace -- --ignored --nocapture
+
+# Everything that must pass before a change is offered
+ci:
+    .ci/run
+
+# Format the sources
+fmt:
+    cargo fmt --all
+
+# Lints, on everything that is compiled
+lint:
+    cargo clippy --release --workspace --all-targets -- -D warnings
+
+# Pages of the library
+doc:
+    RUSTDOCFLAGS="-D warnings" cargo doc --release --no-deps --workspace
+
+# Times of body, passage and growth step
+bench:
+    cargo bench --bench chain
+
+# Compute a case
+run case="cases/reference.toml":
+    cargo run --release -- run {{case}}
