@@ -1,7 +1,7 @@
-//! A closed tip has K_I = 0, and no point ever breaks the law of the faces.
+//! A closed tip has K_I = 0, and an open one K_I > 0.
 
-use crate::common::{Rolling, body, largest, surface_crack};
-use railcrack::contact::{ContactSolver, FaceProblem, FaceStatus, Latin, Newton};
+use crate::common::{Absolute, Rolling, close, largest, surface_crack};
+use railcrack::contact::{ContactSolver, FaceStatus, Latin, Newton};
 use railcrack::crack::End;
 
 #[test]
@@ -19,25 +19,20 @@ fn closed_tips_have_no_opening_mode() {
             [("newton", &Newton::default() as &dyn ContactSolver), ("latin", &Latin::default())]
         {
             let rolling = Rolling::over(vec![crack.clone()], friction, wheel);
-            let body = body(&rolling.cracks, rolling.elements);
-            let problem = FaceProblem::new(&body, &[friction]);
-            let result = rolling.on(&problem, solver);
+            let result = rolling.solve_by(solver);
             let peak = result.histories[0].samples.iter().fold(0.0f64, |m, k| m.max(k.k2.abs()));
             let passage = &result.passages[result.passages.len() - 1];
             let closed: Vec<f64> = (passage.sifs[0].iter().zip(&result.faces.states))
                 .filter(|(_, states)| states[states.len() - 1].status != FaceStatus::Open)
                 .map(|(k, _)| k.k1 / peak)
                 .collect();
-            let worst = largest(closed.iter().copied());
+            // An unstable multiplier space would show as per cents; LATIN's indicator on K is 1e-9.
+            close(largest(closed.iter().copied()), 0.0, Absolute(1e-8), name);
+            assert!(closed.len() > 100, "{name}: closed at {} positions only", closed.len());
             let negative = result.histories[0].samples.iter().fold(0.0f64, |m, k| m.max(-k.k1)) / peak;
-            println!(
-                "{name} {friction} {wheel}: closed {} worst {worst:.1e} negative {negative:.1e} viol {:.1e} sub {} it {} {}",
-                closed.len(),
-                result.counts.complementarity_max,
-                result.counts.substeps,
-                result.counts.iterations,
-                result.counts.passages,
-            );
+            let violation = result.counts.complementarity_max;
+            close(violation, 0.0, Absolute(1e-9), "largest violation of the law of the faces");
+            close(negative, 0.0, Absolute(1e-8), "faces never overlap at the tip");
         }
     }
 }
