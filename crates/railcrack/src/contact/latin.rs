@@ -35,10 +35,10 @@ pub struct Latin {
 impl Default for Latin {
     fn default() -> Self {
         Self {
-            direction: 3.0,
+            direction: 2.0,
             stabilisation: 0.0,
             relaxation: 0.8,
-            history: 10,
+            history: 20,
             tolerance: 1e-9,
             max_iterations: 3000,
         }
@@ -128,7 +128,7 @@ impl<'a> LatinSteps<'a> {
 
 impl<'a> StepSolver<'a> for LatinSteps<'a> {
     fn solve(&mut self, step: LoadStep, faces: &mut FaceResponse<'a>) -> Result<usize, NotConverged> {
-        let Settings { tolerance, max_iterations } = self.settings.limits();
+        let Latin { tolerance, max_iterations, .. } = self.settings;
         let failure = |iterations, indicator| NotConverged { iterations, indicator, tolerance };
         let n = 2 * self.problem.points();
         let influence = self.problem.body().sif_influence();
@@ -172,17 +172,6 @@ impl<'a> StepSolver<'a> for LatinSteps<'a> {
 
     fn restore(&mut self) {
         self.combined.clone_from(&self.kept);
-    }
-}
-
-struct Settings {
-    tolerance: f64,
-    max_iterations: usize,
-}
-
-impl Latin {
-    fn limits(&self) -> Settings {
-        Settings { tolerance: self.tolerance, max_iterations: self.max_iterations }
     }
 }
 

@@ -14,7 +14,7 @@ mod stepping;
 pub use latin::Latin;
 pub use law::{FaceState, FaceStatus};
 pub use newton::Newton;
-pub use problem::{FaceProblem, FaceSolution, PointStatus};
+pub use problem::{FaceProblem, FaceScale, FaceSolution, PointStatus};
 pub use response::FaceResponse;
 pub use solver::{ContactSolver, LoadStep, NotConverged, StepSolver};
 pub use stepping::{LoadPath, Stepper, SteppingCounts, SteppingError};

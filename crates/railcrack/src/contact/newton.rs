@@ -1,6 +1,8 @@
 //! Semismooth Newton (primal–dual active set) on the law of the faces.
 
-use super::{ContactSolver, FaceProblem, FaceResponse, LoadStep, NotConverged, PointStatus, StepSolver};
+use super::{
+    ContactSolver, FaceProblem, FaceResponse, FaceScale, LoadStep, NotConverged, PointStatus, StepSolver,
+};
 
 /// Semismooth Newton: every point that breaks the law of its status changes it, until none does; the law then holds
 /// exactly. Starts from the last step's statuses, so that most steps take one or two solutions of small updated
@@ -19,7 +21,7 @@ impl Default for Newton {
 
 impl ContactSolver for Newton {
     fn prepare<'a>(&self, problem: &'a FaceProblem<'a>) -> Box<dyn StepSolver<'a> + 'a> {
-        Box::new(NewtonSteps { problem, max_iterations: self.max_iterations, scale: (0.0, 0.0) })
+        Box::new(NewtonSteps { problem, max_iterations: self.max_iterations, scale: FaceScale::NONE })
     }
 }
 
@@ -31,8 +33,8 @@ const ROUND_OFF: f64 = 1e-11;
 struct NewtonSteps<'a> {
     problem: &'a FaceProblem<'a>,
     max_iterations: usize,
-    /// Largest jump and force seen, for round-off.
-    scale: (f64, f64),
+    /// Largest jump and force so far, for round-off.
+    scale: FaceScale,
 }
 
 impl NewtonSteps<'_> {
@@ -42,7 +44,7 @@ impl NewtonSteps<'_> {
         let (tangential, normal) = (solution.contact[2 * point], solution.contact[2 * point + 1]);
         let (slip, opening) = (solution.jump[2 * point], solution.jump[2 * point + 1]);
         let mu = self.problem.friction(point);
-        let (jump_scale, force_scale) = self.scale;
+        let FaceScale { jump: jump_scale, force: force_scale } = self.scale;
         let status = solution.status[point];
         if status == PointStatus::Open {
             // The law met from this open state along equal directions in shear and pressure.
@@ -79,9 +81,7 @@ impl<'a> StepSolver<'a> for NewtonSteps<'a> {
         let mut worst = 0.0f64;
         for iteration in 1..=self.max_iterations {
             faces.equilibrate(step.forces);
-            let largest = |values: &[f64]| values.iter().fold(0.0f64, |m, v| m.max(v.abs()));
-            self.scale.0 = self.scale.0.max(largest(&faces.solution().jump)).max(f64::MIN_POSITIVE);
-            self.scale.1 = self.scale.1.max(largest(step.forces)).max(f64::MIN_POSITIVE);
+            self.scale = self.scale.including(faces.solution(), step.forces);
             let mut demands: Vec<(usize, PointStatus, f64)> = (0..points)
                 .filter_map(|j| {
                     self.demanded(faces, j, step.reference_slip[j]).map(|(status, by)| (j, status, by))

@@ -118,18 +118,36 @@ impl FaceSolution {
         problem.body.faces().points.iter().enumerate().map(state).collect()
     }
 
-    /// The largest violation of the law of the faces under the nodal forces `load`: negative opening relative to the
-    /// largest jump; tension, shear beyond friction, or force across an opening relative to the largest force.
-    pub fn violation(&self, problem: &FaceProblem, load: &[f64]) -> f64 {
-        let largest =
-            |values: &[f64]| values.iter().fold(0.0f64, |m, v| m.max(v.abs())).max(f64::MIN_POSITIVE);
-        let (jump, force) = (largest(&self.jump), largest(&self.contact).max(largest(load)));
+    /// The largest violation of the law of the faces: negative opening relative to `scale.jump`; tension, shear beyond
+    /// friction, or force across an opening relative to `scale.force`.
+    pub fn violation(&self, problem: &FaceProblem, scale: FaceScale) -> f64 {
         (0..problem.points()).fold(0.0f64, |worst, j| {
-            let (tangential, normal) = (self.contact[2 * j], self.contact[2 * j + 1]);
-            let opening = self.jump[2 * j + 1];
+            let (tangential, normal) =
+                (self.contact[2 * j] / scale.force, self.contact[2 * j + 1] / scale.force);
+            let opening = self.jump[2 * j + 1] / scale.jump;
             let cone = tangential.abs() - problem.friction[j] * normal.max(0.0);
-            let product = (opening / jump).min(normal / force).max(0.0);
-            worst.max(-opening / jump).max(-normal / force).max(cone / force).max(product)
+            worst.max(-opening).max(-normal).max(cone).max(opening.min(normal))
         })
+    }
+}
+
+/// What counts as large on the faces: the largest values so far.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FaceScale {
+    /// Jump, mm.
+    pub jump: f64,
+    /// Nodal force, N/mm.
+    pub force: f64,
+}
+
+impl FaceScale {
+    /// Nothing seen yet.
+    pub const NONE: Self = Self { jump: f64::MIN_POSITIVE, force: f64::MIN_POSITIVE };
+
+    /// This scale or the largest values of `solution` and `load`, whichever is larger.
+    pub fn including(self, solution: &FaceSolution, load: &[f64]) -> Self {
+        let largest = |values: &[f64], so_far: f64| values.iter().fold(so_far, |m, v| m.max(v.abs()));
+        let force = largest(load, largest(&solution.contact, self.force));
+        Self { jump: largest(&solution.jump, self.jump), force }
     }
 }

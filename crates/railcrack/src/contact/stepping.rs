@@ -1,7 +1,9 @@
 //! Adaptive load steps: friction remembers the order of events.
 
 use super::forecast::{Forecast, Motion};
-use super::{ContactSolver, FaceProblem, FaceResponse, FaceSolution, LoadStep, NotConverged, StepSolver};
+use super::{
+    ContactSolver, FaceProblem, FaceResponse, FaceScale, FaceSolution, LoadStep, NotConverged, StepSolver,
+};
 use thiserror::Error;
 
 /// The load of a path: nodal forces as a function of one coordinate.
@@ -52,6 +54,8 @@ pub struct Stepper<'a> {
     tolerance: f64,
     /// Slip or opening of each point that counts as large, mm.
     scale: Vec<f64>,
+    /// The largest jump and force so far.
+    largest: FaceScale,
     /// The accepted solution.
     current: FaceSolution,
     /// Slip of each point per unit of path during the last step, and the length of that step.
@@ -91,6 +95,7 @@ impl<'a> Stepper<'a> {
             faces: FaceResponse::virgin(problem),
             tolerance,
             scale: expected.iter().map(|slip| EXPECTED_SHARE * slip.abs()).collect(),
+            largest: FaceScale::NONE,
             current: FaceSolution::virgin(problem.points()),
             last: None,
             at: 0.0,
@@ -223,7 +228,9 @@ impl<'a> Stepper<'a> {
     fn accept(&mut self, target: f64, load: Vec<f64>) {
         let step = target - self.at;
         let after = self.faces.solution();
-        self.counts.violation_max = self.counts.violation_max.max(after.violation(self.problem, &load));
+        self.largest = self.largest.including(after, &load);
+        self.counts.violation_max =
+            self.counts.violation_max.max(after.violation(self.problem, self.largest));
         let rates =
             (0..self.scale.len()).map(|j| (after.jump[2 * j] - self.current.jump[2 * j]) / step).collect();
         for (j, scale) in self.scale.iter_mut().enumerate() {

@@ -1,0 +1,87 @@
+//! Passages of the wheel over cracks, with the defaults users get.
+
+use super::{body, default_elements};
+use railcrack::contact::{ContactSolver, FaceProblem, Newton};
+use railcrack::crack::{Crack, CrackNetwork};
+use railcrack::field::StressField;
+use railcrack::growth::{PassageSettings, RailLoad, StabilisedPassage, Watch, stabilised_passage};
+use railcrack::load::{HertzianContact, Passage};
+
+/// Watches nothing.
+pub struct Quiet;
+
+impl Watch for Quiet {
+    fn progress(&self, _: f64) {}
+    fn interrupted(&self) -> bool {
+        false
+    }
+}
+
+/// Output positions per half-width, and the tolerance of the load steps.
+#[derive(Debug, Clone, Copy)]
+pub struct StepControl {
+    pub positions: usize,
+    pub tolerance: f64,
+}
+
+impl Default for StepControl {
+    fn default() -> Self {
+        Self { positions: 241, tolerance: 2e-3 }
+    }
+}
+
+/// Cracks under the wheel of the reference case: 845 MPa, a = 6.75 mm, from −6 a to 6 a.
+#[derive(Clone)]
+pub struct Rolling<'a> {
+    pub cracks: Vec<Crack>,
+    pub crack_friction: f64,
+    /// Signed: positive drags the rail along +x.
+    pub wheel_friction: f64,
+    pub residual: Option<&'a dyn StressField>,
+    pub elements: usize,
+    pub steps: StepControl,
+    /// +1 towards +x, −1 towards −x.
+    pub travel: f64,
+}
+
+impl Rolling<'_> {
+    /// Half-width of the wheel contact, mm.
+    pub const HALF_WIDTH: f64 = 6.75;
+
+    pub fn over(cracks: Vec<Crack>, crack_friction: f64, wheel_friction: f64) -> Self {
+        let (elements, steps) = (default_elements(), StepControl::default());
+        Self { cracks, crack_friction, wheel_friction, residual: None, elements, steps, travel: 1.0 }
+    }
+
+    /// The passage by the default solver.
+    pub fn solve(&self) -> StabilisedPassage {
+        self.solve_by(&Newton::default())
+    }
+
+    pub fn solve_by(&self, solver: &dyn ContactSolver) -> StabilisedPassage {
+        let body = body(&self.cracks, self.elements);
+        let problem = FaceProblem::new(&body, &vec![self.crack_friction; self.cracks.len()]);
+        self.on(&problem, solver)
+    }
+
+    /// The passage over faces that exist already.
+    pub fn on(&self, problem: &FaceProblem, solver: &dyn ContactSolver) -> StabilisedPassage {
+        let network = CrackNetwork::new(self.cracks.clone()).unwrap();
+        let reach = 6.0 * Self::HALF_WIDTH;
+        let (left, right) = (network.leftmost_mouth() - reach, network.rightmost_mouth() + reach);
+        let (from, to) = if self.travel > 0.0 { (left, right) } else { (right, left) };
+        let settings = PassageSettings {
+            passage: Passage { from, to, positions: self.steps.positions },
+            max_passages: 5,
+            passage_tolerance: 1e-3,
+            step_tolerance: self.steps.tolerance,
+        };
+        let contact = HertzianContact {
+            peak_pressure: 845.0,
+            half_width: Self::HALF_WIDTH,
+            friction: self.wheel_friction,
+        };
+        let load = RailLoad { contact, poisson: 0.3, residual: self.residual };
+        stabilised_passage(problem, solver, load, &settings, &Quiet).unwrap()
+    }
+}

@@ -1,0 +1,42 @@
+//! Straight edge cracks in tension, at all angles.
+
+use crate::common::{Absolute, Of, TENSION, close, column, default_elements, open_sifs, order, rows, surface_crack};
+use std::f64::consts::PI;
+
+/// Koiter (1965).
+const NORMAL_CRACK: f64 = 1.121_522_255_2;
+
+fn factors(degrees: f64, elements: usize) -> (f64, f64) {
+    const LENGTH: f64 = 6.0;
+    let k = open_sifs(&[surface_crack(2.0, LENGTH, degrees)], elements, |_| TENSION);
+    let scale = (PI * LENGTH).sqrt();
+    (k[0] / scale, k[1] / scale)
+}
+
+#[test]
+fn factors_by_angle() {
+    let table = rows("edge-crack-tension/factors.csv");
+    let reference = column(&table, "f1").into_iter().zip(column(&table, "f2"));
+    for (degrees, (f1, f2)) in column(&table, "angle_deg").into_iter().zip(reference) {
+        let (k1, k2) = factors(degrees, default_elements());
+        println!("{degrees}: {:.1e} {:.1e}", k1 / f1 - 1.0, k2 / f1 - f2 / f1);
+        let reason = "40 elements: 1e-4 at second order, the reference has five decimals";
+        close(k1, f1, Of(1e-3, f1), reason);
+        close(k2, f2, Of(1e-3, f1), reason);
+        let (mirrored_k1, mirrored_k2) = factors(180.0 - degrees, default_elements());
+        close(mirrored_k1, k1, Absolute(1e-11), "mirrored: round-off of the inverse");
+        close(mirrored_k2, -k2, Absolute(1e-11), "mirrored: K_II changes sign");
+    }
+}
+
+#[test]
+fn second_order_in_the_elements() {
+    let errors: Vec<f64> = [10, 20, 40, 80]
+        .into_iter()
+        .map(|elements| factors(90.0, elements).0 - NORMAL_CRACK)
+        .collect();
+    println!("{errors:.2?}");
+    for pair in errors.windows(2) {
+        println!("order {}", order(pair[0], pair[1]));
+    }
+}
