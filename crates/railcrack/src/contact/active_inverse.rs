@@ -129,6 +129,19 @@ impl<'a> ActiveInverse<'a> {
         Ok(())
     }
 
+    /// Becomes `other`, an inverse of the same stiffness.
+    pub(super) fn copy_from(&mut self, other: &Self) {
+        self.free.clone_from(&other.free);
+        self.place.clone_from(&other.place);
+        self.coupling.clone_from(&other.coupling);
+        let (stride, n) = (self.place.len(), self.free.len());
+        for (own, new) in
+            self.inverse.chunks_exact_mut(stride).zip(other.inverse.chunks_exact(stride)).take(n)
+        {
+            own[..n].copy_from_slice(&new[..n]);
+        }
+    }
+
     /// G times the right-hand sides `right`, in the order of [`ActiveInverse::free`].
     pub(super) fn solve<'s>(&'s self, right: &'s [f64]) -> impl Iterator<Item = f64> + 's {
         (0..self.free.len()).map(move |i| dot(self.row(i), right))

@@ -1,6 +1,8 @@
 //! Straight edge cracks in tension, at all angles.
 
-use crate::common::{Absolute, Of, TENSION, close, column, default_elements, open_sifs, order, rows, surface_crack};
+use crate::common::{
+    Absolute, Of, TENSION, close, column, default_elements, open_sifs, order, rows, surface_crack,
+};
 use std::f64::consts::PI;
 
 /// Koiter (1965).
@@ -31,10 +33,8 @@ fn factors_by_angle() {
 
 #[test]
 fn second_order_in_the_elements() {
-    let errors: Vec<f64> = [10, 20, 40, 80]
-        .into_iter()
-        .map(|elements| factors(90.0, elements).0 - NORMAL_CRACK)
-        .collect();
+    let errors: Vec<f64> =
+        [10, 20, 40, 80].into_iter().map(|elements| factors(90.0, elements).0 - NORMAL_CRACK).collect();
     println!("{errors:.2?}");
     for pair in errors.windows(2) {
         println!("order {}", order(pair[0], pair[1]));

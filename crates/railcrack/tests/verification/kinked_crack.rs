@@ -19,7 +19,8 @@ fn short_kink(stress: Stress, degrees: f64, kink: f64, elements: usize) -> Sif {
 
 /// The limit of an infinitesimal kink. Without stress along the crack the first correction is linear in its length.
 fn infinitesimal(stress: Stress, degrees: f64, elements: usize) -> Sif {
-    let (short, long) = (short_kink(stress, degrees, 2e-3, elements), short_kink(stress, degrees, 4e-3, elements));
+    let (short, long) =
+        (short_kink(stress, degrees, 2e-3, elements), short_kink(stress, degrees, 4e-3, elements));
     short * 2.0 + long * -1.0
 }
 
@@ -48,7 +49,11 @@ fn mesh() {
         let fine = at(320);
         for n in [10, 20, 40, 80, 160] {
             let k = at(n);
-            println!("{degrees} {n}: {:.2e} {:.2e}", (k[0] - fine[0]) / largest(fine.clone()), (k[1] - fine[1]) / largest(fine.clone()));
+            println!(
+                "{degrees} {n}: {:.2e} {:.2e}",
+                (k[0] - fine[0]) / largest(fine.clone()),
+                (k[1] - fine[1]) / largest(fine.clone())
+            );
         }
     }
     let _ = (Of(0.0, 0.0), close);

@@ -23,7 +23,11 @@ fn open_in_tension() {
         let k = open_sifs(&[buried_crack(CENTRE, HALF, degrees)], default_elements(), |_| tension);
         let (sin, cos) = degrees.to_radians().sin_cos();
         for tip in [0, 1] {
-            println!("{degrees} {:.1e} {:.1e}", k[2 * tip] / unit() - cos * cos, k[2 * tip + 1] / unit() - sin * cos);
+            println!(
+                "{degrees} {:.1e} {:.1e}",
+                k[2 * tip] / unit() - cos * cos,
+                k[2 * tip + 1] / unit() - sin * cos
+            );
             let reason = "the jump sin g by 40 linear elements: (π/40)²/12 = 5.1e-4";
             close(k[2 * tip], unit() * cos * cos, Of(6e-4, unit()), reason);
             close(k[2 * tip + 1], unit() * cos * sin, Of(6e-4, unit()), reason);
@@ -45,7 +49,9 @@ impl LoadPath for Compression<'_> {
 #[test]
 fn closed_in_compression() {
     let solvers: [&dyn ContactSolver; 2] = [&Newton::default(), &Latin::default()];
-    for (degrees, friction) in [(45.0, 0.0), (45.0, 0.3), (60.0, 0.5), (-30.0, 0.2), (-60.0, 0.8), (20.0, 0.5_f64)] {
+    for (degrees, friction) in
+        [(45.0, 0.0), (45.0, 0.3), (60.0, 0.5), (-30.0, 0.2), (-60.0, 0.8), (20.0, 0.5_f64)]
+    {
         let body = body(&[buried_crack(CENTRE, HALF, degrees)], default_elements());
         let problem = FaceProblem::new(&body, &[friction]);
         let (sin, cos) = f64::to_radians(degrees).sin_cos();
@@ -59,7 +65,11 @@ fn closed_in_compression() {
             }
             let k = stepper.solution().sifs(&body, stepper.load());
             for tip in [0, 1] {
-                println!("{degrees} {friction}: {:.1e} {:.1e}", k[2 * tip] / unit(), (k[2 * tip + 1] - want) / unit());
+                println!(
+                    "{degrees} {friction}: {:.1e} {:.1e}",
+                    k[2 * tip] / unit(),
+                    (k[2 * tip + 1] - want) / unit()
+                );
                 close(k[2 * tip], 0.0, Of(1e-9, unit()), "closed tip: round-off, the indicator of LATIN");
                 close(k[2 * tip + 1], want, Of(6e-4, unit()), "as the open crack");
             }
