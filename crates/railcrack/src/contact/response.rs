@@ -134,13 +134,6 @@ impl<'a> FaceResponse<'a> {
         }
     }
 
-    /// Equilibrium under the nodal forces `load` with the present statuses: jumps of the free components, contact forces
-    /// of all.
-    pub(super) fn equilibrate(&mut self, load: &[f64]) {
-        self.move_free(load);
-        self.load_faces(load);
-    }
-
     /// The jumps of the free components under the nodal forces `load`, without the contact forces.
     pub(super) fn move_free(&mut self, load: &[f64]) {
         let Self { active, held, solution, .. } = self;
