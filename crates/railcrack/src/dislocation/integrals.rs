@@ -169,7 +169,7 @@ fn log_integral(walk: &Walk, a: (f64, f64), b: (f64, f64), rules: &Rules) -> f64
 /// ∬ log|u − v| du dv over [a] × [b], by the second antiderivative x²/2 log|x| − 3x²/4 of log|x|.
 fn log_difference(a: (f64, f64), b: (f64, f64)) -> f64 {
     let second = |x: f64| if x == 0.0 { 0.0 } else { x * x * (0.5 * x.abs().ln() - 0.75) };
-    second(a.0 - b.1).mul_add(1.0, second(a.1 - b.0)) - second(a.1 - b.1) - second(a.0 - b.0)
+    second(a.0 - b.1) + second(a.1 - b.0) - second(a.1 - b.1) - second(a.0 - b.0)
 }
 
 #[cfg(test)]

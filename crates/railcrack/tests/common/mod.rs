@@ -6,7 +6,7 @@
 mod passage;
 mod table;
 
-pub use passage::{Quiet, Rolling, StepControl};
+pub use passage::{Rolling, StepControl};
 pub use table::{History, column, histories, rows};
 
 use railcrack::body::CrackedBody;

@@ -6,9 +6,10 @@ use railcrack::crack::{Crack, CrackNetwork};
 use railcrack::field::StressField;
 use railcrack::growth::{PassageSettings, RailLoad, StabilisedPassage, Watch, stabilised_passage};
 use railcrack::load::{HertzianContact, Passage};
+use std::fmt;
 
 /// Watches nothing.
-pub struct Quiet;
+struct Quiet;
 
 impl Watch for Quiet {
     fn progress(&self, _: f64) {}
@@ -42,6 +43,16 @@ pub struct Rolling<'a> {
     pub steps: StepControl,
     /// +1 towards +x, −1 towards −x.
     pub travel: f64,
+}
+
+impl fmt::Debug for Rolling<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(
+            f,
+            "{:?}, faces {}, wheel {}, travel {}",
+            self.cracks, self.crack_friction, self.wheel_friction, self.travel
+        )
+    }
 }
 
 impl Rolling<'_> {

@@ -21,8 +21,7 @@ fn factors_by_angle() {
     let reference = column(&table, "f1").into_iter().zip(column(&table, "f2"));
     for (degrees, (f1, f2)) in column(&table, "angle_deg").into_iter().zip(reference) {
         let (k1, k2) = factors(degrees, default_elements());
-        println!("{degrees}: {:.1e} {:.1e}", k1 / f1 - 1.0, k2 / f1 - f2 / f1);
-        let reason = "40 elements: 1e-4 at second order, the reference has five decimals";
+        let reason = "default elements: 3e-4 at 15°, 5e-5 from 45° on; the reference has five decimals";
         close(k1, f1, Of(1e-3, f1), reason);
         close(k2, f2, Of(1e-3, f1), reason);
         let (mirrored_k1, mirrored_k2) = factors(180.0 - degrees, default_elements());
@@ -35,8 +34,8 @@ fn factors_by_angle() {
 fn second_order_in_the_elements() {
     let errors: Vec<f64> =
         [10, 20, 40, 80].into_iter().map(|elements| factors(90.0, elements).0 - NORMAL_CRACK).collect();
-    println!("{errors:.2?}");
     for pair in errors.windows(2) {
-        println!("order {}", order(pair[0], pair[1]));
+        // Linear elements in √r, K from the first node: second order. Measured 1.93, 1.96, 2.00.
+        close(order(pair[0], pair[1]), 2.0, Absolute(0.15), "order of convergence");
     }
 }

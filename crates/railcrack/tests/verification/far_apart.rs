@@ -8,13 +8,8 @@ fn equal_the_single_crack() {
         let crack = surface_crack(0.0, 6.0, degrees);
         let single = open_sifs(std::slice::from_ref(&crack), default_elements(), |_| TENSION);
         let pair = open_sifs(&[crack.clone(), crack.moved(6000.0)], default_elements(), |_| TENSION);
-        for (tip, k) in pair.chunks_exact(2).enumerate() {
-            println!(
-                "{degrees} {tip}: {:.1e} {:.1e}",
-                k[0] / single[0] - 1.0,
-                (k[1] - single[1]) / single[0]
-            );
-            let reason = "interaction falls with the square of the distance";
+        for k in pair.chunks_exact(2) {
+            let reason = "the interaction falls with the square of the distance; 2.5e-6 at 90°";
             close(k[0], single[0], Of(1e-5, single[0]), reason);
             close(k[1], single[1], Of(1e-5, single[0]), reason);
         }

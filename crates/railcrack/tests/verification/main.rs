@@ -4,10 +4,18 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod closed_tip;
 mod collinear_cracks;
+mod contact_pressure;
 mod edge_crack_in_tension;
 mod edge_crack_under_pressure;
 mod far_apart;
+mod half_plane_histories;
 mod kinked_crack;
+mod latin_and_newton;
+mod law_of_the_faces;
+mod mirror;
 mod slant_crack;
+mod step_tolerance;
 mod symmetric_cracks;
+mod threads;

@@ -10,7 +10,6 @@ const ROUND_OFF: f64 = 1e-11;
 fn both_tips_of_a_shallow_crack() {
     let crack = buried_crack(Vec2::new(1.0, -2.0), 3.0, 0.0);
     let k = open_sifs(&[crack], default_elements(), |_| Stress { yy: 1.0, ..Stress::ZERO });
-    println!("{k:?}");
     close(k[0], k[2], Of(ROUND_OFF, k[0]), "mirrored tips");
     close(k[1], -k[3], Of(ROUND_OFF, k[0]), "mirrored tips: K_II changes sign");
     assert!(k[0] > 0.0 && k[1].abs() > 0.1 * k[0], "the surface is near: {k:?}");

@@ -1,0 +1,57 @@
+//! The load step is part of the answer: the error of a frictional passage falls with the tolerance, and faces without
+//! memory do not pay for it.
+
+use crate::common::{Rolling, StepControl, largest, surface_crack};
+use railcrack::growth::StabilisedPassage;
+
+/// K at the 241 output positions of the stabilised passage; `every` tells finer output apart.
+fn sifs(result: &StabilisedPassage, every: usize) -> Vec<f64> {
+    let passage = &result.passages[result.passages.len() - 1];
+    passage.sifs[0].iter().step_by(every).flat_map(|k| [k.k1, k.k2]).collect()
+}
+
+/// Largest errors of K over its peak for `tolerances`, against a hundred times as many and far finer steps.
+fn errors(degrees: f64, friction: f64, wheel: f64, tolerances: &[f64]) -> Vec<f64> {
+    let mut rolling = Rolling::over(vec![surface_crack(0.0, 6.0, degrees)], friction, wheel);
+    rolling.steps = StepControl { positions: 2401, tolerance: 1e-4 };
+    let reference = sifs(&rolling.solve(), 10);
+    let peak = largest(reference.iter().copied());
+    let mut error = |&tolerance: &f64| {
+        rolling.steps = StepControl { positions: 241, tolerance };
+        largest(sifs(&rolling.solve(), 1).iter().zip(&reference).map(|(a, b)| a - b)) / peak
+    };
+    tolerances.iter().map(&mut error).collect()
+}
+
+const TOLERANCES: [f64; 3] = [2e-3, 1e-3, 5e-4];
+
+#[test]
+fn error_falls_with_the_tolerance() {
+    for (degrees, friction, wheel) in [(15.0, 0.5, 0.025), (15.0, 0.8, 0.025), (45.0, 0.8, -0.4)] {
+        let errors = errors(degrees, friction, wheel, &TOLERANCES);
+        for (error, tolerance) in errors.iter().zip(TOLERANCES) {
+            assert!(*error < tolerance, "{degrees}°: error {error:.2e} for {tolerance:.0e}");
+        }
+        // Measured: 8e-4 → 1.3e-4, 1.2e-3 → 2.7e-4, 3.2e-4 → 1.0e-4.
+        assert!(errors[2] < 0.5 * errors[0], "{degrees}°: {errors:.2?}");
+    }
+}
+
+/// A slip that slows down and turns back within one step, at the moment the trailing edge of the contact leaves the
+/// mouth.
+#[test]
+#[ignore = "the step control does not see it: 0.3 % at one position, whatever the tolerance"]
+fn slip_that_turns_back_within_a_step() {
+    for (error, tolerance) in errors(165.0, 0.5, 0.025, &TOLERANCES).into_iter().zip(TOLERANCES) {
+        assert!(error < tolerance, "error {error:.2e} for {tolerance:.0e}");
+    }
+}
+
+#[test]
+fn faces_without_memory_take_no_substeps() {
+    for degrees in [15.0, 90.0, 165.0] {
+        let rolling = Rolling::over(vec![surface_crack(0.0, 6.0, degrees)], 0.0, 0.1);
+        let result = rolling.solve();
+        assert_eq!((result.counts.substeps, result.counts.passages), (0, 1), "{degrees}°");
+    }
+}
