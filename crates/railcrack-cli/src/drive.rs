@@ -6,6 +6,7 @@ use crate::progress::Progress;
 use railcrack::growth::{Growth, GrowthError, GrowthState, StepRecord, Watch};
 use railcrack::output::{OutputError, Recorder, Summary};
 use std::path::PathBuf;
+use std::sync::mpsc::{SyncSender, sync_channel};
 use thiserror::Error;
 
 /// What computes steps: [`Growth`], and synthetic runs in tests.
@@ -122,10 +123,41 @@ pub fn drive(
     }
 }
 
+/// Steps that may wait to be written while the next one is computed.
+const WAITING: usize = 1;
+
+/// Computes step after step while another thread writes the one before.
 fn compute(
     source: &mut impl StepSource,
     recorder: &mut Recorder,
     watcher: &Watcher,
+) -> Result<Ending, RunError> {
+    let progress = watcher.progress;
+    std::thread::scope(|scope| {
+        let (finished, to_write) = sync_channel::<(StepRecord, GrowthState)>(WAITING);
+        let writer = scope.spawn(move || -> Result<(), OutputError> {
+            for (record, state) in to_write {
+                recorder.record(&record, &state)?;
+                progress.finished(&record);
+            }
+            Ok(())
+        });
+        let ending = compute_into(source, watcher, &finished);
+        drop(finished);
+        // What was computed is written before anything else is said of the run.
+        match writer.join() {
+            Ok(written) => written?,
+            Err(panic) => std::panic::resume_unwind(panic),
+        }
+        ending
+    })
+}
+
+/// Computes steps into `finished` until the run ends, is interrupted or fails, or nobody takes them any more.
+fn compute_into(
+    source: &mut impl StepSource,
+    watcher: &Watcher,
+    finished: &SyncSender<(StepRecord, GrowthState)>,
 ) -> Result<Ending, RunError> {
     while source.state().ended.is_none() {
         if watcher.interrupted() {
@@ -137,8 +169,9 @@ fn compute(
             Err(GrowthError::Interrupted { .. }) => return Ok(Ending::Interrupted),
             Err(error) => return Err(error.into()),
         };
-        recorder.record(&record, source.state())?;
-        watcher.progress.finished(&record);
+        if finished.send((record, source.state().clone())).is_err() {
+            break;
+        }
     }
     Ok(Ending::Ended)
 }

@@ -45,7 +45,7 @@ fn init_then_check() {
         "  peak pressure p0     845 MPa",
         "  line load            8959.43 N/mm",
         "  from, to             x = -40.5 to 40.5 mm",
-        "  unknowns             80",
+        "  tips                 1",
     ] {
         assert!(summary.lines().any(|l| l == line), "`{line}` in\n{summary}");
     }

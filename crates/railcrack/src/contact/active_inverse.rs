@@ -50,7 +50,8 @@ impl<'a> ActiveInverse<'a> {
         if coupling == 0.0 { own } else { own + coupling * self.stiffness[(row + 1, column)] }
     }
 
-    /// Frees `component` with the equation A_i + `coupling` A_{i+1}. False if that makes R singular.
+    /// Frees `component` with the equation A_i + `coupling` A_{i+1}. False if that makes R singular to working precision:
+    /// the component is free all the same, and [`ActiveInverse::refresh`] decides.
     #[must_use]
     pub(super) fn add(&mut self, component: usize, coupling: f64) -> bool {
         self.coupling[component] = coupling;
@@ -71,8 +72,9 @@ impl<'a> ActiveInverse<'a> {
         add_rows(&row, |i| self.row(i), &mut row_g);
         let diagonal = self.equation(component, component);
         let pivot = diagonal - dot(&row, &g_column);
+        self.place[component] = Some(n);
+        self.free.push(component);
         if pivot.abs() <= SINGULAR * diagonal.abs() {
-            self.coupling[component] = 0.0;
             return false;
         }
         let scale = 1.0 / pivot;
@@ -86,8 +88,6 @@ impl<'a> ActiveInverse<'a> {
             *g = -r * scale;
         }
         last[n] = scale;
-        self.place[component] = Some(n);
-        self.free.push(component);
         true
     }
 
@@ -127,6 +127,19 @@ impl<'a> ActiveInverse<'a> {
             g[..n].copy_from_slice(inverse.row(i));
         }
         Ok(())
+    }
+
+    /// Becomes `other`, an inverse of the same stiffness.
+    pub(super) fn copy_from(&mut self, other: &Self) {
+        self.free.clone_from(&other.free);
+        self.place.clone_from(&other.place);
+        self.coupling.clone_from(&other.coupling);
+        let (stride, n) = (self.place.len(), self.free.len());
+        for (own, new) in
+            self.inverse.chunks_exact_mut(stride).zip(other.inverse.chunks_exact(stride)).take(n)
+        {
+            own[..n].copy_from_slice(&new[..n]);
+        }
     }
 
     /// G times the right-hand sides `right`, in the order of [`ActiveInverse::free`].
@@ -169,5 +182,20 @@ mod tests {
             assert!((fast - fresh).abs() < 1e-13, "{fast} {fresh}");
         }
         assert_eq!(active.free(), [2, 7, 0, 4]);
+    }
+
+    #[test]
+    fn a_pivot_that_vanishes_is_told_and_repaired_once_the_equations_are_sound() {
+        // A_0 + A_1 vanishes on component 0, but not on 0 and 2 together.
+        let rows = [[2.0, -2.0, 1.0], [-2.0, 3.0, 0.5], [1.0, 0.5, 4.0]];
+        let stiffness = Matrix::from_fn(3, 3, |i, j| rows[i][j]);
+        let mut active = ActiveInverse::new(&stiffness);
+        assert!(!active.add(0, 1.0));
+        assert!(active.refresh().is_err());
+        let _ = active.add(2, 0.0);
+        active.refresh().unwrap();
+        // (A_0 + A_1)·x = 1.5 x_2 = 3 and A_2·x = x_0 + 4 x_2 = 1.
+        let x: Vec<f64> = active.solve(&[3.0, 1.0]).collect();
+        assert!((x[0] + 7.0).abs() < 1e-14 && (x[1] - 2.0).abs() < 1e-14, "{x:?}");
     }
 }

@@ -73,14 +73,21 @@ impl NewtonSteps<'_> {
 impl<'a> StepSolver<'a> for NewtonSteps<'a> {
     fn solve(&mut self, step: LoadStep, faces: &mut FaceResponse<'a>) -> Result<usize, NotConverged> {
         let points = self.problem.points();
+        // Where no held slip changes, the foreseen jumps are those of the first iteration.
+        let mut foreseen = true;
         for (point, &reference) in step.reference_slip.iter().enumerate() {
-            if faces.solution().status[point] == PointStatus::Stick {
+            let held = faces.solution().status[point] == PointStatus::Stick;
+            if held && faces.solution().jump[2 * point] != reference {
                 faces.hold_at(point, reference);
+                foreseen = false;
             }
         }
         let mut worst = 0.0f64;
         for iteration in 1..=self.max_iterations {
-            faces.equilibrate(step.forces);
+            if iteration > 1 || !foreseen {
+                faces.move_free(step.forces);
+            }
+            faces.load_faces(step.forces);
             self.scale = self.scale.including(faces.solution(), step.forces);
             let mut demands: Vec<(usize, PointStatus, f64)> = (0..points)
                 .filter_map(|j| {

@@ -2,6 +2,7 @@
 
 use super::{FaceState, FaceStatus};
 use crate::body::CrackedBody;
+use crate::fracture::Sif;
 use crate::math::{Matrix, dot};
 
 /// Status of a face point; the sign of a slipping one is that of s12.
@@ -92,11 +93,12 @@ impl FaceSolution {
         }
     }
 
-    /// K_I and K_II of each tip, `[2 t]` and `[2 t + 1]`, MPa √mm, under the nodal forces `load` of the step.
-    pub fn sifs(&self, body: &dyn CrackedBody, load: &[f64]) -> Vec<f64> {
+    /// The stress intensity factors of each tip under the nodal forces `load` (N/mm, 2p) of the step.
+    pub fn sifs(&self, body: &dyn CrackedBody, load: &[f64]) -> Vec<Sif> {
         let total: Vec<f64> = self.contact.iter().zip(load).map(|(c, l)| c + l).collect();
         let influence = body.sif_influence();
-        (0..influence.rows()).map(|i| dot(influence.row(i), &total)).collect()
+        let row = |i: usize| dot(influence.row(i), &total);
+        (0..influence.rows() / 2).map(|tip| Sif { k1: row(2 * tip), k2: row(2 * tip + 1) }).collect()
     }
 
     /// What each face point does, in stresses.

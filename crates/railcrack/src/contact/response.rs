@@ -14,6 +14,22 @@ pub struct FaceResponse<'a> {
     /// A w of the last equilibrium, work space.
     forces: Vec<f64>,
     solution: FaceSolution,
+    kept: Kept<'a>,
+}
+
+/// What to return to. The inverse is copied when the first status changes, not before.
+struct Kept<'a> {
+    active: ActiveInverse<'a>,
+    held: Vec<f64>,
+    solution: FaceSolution,
+    changes: Changes,
+}
+
+/// Whether statuses have changed since the last [`FaceResponse::keep`].
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Changes {
+    None,
+    Some,
 }
 
 /// Residual of the free equations, relative to the largest force, above which the inverse is made afresh.
@@ -33,7 +49,30 @@ impl<'a> FaceResponse<'a> {
             held: vec![0.0; 2 * points],
             forces: vec![0.0; 2 * points],
             solution: FaceSolution::virgin(points),
+            kept: Kept {
+                active: ActiveInverse::new(problem.stiffness()),
+                held: vec![0.0; 2 * points],
+                solution: FaceSolution::virgin(points),
+                changes: Changes::None,
+            },
         }
+    }
+
+    /// Makes the present statuses and values those to return to.
+    pub(super) fn keep(&mut self) {
+        self.kept.held.clone_from(&self.held);
+        self.kept.solution.clone_from(&self.solution);
+        self.kept.changes = Changes::None;
+    }
+
+    /// Returns to what was kept.
+    pub(super) fn restore(&mut self) {
+        if self.kept.changes == Changes::Some {
+            self.active.copy_from(&self.kept.active);
+            self.kept.changes = Changes::None;
+        }
+        self.held.clone_from(&self.kept.held);
+        self.solution.clone_from(&self.kept.solution);
     }
 
     /// The last equilibrium and its statuses.
@@ -49,6 +88,10 @@ impl<'a> FaceResponse<'a> {
         reference: f64,
     ) -> Result<(), Degenerate> {
         let (t, n) = (2 * point, 2 * point + 1);
+        if self.kept.changes == Changes::None {
+            self.kept.changes = Changes::Some;
+            self.kept.active.copy_from(&self.active);
+        }
         let old = self.solution.status[point];
         self.solution.status[point] = status;
         let mut sound = true;
@@ -91,13 +134,6 @@ impl<'a> FaceResponse<'a> {
         }
     }
 
-    /// Equilibrium under the nodal forces `load` with the present statuses: jumps of the free components, contact forces
-    /// of all.
-    pub(super) fn equilibrate(&mut self, load: &[f64]) {
-        self.move_free(load);
-        self.load_faces(load);
-    }
-
     /// The jumps of the free components under the nodal forces `load`, without the contact forces.
     pub(super) fn move_free(&mut self, load: &[f64]) {
         let Self { active, held, solution, .. } = self;
@@ -127,7 +163,7 @@ impl<'a> FaceResponse<'a> {
 
     /// Contact forces = A w − load.
     fn sum_forces(&mut self, load: &[f64]) {
-        let Self { problem, active, held, forces, solution } = self;
+        let Self { problem, active, held, forces, solution, .. } = self;
         let stiffness = problem.stiffness();
         forces.copy_from_slice(held);
         let free = active.free();
@@ -146,11 +182,6 @@ impl<'a> FaceResponse<'a> {
             let next = if coupling == 0.0 { 0.0 } else { coupling * contact[i + 1] };
             worst.max((contact[i] + next).abs())
         })
-    }
-
-    /// Returns the values to those of `solution`, which has the present statuses and held slips.
-    pub(super) fn recall(&mut self, solution: &FaceSolution) {
-        self.solution.clone_from(solution);
     }
 
     /// Takes over statuses and jumps of `solution`, which is in equilibrium.

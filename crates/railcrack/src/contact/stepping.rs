@@ -166,10 +166,12 @@ impl<'a> Stepper<'a> {
     ) -> Result<Option<f64>, NotConverged> {
         let step = target - self.at;
         let load = path.nodal_forces(target);
+        self.faces.keep();
         let forecasts = self.foresee(&load, step);
         let events = forecasts.iter().enumerate().filter(|(j, _)| self.problem.friction(*j) > 0.0);
         let wishes = events.filter_map(|(j, forecast)| forecast.cut(self.allowed(j), step));
         if let (Some(shorter), StepControl::Cut) = (wishes.reduce(shortest), control) {
+            self.faces.restore();
             return Ok(Some(shorter));
         }
         let reference_slip: Vec<f64> = forecasts.iter().map(|f| f.slip).collect();
@@ -177,11 +179,10 @@ impl<'a> Stepper<'a> {
         let solved =
             self.solver.solve(LoadStep { forces: &load, reference_slip: &reference_slip }, &mut self.faces);
         self.counts.solves += 1;
-        let iterations = solved.map_err(|failure| {
+        let iterations = solved.inspect_err(|failure| {
             self.counts.iterations += failure.iterations;
             self.solver.restore();
-            self.reset();
-            failure
+            self.faces.restore();
         })?;
         self.counts.iterations += iterations;
         self.counts.iterations_max = self.counts.iterations_max.max(iterations);
@@ -189,7 +190,7 @@ impl<'a> Stepper<'a> {
             && let Some(shorter) = self.unforeseen(&forecasts, step)
         {
             self.solver.restore();
-            self.reset();
+            self.faces.restore();
             return Ok(Some(shorter));
         }
         self.accept(target, load);
@@ -206,9 +207,7 @@ impl<'a> Stepper<'a> {
             opening: (self.current.jump[2 * j + 1], end.jump[2 * j + 1]),
             last_rate: self.last.as_ref().map(|(rates, length)| (rates[j], *length)),
         };
-        let forecasts = (0..self.problem.points()).map(|j| Forecast::of(&motion(j), step)).collect();
-        self.reset_values();
-        forecasts
+        (0..self.problem.points()).map(|j| Forecast::of(&motion(j), step)).collect()
     }
 
     /// A shorter step for an event that was not foreseen, since another one caused it.
@@ -240,17 +239,6 @@ impl<'a> Stepper<'a> {
         self.last = Some((rates, step));
         self.at = target;
         self.load = load;
-    }
-
-    /// Returns `faces` to the current solution, statuses included.
-    fn reset(&mut self) {
-        // Statuses that had a solution before have one again.
-        let _ = self.faces.adopt(&self.current);
-    }
-
-    /// Returns the values in `faces`, whose statuses are the current ones, to the current solution.
-    fn reset_values(&mut self) {
-        self.faces.recall(&self.current);
     }
 
     /// Slip of point `j` in a step with an event that leaves K within the tolerance, mm.

@@ -1,6 +1,7 @@
 //! Passage → histories, increments, stops: the cracks step by step.
 
 mod driver;
+mod face_load;
 mod increments;
 mod passage;
 mod record;

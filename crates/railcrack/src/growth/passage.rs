@@ -1,9 +1,12 @@
 //! One geometry under the wheel: residual stress, then passages until the history repeats.
 
+use super::face_load::{FaceLoad, Part};
 use super::{FacePoint, FaceRecord, PassageRecord, SolverCounts, Watch};
-use crate::contact::{ContactSolver, FaceProblem, FaceSolution, LoadPath, Stepper, SteppingError};
-use crate::field::{HertzField, StressField};
-use crate::fracture::{Sif, SifHistory};
+use crate::contact::{
+    ContactSolver, FaceProblem, FaceSolution, FaceState, Stepper, SteppingCounts, SteppingError,
+};
+use crate::field::StressField;
+use crate::fracture::SifHistory;
 use crate::load::{HertzianContact, Passage};
 use thiserror::Error;
 
@@ -64,38 +67,44 @@ pub enum PassageError {
     Interrupted,
 }
 
-/// Load on the faces along one part of the history.
-struct FaceLoad<'a> {
-    problem: &'a FaceProblem<'a>,
-    load: RailLoad<'a>,
-    /// Nodal forces of the residual stress.
-    residual: &'a [f64],
-    kind: PathKind,
-}
-
-#[derive(Clone, Copy)]
-enum PathKind {
-    /// Coordinate: share of the residual stress, 0 to 1.
-    Ramp,
-    /// Coordinate: 1 / (distance in mm from `origin` towards `side`); 0 is infinitely far.
-    Far { origin: f64, side: f64 },
-    /// Coordinate: x_c, mm.
-    Over,
-}
-
-impl LoadPath for FaceLoad<'_> {
-    fn nodal_forces(&self, at: f64) -> Vec<f64> {
-        let xc = match self.kind {
-            PathKind::Ramp => return self.residual.iter().map(|f| f * at).collect(),
-            PathKind::Far { .. } if at == 0.0 => return self.residual.to_vec(),
-            PathKind::Far { origin, side } => origin + side / at,
-            PathKind::Over => at,
-        };
-        let wheel = HertzField::new(&self.load.contact, self.load.poisson);
-        let stress = |point| wheel.stress(point, xc);
-        let mut forces = self.problem.body().faces().nodal_forces(stress);
-        forces.iter_mut().zip(self.residual).for_each(|(f, r)| *f += r);
-        forces
+/// Residual stress is ramped up on virgin faces; then wheels pass until the SIF histories of two consecutive passages
+/// agree. Frictionless faces have no memory: one passage is all. The wheel comes from infinitely far and leaves to
+/// infinitely far.
+///
+/// Errors: contact does not converge; `watch` asks to stop.
+pub fn stabilised_passage(
+    problem: &FaceProblem,
+    solver: &dyn ContactSolver,
+    load: RailLoad,
+    settings: &PassageSettings,
+    watch: &dyn Watch,
+) -> Result<StabilisedPassage, PassageError> {
+    let xc = settings.passage.abscissae();
+    let face_load = FaceLoad::new(problem, load);
+    let expected = face_load.expected_slip(&xc);
+    let stepper = Stepper::new(problem, solver, settings.step_tolerance, &expected);
+    let mut wheel =
+        Wheel { problem, face_load: &face_load, half_width: load.contact.half_width, xc: &xc, stepper };
+    if load.residual.is_some() {
+        wheel.residual_stress()?;
+    }
+    let mut passages: Vec<PassageRecord> = Vec::new();
+    loop {
+        let pass = wheel.pass(passages.len() + 1, watch)?;
+        let last_change = passages.last().map(|before| change(before, &pass.record));
+        passages.push(pass.record);
+        let repeats = last_change.is_some_and(|change| change <= settings.passage_tolerance);
+        if repeats || passages.len() >= settings.max_passages || !problem.has_friction() {
+            let points = problem.body().faces().points.iter();
+            let points = points.map(|p| FacePoint { crack: p.crack, segment: p.segment, s: p.s }).collect();
+            return Ok(StabilisedPassage {
+                counts: counts(passages.len(), wheel.stepper.counts()),
+                passages,
+                histories: pass.histories,
+                faces: FaceRecord { points, states: pass.states },
+                last_change,
+            });
+        }
     }
 }
 
@@ -105,126 +114,109 @@ const FAR_STATIONS: usize = 16;
 /// Stations of the ramp of residual stress.
 const RAMP_STATIONS: usize = 8;
 
-/// Residual stress is ramped up on virgin faces; then wheels pass until the SIF histories of two consecutive passages
-/// agree. Frictionless faces have no memory: one passage is all. The wheel comes from infinitely far and leaves to
-/// infinitely far.
-pub fn stabilised_passage(
-    problem: &FaceProblem,
-    solver: &dyn ContactSolver,
-    load: RailLoad,
-    settings: &PassageSettings,
-    watch: &dyn Watch,
-) -> Result<StabilisedPassage, PassageError> {
-    let faces = problem.body().faces();
-    let residual = match load.residual {
-        Some(field) => faces.nodal_forces(|point| field.stress(point)),
-        None => vec![0.0; 2 * problem.points()],
-    };
-    let xc = settings.passage.abscissae();
-    let path = |kind| FaceLoad { problem, load, residual: &residual, kind };
-    let expected = expected_slip(problem, &path(PathKind::Over), &xc);
-    let mut stepper = Stepper::new(problem, solver, settings.step_tolerance, &expected);
-    let failed = |passage, phase| move |source| PassageError::NotConverged { passage, phase, source };
+/// The wheel on its way over one geometry.
+struct Wheel<'a> {
+    problem: &'a FaceProblem<'a>,
+    face_load: &'a FaceLoad<'a>,
+    /// a, mm.
+    half_width: f64,
+    /// Output positions, mm.
+    xc: &'a [f64],
+    stepper: Stepper<'a>,
+}
 
-    if load.residual.is_some() {
-        stepper.begin(0.0);
-        for k in 1..=RAMP_STATIONS {
-            let at = k as f64 / RAMP_STATIONS as f64;
-            stepper
-                .advance(&path(PathKind::Ramp), at, &mut |_, _| {})
-                .map_err(failed(0, "residual stress"))?;
-        }
+/// What one passage leaves behind.
+struct Pass {
+    record: PassageRecord,
+    histories: Vec<SifHistory>,
+    states: Vec<Vec<FaceState>>,
+}
+
+impl Wheel<'_> {
+    fn residual_stress(&mut self) -> Result<(), PassageError> {
+        let stations = (1..=RAMP_STATIONS).map(|k| k as f64 / RAMP_STATIONS as f64);
+        self.follow(Part::Ramp, 0.0, stations, &mut |_, _| {}).map_err(failure(0, "residual stress"))
     }
-    let (first, last) = (xc[0], xc[xc.len() - 1]);
-    let travel = (last - first).signum();
-    let reach = |x: f64| {
-        let near = faces.samples.iter().map(|s| (s.point.x - x).abs()).fold(f64::INFINITY, f64::min);
-        near.max(load.contact.half_width)
-    };
-    let tips = problem.body().tips().len();
-    let mut passages: Vec<PassageRecord> = Vec::new();
-    loop {
-        let number = passages.len() + 1;
+
+    /// One passage, approach and departure included. `number` counts from 1.
+    fn pass(&mut self, number: usize, watch: &dyn Watch) -> Result<Pass, PassageError> {
+        let body = self.problem.body();
+        let tips = body.tips().len();
+        let (first, last) = (self.xc[0], self.xc[self.xc.len() - 1]);
+        let travel = (last - first).signum();
         let mut histories = vec![SifHistory::default(); tips];
-        let mut record = |solution: &FaceSolution, forces: &[f64]| {
-            let sifs = solution.sifs(problem.body(), forces);
-            for (history, k) in histories.iter_mut().zip(sifs.chunks_exact(2)) {
-                history.samples.push(Sif { k1: k[0], k2: k[1] });
+        let mut sample = |solution: &FaceSolution, forces: &[f64]| {
+            for (history, k) in histories.iter_mut().zip(solution.sifs(body, forces)) {
+                history.samples.push(k);
             }
         };
-        record(stepper.solution(), stepper.load());
+        sample(self.stepper.solution(), self.stepper.load());
 
-        let distance = reach(first);
-        let far = PathKind::Far { origin: first + travel * distance, side: -travel };
-        stepper.begin(0.0);
-        for k in 1..FAR_STATIONS {
-            let at = k as f64 / FAR_STATIONS as f64 / distance;
-            stepper.advance(&path(far), at, &mut record).map_err(failed(number, "approach"))?;
-        }
-        let over = path(PathKind::Over);
-        let mut passage = PassageRecord { xc: xc.clone(), sifs: vec![Vec::with_capacity(xc.len()); tips] };
-        let mut states = Vec::with_capacity(xc.len());
-        let from_far =
-            first + travel * distance - travel * distance * FAR_STATIONS as f64 / (FAR_STATIONS - 1) as f64;
-        stepper.begin(from_far);
-        for (i, &x) in xc.iter().enumerate() {
+        let near = self.distance(first);
+        let share = |k: usize| k as f64 / FAR_STATIONS as f64 / near;
+        let approach = Part::Far { origin: first + travel * near, side: -travel };
+        self.follow(approach, 0.0, (1..=FAR_STATIONS).map(share), &mut sample)
+            .map_err(failure(number, "approach"))?;
+
+        let mut record = PassageRecord { xc: self.xc.to_vec(), sifs: vec![Vec::new(); tips] };
+        let mut states = Vec::with_capacity(self.xc.len());
+        self.stepper.begin(first);
+        for (i, &x) in self.xc.iter().enumerate() {
             if watch.interrupted() {
                 return Err(PassageError::Interrupted);
             }
-            stepper.advance(&over, x, &mut record).map_err(failed(number, "passage"))?;
-            let sifs = stepper.solution().sifs(problem.body(), stepper.load());
-            for (tip, k) in passage.sifs.iter_mut().zip(sifs.chunks_exact(2)) {
-                tip.push(Sif { k1: k[0], k2: k[1] });
-            }
-            states.push(stepper.solution().face_states(problem));
-            watch.progress((i + 1) as f64 / xc.len() as f64);
+            let over = self.face_load.along(Part::Over);
+            self.stepper.advance(&over, x, &mut sample).map_err(failure(number, "passage"))?;
+            let sifs = self.stepper.solution().sifs(body, self.stepper.load());
+            record.sifs.iter_mut().zip(sifs).for_each(|(tip, k)| tip.push(k));
+            states.push(self.stepper.solution().face_states(self.problem));
+            watch.progress((i + 1) as f64 / self.xc.len() as f64);
         }
-        let distance = reach(last);
-        let far = PathKind::Far { origin: last - travel * distance, side: travel };
-        stepper.begin(1.0 / distance);
-        for k in (0..FAR_STATIONS).rev() {
-            let at = k as f64 / FAR_STATIONS as f64 / distance;
-            stepper.advance(&path(far), at, &mut record).map_err(failed(number, "departure"))?;
+
+        let near = self.distance(last);
+        let share = |k: usize| k as f64 / FAR_STATIONS as f64 / near;
+        let departure = Part::Far { origin: last - travel * near, side: travel };
+        self.follow(departure, share(FAR_STATIONS), (0..FAR_STATIONS).rev().map(share), &mut sample)
+            .map_err(failure(number, "departure"))?;
+        Ok(Pass { record, histories, states })
+    }
+
+    /// Follows `part` from `start` through `stations`.
+    fn follow(
+        &mut self,
+        part: Part,
+        start: f64,
+        stations: impl Iterator<Item = f64>,
+        sample: &mut dyn FnMut(&FaceSolution, &[f64]),
+    ) -> Result<(), SteppingError> {
+        self.stepper.begin(start);
+        let path = self.face_load.along(part);
+        for station in stations {
+            self.stepper.advance(&path, station, sample)?;
         }
-        let last_change = passages.last().map(|before| change(before, &passage));
-        passages.push(passage);
-        let repeats = last_change.is_some_and(|change| change <= settings.passage_tolerance);
-        if repeats || number >= settings.max_passages || !problem.has_friction() {
-            let points = faces
-                .points
-                .iter()
-                .map(|p| FacePoint { crack: p.crack, segment: p.segment, s: p.s })
-                .collect();
-            let effort = stepper.counts();
-            let counts = SolverCounts {
-                passages: number,
-                substeps: effort.substeps,
-                solves: effort.solves,
-                iterations: effort.iterations,
-                iterations_max: effort.iterations_max,
-                complementarity_max: effort.violation_max,
-            };
-            return Ok(StabilisedPassage {
-                passages,
-                histories,
-                faces: FaceRecord { points, states },
-                counts,
-                last_change,
-            });
-        }
+        Ok(())
+    }
+
+    /// Distance (mm) from `x` to the nearest face along the rail, at least a: what the stress there scales with.
+    fn distance(&self, x: f64) -> f64 {
+        let samples = self.problem.body().faces().samples.iter();
+        samples.map(|s| (s.point.x - x).abs()).fold(f64::INFINITY, f64::min).max(self.half_width)
     }
 }
 
-/// The largest slip of each point, over some of the positions, with the faces free to move.
-fn expected_slip(problem: &FaceProblem, over: &dyn LoadPath, xc: &[f64]) -> Vec<f64> {
-    let mut slips = vec![0.0f64; problem.points()];
-    for &x in xc.iter().step_by((xc.len() / 30).max(1)) {
-        let jump = problem.body().compliance().times(&over.nodal_forces(x));
-        for (slip, jump) in slips.iter_mut().zip(jump.chunks_exact(2)) {
-            *slip = slip.max(jump[0].abs());
-        }
+fn failure(passage: usize, phase: &'static str) -> impl Fn(SteppingError) -> PassageError {
+    move |source| PassageError::NotConverged { passage, phase, source }
+}
+
+fn counts(passages: usize, effort: SteppingCounts) -> SolverCounts {
+    SolverCounts {
+        passages,
+        substeps: effort.substeps,
+        solves: effort.solves,
+        iterations: effort.iterations,
+        iterations_max: effort.iterations_max,
+        complementarity_max: effort.violation_max,
     }
-    slips
 }
 
 /// The largest change of K at any tip and position, relative to the largest |K| of both passages.

@@ -1,8 +1,9 @@
 //! Passages of the wheel over cracks, with the defaults users get.
 
-use super::{body, default_elements};
+use super::body;
 use railcrack::contact::{ContactSolver, FaceProblem, Newton};
 use railcrack::crack::{Crack, CrackNetwork};
+use railcrack::dislocation::FaceResolution;
 use railcrack::field::StressField;
 use railcrack::growth::{PassageSettings, RailLoad, StabilisedPassage, Watch, stabilised_passage};
 use railcrack::load::{HertzianContact, Passage};
@@ -60,7 +61,8 @@ impl Rolling<'_> {
     pub const HALF_WIDTH: f64 = 6.75;
 
     pub fn over(cracks: Vec<Crack>, crack_friction: f64, wheel_friction: f64) -> Self {
-        let (elements, steps) = (default_elements(), StepControl::default());
+        let elements = FaceResolution::for_cracks(cracks.len()).elements;
+        let steps = StepControl::default();
         Self { cracks, crack_friction, wheel_friction, residual: None, elements, steps, travel: 1.0 }
     }
 

@@ -5,7 +5,7 @@ use railcrack::crack::End;
 use railcrack::field::DepthProfile;
 use railcrack::growth::StabilisedPassage;
 
-/// What `interface.md` promises of the dislocation engine, over the largest |K| of the case.
+/// What users are promised of the dislocation engine, over the largest |K| of the case.
 const PROMISED: f64 = 0.005;
 /// The same for networks.
 const PROMISED_IN_NETWORKS: f64 = 0.02;
@@ -115,4 +115,10 @@ fn pair() {
     let cracks = || vec![surface_crack(0.0, 6.0, 15.0), surface_crack(-1.0, 6.0, 165.0)];
     agrees("pair_c0.01", &Rolling::over(cracks(), 0.01, 0.025), PROMISED_IN_NETWORKS);
     agrees("pair_c0.5", &Rolling::over(cracks(), 0.5, 0.025), PROMISED_IN_NETWORKS);
+}
+
+#[test]
+fn network_of_nine() {
+    let cracks = (0..9).map(|i| surface_crack(3.375 * f64::from(i), 6.0, 15.0)).collect();
+    agrees("network_nine", &Rolling::over(cracks, 0.5, 0.1), PROMISED_IN_NETWORKS);
 }

@@ -47,9 +47,12 @@ impl BothSteps<'_> {
         let tractions = self.tractions(newton);
         seen.largest_traction = seen.largest_traction.max(largest(tractions.iter().copied()));
         seen.traction = seen.traction.max(difference(tractions, self.tractions(latin)));
-        let sifs = newton.sifs(self.problem.body(), load);
-        seen.largest_sif = seen.largest_sif.max(largest(sifs.iter().copied()));
-        seen.sif = seen.sif.max(difference(sifs, latin.sifs(self.problem.body(), load)));
+        let sifs = |faces: &FaceSolution| -> Vec<f64> {
+            faces.sifs(self.problem.body(), load).iter().flat_map(|k| [k.k1, k.k2]).collect()
+        };
+        let (newton, latin) = (sifs(newton), sifs(latin));
+        seen.largest_sif = seen.largest_sif.max(largest(newton.iter().copied()));
+        seen.sif = seen.sif.max(difference(newton, latin));
         seen.steps += 1;
     }
 }

@@ -1,0 +1,80 @@
+//! The load on the faces through residual stress, approach, passage and departure.
+
+use super::RailLoad;
+use crate::contact::{FaceProblem, LoadPath};
+use crate::field::HertzField;
+
+/// Nodal forces of the uncracked rail's stress.
+pub(super) struct FaceLoad<'a> {
+    problem: &'a FaceProblem<'a>,
+    wheel: HertzField,
+    /// Nodal forces of the residual stress.
+    residual: Vec<f64>,
+}
+
+/// One part of the history, and what its path coordinate is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Part {
+    /// Share of the residual stress, 0 to 1; no wheel.
+    Ramp,
+    /// 1 / (distance of the wheel in mm from `origin` towards `side`, ±1); 0 is infinitely far.
+    Far {
+        /// Where distances count from, mm.
+        origin: f64,
+        /// Sign of x on that side.
+        side: f64,
+    },
+    /// x_c, mm.
+    Over,
+}
+
+impl<'a> FaceLoad<'a> {
+    pub(super) fn new(problem: &'a FaceProblem<'a>, load: RailLoad) -> Self {
+        let residual = match load.residual {
+            Some(field) => problem.body().faces().nodal_forces(|point| field.stress(point)),
+            None => vec![0.0; 2 * problem.points()],
+        };
+        Self { problem, wheel: HertzField::new(&load.contact, load.poisson), residual }
+    }
+
+    /// The load along `part`.
+    pub(super) fn along(&self, part: Part) -> PartLoad<'_> {
+        PartLoad { load: self, part }
+    }
+
+    /// The largest slip (mm) of each point over some of the wheel positions `xc`, with the faces free to move.
+    pub(super) fn expected_slip(&self, xc: &[f64]) -> Vec<f64> {
+        let mut slips = vec![0.0f64; self.problem.points()];
+        for &x in xc.iter().step_by((xc.len() / EXPECTED_FROM).max(1)) {
+            let jump = self.problem.body().compliance().times(&self.along(Part::Over).nodal_forces(x));
+            for (slip, jump) in slips.iter_mut().zip(jump.chunks_exact(2)) {
+                *slip = slip.max(jump[0].abs());
+            }
+        }
+        slips
+    }
+}
+
+/// Positions that show how far the faces would slip: it serves as a scale only.
+const EXPECTED_FROM: usize = 30;
+
+/// [`FaceLoad`] as a path.
+pub(super) struct PartLoad<'a> {
+    load: &'a FaceLoad<'a>,
+    part: Part,
+}
+
+impl LoadPath for PartLoad<'_> {
+    fn nodal_forces(&self, at: f64) -> Vec<f64> {
+        let FaceLoad { problem, wheel, residual } = self.load;
+        let xc = match self.part {
+            Part::Ramp => return residual.iter().map(|f| f * at).collect(),
+            Part::Far { .. } if at == 0.0 => return residual.clone(),
+            Part::Far { origin, side } => origin + side / at,
+            Part::Over => at,
+        };
+        let mut forces = problem.body().faces().nodal_forces(|point| wheel.stress(point, xc));
+        forces.iter_mut().zip(residual).for_each(|(f, r)| *f += r);
+        forces
+    }
+}
