@@ -37,7 +37,7 @@ fn inner_and_outer_tips_in_both_modes() {
     for (b, c, allowed) in [(1.0, 4.0, 1e-3), (0.2, 4.0, 2e-3)] {
         let k = sifs(b, c, default_elements());
         let (inner, outer) = closed_form(b, c);
-        let reason = "(π/40)²/12 = 5e-4 as for one crack; 1.5e-3 at tips a tenth of the length apart";
+        let reason = "(π/48)²/12 = 3.6e-4 as for one crack; 1.0e-3 at tips a tenth of the length apart";
         for (tip, want) in [(0, outer), (1, inner), (2, inner), (3, outer)] {
             close(k[2 * tip], want, Relative(allowed), reason);
             close(k[2 * tip + 1], 0.5 * want, Relative(allowed), reason);
