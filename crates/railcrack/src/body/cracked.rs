@@ -21,6 +21,8 @@ pub struct MeshPoint {
     pub segment: usize,
     /// Arc length from the crack's first point, mm.
     pub s: f64,
+    /// Where, mm.
+    pub position: Vec2,
     /// x1, along the walk; x2 is x1 turned by +90°.
     pub tangent: Vec2,
     /// Length of face that the point stands for: nodal force / weight = traction, mm.

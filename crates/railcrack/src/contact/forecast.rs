@@ -44,15 +44,15 @@ impl Forecast {
             }
             PointStatus::SlipForward | PointStatus::SlipBackward => {
                 let direction = motion.status.direction();
-                let turn = turning_point(motion, step);
-                let top = turn.map_or(end, |(_, slip)| slip);
+                let turn = motion.last_rate.and_then(|last| Turn::of(last, (end - start) / step, step));
+                let top = turn.map_or(end, |turn| start + turn.change);
                 let ahead = |slip: f64| direction * (top - slip);
                 // Slip beyond both ends of the step: the point should have stuck there.
                 if ahead(start) > 0.0 {
                     forecast.slip = if ahead(end) > 0.0 { top } else { start };
                 }
                 forecast.free = ahead(if direction * (end - start) > 0.0 { end } else { start }).max(0.0);
-                forecast.event = turn.map(|(path, _)| path);
+                forecast.event = turn.map(|turn| turn.path);
             }
             PointStatus::Open | PointStatus::Stick => {}
         }
@@ -69,19 +69,25 @@ impl Forecast {
     }
 
     /// A shorter step, if the point had an event that was not foreseen. `change` are its statuses before and after,
-    /// `gone` its slip in the step, `last_rate` that per unit of path in the step before.
+    /// `gone` its slip in the step, `last` its slip per unit of path in the step before and the length of that step.
     pub(super) fn cut_unforeseen(
         &self,
         change: (PointStatus, PointStatus),
         gone: f64,
-        last_rate: f64,
+        last: Option<(f64, f64)>,
         allowed: f64,
         step: f64,
     ) -> Option<f64> {
         let (before, after) = change;
+        let direction = before.direction();
+        if direction != 0.0 && after == before {
+            // It went farther than its end and came back: it should have stuck there.
+            let turn = Turn::of(last?, gone / step, step)?;
+            return (direction * (turn.change - gone) > allowed).then(|| shorter_than(step, turn.path));
+        }
+        let free = gone.abs().max(last.map_or(0.0, |(rate, _)| (rate * step).abs()));
         let touched = before == PointStatus::Open && after.is_closed() && !self.touches;
-        let turned = before.direction() != 0.0 && after.is_closed() && after != before;
-        let free = gone.abs().max((last_rate * step).abs());
+        let turned = direction != 0.0 && after.is_closed();
         let free = if touched {
             free
         } else if turned {
@@ -99,18 +105,26 @@ const INTERPOLATION: f64 = 0.5;
 const TURNING_SHARE: f64 = 0.25;
 
 /// `length`, but not much shorter and certainly shorter than `step`.
-fn shorter_than(step: f64, length: f64) -> f64 {
-    length.clamp(0.1 * step.abs(), 0.9 * step.abs()).copysign(step)
+pub(super) fn shorter_than(step: f64, length: f64) -> f64 {
+    length.abs().clamp(0.1 * step.abs(), 0.9 * step.abs()).copysign(step)
 }
 
-/// Path to the top of the parabola through the slips of this step and the one before, and the slip there, if it lies
-/// within this step.
-fn turning_point(motion: &Motion, step: f64) -> Option<(f64, f64)> {
-    let (last_rate, last_step) = motion.last_rate?;
-    let rate = (motion.slip.1 - motion.slip.0) / step;
-    let curvature = 2.0 * (rate - last_rate) / (step + last_step);
-    let first_rate = rate - 0.5 * curvature * step;
-    let path = -first_rate / curvature;
-    let within = path * step.signum() > 0.0 && path.abs() < step.abs();
-    within.then_some((path, motion.slip.0 + 0.5 * first_rate * path))
+/// The vertex of the parabola through the values of this step and the one before, where it lies within this step.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Turn {
+    /// Path from the start of the step.
+    pub path: f64,
+    /// Change of the value from the start of the step.
+    pub change: f64,
+}
+
+impl Turn {
+    /// From the mean rate and the length of the step before, and the mean rate of this `step`.
+    pub(super) fn of((last_rate, last_step): (f64, f64), rate: f64, step: f64) -> Option<Self> {
+        let curvature = 2.0 * (rate - last_rate) / (step + last_step);
+        let first_rate = rate - 0.5 * curvature * step;
+        let path = -first_rate / curvature;
+        let within = path * step.signum() > 0.0 && path.abs() < step.abs();
+        within.then_some(Self { path, change: 0.5 * first_rate * path })
+    }
 }

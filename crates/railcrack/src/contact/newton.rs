@@ -25,7 +25,7 @@ impl ContactSolver for Newton {
     }
 }
 
-/// Iterations in which all points change at once; after that only the worst one does, which breaks cycles.
+/// Iterations in which all points change at once; after that only the worst one does, which breaks most cycles.
 const SIMULTANEOUS: usize = 12;
 /// Forces and jumps below this fraction of the largest are round-off.
 const ROUND_OFF: f64 = 1e-11;
@@ -33,41 +33,44 @@ const ROUND_OFF: f64 = 1e-11;
 struct NewtonSteps<'a> {
     problem: &'a FaceProblem<'a>,
     max_iterations: usize,
-    /// Largest jump and force so far, for round-off.
+    /// Largest jump and force of the solutions so far, for round-off.
     scale: FaceScale,
 }
 
-impl NewtonSteps<'_> {
-    /// The status that the law asks of `point`, and how far it is from it relative to round-off.
-    fn demanded(&self, faces: &FaceResponse, point: usize, reference: f64) -> Option<(PointStatus, f64)> {
-        let solution = faces.solution();
-        let (tangential, normal) = (solution.contact[2 * point], solution.contact[2 * point + 1]);
-        let (slip, opening) = (solution.jump[2 * point], solution.jump[2 * point + 1]);
-        let mu = self.problem.friction(point);
-        let FaceScale { jump: jump_scale, force: force_scale } = self.scale;
-        let status = solution.status[point];
-        if status == PointStatus::Open {
-            // The law met from this open state along equal directions in shear and pressure.
-            let after = match slip - reference {
-                ahead if ahead.abs() <= -mu * opening && mu > 0.0 => PointStatus::Stick,
-                ahead if ahead >= 0.0 => PointStatus::SlipForward,
-                _ => PointStatus::SlipBackward,
-            };
-            return (opening < -ROUND_OFF * jump_scale).then(|| (after, -opening / jump_scale));
-        }
-        if normal < -ROUND_OFF * force_scale {
-            return Some((PointStatus::Open, -normal / force_scale));
-        }
-        if status == PointStatus::Stick {
-            let excess = tangential.abs() - mu * normal;
-            // Friction opposes slip: a force on the + face towards −x1 means slip towards +x1.
-            let slipping =
-                if tangential < 0.0 { PointStatus::SlipForward } else { PointStatus::SlipBackward };
-            return (excess > ROUND_OFF * force_scale || mu == 0.0).then(|| (slipping, excess / force_scale));
-        }
-        let against = -(slip - reference) * status.direction();
-        (mu > 0.0 && against > ROUND_OFF * jump_scale).then(|| (PointStatus::Stick, against / jump_scale))
+/// The status that the law asks of `point`, and how far it is from it relative to round-off.
+fn demanded(
+    problem: &FaceProblem,
+    faces: &FaceResponse,
+    scale: FaceScale,
+    point: usize,
+    reference: f64,
+) -> Option<(PointStatus, f64)> {
+    let solution = faces.solution();
+    let (tangential, normal) = (solution.contact[2 * point], solution.contact[2 * point + 1]);
+    let (slip, opening) = (solution.jump[2 * point], solution.jump[2 * point + 1]);
+    let mu = problem.friction(point);
+    let FaceScale { jump: jump_scale, force: force_scale } = scale;
+    let status = solution.status[point];
+    if status == PointStatus::Open {
+        // The law met from this open state along equal directions in shear and pressure.
+        let after = match slip - reference {
+            ahead if ahead.abs() <= -mu * opening && mu > 0.0 => PointStatus::Stick,
+            ahead if ahead >= 0.0 => PointStatus::SlipForward,
+            _ => PointStatus::SlipBackward,
+        };
+        return (opening < -ROUND_OFF * jump_scale).then(|| (after, -opening / jump_scale));
     }
+    if normal < -ROUND_OFF * force_scale {
+        return Some((PointStatus::Open, -normal / force_scale));
+    }
+    if status == PointStatus::Stick {
+        let excess = tangential.abs() - mu * normal;
+        // Friction opposes slip: a force on the + face towards −x1 means slip towards +x1.
+        let slipping = if tangential < 0.0 { PointStatus::SlipForward } else { PointStatus::SlipBackward };
+        return (excess > ROUND_OFF * force_scale || mu == 0.0).then(|| (slipping, excess / force_scale));
+    }
+    let against = -(slip - reference) * status.direction();
+    (mu > 0.0 && against > ROUND_OFF * jump_scale).then(|| (PointStatus::Stick, against / jump_scale))
 }
 
 impl<'a> StepSolver<'a> for NewtonSteps<'a> {
@@ -88,13 +91,15 @@ impl<'a> StepSolver<'a> for NewtonSteps<'a> {
                 faces.move_free(step.forces);
             }
             faces.load_faces(step.forces);
-            self.scale = self.scale.including(faces.solution(), step.forces);
+            let scale = self.scale.including(faces.solution(), step.forces);
             let mut demands: Vec<(usize, PointStatus, f64)> = (0..points)
                 .filter_map(|j| {
-                    self.demanded(faces, j, step.reference_slip[j]).map(|(status, by)| (j, status, by))
+                    demanded(self.problem, faces, scale, j, step.reference_slip[j])
+                        .map(|(status, by)| (j, status, by))
                 })
                 .collect();
             if demands.is_empty() {
+                self.scale = scale;
                 return Ok(iteration);
             }
             worst = demands.iter().fold(0.0, |w, d| w.max(d.2));

@@ -1,8 +1,9 @@
 //! Adaptive load steps: friction remembers the order of events.
 
-use super::forecast::{Forecast, Motion};
+use super::forecast::{Forecast, Motion, Turn, shorter_than};
 use super::{
-    ContactSolver, FaceProblem, FaceResponse, FaceScale, FaceSolution, LoadStep, NotConverged, StepSolver,
+    ContactSolver, FaceProblem, FaceResponse, FaceScale, FaceSolution, LoadStep, NotConverged, PointStatus,
+    StepSolver,
 };
 use thiserror::Error;
 
@@ -58,8 +59,8 @@ pub struct Stepper<'a> {
     largest: FaceScale,
     /// The accepted solution.
     current: FaceSolution,
-    /// Slip of each point per unit of path during the last step, and the length of that step.
-    last: Option<(Vec<f64>, f64)>,
+    /// The last step.
+    last: Option<LastStep>,
     at: f64,
     load: Vec<f64>,
     counts: SteppingCounts,
@@ -72,6 +73,15 @@ const FREE_SLIP: f64 = 0.7;
 const EXPECTED_SHARE: f64 = 1e-3;
 /// Smallest step as a fraction of the distance between stations.
 const SMALLEST: f64 = 1e-7;
+
+/// What the step before the current solution tells of the next one.
+struct LastStep {
+    length: f64,
+    /// Slip of each point per unit of path.
+    slip_rates: Vec<f64>,
+    /// Change of each point's margin against slipping (N/mm) per unit of path.
+    margin_rates: Vec<f64>,
+}
 
 /// Whether a step may be cut for accuracy.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -205,22 +215,42 @@ impl<'a> Stepper<'a> {
             status: self.current.status[j],
             slip: (self.current.jump[2 * j], end.jump[2 * j]),
             opening: (self.current.jump[2 * j + 1], end.jump[2 * j + 1]),
-            last_rate: self.last.as_ref().map(|(rates, length)| (rates[j], *length)),
+            last_rate: self.last.as_ref().map(|last| (last.slip_rates[j], last.length)),
         };
         (0..self.problem.points()).map(|j| Forecast::of(&motion(j), step)).collect()
     }
 
-    /// A shorter step for an event that was not foreseen, since another one caused it.
+    /// A shorter step for an event that was not foreseen, since another one caused it or since it is over by the end of
+    /// the step.
     fn unforeseen(&self, forecasts: &[Forecast], step: f64) -> Option<f64> {
         let after = self.faces.solution();
         let wish = |(j, forecast): (usize, &Forecast)| {
             let change = (self.current.status[j], after.status[j]);
+            if change == (PointStatus::Stick, PointStatus::Stick) {
+                return self.passing_slip(j, after, step);
+            }
             let gone = after.jump[2 * j] - self.current.jump[2 * j];
-            let last_rate = self.last.as_ref().map_or(0.0, |(rates, _)| rates[j]);
-            forecast.cut_unforeseen(change, gone, last_rate, self.allowed(j), step)
+            let last = self.last.as_ref().map(|last| (last.slip_rates[j], last.length));
+            forecast.cut_unforeseen(change, gone, last, self.allowed(j), step)
         };
         let points = forecasts.iter().enumerate().filter(|(j, _)| self.problem.friction(*j) > 0.0);
         points.filter_map(wish).reduce(shortest)
+    }
+
+    /// A step to the moment at which point `j`, which sticks before and `after`, slips in between: its margin against
+    /// slipping, a parabola through the last steps, falls below zero by a force that moves the point too far.
+    fn passing_slip(&self, j: usize, after: &FaceSolution, step: f64) -> Option<f64> {
+        let last = self.last.as_ref()?;
+        let start = self.margin(&self.current, j);
+        let rate = (self.margin(after, j) - start) / step;
+        let lowest = Turn::of((last.margin_rates[j], last.length), rate, step)?;
+        let moved = -(start + lowest.change) * self.problem.body().compliance()[(2 * j, 2 * j)];
+        (moved > self.allowed(j)).then(|| shorter_than(step, lowest.path))
+    }
+
+    /// How far (N/mm) the shear force of point `j` is below that at which it slips.
+    fn margin(&self, solution: &FaceSolution, j: usize) -> f64 {
+        self.problem.friction(j) * solution.contact[2 * j + 1] - solution.contact[2 * j].abs()
     }
 
     /// Makes the solution in `faces` the current one.
@@ -230,13 +260,19 @@ impl<'a> Stepper<'a> {
         self.largest = self.largest.including(after, &load);
         self.counts.violation_max =
             self.counts.violation_max.max(after.violation(self.problem, self.largest));
-        let rates =
-            (0..self.scale.len()).map(|j| (after.jump[2 * j] - self.current.jump[2 * j]) / step).collect();
+        let points = 0..self.scale.len();
+        let slip_rate = |j: usize| (after.jump[2 * j] - self.current.jump[2 * j]) / step;
+        let margin_rate = |j: usize| (self.margin(after, j) - self.margin(&self.current, j)) / step;
+        let last = LastStep {
+            length: step,
+            slip_rates: points.clone().map(slip_rate).collect(),
+            margin_rates: points.map(margin_rate).collect(),
+        };
         for (j, scale) in self.scale.iter_mut().enumerate() {
             *scale = scale.max(after.jump[2 * j].abs()).max(after.jump[2 * j + 1].abs());
         }
         self.current.clone_from(after);
-        self.last = Some((rates, step));
+        self.last = Some(last);
         self.at = target;
         self.load = load;
     }

@@ -29,7 +29,10 @@ pub(super) fn discretise(walks: &[Walk], nodes: &[Vec<f64>]) -> (Vec<Element>, F
             let point = has_point(i).then(|| {
                 let segment = walk.segment_at(g, &vertices);
                 let tangent = walk.tangent(segment);
-                faces.points.push(MeshPoint { crack, segment, s: walk.s(g), tangent, weight: 0.0 });
+                // The mouth is where the crack says, free of round-off.
+                let (s, position) =
+                    if i == 0 { (0.0, walk.first_point()) } else { (walk.s(g), walk.position(segment, g)) };
+                faces.points.push(MeshPoint { crack, segment, s, position, tangent, weight: 0.0 });
                 faces.points.len() - 1
             });
             if i > 0 {

@@ -60,6 +60,10 @@ impl Walk {
         self.surface_breaking
     }
 
+    pub(super) fn first_point(&self) -> Vec2 {
+        self.points[0]
+    }
+
     pub(super) fn length(&self) -> f64 {
         self.from_last[0]
     }

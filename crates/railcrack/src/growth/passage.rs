@@ -2,9 +2,7 @@
 
 use super::face_load::{FaceLoad, Part};
 use super::{FacePoint, FaceRecord, PassageRecord, SolverCounts, Watch};
-use crate::contact::{
-    ContactSolver, FaceProblem, FaceSolution, FaceState, Stepper, SteppingCounts, SteppingError,
-};
+use crate::contact::{ContactSolver, FaceProblem, FaceSolution, FaceState, Stepper, SteppingError};
 use crate::field::StressField;
 use crate::fracture::SifHistory;
 use crate::load::{HertzianContact, Passage};
@@ -83,8 +81,15 @@ pub fn stabilised_passage(
     let face_load = FaceLoad::new(problem, load);
     let expected = face_load.expected_slip(&xc);
     let stepper = Stepper::new(problem, solver, settings.step_tolerance, &expected);
-    let mut wheel =
-        Wheel { problem, face_load: &face_load, half_width: load.contact.half_width, xc: &xc, stepper };
+    let mut wheel = Wheel {
+        problem,
+        face_load: &face_load,
+        half_width: load.contact.half_width,
+        xc: &xc,
+        mouths: mouths(problem),
+        edge_steps: 0,
+        stepper,
+    };
     if load.residual.is_some() {
         wheel.residual_stress()?;
     }
@@ -98,7 +103,7 @@ pub fn stabilised_passage(
             let points = problem.body().faces().points.iter();
             let points = points.map(|p| FacePoint { crack: p.crack, segment: p.segment, s: p.s }).collect();
             return Ok(StabilisedPassage {
-                counts: counts(passages.len(), wheel.stepper.counts()),
+                counts: wheel.counts(passages.len()),
                 passages,
                 histories: pass.histories,
                 faces: FaceRecord { points, states: pass.states },
@@ -114,6 +119,9 @@ const FAR_STATIONS: usize = 16;
 /// Stations of the ramp of residual stress.
 const RAMP_STATIONS: usize = 8;
 
+/// Stations around the passage of a contact edge over a mouth, over a: the stress there goes like the root of the distance.
+const EDGE_STATIONS: [f64; 7] = [-0.03, -0.015, -0.004, 0.0, 0.004, 0.015, 0.03];
+
 /// The wheel on its way over one geometry.
 struct Wheel<'a> {
     problem: &'a FaceProblem<'a>,
@@ -122,6 +130,10 @@ struct Wheel<'a> {
     half_width: f64,
     /// Output positions, mm.
     xc: &'a [f64],
+    /// Abscissae of the mouths, mm.
+    mouths: Vec<f64>,
+    /// Steps to positions of [`EDGE_STATIONS`].
+    edge_steps: usize,
     stepper: Stepper<'a>,
 }
 
@@ -166,7 +178,11 @@ impl Wheel<'_> {
                 return Err(PassageError::Interrupted);
             }
             let over = self.face_load.along(Part::Over);
-            self.stepper.advance(&over, x, &mut sample).map_err(failure(number, "passage"))?;
+            let before = if i == 0 { x } else { self.xc[i - 1] };
+            for station in self.edges_between(before, x).chain([x]) {
+                self.edge_steps += usize::from(station != x);
+                self.stepper.advance(&over, station, &mut sample).map_err(failure(number, "passage"))?;
+            }
             let sifs = self.stepper.solution().sifs(body, self.stepper.load());
             record.sifs.iter_mut().zip(sifs).for_each(|(tip, k)| tip.push(k));
             states.push(self.stepper.solution().face_states(self.problem));
@@ -179,6 +195,25 @@ impl Wheel<'_> {
         self.follow(departure, share(FAR_STATIONS), (0..FAR_STATIONS).rev().map(share), &mut sample)
             .map_err(failure(number, "departure"))?;
         Ok(Pass { record, histories, states })
+    }
+
+    /// Wheel positions between two output positions at which an edge of the contact is over a mouth or close by, in the
+    /// order of travel: the stress at the mouth turns there faster than the steps before and after can tell.
+    fn edges_between(&self, from: f64, to: f64) -> impl Iterator<Item = f64> + use<> {
+        let travel = (to - from).signum();
+        let within = |x: &f64| (x - from) * travel > 0.0 && (to - x) * travel > 0.0;
+        let mut stations: Vec<f64> = if self.problem.has_friction() {
+            let edges =
+                self.mouths.iter().flat_map(|mouth| [mouth - self.half_width, mouth + self.half_width]);
+            edges
+                .flat_map(|edge| EDGE_STATIONS.map(|share| edge + share * self.half_width))
+                .filter(within)
+                .collect()
+        } else {
+            Vec::new()
+        };
+        stations.sort_by(|a, b| (a * travel).total_cmp(&(b * travel)));
+        stations.into_iter()
     }
 
     /// Follows `part` from `start` through `stations`.
@@ -197,6 +232,18 @@ impl Wheel<'_> {
         Ok(())
     }
 
+    fn counts(&self, passages: usize) -> SolverCounts {
+        let effort = self.stepper.counts();
+        SolverCounts {
+            passages,
+            substeps: effort.substeps + self.edge_steps,
+            solves: effort.solves,
+            iterations: effort.iterations,
+            iterations_max: effort.iterations_max,
+            complementarity_max: effort.violation_max,
+        }
+    }
+
     /// Distance (mm) from `x` to the nearest face along the rail, at least a: what the stress there scales with.
     fn distance(&self, x: f64) -> f64 {
         let samples = self.problem.body().faces().samples.iter();
@@ -204,19 +251,14 @@ impl Wheel<'_> {
     }
 }
 
-fn failure(passage: usize, phase: &'static str) -> impl Fn(SteppingError) -> PassageError {
-    move |source| PassageError::NotConverged { passage, phase, source }
+/// Abscissae of the points of the faces on the running surface, mm.
+fn mouths(problem: &FaceProblem) -> Vec<f64> {
+    let points = problem.body().faces().points.iter();
+    points.filter(|point| point.position.y == 0.0).map(|point| point.position.x).collect()
 }
 
-fn counts(passages: usize, effort: SteppingCounts) -> SolverCounts {
-    SolverCounts {
-        passages,
-        substeps: effort.substeps,
-        solves: effort.solves,
-        iterations: effort.iterations,
-        iterations_max: effort.iterations_max,
-        complementarity_max: effort.violation_max,
-    }
+fn failure(passage: usize, phase: &'static str) -> impl Fn(SteppingError) -> PassageError {
+    move |source| PassageError::NotConverged { passage, phase, source }
 }
 
 /// The largest change of K at any tip and position, relative to the largest |K| of both passages.
