@@ -128,21 +128,3 @@ fn histories_without_drive_give_no_kink() {
         assert_eq!(with(criterion).kink(&history(broken)), None);
     }
 }
-
-#[test]
-#[ignore = "prints a time"]
-fn time_per_tip() {
-    for count in [2000, 5000] {
-        let history = passage(count);
-        let start = std::time::Instant::now();
-        let mut sum = 0.0;
-        for _ in 0..200 {
-            sum += with(DirectionCriterion::MaxRate).kink(&history).map_or(0.0, |k| k.angle);
-        }
-        let corners = convex_hull(&history.samples).len();
-        println!(
-            "{count} samples, {corners} corners: {:.1} us, {sum}",
-            start.elapsed().as_secs_f64() * 1e6 / 200.0
-        );
-    }
-}

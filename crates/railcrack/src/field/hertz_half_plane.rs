@@ -211,17 +211,4 @@ mod tests {
         let sum = force + Vec2::new(CONTACT.friction, -1.0) * load;
         assert!(sum.length() < TOLERANCE * load, "unbalanced {sum:?} of {load}");
     }
-
-    #[test]
-    #[ignore = "prints a time"]
-    fn time_per_evaluation() {
-        let field = HertzField::new(&CONTACT, POISSON);
-        let start = std::time::Instant::now();
-        let count = 20_000_000;
-        let mut sum = 0.0;
-        for i in 0..count {
-            sum += field.stress(Vec2::new(1e-6 * f64::from(i), -1.0), XC).xy;
-        }
-        println!("{:.2} ns, {sum}", start.elapsed().as_secs_f64() * 1e9 / f64::from(count));
-    }
 }

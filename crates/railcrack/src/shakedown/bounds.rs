@@ -147,12 +147,4 @@ mod tests {
         let (one, other) = (first_yield_ratio(0.2, 0.3), first_yield_ratio(-0.2, 0.3));
         assert_eq!((one.ratio, one.x_over_a), (other.ratio, -other.x_over_a));
     }
-
-    #[test]
-    #[ignore = "prints a time"]
-    fn time_of_both() {
-        let start = std::time::Instant::now();
-        let ratios = (first_yield_ratio(0.1, 0.3).ratio, shakedown_limit_ratio(0.1, 0.3).ratio);
-        println!("{:.2} ms, {ratios:?}", start.elapsed().as_secs_f64() * 1e3);
-    }
 }
