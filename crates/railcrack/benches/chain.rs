@@ -5,9 +5,7 @@ use railcrack::body::CrackedBody;
 use railcrack::case::{Case, Overrides};
 use railcrack::contact::{ContactSolver, FaceProblem, Latin, Newton};
 use railcrack::dislocation::DislocationBody;
-use railcrack::growth::{
-    Growth, PassageSettings, RailLoad, StabilisedPassage, StepRecord, Unwatched, stabilised_passage,
-};
+use railcrack::growth::{Growth, RailLoad, StabilisedPassage, StepRecord, Unwatched, stabilised_passage};
 use std::path::{Path, PathBuf};
 
 const REFERENCE: &str = "reference.toml";
@@ -42,14 +40,8 @@ fn passages(bencher: Bencher, solver: &dyn ContactSolver) {
     let body = body(&case);
     let problem = FaceProblem::new(&body, &case.crack_friction);
     let load = RailLoad { contact: case.contact, poisson: case.steel.poisson(), residual: None };
-    let settings = PassageSettings {
-        passage: case.passage,
-        max_passages: case.passage_settings.max_passages,
-        passage_tolerance: case.passage_settings.passage_tolerance,
-        step_tolerance: case.passage_settings.step_tolerance,
-    };
     bencher.bench_local(|| -> StabilisedPassage {
-        stabilised_passage(&problem, solver, load, &settings, &Unwatched).unwrap()
+        stabilised_passage(&problem, solver, load, &case.passages, &Unwatched).unwrap()
     });
 }
 

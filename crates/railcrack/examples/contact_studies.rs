@@ -6,19 +6,10 @@
 use railcrack::contact::{ContactSolver, FaceProblem, Latin, Newton};
 use railcrack::crack::{Crack, CrackNetwork, End};
 use railcrack::dislocation::{DislocationBody, FaceResolution};
-use railcrack::growth::{PassageSettings, RailLoad, StabilisedPassage, Watch, stabilised_passage};
+use railcrack::growth::{PassageSettings, RailLoad, StabilisedPassage, Unwatched, stabilised_passage};
 use railcrack::load::{HertzianContact, Passage};
 use railcrack::material::IsotropicElastic;
 use std::error::Error;
-
-struct Silent;
-
-impl Watch for Silent {
-    fn progress(&self, _: f64) {}
-    fn interrupted(&self) -> bool {
-        false
-    }
-}
 
 struct Case {
     name: &'static str,
@@ -149,5 +140,5 @@ fn passage(
         step_tolerance,
     };
     let load = RailLoad { contact, poisson: steel.poisson(), residual: None };
-    Ok(stabilised_passage(&problem, solver, load, &settings, &Silent)?)
+    Ok(stabilised_passage(&problem, solver, load, &settings, &Unwatched)?)
 }

@@ -52,9 +52,15 @@ fn defaults_are_the_reference_case() {
     assert_eq!(short.growth.law, ParisLaw::RAIL_STEEL);
     assert_eq!(short.growth.steps, 25);
     assert_eq!((short.steel.young(), short.steel.poisson()), (210e3, 0.3));
-    assert_eq!((short.passage.from, short.passage.to, short.passage.positions), (-40.5, 40.5, 241));
+    assert_eq!(
+        (short.passages.passage.from, short.passages.passage.to, short.passages.passage.positions),
+        (-40.5, 40.5, 241)
+    );
     assert_eq!((short.engine, short.contact_solver), (Engine::Dislocation, ContactSolver::Newton));
-    assert_eq!((long.cracks.clone(), long.passage, long.rail), (short.cracks, short.passage, short.rail));
+    assert_eq!(
+        (long.cracks.clone(), long.passages.passage, long.rail),
+        (short.cracks, short.passages.passage, short.rail)
+    );
 }
 
 #[test]
@@ -83,7 +89,7 @@ fn nine_cracks() {
     let mouths: Vec<f64> = case.cracks.cracks().iter().map(|c| c.points()[0].x).collect();
     assert_eq!(mouths, (0..9).map(|i| 3.375 * f64::from(i)).collect::<Vec<_>>());
     assert_eq!(case.crack_friction, vec![0.5; 9]);
-    assert_eq!((case.passage.from, case.passage.to), (-40.5, 67.5));
+    assert_eq!((case.passages.passage.from, case.passages.passage.to), (-40.5, 67.5));
     assert_eq!(case.rail.centre, 13.5);
     assert!(case.to_toml().contains("\ncentre_mm = 13.5\n"), "defaults are filled in");
     assert_eq!(case.growth.steps, 5);
@@ -95,9 +101,9 @@ fn nine_cracks() {
 fn passage_towards_minus_x_exchanges_the_mouths() {
     let crack = "mouth_mm = 10\nlength_mm = 6\nangle_deg = 165\ncount = 2\nspacing_mm = 20";
     let case = reference_with(crack, "[passage]\nfrom_over_a = 6\nto_over_a = -5");
-    assert_eq!((case.passage.from, case.passage.to), (30.0 + 40.5, 10.0 - 33.75));
+    assert_eq!((case.passages.passage.from, case.passages.passage.to), (30.0 + 40.5, 10.0 - 33.75));
     let case = reference_with(crack, "[passage]\nfrom_over_a = -6\nto_over_a = 5");
-    assert_eq!((case.passage.from, case.passage.to), (10.0 - 40.5, 30.0 + 33.75));
+    assert_eq!((case.passages.passage.from, case.passages.passage.to), (10.0 - 40.5, 30.0 + 33.75));
 }
 
 #[test]

@@ -77,7 +77,7 @@ fn contact(case: &Case) -> Vec<Row> {
 }
 
 fn passage(case: &Case) -> Vec<Row> {
-    let (passage, settings) = (&case.passage, &case.passage_settings);
+    let (passage, settings) = (&case.passages.passage, &case.passages);
     let first_mouth = case.cracks.cracks().first().map_or(0.0, |c| c.points()[0].x);
     let over_a = |x: f64| number((x - first_mouth) / case.contact.half_width);
     let towards = if passage.from < passage.to { "+x" } else { "-x" };

@@ -8,11 +8,11 @@ use super::section::SectionValues;
 use super::sections::SECTIONS;
 use super::table::{Kind, NumberRange};
 use super::validated::{
-    Boundary, Case, ContactSolver, Engine, INITIAL_RESIDUAL_NAME, MeshSettings, PassageSettings,
-    RESIDUAL_STRESS_NAME, Rail, ShakedownMethod, ShakedownSettings,
+    Boundary, Case, ContactSolver, Engine, INITIAL_RESIDUAL_NAME, MeshSettings, RESIDUAL_STRESS_NAME, Rail,
+    ShakedownMethod, ShakedownSettings,
 };
 use crate::fatigue::{DirectionCriterion, ParisLaw};
-use crate::growth::GrowthSettings;
+use crate::growth::{GrowthSettings, PassageSettings};
 use crate::load::{HertzianContact, Passage};
 use crate::material::IsotropicElastic;
 use std::path::Path;
@@ -40,8 +40,7 @@ pub(super) fn build(sections: &[SectionValues], folder: &Path, report: &mut Repo
         steel: steel?,
         rail,
         contact: contact?,
-        passage: passage?,
-        passage_settings: passage_settings(section("passage")?)?,
+        passages: passages(section("passage")?, passage?)?,
         cracks: placed.network,
         crack_friction: placed.friction,
         residual_stress,
@@ -170,8 +169,9 @@ fn passage(
     })
 }
 
-fn passage_settings(section: &SectionValues) -> Option<PassageSettings> {
+fn passages(section: &SectionValues, passage: Passage) -> Option<PassageSettings> {
     Some(PassageSettings {
+        passage,
         max_passages: count(section, "max_passages")?,
         passage_tolerance: section.number("passage_tolerance")?,
         step_tolerance: section.number("step_tolerance")?,

@@ -4,7 +4,7 @@ use super::validated::{Case, ContactSolver, Engine};
 use crate::contact::{self, Latin, Newton};
 use crate::dislocation::{DislocationEngine, FaceResolution};
 use crate::field::StressField;
-use crate::growth::{Growth, GrowthProblem, GrowthState, PassageSettings, RailBox};
+use crate::growth::{Growth, GrowthProblem, GrowthState, RailBox};
 
 impl Case {
     /// How finely the dislocation engine resolves the faces.
@@ -37,12 +37,7 @@ impl Case {
             contact: self.contact,
             poisson: self.steel.poisson(),
             residual: residual.map(|profile| Box::new(profile) as Box<dyn StressField>),
-            passages: PassageSettings {
-                passage: self.passage,
-                max_passages: self.passage_settings.max_passages,
-                passage_tolerance: self.passage_settings.passage_tolerance,
-                step_tolerance: self.passage_settings.step_tolerance,
-            },
+            passages: self.passages,
             growth: self.growth,
             rail: RailBox { width: self.rail.width, depth: self.rail.depth, centre: self.rail.centre },
         };

@@ -34,7 +34,7 @@ impl Case {
         let number = size_of::<f64>();
         let matrices = MATRICES * unknowns * unknowns + 2 * tips * unknowns;
         // Face record of one passage: four numbers and a status per position and point.
-        let records = self.passage.positions * (5 * face_points + 2 * tips);
+        let records = self.passages.passage.positions * (5 * face_points + 2 * tips);
         RunSize { face_points, tips, unknowns, memory_bytes: BASE + number * (matrices + records) }
     }
 }

@@ -3,8 +3,8 @@
 use super::accept::Value;
 use super::profile::ProfileFile;
 use crate::crack::CrackNetwork;
-use crate::growth::GrowthSettings;
-use crate::load::{HertzianContact, Passage};
+use crate::growth::{GrowthSettings, PassageSettings};
+use crate::load::HertzianContact;
 use crate::material::IsotropicElastic;
 
 /// What is to be computed: everything in a case file, checked, in the types of the library.
@@ -18,10 +18,8 @@ pub struct Case {
     pub rail: Rail,
     /// Wheel on rail.
     pub contact: HertzianContact,
-    /// Output positions, mm.
-    pub passage: Passage,
-    /// How passages are repeated and resolved.
-    pub passage_settings: PassageSettings,
+    /// Output positions, and how passages are repeated and resolved.
+    pub passages: PassageSettings,
     /// The cracks, copies written out: in the order of the file, the copies of each from left to right.
     pub cracks: CrackNetwork,
     /// Friction coefficient of the faces of each crack.
@@ -62,17 +60,6 @@ pub struct Rail {
 pub enum Boundary {
     /// The running surface alone.
     HalfPlane,
-}
-
-/// How passages are repeated and resolved.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PassageSettings {
-    /// Most passages on a fixed crack, at least 1.
-    pub max_passages: usize,
-    /// Change of K between two passages, relative to its peak, below which the history repeats.
-    pub passage_tolerance: f64,
-    /// Substeps are refined until K changes by less, relative to its peak.
-    pub step_tolerance: f64,
 }
 
 /// Plastic behaviour of the rail and the criterion of initiation.

@@ -14,7 +14,7 @@ pub fn segment_distance(a: Vec2, b: Vec2, c: Vec2, d: Vec2) -> f64 {
 }
 
 /// The distance (mm) of the point p from the closed segment a–b.
-fn point_to_segment(p: Vec2, a: Vec2, b: Vec2) -> f64 {
+pub fn point_to_segment(p: Vec2, a: Vec2, b: Vec2) -> f64 {
     let along = b - a;
     let squared = along.dot(along);
     let t = if squared > 0.0 { ((p - a).dot(along) / squared).clamp(0.0, 1.0) } else { 0.0 };

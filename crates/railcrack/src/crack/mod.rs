@@ -4,6 +4,6 @@ mod distance;
 mod network;
 mod polyline;
 
-pub use distance::segment_distance;
+pub use distance::{point_to_segment, segment_distance};
 pub use network::{CrackNetwork, NetworkError};
 pub use polyline::{Crack, CrackError, End};

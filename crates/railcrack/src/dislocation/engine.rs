@@ -3,7 +3,7 @@
 use super::assembly::{discretise, stiffness};
 use super::walk::{FaceResolution, Walk};
 use crate::body::{BodyEngine, BodyError, BodyTip, CrackedBody, FaceMesh};
-use crate::crack::{CrackNetwork, End};
+use crate::crack::{CrackNetwork, End, point_to_segment};
 use crate::linear::{LinearError, spd_inverse};
 use crate::material::IsotropicElastic;
 use crate::math::{Matrix, Vec2};
@@ -81,11 +81,8 @@ fn nodes(network: &CrackNetwork, walks: &[Walk], resolution: FaceResolution) -> 
 /// Distance from a point of crack `own` to the nearest other crack, mm.
 fn clearance(network: &CrackNetwork, own: usize, point: Vec2) -> f64 {
     let others = network.cracks().iter().enumerate().filter(|(i, _)| *i != own);
-    others.flat_map(|(_, crack)| crack.points().windows(2)).fold(f64::INFINITY, |nearest, p| {
-        let along = p[1] - p[0];
-        let t = ((point - p[0]).dot(along) / along.dot(along)).clamp(0.0, 1.0);
-        nearest.min((point - p[0] - along * t).length())
-    })
+    let segments = others.flat_map(|(_, crack)| crack.points().windows(2));
+    segments.map(|p| point_to_segment(point, p[0], p[1])).fold(f64::INFINITY, f64::min)
 }
 
 impl CrackedBody for DislocationBody {

@@ -2,6 +2,7 @@
 
 use super::kernel::{Interaction, collinear_constant, image_interaction, interaction};
 use super::walk::Walk;
+use crate::crack::point_to_segment;
 use crate::math::{Vec2, gauss_legendre};
 
 /// A straight part of an element: between two nodes or kinks.
@@ -62,11 +63,7 @@ fn distance(a: &Piece, b: &Piece) -> f64 {
 }
 
 fn end_distance(a: &Piece, b: &Piece) -> f64 {
-    let from = |p: Vec2, piece: &Piece| {
-        let along = piece.ends.1 - piece.ends.0;
-        let t = ((p - piece.ends.0).dot(along) / along.dot(along)).clamp(0.0, 1.0);
-        (p - piece.ends.0 - along * t).length()
-    };
+    let from = |p: Vec2, piece: &Piece| point_to_segment(p, piece.ends.0, piece.ends.1);
     from(a.ends.0, b).min(from(a.ends.1, b)).min(from(b.ends.0, a)).min(from(b.ends.1, a))
 }
 

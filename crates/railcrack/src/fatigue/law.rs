@@ -1,5 +1,6 @@
 //! The growth law.
 
+use crate::math::MPA_SQRT_MM;
 use std::ops::RangeInclusive;
 
 /// Paris' law da/dN = C ΔK_eq^m with ΔK_eq² = ΔK_I² + w ΔK_II² (Trollé et al. 2014, eqs 30 and 31).
@@ -27,13 +28,10 @@ impl ParisLaw {
     /// da/dN in mm per cycle for the ranges `delta_ki` and `delta_kii` in MPa √mm (eq. 30); zero at or below the
     /// threshold.
     pub fn rate(&self, delta_ki: f64, delta_kii: f64) -> f64 {
-        let range = self.equivalent_range(delta_ki, delta_kii) / SQRT_MM_PER_SQRT_M;
+        let range = self.equivalent_range(delta_ki, delta_kii) / MPA_SQRT_MM;
         if range > self.threshold { self.c * range.powf(self.m) } else { 0.0 }
     }
 }
-
-/// √1000: one MPa √m in MPa √mm.
-const SQRT_MM_PER_SQRT_M: f64 = 31.622_776_601_683_793;
 
 /// What the direction of growth maximises over the kink angle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -69,7 +67,7 @@ mod tests {
     #[test]
     fn nothing_grows_at_or_below_the_threshold() {
         let law = ParisLaw { threshold: 4.0, ..ParisLaw::RAIL_STEEL };
-        let unit = SQRT_MM_PER_SQRT_M;
+        let unit = MPA_SQRT_MM;
         assert_eq!(law.rate(4.0 * unit, 0.0), 0.0);
         assert!(law.rate(4.001 * unit, 0.0) > 0.0);
         assert_eq!(ParisLaw::RAIL_STEEL.rate(0.0, 0.0), 0.0);

@@ -6,6 +6,7 @@ mod matrix;
 mod predicate;
 mod quadrature;
 mod stress;
+mod units;
 mod vector;
 
 pub use ball::{Ball, smallest_ball};
@@ -14,4 +15,5 @@ pub use matrix::Matrix;
 pub use predicate::{Orientation, orientation, segments_touch};
 pub use quadrature::gauss_legendre;
 pub use stress::Stress;
+pub(crate) use units::MPA_SQRT_MM;
 pub use vector::Vec2;

@@ -5,19 +5,9 @@ use railcrack::contact::{ContactSolver, FaceProblem, Newton};
 use railcrack::crack::{Crack, CrackNetwork};
 use railcrack::dislocation::FaceResolution;
 use railcrack::field::StressField;
-use railcrack::growth::{PassageSettings, RailLoad, StabilisedPassage, Watch, stabilised_passage};
+use railcrack::growth::{PassageSettings, RailLoad, StabilisedPassage, Unwatched, stabilised_passage};
 use railcrack::load::{HertzianContact, Passage};
 use std::fmt;
-
-/// Watches nothing.
-struct Quiet;
-
-impl Watch for Quiet {
-    fn progress(&self, _: f64) {}
-    fn interrupted(&self) -> bool {
-        false
-    }
-}
 
 /// Output positions per half-width, and the tolerance of the load steps.
 #[derive(Debug, Clone, Copy)]
@@ -95,6 +85,6 @@ impl Rolling<'_> {
             friction: self.wheel_friction,
         };
         let load = RailLoad { contact, poisson: 0.3, residual: self.residual };
-        stabilised_passage(problem, solver, load, &settings, &Quiet).unwrap()
+        stabilised_passage(problem, solver, load, &settings, &Unwatched).unwrap()
     }
 }

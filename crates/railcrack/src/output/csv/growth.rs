@@ -1,7 +1,8 @@
 //! `growth.csv`: every tip at every step.
 
-use super::{MPA_SQRT_MM, Rows, header};
+use super::{Rows, header};
 use crate::growth::StepRecord;
+use crate::math::MPA_SQRT_MM;
 
 pub(crate) const GROWTH_FILE: &str = "growth.csv";
 

@@ -21,9 +21,6 @@ pub(crate) use residual::{RESIDUAL_FILE, residual_table};
 pub(crate) use rows::Rows;
 pub(crate) use sif::{SIF_FILE, SifScale, sif_header, sif_rows};
 
-/// MPa √mm in one MPa √m.
-pub(crate) const MPA_SQRT_MM: f64 = 31.622_776_601_683_793;
-
 /// Comment lines, then the column names.
 fn header(comments: &[&str], columns: &[&str]) -> String {
     let mut text = format!("# railcrack {}\n", super::VERSION);

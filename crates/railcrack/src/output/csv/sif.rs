@@ -1,7 +1,8 @@
 //! `sif.csv`: K_I and K_II of every tip at every wheel position.
 
-use super::{MPA_SQRT_MM, Rows, header};
+use super::{Rows, header};
 use crate::growth::StepRecord;
+use crate::math::MPA_SQRT_MM;
 
 pub(crate) const SIF_FILE: &str = "sif.csv";
 
