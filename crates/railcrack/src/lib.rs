@@ -57,5 +57,6 @@ pub mod linear;
 pub mod load;
 pub mod material;
 pub mod math;
+pub mod mesh;
 pub mod output;
 pub mod shakedown;

@@ -1,0 +1,7 @@
+//! The background mesh of the finite-element engine: graded rectangles that do not know the cracks.
+
+mod quad;
+mod shape;
+
+pub use quad::{Element, MeshError, QuadMesh};
+pub use shape::{CORNERS, Edge, NODES, shape_functions};
