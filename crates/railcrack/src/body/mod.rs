@@ -2,6 +2,8 @@
 
 mod cracked;
 mod engine;
+mod faces;
 
 pub use cracked::{BodyTip, CrackedBody, FaceMesh, FaceSample, MeshPoint};
 pub use engine::{BodyEngine, BodyError};
+pub use faces::{FaceElement, FacePiece, discretise};

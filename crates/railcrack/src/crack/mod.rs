@@ -3,7 +3,9 @@
 mod distance;
 mod network;
 mod polyline;
+mod walk;
 
 pub use distance::{point_to_segment, segment_distance};
 pub use network::{CrackNetwork, NetworkError};
 pub use polyline::{Crack, CrackError, End};
+pub use walk::Walk;

@@ -1,9 +1,9 @@
 //! The cracked half-plane as two matrices.
 
-use super::assembly::{discretise, stiffness};
-use super::walk::{FaceResolution, Walk};
-use crate::body::{BodyEngine, BodyError, BodyTip, CrackedBody, FaceMesh};
-use crate::crack::{CrackNetwork, End, point_to_segment};
+use super::assembly::stiffness;
+use super::nodes::{self, FaceResolution};
+use crate::body::{BodyEngine, BodyError, BodyTip, CrackedBody, FaceMesh, discretise};
+use crate::crack::{CrackNetwork, End, Walk, point_to_segment};
 use crate::linear::{LinearError, spd_inverse};
 use crate::material::IsotropicElastic;
 use crate::math::{Matrix, Vec2};
@@ -74,7 +74,8 @@ pub fn face_points(network: &CrackNetwork, resolution: FaceResolution) -> usize 
 }
 
 fn nodes(network: &CrackNetwork, walks: &[Walk], resolution: FaceResolution) -> Vec<Vec<f64>> {
-    let of_walk = |(i, walk): (usize, &Walk)| walk.nodes(resolution, |point| clearance(network, i, point));
+    let of_walk =
+        |(i, walk): (usize, &Walk)| nodes::nodes(walk, resolution, |point| clearance(network, i, point));
     walks.iter().enumerate().map(of_walk).collect()
 }
 

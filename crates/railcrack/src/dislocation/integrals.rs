@@ -1,20 +1,9 @@
 //! Double integrals of the dislocation interaction over pairs of straight pieces.
 
 use super::kernel::{Interaction, collinear_constant, image_interaction, interaction};
-use super::walk::Walk;
-use crate::crack::point_to_segment;
+use crate::body::FacePiece as Piece;
+use crate::crack::{Walk, point_to_segment};
 use crate::math::{Vec2, gauss_legendre};
-
-/// A straight part of an element: between two nodes or kinks.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Piece {
-    pub crack: usize,
-    pub segment: usize,
-    /// Range of the parameter g.
-    pub range: (f64, f64),
-    /// Ends, mm.
-    pub ends: (Vec2, Vec2),
-}
 
 /// Gauss rules on [0, 1] by number of points.
 pub(super) struct Rules([Vec<(f64, f64)>; 4]);

@@ -4,7 +4,7 @@ mod assembly;
 mod engine;
 mod integrals;
 mod kernel;
-mod walk;
+mod nodes;
 
 pub use engine::{DislocationBody, DislocationEngine, DislocationError, face_points};
-pub use walk::FaceResolution;
+pub use nodes::FaceResolution;

@@ -1,5 +1,7 @@
-//! Stress intensity factors.
+//! Stress intensity factors and the fields around a tip.
 
 mod sif;
+mod williams;
 
 pub use sif::{Sif, SifHistory};
+pub use williams::{TipField, WilliamsField};

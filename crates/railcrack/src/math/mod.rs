@@ -1,6 +1,7 @@
 //! Vectors, plane-strain stress tensors, dense matrices, quadrature rules, exact orientation, enclosing balls.
 
 mod ball;
+mod grading;
 mod kernels;
 mod matrix;
 mod predicate;
@@ -10,6 +11,7 @@ mod units;
 mod vector;
 
 pub use ball::{Ball, smallest_ball};
+pub use grading::quantiles;
 pub(crate) use kernels::{axpy, axpy_two, dot};
 pub use matrix::Matrix;
 pub use predicate::{Orientation, orientation, segments_touch};

@@ -1,0 +1,169 @@
+//! Williams' fields around a tip with traction-free straight faces.
+
+use super::Sif;
+use crate::material::IsotropicElastic;
+use crate::math::{Stress, Vec2};
+use num_complex::Complex64;
+
+/// A displacement with its gradient and stress, components in the tip frame (x1 ahead, x2 to its left).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TipField {
+    /// Displacement u, mm.
+    pub displacement: Vec2,
+    /// ∂u/∂x1.
+    pub along: Vec2,
+    /// ∂u/∂x2.
+    pub across: Vec2,
+    /// Stress, MPa.
+    pub stress: Stress,
+}
+
+/// The fields φ = A z^λ, ψ = (Ā − λ A) z^λ with λ = ±1/2 of Kolosov's potentials, both traction-free on θ = ±π:
+///
+/// 2 G (u1 + i u2) = κ φ − z conj φ′ − conj ψ
+#[derive(Debug, Clone, Copy)]
+pub struct WilliamsField {
+    exponent: f64,
+    phi: Complex64,
+    psi: Complex64,
+    shear_modulus: f64,
+    kolosov: f64,
+}
+
+impl WilliamsField {
+    /// The field of a tip with the stress intensity factors `k` (MPa √mm): λ = 1/2, A = (K_I − i K_II)/√(2π)
+    /// (Williams 1957, in the form of Muskhelishvili's potentials).
+    pub fn of(k: Sif, steel: &IsotropicElastic) -> Self {
+        Self::new(0.5, Complex64::new(k.k1, -k.k2) / std::f64::consts::TAU.sqrt(), steel)
+    }
+
+    /// −∂/∂x1 of [`WilliamsField::of`], its change as the tip advances: λ = −1/2, displacements like r^(−1/2).
+    ///
+    /// It is the dual field of the stress intensity factors: with u a field of K around the tip, the integral over a small
+    /// circle ∮ (t(u)·v − t(v)·u) ds = (2/E′) (K_I k_I + K_II k_II) (Betti; equal to the interaction integral).
+    pub fn dual(k: Sif, steel: &IsotropicElastic) -> Self {
+        Self::new(-0.5, Complex64::new(-k.k1, k.k2) * 0.5 / std::f64::consts::TAU.sqrt(), steel)
+    }
+
+    fn new(exponent: f64, phi: Complex64, steel: &IsotropicElastic) -> Self {
+        Self {
+            exponent,
+            phi,
+            psi: phi.conj() - phi * exponent,
+            shear_modulus: steel.shear_modulus(),
+            kolosov: 3.0 - 4.0 * steel.poisson(),
+        }
+    }
+
+    /// The field at distance `r` (mm, positive) and angle `theta` (radians from x1). The angle may leave (−π, π]: the field
+    /// is continued, so that the jump can follow a crack that is kinked behind the tip.
+    pub fn at(&self, r: f64, theta: f64, poisson: f64) -> TipField {
+        let l = self.exponent;
+        let z = Complex64::from_polar(r, theta);
+        let power = Complex64::from_polar(r.powf(l), l * theta);
+        let (phi, psi) = (self.phi * power, self.psi * power);
+        let (phi_1, psi_1) = (phi * l / z, psi * l / z);
+        let phi_2 = phi_1 * (l - 1.0) / z;
+        let per_two_g = 0.5 / self.shear_modulus;
+        let u = (phi * self.kolosov - z * phi_1.conj() - psi.conj()) * per_two_g;
+        let even = phi_1 * self.kolosov - phi_1.conj();
+        let odd = z * phi_2.conj() + psi_1.conj();
+        let (u_1, u_2) = ((even - odd) * per_two_g, Complex64::i() * (even + odd) * per_two_g);
+        let trace = 4.0 * phi_1.re;
+        let deviator = (z.conj() * phi_2 + psi_1) * 2.0;
+        let vector = |c: Complex64| Vec2::new(c.re, c.im);
+        TipField {
+            displacement: vector(u),
+            along: vector(u_1),
+            across: vector(u_2),
+            stress: Stress {
+                xx: 0.5 * (trace - deviator.re),
+                yy: 0.5 * (trace + deviator.re),
+                zz: poisson * trace,
+                xy: 0.5 * deviator.im,
+            },
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::{PI, TAU};
+
+    fn steel() -> IsotropicElastic {
+        IsotropicElastic::new(210e3, 0.3).unwrap()
+    }
+
+    const MODES: [Sif; 2] = [Sif { k1: 1.0, k2: 0.0 }, Sif { k1: 0.0, k2: 1.0 }];
+
+    #[test]
+    fn stress_ahead_and_opening_behind_define_the_intensity_factors() {
+        let r = 0.37;
+        for k in MODES {
+            let field = WilliamsField::of(k, &steel());
+            let ahead = field.at(r, 0.0, 0.3).stress;
+            assert!((ahead.yy - k.k1 / (TAU * r).sqrt()).abs() < 1e-14);
+            assert!((ahead.xy - k.k2 / (TAU * r).sqrt()).abs() < 1e-14);
+            let jump = field.at(r, PI, 0.3).displacement - field.at(r, -PI, 0.3).displacement;
+            let factor = 8.0 / steel().plane_strain_modulus() * (r / TAU).sqrt();
+            assert!((jump.y - factor * k.k1).abs() < 1e-18, "{jump:?}");
+            assert!((jump.x - factor * k.k2).abs() < 1e-18, "{jump:?}");
+        }
+    }
+
+    #[test]
+    fn faces_are_free_and_stress_is_that_of_the_gradient() {
+        for k in MODES {
+            for field in [WilliamsField::of(k, &steel()), WilliamsField::dual(k, &steel())] {
+                for theta in [-PI, PI] {
+                    let stress = field.at(0.5, theta, 0.3).stress;
+                    assert!(stress.yy.abs() < 1e-13 && stress.xy.abs() < 1e-13, "{stress:?}");
+                }
+                let at = field.at(0.5, 1.1, 0.3);
+                let (g, nu) = (steel().shear_modulus(), 0.3);
+                let lame = 2.0 * g * nu / (1.0 - 2.0 * nu);
+                let trace = at.along.x + at.across.y;
+                assert!((at.stress.xx - lame * trace - 2.0 * g * at.along.x).abs() < 1e-12);
+                assert!((at.stress.yy - lame * trace - 2.0 * g * at.across.y).abs() < 1e-12);
+                assert!((at.stress.zz - lame * trace).abs() < 1e-12);
+                assert!((at.stress.xy - g * (at.along.y + at.across.x)).abs() < 1e-12);
+                // The gradient by differences.
+                let moved = |dx: f64, dy: f64| {
+                    let p = Vec2::new(0.5 * 1.1f64.cos() + dx, 0.5 * 1.1f64.sin() + dy);
+                    field.at(p.length(), p.angle(), 0.3).displacement
+                };
+                let step = 1e-6;
+                let along = (moved(step, 0.0) - moved(-step, 0.0)) * (0.5 / step);
+                let across = (moved(0.0, step) - moved(0.0, -step)) * (0.5 / step);
+                assert!((along - at.along).length() < 1e-8 * at.along.length());
+                assert!((across - at.across).length() < 1e-8 * at.across.length());
+            }
+        }
+    }
+
+    /// Betti on circles of two radii.
+    #[test]
+    fn the_dual_field_measures_the_intensity_factors() {
+        const POINTS: usize = 2000;
+        for r in [0.2, 1.7] {
+            for (k, wanted) in MODES.into_iter().zip([[1.0, 0.0], [0.0, 1.0]]) {
+                let u = WilliamsField::of(k, &steel());
+                for (dual, want) in MODES.into_iter().zip(wanted) {
+                    let v = WilliamsField::dual(dual, &steel());
+                    let sum: f64 = (0..POINTS)
+                        .map(|i| {
+                            let theta = -PI + TAU * (i as f64 + 0.5) / POINTS as f64;
+                            let n = Vec2::unit(theta);
+                            let (u, v) = (u.at(r, theta, 0.3), v.at(r, theta, 0.3));
+                            let (tu, tv) = (u.stress.traction(n), v.stress.traction(n));
+                            tu.dot(v.displacement) - tv.dot(u.displacement)
+                        })
+                        .sum();
+                    let measured = sum * TAU * r / POINTS as f64 * 0.5 * steel().plane_strain_modulus();
+                    assert!((measured - want).abs() < 1e-12, "{measured} {want}");
+                }
+            }
+        }
+    }
+}

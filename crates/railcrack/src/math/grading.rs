@@ -1,0 +1,22 @@
+//! Graded subdivision of an interval.
+
+/// Interior points that divide [a, b] into equal integrals of `density` (per length), their number its rounded integral: a
+/// graded mesh whose element size is 1/density or a little less.
+pub fn quantiles(a: f64, b: f64, density: impl Fn(f64) -> f64) -> Vec<f64> {
+    const CELLS: usize = 400;
+    let step = (b - a) / CELLS as f64;
+    let mut sums = vec![0.0];
+    for i in 0..CELLS {
+        sums.push(sums[i] + step * density(a + (i as f64 + 0.5) * step));
+    }
+    let total = sums[CELLS];
+    // A hair below the ceiling so that a uniform density gives exactly its own number.
+    let count = (total - 1e-6).ceil().max(1.0) as usize;
+    (1..count)
+        .map(|k| {
+            let want = total * k as f64 / count as f64;
+            let cell = sums.partition_point(|&sum| sum <= want).clamp(1, CELLS) - 1;
+            a + step * (cell as f64 + (want - sums[cell]) / (sums[cell + 1] - sums[cell]))
+        })
+        .collect()
+}
