@@ -60,3 +60,4 @@ pub mod math;
 pub mod mesh;
 pub mod output;
 pub mod shakedown;
+pub mod xfem;

@@ -17,6 +17,18 @@ pub struct Stress {
 }
 
 impl Stress {
+    /// This stress, given in axes of which the first points along the unit vector `first`, in x and y.
+    pub fn rotated(self, first: Vec2) -> Self {
+        let (c, s) = (first.x, first.y);
+        let shear = 2.0 * c * s * self.xy;
+        Self {
+            xx: c * c * self.xx + s * s * self.yy - shear,
+            yy: s * s * self.xx + c * c * self.yy + shear,
+            zz: self.zz,
+            xy: c * s * (self.xx - self.yy) + (c * c - s * s) * self.xy,
+        }
+    }
+
     /// The unstressed state.
     pub const ZERO: Self = Self { xx: 0.0, yy: 0.0, zz: 0.0, xy: 0.0 };
 

@@ -1,0 +1,160 @@
+//! The functions of one cell and their slopes.
+
+use super::cuts::{CellPlace, CutElement, Cuts};
+use super::path::TipPath;
+use super::space::Space;
+use crate::fracture::{Sif, WilliamsField};
+use crate::material::IsotropicElastic;
+use crate::math::{Stress, Vec2};
+use crate::mesh::{CORNERS, Element, NODES, shape_functions};
+
+/// A displacement function at a point: its value and slopes, x and y components.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct Function {
+    pub value: Vec2,
+    pub dx: Vec2,
+    pub dy: Vec2,
+}
+
+impl Function {
+    /// ε_xx, ε_yy, γ_xy.
+    pub(super) fn strain(&self) -> [f64; 3] {
+        [self.dx.x, self.dy.y, self.dx.y + self.dy.x]
+    }
+}
+
+/// The unknowns that a function of a cell belongs to: the one of the mesh, and the enriched one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Target {
+    pub standard: Option<usize>,
+    pub enriched: Option<usize>,
+}
+
+/// Plane-strain elasticity: stress from ε_xx, ε_yy, γ_xy.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Elasticity {
+    pub steel: IsotropicElastic,
+    lambda: f64,
+    shear: f64,
+}
+
+impl Elasticity {
+    pub(super) fn new(steel: IsotropicElastic) -> Self {
+        let (shear, nu) = (steel.shear_modulus(), steel.poisson());
+        Self { steel, lambda: 2.0 * shear * nu / (1.0 - 2.0 * nu), shear }
+    }
+
+    /// σ_xx, σ_yy, σ_xy.
+    pub(super) fn stress(&self, [xx, yy, xy]: [f64; 3]) -> [f64; 3] {
+        let trace = self.lambda * (xx + yy);
+        [trace + 2.0 * self.shear * xx, trace + 2.0 * self.shear * yy, self.shear * xy]
+    }
+
+    /// The four components of plane strain.
+    pub(super) fn full_stress(&self, strain: [f64; 3]) -> Stress {
+        let [xx, yy, xy] = self.stress(strain);
+        Stress { xx, yy, zz: self.steel.poisson() * (xx + yy), xy }
+    }
+}
+
+/// The functions that live in one cell: two per node of the element, of the mesh and, with the same values, of the part of
+/// its support; then two per corner with the functions of a tip.
+pub(super) struct CellBasis<'a> {
+    element: Element,
+    tips: Vec<TipBasis<'a>>,
+    pub targets: Vec<Target>,
+}
+
+struct TipBasis<'a> {
+    path: &'a TipPath,
+    corners: [Option<usize>; 4],
+    /// A point of the cell and its angle at the tip: the sheet of the cell.
+    sheet: (Vec2, f64),
+    modes: [WilliamsField; 2],
+}
+
+/// K_I alone and K_II alone, 1 MPa √mm.
+pub(super) const MODES: [Sif; 2] = [Sif { k1: 1.0, k2: 0.0 }, Sif { k1: 0.0, k2: 1.0 }];
+
+impl<'a> CellBasis<'a> {
+    pub(super) fn new(
+        cuts: &'a Cuts,
+        space: &Space,
+        cut: &CutElement,
+        place: CellPlace,
+        steel: &IsotropicElastic,
+    ) -> Self {
+        let mut targets = Vec::with_capacity(2 * NODES + 8);
+        for (node, part) in cut.element.nodes.into_iter().zip(space.parts_in(cuts, place)) {
+            for direction in 0..2 {
+                targets.push(Target {
+                    standard: Some(2 * node + direction),
+                    enriched: part.map(|part| 2 * part + direction),
+                });
+            }
+        }
+        let middle = cut.arrangement.middle(place.cell);
+        let mut tips = Vec::new();
+        for &(tip, corners) in space.tips_in(place.element) {
+            let path = &cuts.tips[tip];
+            for enrichment in corners.into_iter().flatten() {
+                for mode in 0..2 {
+                    targets.push(Target { standard: None, enriched: Some(2 * enrichment + mode) });
+                }
+            }
+            let modes = MODES.map(|mode| WilliamsField::of(mode, steel));
+            tips.push(TipBasis { path, corners, sheet: (middle, path.angle(middle)), modes });
+        }
+        Self { element: cut.element, tips, targets }
+    }
+
+    /// All functions at a point (mm) of the cell, in the order of the targets.
+    pub(super) fn at(&self, point: Vec2, functions: &mut Vec<Function>) {
+        functions.clear();
+        let (xi, eta) = self.element.reference(point);
+        let size = self.element.size();
+        let slopes = (2.0 / size.x, 2.0 / size.y);
+        for [n, d_xi, d_eta] in shape_functions(xi, eta) {
+            let (dx, dy) = (d_xi * slopes.0, d_eta * slopes.1);
+            let along = |v: f64| Vec2::new(v, 0.0);
+            let up = |v: f64| Vec2::new(0.0, v);
+            functions.push(Function { value: along(n), dx: along(dx), dy: along(dy) });
+            functions.push(Function { value: up(n), dx: up(dx), dy: up(dy) });
+        }
+        for tip in &self.tips {
+            let fields = tip.fields(point);
+            for (_, [a, b]) in tip.corners.iter().zip(CORNERS).filter(|(corner, _)| corner.is_some()) {
+                let (p, q) = (0.5 * (1.0 + a * xi), 0.5 * (1.0 + b * eta));
+                let n = p * q;
+                let (dx, dy) = (0.5 * a * q * slopes.0, 0.5 * b * p * slopes.1);
+                for field in &fields {
+                    functions.push(Function {
+                        value: field.value * n,
+                        dx: field.dx * n + field.value * dx,
+                        dy: field.dy * n + field.value * dy,
+                    });
+                }
+            }
+        }
+    }
+}
+
+impl TipBasis<'_> {
+    fn fields(&self, point: Vec2) -> [Function; 2] {
+        let r = (point - self.path.position()).length();
+        if r == 0.0 {
+            return [Function::default(); 2];
+        }
+        let theta = self.path.angle_near(point, self.sheet.0, self.sheet.1);
+        let ahead = self.path.ahead;
+        self.modes.map(|mode| {
+            let field = mode.at(r, theta, 0.0);
+            let (along, across) = (self.path.to_global(field.along), self.path.to_global(field.across));
+            Function {
+                value: self.path.to_global(field.displacement),
+                dx: along * ahead.x + across * ahead.left().x,
+                dy: along * ahead.y + across * ahead.left().y,
+            }
+        })
+    }
+}

@@ -1,0 +1,222 @@
+//! The cracked rail by extended finite elements, reduced to its face points.
+
+use super::background::Background;
+use super::border::Border;
+use super::cuts::Cuts;
+use super::interface::Interface;
+use super::sif::{SifContext, SifDomain, SifFunctional};
+use super::space::Space;
+use crate::body::{BodyTip, CrackedBody, FaceMesh};
+use crate::crack::CrackNetwork;
+use crate::linear::{LinearError, ReachedColumn, SparseColumn, SpdFactor, gram, gram_of, spd_inverse};
+use crate::math::{Matrix, Vec2, dot};
+use thiserror::Error;
+
+/// Cracks that the finite-element engine cannot represent.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum XfemError {
+    /// A crack that leaves the mesh.
+    #[error("crack {crack} leaves the mesh: {covered} of {length} mm lie inside")]
+    OutsideMesh {
+        /// Number of the crack, from 1.
+        crack: usize,
+        /// Length inside of the mesh, mm.
+        covered: f64,
+        /// Its length, mm.
+        length: f64,
+    },
+    /// Linear algebra.
+    #[error("the enriched system cannot be solved: {0}")]
+    Linear(#[from] LinearError),
+}
+
+/// Radii around a tip, over the size of the elements there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TipRadii {
+    /// Corner nodes within it carry √r functions.
+    pub enrichment: f64,
+    /// The weight of the domain of integration is 1 up to here.
+    pub domain_inner: f64,
+    /// It falls to 0 here.
+    pub domain_outer: f64,
+}
+
+impl Default for TipRadii {
+    fn default() -> Self {
+        Self { enrichment: 2.5, domain_inner: 1.5, domain_outer: 4.5 }
+    }
+}
+
+/// The cracked rail: C, A, S at the face points.
+#[derive(Debug, Clone)]
+pub struct XfemBody {
+    faces: FaceMesh,
+    tips: Vec<BodyTip>,
+    compliance: Matrix,
+    stiffness: Matrix,
+    sif_influence: Matrix,
+    dofs: usize,
+}
+
+/// Share of the diagonal that is added to the condensed matrix: functions that the others repeat to round-off get no say.
+const REDUNDANT: f64 = 1e-13;
+
+impl XfemBody {
+    /// The rail on `background` with `network` of cracks.
+    pub fn new(background: &Background, network: &CrackNetwork, radii: TipRadii) -> Result<Self, XfemError> {
+        let mesh = background.mesh();
+        let mut cuts = Cuts::new(mesh, network);
+        let sizes: Vec<f64> = cuts.tips.iter().map(|tip| element_size(background, tip.position())).collect();
+        let radius: Vec<f64> = sizes.iter().map(|size| radii.enrichment * size).collect();
+        let space = Space::new(mesh, &mut cuts, &radius);
+        let border = Border::new(&cuts, &space, background.elasticity());
+        let interface = Interface::new(mesh, network, &cuts);
+        for (index, crack) in network.cracks().iter().enumerate() {
+            let own = |s: &&super::interface::Station| cuts.pieces[s.piece].crack == index;
+            let covered: f64 = interface.stations.iter().filter(own).map(|s| s.length).sum();
+            let length = crack.length();
+            if (covered - length).abs() > 1e-8 * length {
+                return Err(XfemError::OutsideMesh { crack: index + 1, covered, length });
+            }
+        }
+        let context = SifContext {
+            mesh,
+            cuts: &cuts,
+            space: &space,
+            interface: &interface,
+            elasticity: background.elasticity(),
+        };
+        let functionals: Vec<SifFunctional> = sizes
+            .iter()
+            .enumerate()
+            .flat_map(|(tip, size)| {
+                let domain = SifDomain { inner: radii.domain_inner * size, outer: radii.domain_outer * size };
+                context.functionals(tip, domain)
+            })
+            .collect();
+        let (compliance, sif_influence) =
+            condense(background, &border, &cuts, &space, &interface, &functionals)?;
+        let stiffness = spd_inverse(&compliance)?;
+        let tips = cuts.tips.iter().map(|tip| BodyTip { crack: tip.crack, end: tip.end }).collect();
+        let dofs = background.unknown_count() + space.unknowns();
+        Ok(Self { faces: interface.faces, tips, compliance, stiffness, sif_influence, dofs })
+    }
+}
+
+/// Size (mm) of the element at a point: the root of its area.
+fn element_size(background: &Background, at: Vec2) -> f64 {
+    let mesh = background.mesh();
+    let size = mesh.element(mesh.locate(at).unwrap_or(0)).size();
+    (size.x * size.y).sqrt()
+}
+
+/// C and S from the border: S_ee = K_ee − K_es K_ss⁻¹ K_se, C = B S_ee⁻¹ Bᵀ.
+fn condense(
+    background: &Background,
+    border: &Border,
+    cuts: &Cuts,
+    space: &Space,
+    interface: &Interface,
+    functionals: &[SifFunctional],
+) -> Result<(Matrix, Matrix), XfemError> {
+    let unknowns = background.unknowns();
+    let sparse = |entries: &[(usize, f64)]| SparseColumn {
+        entries: entries.iter().filter_map(|&(dof, v)| unknowns[dof].map(|u| (u, v))).collect(),
+    };
+    let mut columns: Vec<SparseColumn> = border.columns.iter().map(|column| sparse(column)).collect();
+    let n = columns.len();
+    columns.extend(functionals.iter().map(|f| sparse(&f.standard)));
+    let reached = background.factor().forward(&columns)?;
+    let reached: Vec<&ReachedColumn> = reached.iter().collect();
+    let (enriched, duals) = reached.split_at(n);
+    let removed = gram_of(enriched);
+    let coupling = gram(duals, enriched);
+
+    let scale: Vec<f64> = (0..n)
+        .map(|i| {
+            let own = border.square[(i, i)];
+            if own > 0.0 { 1.0 / own.sqrt() } else { 0.0 }
+        })
+        .collect();
+    let condensed = Matrix::from_fn(n, n, |i, j| {
+        let scaled = (border.square[(i, j)] - removed[(i, j)]) * scale[i] * scale[j];
+        if i == j { scaled + if scale[i] > 0.0 { REDUNDANT } else { 1.0 } } else { scaled }
+    });
+    let factor = SpdFactor::new(&condensed)?;
+
+    // Rows of B, and the traction part of each functional as a further column.
+    let points = interface.faces.points.len();
+    let mut b = Matrix::zeros(2 * points, n + functionals.len());
+    super::trace::jumps(background, cuts, space, interface, &mut b);
+    for (k, functional) in functionals.iter().enumerate() {
+        for (row, value) in functional.tractions.iter().enumerate() {
+            b[(row, n + k)] = *value;
+        }
+    }
+    interface.nodal_jumps(&mut b);
+    let b = in_face_frames(&b, &interface.faces);
+    let scaled = Matrix::from_fn(2 * points, n, |i, j| b[(i, j)] * scale[j]);
+    let solved = factor.solve_rows(&scaled);
+    let mut compliance = Matrix::zeros(2 * points, 2 * points);
+    for i in 0..2 * points {
+        for j in 0..=i {
+            let value = dot(scaled.row(i), solved.row(j));
+            compliance[(i, j)] = value;
+            compliance[(j, i)] = value;
+        }
+    }
+    let sif_influence = {
+        let mut influence = Matrix::zeros(functionals.len(), 2 * points);
+        for (k, functional) in functionals.iter().enumerate() {
+            let mut row: Vec<f64> = coupling.row(k).iter().map(|c| -c).collect();
+            functional.enriched.iter().for_each(|&(unknown, value)| row[unknown] += value);
+            row.iter_mut().zip(&scale).for_each(|(value, scale)| *value *= scale);
+            for j in 0..2 * points {
+                influence[(k, j)] = dot(&row, solved.row(j)) + b[(j, n + k)];
+            }
+        }
+        influence
+    };
+    Ok((compliance, sif_influence))
+}
+
+/// Rows x and y of each face point turned into slip and opening.
+fn in_face_frames(b: &Matrix, faces: &FaceMesh) -> Matrix {
+    let mut turned = Matrix::zeros(b.rows(), b.columns());
+    for (j, point) in faces.points.iter().enumerate() {
+        let (x, y) = (b.row(2 * j), b.row(2 * j + 1));
+        for (axis, direction) in [point.tangent, point.tangent.left()].into_iter().enumerate() {
+            let row = turned.row_mut(2 * j + axis);
+            for (k, value) in row.iter_mut().enumerate() {
+                *value = direction.x * x[k] + direction.y * y[k];
+            }
+        }
+    }
+    turned
+}
+
+impl CrackedBody for XfemBody {
+    fn faces(&self) -> &FaceMesh {
+        &self.faces
+    }
+
+    fn tips(&self) -> &[BodyTip] {
+        &self.tips
+    }
+
+    fn compliance(&self) -> &Matrix {
+        &self.compliance
+    }
+
+    fn stiffness(&self) -> &Matrix {
+        &self.stiffness
+    }
+
+    fn sif_influence(&self) -> &Matrix {
+        &self.sif_influence
+    }
+
+    fn dofs(&self) -> usize {
+        self.dofs
+    }
+}

@@ -1,0 +1,187 @@
+//! Face points of the finite-element engine, and what the faces see of the enriched functions.
+
+use super::cuts::Cuts;
+use crate::body::{FaceElement, FaceMesh, discretise};
+use crate::crack::{CrackNetwork, Walk};
+use crate::math::{Vec2, gauss_legendre, quantiles};
+use crate::mesh::QuadMesh;
+
+/// The face points of a network, with quadrature points that know the cells at both faces.
+#[derive(Debug, Clone)]
+pub(super) struct Interface {
+    pub faces: FaceMesh,
+    pub stations: Vec<Station>,
+    elements: Vec<FaceElement>,
+    walks: Vec<Walk>,
+}
+
+/// A quadrature point of the faces. Jumps are ⟦w⟧ = Σ ψ_j w_j with ψ linear in g and zero at a tip; tractions are Σ λ_j τ_j with
+/// λ = ψ but for the element at a tip, where the traction stays what it is at its other end.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Station {
+    /// Index of the piece of crack.
+    pub piece: usize,
+    pub point: Vec2,
+    /// Length of face, mm.
+    pub length: f64,
+    /// (face point, ψ).
+    pub jumps: [(usize, f64); 2],
+    /// (face point, λ).
+    pub tractions: [(usize, f64); 2],
+}
+
+/// Distance between face points, over the length of crack in an element: quadratic jumps carry two points per element, and
+/// with one, pressures do not alternate.
+const SPACING: f64 = 1.0;
+/// Step of √r next to a tip, over the root of the element's length of crack there: points at 1/9, 4/9, 1 of an element.
+const TIP_STEP: f64 = 1.0 / 3.0;
+/// Length of the element across a kink, over the regular one.
+const KINK_SPACING: f64 = 0.5;
+/// Kinks below this angle (radians) are smooth for the jump.
+const SMALL_KINK: f64 = 0.05;
+/// Gauss points on each common piece of face element and cut element: jumps are of degree 5 in g, times ψ and ds/dg.
+const GAUSS: usize = 6;
+
+impl Interface {
+    pub(super) fn new(mesh: &QuadMesh, network: &CrackNetwork, cuts: &Cuts) -> Self {
+        let walks: Vec<Walk> = network.cracks().iter().map(Walk::new).collect();
+        let nodes: Vec<Vec<f64>> = walks.iter().map(|walk| nodes(mesh, walk)).collect();
+        let (elements, faces) = discretise(&walks, &nodes);
+        let mut interface = Self { faces, stations: Vec::new(), elements, walks };
+        interface.stations = interface.stations_of(cuts);
+        interface
+    }
+
+    fn stations_of(&self, cuts: &Cuts) -> Vec<Station> {
+        let rule = gauss_legendre(GAUSS);
+        let mut stations = Vec::new();
+        for (crack, walk) in self.walks.iter().enumerate() {
+            let first = cuts.pieces.partition_point(|piece| piece.crack < crack);
+            let last = cuts.pieces.partition_point(|piece| piece.crack <= crack);
+            let mut piece = first;
+            for element in self.elements.iter().filter(|element| element.crack == crack) {
+                let (from, to) = (walk.s(element.range.0), walk.s(element.range.1));
+                while piece > first && cuts.pieces[piece].s.0 > from {
+                    piece -= 1;
+                }
+                while piece < last && cuts.pieces[piece].s.0 < to {
+                    let part = &cuts.pieces[piece];
+                    if part.s.1 > from {
+                        let at = |s: f64, end: f64, own: f64| if s == own { end } else { walk.g(s) };
+                        let g = (
+                            at(part.s.0.max(from), element.range.0, from),
+                            at(part.s.1.min(to), element.range.1, to),
+                        );
+                        for &(t, weight) in &rule {
+                            let g_at = g.0 + t * (g.1 - g.0);
+                            let length = weight * (g.1 - g.0) * walk.ds(g_at);
+                            let share = (walk.s(g_at) - part.s.0) / (part.s.1 - part.s.0);
+                            let point = part.ends.0 + (part.ends.1 - part.ends.0) * share.clamp(0.0, 1.0);
+                            let (jumps, tractions) = shares(element, g_at);
+                            stations.push(Station { piece, point, length, jumps, tractions });
+                        }
+                    }
+                    piece += 1;
+                }
+                piece = piece.min(last).max(first + 1) - 1;
+            }
+        }
+        stations
+    }
+
+    /// G⁻¹ b with G_jk = ∫ λ_j ψ_k ds: nodal jumps from b_j = ∫ λ_j ⟦w⟧ ds, in place; `b[j]` may be any row of numbers.
+    pub(super) fn nodal_jumps(&self, b: &mut crate::math::Matrix) {
+        let points = self.faces.points.len();
+        // Tridiagonal: below, on and above the diagonal.
+        let mut bands = vec![[0.0; 3]; points];
+        for station in &self.stations {
+            for (j, lambda) in station.tractions {
+                for (k, psi) in station.jumps {
+                    if lambda != 0.0 && psi != 0.0 {
+                        bands[j][k + 1 - j] += station.length * lambda * psi;
+                    }
+                }
+            }
+        }
+        let columns = b.columns();
+        for i in 1..points {
+            let factor = bands[i][0] / bands[i - 1][1];
+            if factor != 0.0 {
+                bands[i][1] -= factor * bands[i - 1][2];
+                for axis in 0..2 {
+                    let above = b.row(2 * (i - 1) + axis).to_vec();
+                    let row = b.row_mut(2 * i + axis);
+                    for c in 0..columns {
+                        row[c] -= factor * above[c];
+                    }
+                }
+            }
+        }
+        for i in (0..points).rev() {
+            for axis in 0..2 {
+                let below = (i + 1 < points).then(|| b.row(2 * (i + 1) + axis).to_vec());
+                let row = b.row_mut(2 * i + axis);
+                for c in 0..columns {
+                    let known = below.as_ref().map_or(0.0, |below| bands[i][2] * below[c]);
+                    row[c] = (row[c] - known) / bands[i][1];
+                }
+            }
+        }
+    }
+}
+
+/// ψ and λ of a face element at g.
+fn shares(element: &FaceElement, g: f64) -> ([(usize, f64); 2], [(usize, f64); 2]) {
+    let share = (g - element.range.0) / (element.range.1 - element.range.0);
+    let ends = [(element.ends[0], 1.0 - share), (element.ends[1], share)];
+    let jumps = ends.map(|(point, psi)| (point.unwrap_or(0), point.map_or(0.0, |_| psi)));
+    let tractions = match element.ends {
+        [Some(a), Some(b)] => [(a, 1.0 - share), (b, share)],
+        [Some(a), None] | [None, Some(a)] => [(a, 1.0), (0, 0.0)],
+        [None, None] => [(0, 0.0); 2],
+    };
+    (jumps, tractions)
+}
+
+/// The nodes of one walk in g, ends included.
+fn nodes(mesh: &QuadMesh, walk: &Walk) -> Vec<f64> {
+    let (start, end) = walk.range();
+    let vertices = walk.vertices();
+    let segments = walk.segments();
+    let chord = |g: f64| {
+        let segment = walk.segment_at(g, &vertices);
+        chord_at(mesh, walk.position(segment, g), walk.tangent(segment))
+    };
+    let tip_chord = |g: f64| chord(g) / walk.root_slope().powi(2);
+    let tip_step = [
+        (!walk.is_surface_breaking()).then(|| TIP_STEP * tip_chord(start).sqrt()),
+        Some(TIP_STEP * tip_chord(end).sqrt()),
+    ];
+    let tip_step = tip_step.into_iter().flatten().fold(f64::INFINITY, f64::min);
+    let density = |g: f64| (walk.ds(g) / (SPACING * chord(g))).max(0.0);
+    // An element across each kink, so that every node has one tangent.
+    let mut fixed = vec![start];
+    for i in (1..segments).filter(|&i| walk.turn(i) > SMALL_KINK) {
+        let before = walk.from_first(i) - walk.from_first(i - 1);
+        let after = walk.from_first(i + 1) - walk.from_first(i);
+        let across = (KINK_SPACING * chord(vertices[i])).min(0.5 * before.min(after));
+        fixed.push(walk.g(walk.from_first(i) - 0.5 * across));
+        fixed.push(walk.g(walk.from_first(i) + 0.5 * across));
+    }
+    fixed.push(end);
+    let mut nodes = vec![start];
+    for (k, pair) in fixed.windows(2).enumerate() {
+        if k.is_multiple_of(2) {
+            nodes.extend(quantiles(pair[0], pair[1], |g| density(g).max(1.0 / tip_step)));
+        }
+        nodes.push(pair[1]);
+    }
+    nodes
+}
+
+/// Length (mm) of crack in an element crossed through its middle.
+fn chord_at(mesh: &QuadMesh, point: Vec2, tangent: Vec2) -> f64 {
+    let element = mesh.locate(point).unwrap_or(0);
+    let size = mesh.element(element).size();
+    (size.x / tangent.x.abs()).min(size.y / tangent.y.abs())
+}

@@ -1,0 +1,176 @@
+//! The cracks as the mesh sees them.
+
+use crate::crack::{Crack, End, point_to_segment};
+use crate::math::Vec2;
+
+/// Points nearer than this to the line between their neighbours, over the length of the crack, are left out: increments
+/// straight ahead leave points on a line up to round-off, and two cutting lines that differ by round-off cannot be ordered.
+const STRAIGHT: f64 = 1e-9;
+
+/// A crack without the points at which it does not turn.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct CutPath {
+    pub points: Vec<Vec2>,
+    /// Arc length (mm) at each point.
+    pub s: Vec<f64>,
+}
+
+impl CutPath {
+    pub(super) fn new(crack: &Crack) -> Self {
+        let all = crack.points();
+        let tolerance = STRAIGHT * crack.length();
+        let mut kept = vec![0];
+        while *kept.last().expect("never empty") + 1 < all.len() {
+            let from = kept[kept.len() - 1];
+            let straight =
+                |to: usize| (from + 1..to).all(|i| point_to_segment(all[i], all[from], all[to]) <= tolerance);
+            let mut to = from + 1;
+            while to + 1 < all.len() && straight(to + 1) {
+                to += 1;
+            }
+            kept.push(to);
+        }
+        let points: Vec<Vec2> = kept.iter().map(|&i| all[i]).collect();
+        let mut s = vec![0.0];
+        let mut length = 0.0;
+        for i in 1..all.len() {
+            length += (all[i] - all[i - 1]).length();
+            if kept.contains(&i) {
+                s.push(length);
+            }
+        }
+        Self { points, s }
+    }
+
+    pub(super) fn segments(&self) -> usize {
+        self.points.len() - 1
+    }
+
+    pub(super) fn segment(&self, i: usize) -> (Vec2, Vec2) {
+        (self.points[i], self.points[i + 1])
+    }
+
+    /// Arc length of a point on segment `i`.
+    pub(super) fn arc_length(&self, i: usize, point: Vec2) -> f64 {
+        let (from, to) = self.segment(i);
+        let along = to - from;
+        self.s[i] + (self.s[i + 1] - self.s[i]) * ((point - from).dot(along) / along.dot(along))
+    }
+}
+
+/// A tip with its frame and the crack behind it.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct TipPath {
+    pub crack: usize,
+    pub end: End,
+    /// The crack walked towards the tip.
+    points: Vec<Vec2>,
+    pub ahead: Vec2,
+}
+
+impl TipPath {
+    pub(super) fn new(crack: usize, path: &CutPath, end: End) -> Self {
+        let mut points = path.points.clone();
+        if end == End::First {
+            points.reverse();
+        }
+        let n = points.len();
+        Self { crack, end, ahead: (points[n - 1] - points[n - 2]).normalised(), points }
+    }
+
+    /// The tip, mm.
+    pub(super) fn position(&self) -> Vec2 {
+        self.points[self.points.len() - 1]
+    }
+
+    /// The segment that ends at the tip.
+    pub(super) fn last_segment(&self) -> (Vec2, Vec2) {
+        (self.points[self.points.len() - 2], self.position())
+    }
+
+    /// The angle (radians) of a point that is not on the crack, from straight ahead, continued across the extension of the
+    /// last segment and cut along the crack as it is: the ray from the tip to the point changes sheet where it crosses.
+    pub(super) fn angle(&self, point: Vec2) -> f64 {
+        let mut angle = self.straight_angle(point);
+        let tip = self.position();
+        for pair in self.points[..self.points.len() - 1].windows(2) {
+            match crossing(tip, point, pair[0], pair[1]) {
+                Some(Leaving::Left) => angle -= std::f64::consts::TAU,
+                Some(Leaving::Right) => angle += std::f64::consts::TAU,
+                None => {}
+            }
+        }
+        angle
+    }
+
+    /// The angle of a point near another one at which the angle is known, the straight line between them off the crack.
+    pub(super) fn angle_near(&self, point: Vec2, known: Vec2, angle: f64) -> f64 {
+        let (a, b) = (known - self.position(), point - self.position());
+        angle + a.cross(b).atan2(a.dot(b))
+    }
+
+    fn straight_angle(&self, point: Vec2) -> f64 {
+        let arm = point - self.position();
+        self.ahead.cross(arm).atan2(self.ahead.dot(arm))
+    }
+
+    /// Components of a vector in the tip frame made into x and y.
+    pub(super) fn to_global(&self, v: Vec2) -> Vec2 {
+        self.ahead * v.x + self.ahead.left() * v.y
+    }
+}
+
+/// The side of a segment from which a ray crosses it.
+enum Leaving {
+    Left,
+    Right,
+}
+
+/// Whether the ray piece a → b crosses the segment p → q, and from which side; a ray through an end counts for one of the
+/// segments that meet there.
+fn crossing(a: Vec2, b: Vec2, p: Vec2, q: Vec2) -> Option<Leaving> {
+    use crate::math::{Orientation, orientation};
+    let left_of_ray = |v: Vec2| orientation(a, b, v) != Orientation::Right;
+    if left_of_ray(p) == left_of_ray(q) {
+        return None;
+    }
+    match (orientation(p, q, a), orientation(p, q, b)) {
+        (Orientation::Left, Orientation::Right) => Some(Leaving::Left),
+        (Orientation::Right, Orientation::Left) => Some(Leaving::Right),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::PI;
+
+    #[test]
+    fn straight_increments_make_one_segment() {
+        let mut crack = Crack::surface_breaking(0.0, 6.0, 0.3).unwrap();
+        for _ in 0..25 {
+            crack = crack.extended(End::Last, 0.24, 0.0).unwrap();
+        }
+        let path = CutPath::new(&crack);
+        assert_eq!(path.segments(), 1);
+        assert!((path.s[1] - 12.0).abs() < 1e-12);
+        let kinked = crack.extended(End::Last, 0.24, 1e-3).unwrap();
+        assert_eq!(CutPath::new(&kinked).segments(), 2);
+    }
+
+    #[test]
+    fn the_angle_is_cut_along_the_kinked_crack() {
+        // The old segment rises behind the kink: points between it and the straight extension are below the crack.
+        let points = vec![Vec2::new(-1.0, -1.0), Vec2::new(0.0, -2.0), Vec2::new(1.0, -2.0)];
+        let crack = Crack::polyline(points).unwrap();
+        let tip = TipPath::new(0, &CutPath::new(&crack), End::Last);
+        let below = tip.angle(Vec2::new(-1.0, -1.9));
+        assert!(below < -PI && below > -1.1 * PI, "{below}");
+        let above = tip.angle(Vec2::new(-0.2, -1.7));
+        assert!(above > 0.0 && above < PI, "{above}");
+        assert!((tip.angle(Vec2::new(1.0, -1.0)) - 0.5 * PI).abs() < 1e-15);
+        let near = tip.angle_near(Vec2::new(-1.0, -2.1), Vec2::new(-1.0, -1.9), below);
+        assert!((near - tip.angle(Vec2::new(-1.0, -2.1))).abs() < 1e-14);
+    }
+}

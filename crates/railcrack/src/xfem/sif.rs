@@ -1,0 +1,263 @@
+//! Stress intensity factors by reciprocity with the dual fields of a tip, over a domain around it.
+
+use super::basis::{CellBasis, Elasticity, Function, MODES};
+use super::border::merge;
+use super::cuts::{CellPlace, CutElement, Cuts};
+use super::interface::Interface;
+use super::quadrature::Rules;
+use super::space::Space;
+use crate::fracture::WilliamsField;
+use crate::math::{Stress, Vec2, gauss_legendre};
+use crate::mesh::{Edge, QuadMesh};
+
+/// A domain of integration: the weight q is 1 up to `inner` from the tip and falls to 0 at `outer`, mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SifDomain {
+    /// Inner radius, mm.
+    pub inner: f64,
+    /// Outer radius, mm.
+    pub outer: f64,
+}
+
+/// K of one mode of one tip as a linear function of everything: K = standard · u_s + enriched · u_e + tractions · τ.
+#[derive(Debug, Clone, Default)]
+pub(super) struct SifFunctional {
+    /// (unknown of the mesh, factor), increasing.
+    pub standard: Vec<(usize, f64)>,
+    /// (enriched unknown, factor), increasing.
+    pub enriched: Vec<(usize, f64)>,
+    /// Per face point and axis, the factor of the traction τ on the + face.
+    pub tractions: Vec<f64>,
+}
+
+/// Everything that the functionals are made of.
+pub(super) struct SifContext<'a> {
+    pub mesh: &'a QuadMesh,
+    pub cuts: &'a Cuts,
+    pub space: &'a Space,
+    pub interface: &'a Interface,
+    pub elasticity: &'a Elasticity,
+}
+
+/// Gauss points per piece of the running surface.
+const SURFACE_POINTS: usize = 6;
+
+/// The dual fields of K_I and K_II at a point, in x and y components.
+struct Dual<'a> {
+    context: &'a SifContext<'a>,
+    tip: usize,
+    fields: [WilliamsField; 2],
+    /// K = `scale` × the integral: E′/2.
+    scale: f64,
+}
+
+#[derive(Clone, Copy)]
+struct DualValue {
+    displacement: Vec2,
+    stress: Stress,
+}
+
+impl SifContext<'_> {
+    /// K_I and K_II of tip `tip`.
+    ///
+    /// With q the weight of the domain, v a dual field and t⁺ = −t⁻ the tractions on the faces, Betti's theorem gives
+    ///
+    /// (2/E′) K = −∫ (σ(u)·v − σ(v)·u)·∇q dA + ∫ q t⁺·⟦v⟧ ds − ∫ q (t(v)⁺·u⁺ + t(v)⁻·u⁻) ds − ∫_surface q t(v)·u ds,
+    ///
+    /// the interaction integral with v = −∂u_aux/∂x1, with the faces as they are: t(v) vanishes on the last segment but not
+    /// behind a kink, on other cracks or on the running surface.
+    pub(super) fn functionals(&self, tip: usize, domain: SifDomain) -> [SifFunctional; 2] {
+        let at = self.cuts.tips[tip].position();
+        let weight = |node: usize| {
+            let r = (self.mesh.node_position(node) - at).length();
+            ((domain.outer - r) / (domain.outer - domain.inner)).clamp(0.0, 1.0)
+        };
+        let steel = &self.elasticity.steel;
+        let dual = Dual {
+            context: self,
+            tip,
+            fields: MODES.map(|mode| WilliamsField::dual(mode, steel)),
+            scale: 0.5 * steel.plane_strain_modulus(),
+        };
+        let points = self.interface.faces.points.len();
+        let mut functionals =
+            [(); 2].map(|()| SifFunctional { tractions: vec![0.0; 2 * points], ..SifFunctional::default() });
+        let reach = Vec2::new(domain.outer, domain.outer);
+        let (columns, rows) = self.mesh.places_meeting(at - reach, at + reach);
+        let rules = Rules::new();
+        for row in rows {
+            for column in columns.clone() {
+                let e = row * self.mesh.columns() + column;
+                let element = self.mesh.element(e);
+                let q = [0, 1, 2, 3].map(|corner| weight(element.nodes[corner]));
+                if q.iter().all(|&q| q == 0.0) {
+                    continue;
+                }
+                let whole;
+                let cut = match self.cuts.elements.get(&e) {
+                    Some(cut) => cut,
+                    None => {
+                        whole = CutElement::whole(element);
+                        &whole
+                    }
+                };
+                if q.iter().any(|&value| value != q[0]) {
+                    dual.ring(e, cut, q, &rules, &mut functionals);
+                }
+                if self.mesh.neighbour(e, Edge::Top).is_none() {
+                    dual.surface(e, cut, q, &mut functionals);
+                }
+            }
+        }
+        dual.faces(&weight, &mut functionals);
+        for functional in &mut functionals {
+            merge(&mut functional.standard);
+            merge(&mut functional.enriched);
+        }
+        functionals
+    }
+}
+
+/// Bilinear weight from its corner values, with its gradient, at a point of the element.
+fn weight_at(cut: &CutElement, q: [f64; 4], point: Vec2) -> (f64, Vec2) {
+    let (xi, eta) = cut.element.reference(point);
+    let size = cut.element.size();
+    let (s, t) = (0.5 * (1.0 + xi), 0.5 * (1.0 + eta));
+    let value = (1.0 - t) * ((1.0 - s) * q[0] + s * q[1]) + t * ((1.0 - s) * q[3] + s * q[2]);
+    let dx = ((1.0 - t) * (q[1] - q[0]) + t * (q[2] - q[3])) / size.x;
+    let dy = ((1.0 - s) * (q[3] - q[0]) + s * (q[2] - q[1])) / size.y;
+    (value, Vec2::new(dx, dy))
+}
+
+impl Dual<'_> {
+    /// Both fields at a point, on the sheet of the cell with the inner point `middle`.
+    fn at(&self, point: Vec2, middle: Vec2) -> [DualValue; 2] {
+        let path = &self.context.cuts.tips[self.tip];
+        let theta = path.angle_near(point, middle, path.angle(middle));
+        let r = (point - path.position()).length();
+        let nu = self.context.elasticity.steel.poisson();
+        self.fields.map(|field| {
+            let field = field.at(r, theta, nu);
+            DualValue {
+                displacement: path.to_global(field.displacement),
+                stress: field.stress.rotated(path.ahead),
+            }
+        })
+    }
+
+    fn basis(&self, e: usize, cut: &CutElement, cell: usize) -> CellBasis<'_> {
+        let context = self.context;
+        let place = CellPlace { element: e, cell };
+        CellBasis::new(context.cuts, context.space, cut, place, &context.elasticity.steel)
+    }
+
+    fn add(&self, basis: &CellBasis, k: usize, value: f64, functional: &mut SifFunctional) {
+        let target = basis.targets[k];
+        if value != 0.0 {
+            functional.standard.extend(target.standard.map(|unknown| (unknown, value)));
+            functional.enriched.extend(target.enriched.map(|unknown| (unknown, value)));
+        }
+    }
+
+    /// −∫ (σ(u)·v − σ(v)·u)·∇q dA over one element.
+    fn ring(&self, e: usize, cut: &CutElement, q: [f64; 4], rules: &Rules, sums: &mut [SifFunctional; 2]) {
+        let tip = self.context.cuts.tips[self.tip].position();
+        let mut functions: Vec<Function> = Vec::new();
+        for cell in 0..cut.arrangement.cells.len() {
+            let basis = self.basis(e, cut, cell);
+            let middle = cut.arrangement.middle(cell);
+            let mut values = vec![[0.0; 2]; basis.targets.len()];
+            for (point, weight) in rules.on_cell(cut, cell, &[tip]) {
+                let duals = self.at(point, middle);
+                let (_, slope) = weight_at(cut, q, point);
+                basis.at(point, &mut functions);
+                let tractions = duals.map(|dual| dual.stress.traction(slope));
+                for (value, function) in values.iter_mut().zip(&functions) {
+                    let own = self.context.elasticity.full_stress(function.strain()).traction(slope);
+                    for mode in 0..2 {
+                        value[mode] -= weight
+                            * (own.dot(duals[mode].displacement) - tractions[mode].dot(function.value));
+                    }
+                }
+            }
+            for (k, value) in values.iter().enumerate() {
+                for mode in 0..2 {
+                    self.add(&basis, k, self.scale * value[mode], &mut sums[mode]);
+                }
+            }
+        }
+    }
+
+    /// −∫ q t(v)·u ds over the running surface of one element.
+    fn surface(&self, e: usize, cut: &CutElement, q: [f64; 4], sums: &mut [SifFunctional; 2]) {
+        let rule = gauss_legendre(SURFACE_POINTS);
+        let mut functions: Vec<Function> = Vec::new();
+        for side in cut.sides.iter().filter(|side| side.side == Edge::Top) {
+            let basis = self.basis(e, cut, side.cell);
+            let middle = cut.arrangement.middle(side.cell);
+            for &(t, weight) in &rule {
+                let point = Vec2::new(side.from + t * (side.to - side.from), cut.element.upper.y);
+                let (q, _) = weight_at(cut, q, point);
+                let length = weight * (side.to - side.from);
+                basis.at(point, &mut functions);
+                let duals = self.at(point, middle);
+                for (k, function) in functions.iter().enumerate() {
+                    for mode in 0..2 {
+                        let traction = duals[mode].stress.traction(Vec2::new(0.0, 1.0));
+                        let value = -self.scale * q * length * traction.dot(function.value);
+                        self.add(&basis, k, value, &mut sums[mode]);
+                    }
+                }
+            }
+        }
+    }
+
+    /// ∫ q t⁺·⟦v⟧ ds − ∫ q (t(v)⁺·u⁺ + t(v)⁻·u⁻) ds over the faces of all cracks.
+    fn faces(&self, weight: &dyn Fn(usize) -> f64, sums: &mut [SifFunctional; 2]) {
+        let SifContext { mesh, cuts, interface, .. } = *self.context;
+        let path = &cuts.tips[self.tip];
+        let mut functions: Vec<Function> = Vec::new();
+        for station in &interface.stations {
+            let piece = &cuts.pieces[station.piece];
+            let nodes = mesh.element(piece.plus.element).nodes;
+            let q = [0, 1, 2, 3].map(|corner| weight(nodes[corner]));
+            if q.iter().all(|&q| q == 0.0) {
+                continue;
+            }
+            let (q, _) = weight_at(&cuts.elements[&piece.plus.element], q, station.point);
+            let length = self.scale * q * station.length;
+            let (from, to) = cuts.paths[piece.crack].segment(piece.segment);
+            let own_segment = piece.crack == path.crack && {
+                let (a, b) = path.last_segment();
+                (a, b) == (from, to) || (a, b) == (to, from)
+            };
+            let mut jump = [Vec2::default(); 2];
+            for (place, sign) in [(piece.plus, 1.0), (piece.minus, -1.0)] {
+                let cut = &cuts.elements[&place.element];
+                let duals = self.at(station.point, cut.arrangement.middle(place.cell));
+                for (jump, dual) in jump.iter_mut().zip(&duals) {
+                    *jump = *jump + dual.displacement * sign;
+                }
+                if own_segment {
+                    continue;
+                }
+                // The normal that leaves the body points to − on the + face.
+                let outwards = (to - from).normalised().left() * -sign;
+                let basis = self.basis(place.element, cut, place.cell);
+                basis.at(station.point, &mut functions);
+                for (k, function) in functions.iter().enumerate() {
+                    for mode in 0..2 {
+                        let traction = duals[mode].stress.traction(outwards);
+                        self.add(&basis, k, -length * traction.dot(function.value), &mut sums[mode]);
+                    }
+                }
+            }
+            for (point, lambda) in station.tractions {
+                for mode in 0..2 {
+                    sums[mode].tractions[2 * point] += length * lambda * jump[mode].x;
+                    sums[mode].tractions[2 * point + 1] += length * lambda * jump[mode].y;
+                }
+            }
+        }
+    }
+}

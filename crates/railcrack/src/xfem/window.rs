@@ -1,0 +1,204 @@
+//! Where the mesh is fine.
+
+use crate::crack::CrackNetwork;
+use crate::math::Vec2;
+use crate::mesh::{MeshError, QuadMesh};
+
+/// How fine the mesh is, and how far the cracks are expected to grow.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MeshSettings {
+    /// Size of the elements at the cracks as they are at the beginning, mm.
+    pub element_size: f64,
+    /// Length of the cracks at the end over that at the beginning, as far as the window shall reach.
+    pub expected_growth: f64,
+}
+
+/// The rail that the mesh fills.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Outline {
+    /// Abscissa of the left side, mm.
+    pub left: f64,
+    /// Abscissa of the right side, mm.
+    pub right: f64,
+    /// Depth of the bottom, mm.
+    pub depth: f64,
+}
+
+/// The fine part of the mesh: where the cracks are and where they are expected to go. Elements grow in it with the distance
+/// from the cracks at the beginning, as cracks that reach there have grown longer.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Window {
+    /// Lower left corner, mm.
+    pub lower: Vec2,
+    /// Upper right corner, mm.
+    pub upper: Vec2,
+    element_size: f64,
+    /// Shortest crack at the beginning, mm.
+    length: f64,
+    /// Box of the cracks at the beginning, mm.
+    cracks: (Vec2, Vec2),
+    mouths: Vec<f64>,
+}
+
+/// Element at a mouth, over the shortest crack: the edge of the wheel contact passes over the mouth, and the stress on the
+/// faces there varies over its distance from the surface.
+const MOUTH_ELEMENT: f64 = 1.0 / 300.0;
+/// Growth of elements away from a mouth: length per distance.
+const MOUTH_GRADING: f64 = 0.35;
+/// Growth of elements outside of the window: length per distance. Quadratic elements follow the decay of the field there.
+const OUTER_GRADING: f64 = 0.4;
+/// Angle (radians) of the branch that the window makes room for: kinks at ±70.5° maximise the opening of a shear crack.
+const BRANCH: f64 = 1.25;
+/// Elements around the cracks that belong to the window.
+const MARGIN: f64 = 5.0;
+/// Elements that must lie between a tip and the edge of the window.
+const CLEARANCE: f64 = 3.0;
+
+impl Window {
+    /// The window of `network` with room for its growth.
+    pub fn new(network: &CrackNetwork, settings: MeshSettings) -> Self {
+        let points = || network.cracks().iter().flat_map(|crack| crack.points().iter().copied());
+        let cracks = bounds(points());
+        let length = network.cracks().iter().map(|crack| crack.length()).fold(f64::INFINITY, f64::min);
+        let ahead = network.cracks().iter().flat_map(|crack| {
+            let far = (settings.expected_growth - 1.0).max(0.0) * crack.length();
+            crack.tips().into_iter().flat_map(move |end| {
+                let (tip, angle) = (crack.tip(end), crack.ahead(end).angle());
+                [-BRANCH, 0.0, BRANCH].map(|turn| tip + Vec2::unit(angle + turn) * far)
+            })
+        });
+        let (lower, upper) = bounds(points().chain(ahead));
+        let margin = Vec2::new(1.0, 1.0) * (MARGIN * settings.element_size);
+        let mouths =
+            network.cracks().iter().filter(|c| c.is_surface_breaking()).map(|c| c.points()[0].x).collect();
+        let upper = upper + margin;
+        Self {
+            lower: lower - margin,
+            upper: Vec2::new(upper.x, upper.y.min(0.0)),
+            element_size: settings.element_size,
+            length,
+            cracks,
+            mouths,
+        }
+    }
+
+    /// This window made larger, by half its size on every side.
+    pub fn enlarged(&self) -> Self {
+        let size = self.upper - self.lower;
+        Self {
+            lower: self.lower - size * 0.5,
+            upper: Vec2::new(self.upper.x + 0.5 * size.x, (self.upper.y + 0.5 * size.y).min(0.0)),
+            ..self.clone()
+        }
+    }
+
+    /// Whether all tips of `network` lie well inside.
+    pub fn holds(&self, network: &CrackNetwork) -> bool {
+        network.cracks().iter().all(|crack| {
+            crack.tips().into_iter().all(|end| {
+                let tip = crack.tip(end);
+                let space = CLEARANCE * self.size_x(tip.x).max(self.size_y(tip.y));
+                let surface = self.upper.y == 0.0;
+                tip.x - self.lower.x >= space
+                    && self.upper.x - tip.x >= space
+                    && tip.y - self.lower.y >= space
+                    && (surface || self.upper.y - tip.y >= space)
+            })
+        })
+    }
+
+    /// Wanted width of an element at abscissa `x`, mm.
+    fn size_x(&self, x: f64) -> f64 {
+        let (lower, upper) = (self.lower.x, self.upper.x);
+        let inside = x.clamp(lower, upper);
+        let outside = (x - inside).abs();
+        let fine = self.size_at(distance(inside, self.cracks.0.x, self.cracks.1.x)) + OUTER_GRADING * outside;
+        self.mouths.iter().fold(fine, |size, mouth| size.min(self.mouth_size((x - mouth).abs())))
+    }
+
+    /// Wanted height of an element at ordinate `y`, mm.
+    fn size_y(&self, y: f64) -> f64 {
+        let inside = y.clamp(self.lower.y, self.upper.y);
+        let outside = (y - inside).abs();
+        let fine = self.size_at(distance(inside, self.cracks.0.y, self.cracks.1.y)) + OUTER_GRADING * outside;
+        if self.mouths.is_empty() { fine } else { fine.min(self.mouth_size(-y)) }
+    }
+
+    fn size_at(&self, from_cracks: f64) -> f64 {
+        self.element_size * (1.0 + from_cracks / self.length)
+    }
+
+    fn mouth_size(&self, from_mouth: f64) -> f64 {
+        (MOUTH_ELEMENT * self.length).min(self.element_size) + MOUTH_GRADING * from_mouth
+    }
+
+    /// The mesh of `outline` that is fine in this window.
+    pub fn mesh(&self, outline: Outline) -> Result<QuadMesh, MeshError> {
+        let x = lines(outline.left, outline.right, self.breaks(true), |x| self.size_x(x));
+        let y = lines(-outline.depth, 0.0, self.breaks(false), |y| self.size_y(y));
+        QuadMesh::new(x, y)
+    }
+
+    /// Coordinates where the size of elements changes its law, with geometric steps away from them.
+    fn breaks(&self, along_x: bool) -> Vec<f64> {
+        let pick = |v: Vec2| if along_x { v.x } else { v.y };
+        let mut origins = vec![pick(self.lower), pick(self.upper), pick(self.cracks.0), pick(self.cracks.1)];
+        if along_x {
+            origins.extend(&self.mouths);
+        } else {
+            origins.push(0.0);
+        }
+        let mut breaks = origins.clone();
+        for origin in origins {
+            let mut step = MOUTH_ELEMENT * self.length;
+            while step < 1e6 * self.length {
+                breaks.push(origin - step);
+                breaks.push(origin + step);
+                step *= 3.0;
+            }
+        }
+        breaks
+    }
+}
+
+fn bounds(points: impl Iterator<Item = Vec2>) -> (Vec2, Vec2) {
+    let infinite = Vec2::new(f64::INFINITY, f64::INFINITY);
+    points.fold((infinite, -infinite), |(lower, upper), p| {
+        (Vec2::new(lower.x.min(p.x), lower.y.min(p.y)), Vec2::new(upper.x.max(p.x), upper.y.max(p.y)))
+    })
+}
+
+fn distance(at: f64, from: f64, to: f64) -> f64 {
+    (from - at).max(at - to).max(0.0)
+}
+
+/// Grid lines from `from` to `to` whose distances follow `size`.
+fn lines(from: f64, to: f64, mut breaks: Vec<f64>, size: impl Fn(f64) -> f64) -> Vec<f64> {
+    const CELLS: usize = 24;
+    breaks.retain(|&b| b > from && b < to);
+    breaks.extend([from, to]);
+    breaks.sort_by(f64::total_cmp);
+    let mut at = vec![from];
+    let mut sums = vec![0.0];
+    for pair in breaks.windows(2) {
+        let step = (pair[1] - pair[0]) / CELLS as f64;
+        if step <= 0.0 {
+            continue;
+        }
+        for cell in 0..CELLS {
+            let middle = pair[0] + (cell as f64 + 0.5) * step;
+            sums.push(sums[sums.len() - 1] + step / size(middle));
+            at.push(if cell + 1 == CELLS { pair[1] } else { pair[0] + (cell + 1) as f64 * step });
+        }
+    }
+    let total = sums[sums.len() - 1];
+    let count = total.ceil().max(2.0) as usize;
+    let mut lines = vec![from];
+    lines.extend((1..count).map(|k| {
+        let want = total * k as f64 / count as f64;
+        let cell = sums.partition_point(|&sum| sum <= want).clamp(1, sums.len() - 1) - 1;
+        at[cell] + (at[cell + 1] - at[cell]) * ((want - sums[cell]) / (sums[cell + 1] - sums[cell]))
+    }));
+    lines.push(to);
+    lines
+}
