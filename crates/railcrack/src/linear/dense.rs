@@ -1,29 +1,10 @@
 //! Inverses of dense matrices.
 
+use super::LinearError;
 use crate::math::Matrix;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::{cholesky::llt, lu::partial_pivoting};
 use faer::{Mat, Par, Spec};
-use thiserror::Error;
-
-/// A matrix that cannot be factored.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
-pub enum LinearError {
-    /// Not positive definite.
-    #[error("matrix of order {order} is not positive definite: pivot {pivot} is not positive")]
-    NotPositiveDefinite {
-        /// Order of the matrix.
-        order: usize,
-        /// Index of the pivot, from 0.
-        pivot: usize,
-    },
-    /// A matrix without inverse.
-    #[error("matrix of order {order} is singular to working precision")]
-    Singular {
-        /// Order of the matrix.
-        order: usize,
-    },
-}
 
 /// The inverse of a symmetric positive definite matrix, by Cholesky; exactly symmetric.
 pub fn spd_inverse(matrix: &Matrix) -> Result<Matrix, LinearError> {

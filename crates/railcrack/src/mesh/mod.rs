@@ -1,5 +1,6 @@
 //! The background mesh of the finite-element engine: graded rectangles that do not know the cracks.
 
+mod ordering;
 mod quad;
 mod shape;
 

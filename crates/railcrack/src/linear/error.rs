@@ -1,0 +1,60 @@
+//! What can be wrong with a matrix.
+
+use thiserror::Error;
+
+/// A matrix that cannot be built or factored.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+pub enum LinearError {
+    /// Not positive definite.
+    #[error("matrix of order {order} is not positive definite: pivot {pivot} is not positive")]
+    NotPositiveDefinite {
+        /// Order of the matrix.
+        order: usize,
+        /// Index of the pivot, from 0: of a sparse matrix the unknown, whatever the order of elimination.
+        pivot: usize,
+    },
+    /// A matrix without inverse.
+    #[error("matrix of order {order} is singular to working precision")]
+    Singular {
+        /// Order of the matrix.
+        order: usize,
+    },
+    /// An unknown that is not there.
+    #[error("unknown {unknown}: there are {order}, numbered from 0")]
+    NoSuchUnknown {
+        /// What was given.
+        unknown: usize,
+        /// Order of the matrix.
+        order: usize,
+    },
+    /// An entry where the pattern has none.
+    #[error("entry ({row}, {column}) is not in the pattern of the matrix")]
+    OutsidePattern {
+        /// Row, from 0.
+        row: usize,
+        /// Column, from 0.
+        column: usize,
+    },
+    /// Not as many numbers as unknowns.
+    #[error("{quantity}: {given} given, {expected} expected")]
+    WrongLength {
+        /// What was counted.
+        quantity: &'static str,
+        /// How many there were.
+        given: usize,
+        /// How many there should be.
+        expected: usize,
+    },
+    /// An elimination order that names an unknown twice.
+    #[error("the elimination order has unknown {unknown} twice")]
+    EliminatedTwice {
+        /// The unknown.
+        unknown: usize,
+    },
+    /// More entries than memory can hold.
+    #[error("the factor of a matrix of order {order} does not fit into memory")]
+    TooLarge {
+        /// Order of the matrix.
+        order: usize,
+    },
+}

@@ -1,0 +1,98 @@
+//! The inner loop of everything that is done with a sparse factor: a tile of numbers times rows of columns side by side.
+//!
+//! Columns are lanes of vector registers: row r of a panel holds entry r of [`LANES`] columns. What happens in one lane is a
+//! fixed sequence of operations, whatever is in the others, so that the bits of a column do not depend on those beside it. Products are
+//! fused with sums where the code says so and nowhere else, and rounded once: the bits do not depend on the vector unit either.
+
+use pulp::Simd;
+
+/// Columns of a panel.
+pub(super) const LANES: usize = 16;
+
+/// Rows of a tile: [`ROWS`] × 2 vectors of sums fill the registers of AVX2 and hide the latency of the sums.
+pub(super) const ROWS: usize = 6;
+
+/// One row of a panel, aligned to a cache line.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[repr(C, align(64))]
+pub(super) struct Row(pub(super) [f64; LANES]);
+
+impl Row {
+    /// Zero in every lane.
+    pub(super) const ZERO: Self = Self([0.0; LANES]);
+}
+
+/// Sums of a tile: row by row, lane by lane.
+pub(super) type Sums = [Row; ROWS];
+
+/// sums[r] += Σ_k tile[k][r] x[k] over the columns of the tile, in their order.
+#[inline(always)]
+pub(super) fn add_tile<S: Simd>(simd: S, tile: &[[f64; ROWS]], x: &[Row], sums: &mut Sums) {
+    let vectors = LANES / S::F64_LANES;
+    for v in (0..vectors).step_by(2) {
+        let mut held = [[simd.splat_f64s(0.0); 2]; ROWS];
+        for (held, sum) in held.iter_mut().zip(&*sums) {
+            let (sum, _) = S::as_simd_f64s(&sum.0);
+            *held = [sum[v], sum[v + 1]];
+        }
+        for (column, x) in tile.iter().zip(x) {
+            let (x, _) = S::as_simd_f64s(&x.0);
+            let (left, right) = (x[v], x[v + 1]);
+            for (held, &factor) in held.iter_mut().zip(column) {
+                let factor = simd.splat_f64s(factor);
+                held[0] = simd.mul_add_f64s(factor, left, held[0]);
+                held[1] = simd.mul_add_f64s(factor, right, held[1]);
+            }
+        }
+        for (held, sum) in held.iter().zip(&mut *sums) {
+            let (sum, _) = S::as_mut_simd_f64s(&mut sum.0);
+            [sum[v], sum[v + 1]] = *held;
+        }
+    }
+}
+
+/// sums[k] += Σ_r tile[k][r] y[r]: the transpose of a tile of at most [`ROWS`] columns, rows in their order.
+#[inline(always)]
+pub(super) fn add_transposed_tile<S: Simd>(simd: S, tile: &[[f64; ROWS]], y: &[Row; ROWS], sums: &mut Sums) {
+    let mut square = [[0.0; ROWS]; ROWS];
+    for (k, column) in tile.iter().enumerate().take(ROWS) {
+        for r in 0..ROWS {
+            square[r][k] = column[r];
+        }
+    }
+    add_tile(simd, &square, y, sums);
+}
+
+/// y += factor x, lane by lane.
+#[inline(always)]
+pub(super) fn add_row<S: Simd>(simd: S, factor: f64, x: &Row, y: &mut Row) {
+    let factor = simd.splat_f64s(factor);
+    let (x, _) = S::as_simd_f64s(&x.0);
+    let (y, _) = S::as_mut_simd_f64s(&mut y.0);
+    for (y, x) in y.iter_mut().zip(x) {
+        *y = simd.mul_add_f64s(factor, *x, *y);
+    }
+}
+
+/// y −= x, lane by lane.
+#[inline(always)]
+pub(super) fn subtract<S: Simd>(simd: S, x: &Row, y: &mut Row) {
+    let (x, _) = S::as_simd_f64s(&x.0);
+    let (y, _) = S::as_mut_simd_f64s(&mut y.0);
+    for (y, x) in y.iter_mut().zip(x) {
+        *y = simd.sub_f64s(*y, *x);
+    }
+}
+
+/// (y − x) scale, lane by lane.
+#[inline(always)]
+pub(super) fn scaled_difference<S: Simd>(simd: S, y: &Row, x: &Row, scale: f64) -> Row {
+    let scale = simd.splat_f64s(scale);
+    let mut difference = Row::ZERO;
+    let (out, _) = S::as_mut_simd_f64s(&mut difference.0);
+    let ((y, _), (x, _)) = (S::as_simd_f64s(&y.0), S::as_simd_f64s(&x.0));
+    for (out, (y, x)) in out.iter_mut().zip(y.iter().zip(x)) {
+        *out = simd.mul_f64s(simd.sub_f64s(*y, *x), scale);
+    }
+    difference
+}

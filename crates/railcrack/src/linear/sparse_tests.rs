@@ -1,0 +1,279 @@
+//! The sparse factor by residual, against dense algebra, and bit for bit in changing company.
+
+use super::{
+    LinearError, ReachedColumn, SparseCholesky, SparseColumn, SparseFactor, SparseSymmetric,
+    SymmetricPattern, gram, gram_of, spd_inverse,
+};
+use crate::math::Matrix;
+use std::sync::Arc;
+
+/// Numbers in (−1, 1) that look like chance.
+struct Chance(u64);
+
+impl Chance {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (self.0 >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+    }
+
+    fn below(&mut self, n: usize) -> usize {
+        ((self.next() + 1.0) * 0.5 * n as f64) as usize % n
+    }
+}
+
+/// Two unknowns at each node of `columns` × `rows` squares with random symmetric positive definite blocks.
+struct Grid {
+    columns: usize,
+    rows: usize,
+    squares: Vec<[Option<usize>; 8]>,
+}
+
+impl Grid {
+    fn new(columns: usize, rows: usize) -> Self {
+        let square = |e: usize| {
+            let first = (e / columns) * (columns + 1) + e % columns;
+            let nodes = [first, first + 1, first + columns + 1, first + columns + 2];
+            std::array::from_fn(|k| Some(2 * nodes[k / 2] + k % 2))
+        };
+        Self { columns, rows, squares: (0..columns * rows).map(square).collect() }
+    }
+
+    fn order(&self) -> usize {
+        2 * (self.columns + 1) * (self.rows + 1)
+    }
+
+    fn matrix(&self, seed: u64) -> SparseSymmetric {
+        let pattern = SymmetricPattern::from_blocks(self.order(), &self.squares).unwrap();
+        let mut matrix = SparseSymmetric::zeros(Arc::new(pattern));
+        let mut chance = Chance(seed);
+        for square in &self.squares {
+            let half = Matrix::from_fn(8, 8, |_, _| chance.next());
+            let block = Matrix::from_fn(8, 8, |i, j| {
+                let product: f64 = half.row(i).iter().zip(half.row(j)).map(|(a, b)| a * b).sum();
+                product + 0.1 * f64::from(i == j)
+            });
+            matrix.add_block(square, &block).unwrap();
+        }
+        matrix
+    }
+
+    /// Unknowns in the order of recursive bisection.
+    fn elimination_order(&self) -> Vec<usize> {
+        let mut order = Vec::new();
+        self.bisect((0, self.columns + 1), (0, self.rows + 1), &mut order);
+        order
+    }
+
+    fn bisect(&self, x: (usize, usize), y: (usize, usize), order: &mut Vec<usize>) {
+        let (wide, high) = (x.1 - x.0, y.1 - y.0);
+        if wide.max(high) <= 2 {
+            for (r, c) in (y.0..y.1).flat_map(|r| (x.0..x.1).map(move |c| (r, c))) {
+                let node = r * (self.columns + 1) + c;
+                order.extend([2 * node, 2 * node + 1]);
+            }
+        } else if wide >= high {
+            let line = (x.0 + x.1) / 2;
+            for part in [(x.0, line), (line + 1, x.1), (line, line + 1)] {
+                self.bisect(part, y, order);
+            }
+        } else {
+            let line = (y.0 + y.1) / 2;
+            for part in [(y.0, line), (line + 1, y.1), (line, line + 1)] {
+                self.bisect(x, part, order);
+            }
+        }
+    }
+
+    fn factored(&self, seed: u64) -> (SparseSymmetric, SparseFactor) {
+        let matrix = self.matrix(seed);
+        let analysed =
+            SparseCholesky::analyse(Arc::clone(matrix.pattern()), self.elimination_order()).unwrap();
+        let factor = analysed.factor(&matrix).unwrap();
+        (matrix, factor)
+    }
+
+    /// Columns on the unknowns of one to three squares that lie next to each other.
+    fn local_columns(&self, count: usize) -> Vec<SparseColumn> {
+        let mut chance = Chance(99);
+        let column = |_| {
+            let first = chance.below(self.squares.len() - 3);
+            let squares = &self.squares[first..=first + chance.below(3)];
+            let unknowns: Vec<usize> = squares.iter().flatten().copied().flatten().collect();
+            SparseColumn { entries: unknowns.into_iter().map(|u| (u, chance.next())).collect() }
+        };
+        (0..count).map(column).collect()
+    }
+}
+
+/// Round-off of a few thousand operations on numbers of order 1, times the condition of the matrices (below 1e4).
+const ROUND_OFF: f64 = 1e-10;
+
+fn full(order: usize, column: &SparseColumn) -> Vec<f64> {
+    let mut full = vec![0.0; order];
+    column.entries.iter().for_each(|&(unknown, value)| full[unknown] += value);
+    full
+}
+
+fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).fold(0.0, |worst, (x, y)| (x - y).abs().max(worst))
+}
+
+fn references(columns: &[ReachedColumn]) -> Vec<&ReachedColumn> {
+    columns.iter().collect()
+}
+
+#[test]
+fn solutions_by_residual() {
+    for (columns, rows) in [(1, 1), (2, 5), (7, 3), (16, 16), (40, 23)] {
+        let grid = Grid::new(columns, rows);
+        let (matrix, factor) = grid.factored(5);
+        let mut chance = Chance(1);
+        // More columns than one panel holds.
+        let right: Vec<f64> = (0..37 * grid.order()).map(|_| chance.next()).collect();
+        let mut solutions = right.clone();
+        factor.solve(&mut solutions).unwrap();
+        for (b, x) in right.chunks(grid.order()).zip(solutions.chunks(grid.order())) {
+            let residual = largest_difference(&matrix.times(x).unwrap(), b);
+            assert!(residual < ROUND_OFF, "{columns} x {rows}: {residual:e}");
+            let mut alone = b.to_vec();
+            factor.solve(&mut alone).unwrap();
+            assert_eq!(alone, x, "in other company");
+        }
+    }
+}
+
+#[test]
+fn agrees_with_dense_algebra() {
+    let grid = Grid::new(6, 5);
+    let (matrix, factor) = grid.factored(8);
+    let inverse =
+        spd_inverse(&Matrix::from_fn(grid.order(), grid.order(), |i, j| matrix.entry(i, j))).unwrap();
+    let columns = grid.local_columns(30);
+    let reached = factor.forward(&columns).unwrap();
+    let products = gram_of(&references(&reached));
+    for (i, a) in columns.iter().enumerate() {
+        let solution = inverse.times(&full(grid.order(), a));
+        for (j, b) in columns.iter().enumerate() {
+            let want: f64 = full(grid.order(), b).iter().zip(&solution).map(|(x, y)| x * y).sum();
+            assert!((products[(i, j)] - want).abs() < ROUND_OFF, "({i}, {j}): {} {want}", products[(i, j)]);
+        }
+    }
+}
+
+#[test]
+fn reached_columns_carry_the_whole_solution() {
+    let grid = Grid::new(30, 30);
+    let (matrix, factor) = grid.factored(3);
+    let columns = grid.local_columns(20);
+    let reached = factor.forward(&columns).unwrap();
+    for (column, reached) in columns.iter().zip(&reached) {
+        assert!(2 * reached.entries() < grid.order(), "{} of {}", reached.entries(), grid.order());
+        let right = full(grid.order(), column);
+        let solution = factor.backward(&[(reached, 1.0)]).unwrap();
+        assert!(largest_difference(&matrix.times(&solution).unwrap(), &right) < ROUND_OFF);
+        let mut whole = right;
+        factor.solve(&mut whole).unwrap();
+        assert_eq!(whole, solution);
+    }
+    let combined = factor.backward(&[(&reached[0], 2.0), (&reached[7], -0.5)]).unwrap();
+    let (first, second) = (full(grid.order(), &columns[0]), full(grid.order(), &columns[7]));
+    let want: Vec<f64> = first.iter().zip(second).map(|(a, b)| 2.0 * a - 0.5 * b).collect();
+    assert!(largest_difference(&matrix.times(&combined).unwrap(), &want) < ROUND_OFF);
+}
+
+#[test]
+fn the_bits_do_not_depend_on_the_company() {
+    let grid = Grid::new(30, 21);
+    let (_, factor) = grid.factored(11);
+    let columns = grid.local_columns(130);
+    let together = factor.forward(&columns).unwrap();
+    let all = gram_of(&references(&together));
+
+    // Every seventh alone, then in reverse order, then doubled.
+    for (i, column) in columns.iter().enumerate().step_by(7) {
+        assert_eq!(factor.forward(std::slice::from_ref(column)).unwrap()[0], together[i], "column {i} alone");
+    }
+    let reversed: Vec<SparseColumn> = columns.iter().rev().cloned().collect();
+    let backwards = factor.forward(&reversed).unwrap();
+    assert!(backwards.iter().rev().eq(&together));
+    let doubled: Vec<SparseColumn> = columns.iter().flat_map(|c| [c.clone(), c.clone()]).collect();
+    let doubled = factor.forward(&doubled).unwrap();
+    assert!(doubled.iter().step_by(2).eq(&together));
+
+    let mixed = gram(&references(&backwards), &references(&together[3..50]));
+    for i in 0..columns.len() {
+        for j in 0..columns.len() {
+            assert_eq!(all[(i, j)].to_bits(), together[i].dot(&together[j]).to_bits(), "({i}, {j})");
+            assert_eq!(all[(i, j)].to_bits(), all[(j, i)].to_bits(), "({i}, {j}) and its mirror");
+        }
+        for j in 3..50 {
+            let other = mixed[(columns.len() - 1 - i, j - 3)];
+            assert_eq!(all[(i, j)].to_bits(), other.to_bits(), "({i}, {j}) in other company");
+        }
+    }
+}
+
+#[test]
+fn the_bits_do_not_depend_on_the_number_of_threads() {
+    let grid = Grid::new(25, 25);
+    let columns = grid.local_columns(90);
+    let run = |threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| {
+            let (_, factor) = grid.factored(2);
+            let reached = factor.forward(&columns).unwrap();
+            let mut solution = full(grid.order(), &columns[0]).repeat(20);
+            factor.solve(&mut solution).unwrap();
+            (gram_of(&references(&reached)), reached, solution)
+        })
+    };
+    assert_eq!(run(1), run(3));
+}
+
+#[test]
+fn one_analysis_serves_every_matrix_on_the_pattern() {
+    let grid = Grid::new(9, 4);
+    let first = grid.matrix(1);
+    let analysed = SparseCholesky::analyse(Arc::clone(first.pattern()), grid.elimination_order()).unwrap();
+    for matrix in [first, grid.matrix(2)] {
+        let factor = analysed.factor(&matrix).unwrap();
+        let mut solution = vec![1.0; grid.order()];
+        factor.solve(&mut solution).unwrap();
+        assert!(largest_difference(&matrix.times(&solution).unwrap(), &vec![1.0; grid.order()]) < ROUND_OFF);
+    }
+}
+
+#[test]
+fn what_is_not_positive_definite_names_the_unknown() {
+    let grid = Grid::new(8, 8);
+    let mut matrix = grid.matrix(4);
+    let analysed = SparseCholesky::analyse(Arc::clone(matrix.pattern()), grid.elimination_order()).unwrap();
+    let unknown = 77;
+    let enough = Matrix::from_fn(1, 1, |_, _| -2.0 * matrix.entry(unknown, unknown));
+    matrix.add_block(&[Some(unknown)], &enough).unwrap();
+    let want = LinearError::NotPositiveDefinite { order: grid.order(), pivot: unknown };
+    assert_eq!(analysed.factor(&matrix).unwrap_err(), want);
+    let nothing = Matrix::from_fn(1, 1, |_, _| f64::NAN);
+    matrix.add_block(&[Some(unknown)], &nothing).unwrap();
+    assert_eq!(analysed.factor(&matrix).unwrap_err(), want);
+}
+
+#[test]
+fn refuses_orders_and_columns_that_do_not_fit() {
+    let grid = Grid::new(2, 2);
+    let matrix = grid.matrix(4);
+    let pattern = || Arc::clone(matrix.pattern());
+    let order = grid.order();
+    let refused = |order: Vec<usize>| SparseCholesky::analyse(pattern(), order).unwrap_err();
+    assert_eq!(refused(vec![0; order]), LinearError::EliminatedTwice { unknown: 0 });
+    assert_eq!(refused((1..=order).collect()), LinearError::NoSuchUnknown { unknown: order, order });
+    assert!(matches!(refused(vec![0]), LinearError::WrongLength { .. }));
+    let (_, factor) = grid.factored(4);
+    assert!(factor.solve(&mut vec![0.0; order + 1]).is_err());
+    let outside = SparseColumn { entries: vec![(order, 1.0)] };
+    assert_eq!(factor.forward(&[outside]), Err(LinearError::NoSuchUnknown { unknown: order, order }));
+    let other = Grid::new(3, 2);
+    assert!(
+        SparseCholesky::analyse(pattern(), (0..order).collect()).unwrap().factor(&other.matrix(1)).is_err()
+    );
+}

@@ -1,0 +1,167 @@
+//! Forward and backward substitution with the supernodes of a factor, for the columns of a panel.
+
+use super::cholesky::{SparseFactor, Supernode};
+use super::lanes::{ROWS, Row, add_row, add_tile, add_transposed_tile, scaled_difference, subtract};
+use pulp::{Arch, Simd, WithSimd};
+
+/// Some supernodes of a factor, in elimination order, with every ancestor of each, and a panel over their rows.
+pub(super) struct Panel<'a> {
+    factor: &'a SparseFactor,
+    supernodes: &'a [usize],
+    /// The first row in the panel of each supernode of the factor that takes part.
+    offset: Vec<usize>,
+    rows: Vec<Row>,
+}
+
+impl<'a> Panel<'a> {
+    /// The zero panel over `supernodes`, which must be in elimination order and hold every ancestor of each.
+    pub(super) fn new(factor: &'a SparseFactor, supernodes: &'a [usize]) -> Self {
+        let mut offset = vec![0; factor.supernodes.len()];
+        let mut next = 0;
+        for &s in supernodes {
+            offset[s] = next;
+            next += factor.supernodes[s].panel_rows();
+        }
+        Self { factor, supernodes, offset, rows: vec![Row::ZERO; next] }
+    }
+
+    /// The row that belongs to a place in the elimination order.
+    fn row_of(&self, place: usize) -> usize {
+        let s = self.factor.supernode_of[place];
+        self.offset[s] + place - self.factor.supernodes[s].start
+    }
+
+    /// Adds to the entry of a lane at a place in the elimination order.
+    pub(super) fn add(&mut self, place: usize, lane: usize, value: f64) {
+        let row = self.row_of(place);
+        self.rows[row].0[lane] += value;
+    }
+
+    /// The entry of a lane at a place in the elimination order.
+    pub(super) fn entry(&self, place: usize, lane: usize) -> f64 {
+        self.rows[self.row_of(place)].0[lane]
+    }
+
+    /// The entries of a lane at the columns of a supernode.
+    pub(super) fn lane(&self, s: usize, lane: usize) -> impl Iterator<Item = f64> {
+        let columns = self.factor.supernodes[s].columns;
+        self.rows[self.offset[s]..self.offset[s] + columns].iter().map(move |row| row.0[lane])
+    }
+
+    /// L⁻¹ of every lane.
+    pub(super) fn forward(&mut self) {
+        Arch::new().dispatch(Forward(self));
+    }
+
+    /// L⁻ᵀ of every lane; all supernodes must take part.
+    pub(super) fn backward(&mut self) {
+        Arch::new().dispatch(Backward(self));
+    }
+}
+
+struct Forward<'a, 'b>(&'b mut Panel<'a>);
+
+impl WithSimd for Forward<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let panel = self.0;
+        let factor = panel.factor;
+        for &s in panel.supernodes {
+            let node = factor.supernodes[s];
+            let tiles = &factor.tiles[node.tiles..];
+            let end = panel.offset[s] + node.panel_rows();
+            let (before, after) = panel.rows.split_at_mut(end);
+            let x = &mut before[panel.offset[s]..];
+            for b in 0..node.blocks() {
+                forward_block(simd, &tiles[node.triangle(b)..node.triangle(b + 1)], b * ROWS, x);
+            }
+            let mut tiles = tiles[node.triangle(node.blocks())..].chunks_exact(node.columns);
+            for rows in factor.rows_below(&node).chunks(ROWS) {
+                let Some(tile) = tiles.next() else { break };
+                let mut sums = [Row::ZERO; ROWS];
+                add_tile(simd, tile, x, &mut sums);
+                for (&row, sum) in rows.iter().zip(&sums) {
+                    let t = factor.supernode_of[row];
+                    let at = panel.offset[t] + row - factor.supernodes[t].start;
+                    subtract(simd, sum, &mut after[at - end]);
+                }
+            }
+        }
+    }
+}
+
+/// x[first..] of a block: x_i = (x_i − Σ_{j<i} L_ij x_j) / L_ii.
+#[inline(always)]
+fn forward_block<S: Simd>(simd: S, block: &[[f64; ROWS]], first: usize, x: &mut [Row]) {
+    let (left, triangle) = block.split_at(first);
+    let mut sums = [Row::ZERO; ROWS];
+    add_tile(simd, left, x, &mut sums);
+    let x = &mut x[first..first + ROWS];
+    for r in 0..ROWS {
+        for k in 0..r {
+            add_row(simd, triangle[k][r], &x[k], &mut sums[r]);
+        }
+        x[r] = scaled_difference(simd, &x[r], &sums[r], triangle[r][r]);
+    }
+}
+
+struct Backward<'a, 'b>(&'b mut Panel<'a>);
+
+impl WithSimd for Backward<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let panel = self.0;
+        let factor = panel.factor;
+        let mut below = Vec::new();
+        for &s in panel.supernodes.iter().rev() {
+            let node = factor.supernodes[s];
+            let rows = factor.rows_below(&node).iter().map(|&row| panel.rows[panel.row_of(row)]);
+            below.clear();
+            below.extend(rows);
+            below.resize(node.below.next_multiple_of(ROWS), Row::ZERO);
+            let (below, _) = below.as_chunks::<ROWS>();
+            let from = panel.offset[s];
+            let x = &mut panel.rows[from..from + node.panel_rows()];
+            for b in (0..node.blocks()).rev() {
+                backward_block(simd, &factor.tiles[node.tiles..], &node, b, below, x);
+            }
+        }
+    }
+}
+
+/// x of block `b`: x_k = (x_k − Σ_{i>k} L_ik x_i) / L_kk, with the rows below the supernode in `below`.
+#[inline(always)]
+fn backward_block<S: Simd>(
+    simd: S,
+    tiles: &[[f64; ROWS]],
+    node: &Supernode,
+    b: usize,
+    below: &[[Row; ROWS]],
+    x: &mut [Row],
+) {
+    let first = b * ROWS;
+    let columns = first..(first + ROWS).min(node.columns);
+    let mut sums = [Row::ZERO; ROWS];
+    let under = tiles[node.triangle(node.blocks())..].chunks_exact(node.columns);
+    for (tile, y) in under.zip(below) {
+        add_transposed_tile(simd, &tile[columns.clone()], y, &mut sums);
+    }
+    let (x, later) = x.split_at_mut(first + ROWS);
+    let (later, _) = later.as_chunks::<ROWS>();
+    for (c, y) in later.iter().enumerate() {
+        let tile = &tiles[node.triangle(b + 1 + c)..];
+        add_transposed_tile(simd, &tile[columns.clone()], y, &mut sums);
+    }
+    let triangle = &tiles[node.triangle(b) + first..][..ROWS];
+    let x = &mut x[first..];
+    for k in (0..ROWS).rev() {
+        for i in k + 1..ROWS {
+            add_row(simd, triangle[k][i], &x[i], &mut sums[k]);
+        }
+        x[k] = scaled_difference(simd, &x[k], &sums[k], triangle[k][k]);
+    }
+}
