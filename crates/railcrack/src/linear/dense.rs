@@ -6,23 +6,57 @@ use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::{cholesky::llt, lu::partial_pivoting};
 use faer::{Mat, Par, Spec};
 
+/// The Cholesky factor of a symmetric positive definite matrix.
+pub struct SpdFactor {
+    factor: Mat<f64>,
+}
+
+impl SpdFactor {
+    /// Factors `matrix`, of which the lower triangle is read.
+    pub fn new(matrix: &Matrix) -> Result<Self, LinearError> {
+        let order = matrix.rows();
+        let mut factor = Mat::from_fn(order, order, |i, j| matrix[(i, j)]);
+        let mut buffer =
+            MemBuffer::new(llt::factor::cholesky_in_place_scratch::<f64>(order, Par::Seq, Spec::default()));
+        let stack = MemStack::new(&mut buffer);
+        llt::factor::cholesky_in_place(factor.as_mut(), Default::default(), Par::Seq, stack, Spec::default())
+            .map_err(|error| match error {
+                llt::factor::LltError::NonPositivePivot { index } => {
+                    LinearError::NotPositiveDefinite { order, pivot: index }
+                }
+            })?;
+        Ok(Self { factor })
+    }
+
+    /// The inverse, exactly symmetric.
+    pub fn inverse(&self) -> Matrix {
+        let order = self.factor.nrows();
+        let mut buffer = MemBuffer::new(llt::inverse::inverse_scratch::<f64>(order, Par::Seq));
+        let stack = MemStack::new(&mut buffer);
+        let mut inverse = Mat::zeros(order, order);
+        llt::inverse::inverse(inverse.as_mut(), self.factor.as_ref(), Par::Seq, stack);
+        Matrix::from_fn(order, order, |i, j| inverse[(i.max(j), i.min(j))])
+    }
+
+    /// K⁻¹ Bᵀ as rows: the solution for each row of `right` (r × order), r × order.
+    pub fn solve_rows(&self, right: &Matrix) -> Matrix {
+        let (rows, order) = (right.rows(), self.factor.nrows());
+        let mut solution = Mat::from_fn(order, rows, |i, j| right[(j, i)]);
+        let scratch = llt::solve::solve_in_place_scratch::<f64>(order, rows, Par::Seq);
+        let mut buffer = MemBuffer::new(scratch);
+        llt::solve::solve_in_place(
+            self.factor.as_ref(),
+            solution.as_mut(),
+            Par::Seq,
+            MemStack::new(&mut buffer),
+        );
+        Matrix::from_fn(rows, order, |i, j| solution[(j, i)])
+    }
+}
+
 /// The inverse of a symmetric positive definite matrix, by Cholesky; exactly symmetric.
 pub fn spd_inverse(matrix: &Matrix) -> Result<Matrix, LinearError> {
-    let order = matrix.rows();
-    let mut factor = Mat::from_fn(order, order, |i, j| matrix[(i, j)]);
-    let scratch = llt::factor::cholesky_in_place_scratch::<f64>(order, Par::Seq, Spec::default())
-        .or(llt::inverse::inverse_scratch::<f64>(order, Par::Seq));
-    let mut buffer = MemBuffer::new(scratch);
-    let stack = MemStack::new(&mut buffer);
-    llt::factor::cholesky_in_place(factor.as_mut(), Default::default(), Par::Seq, stack, Spec::default())
-        .map_err(|error| match error {
-            llt::factor::LltError::NonPositivePivot { index } => {
-                LinearError::NotPositiveDefinite { order, pivot: index }
-            }
-        })?;
-    let mut inverse = Mat::zeros(order, order);
-    llt::inverse::inverse(inverse.as_mut(), factor.as_ref(), Par::Seq, stack);
-    Ok(Matrix::from_fn(order, order, |i, j| inverse[(i.max(j), i.min(j))]))
+    Ok(SpdFactor::new(matrix)?.inverse())
 }
 
 /// The inverse of a square matrix, by Gaussian elimination with partial pivoting.

@@ -118,13 +118,6 @@ impl Arrangement {
     pub(super) fn polygon(&self, cell: usize) -> Vec<Vec2> {
         self.cells[cell].vertices.iter().map(|&v| self.vertices[v]).collect()
     }
-
-    /// A point inside a cell: the mean of its corners.
-    pub(super) fn middle(&self, cell: usize) -> Vec2 {
-        let vertices = &self.cells[cell].vertices;
-        vertices.iter().fold(Vec2::default(), |sum, &v| sum + self.vertices[v])
-            * (1.0 / vertices.len() as f64)
-    }
 }
 
 #[derive(Default)]

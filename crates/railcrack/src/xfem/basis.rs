@@ -93,7 +93,7 @@ impl<'a> CellBasis<'a> {
                 });
             }
         }
-        let middle = cut.arrangement.middle(place.cell);
+        let polygon = cut.arrangement.polygon(place.cell);
         let mut tips = Vec::new();
         for &(tip, corners) in space.tips_in(place.element) {
             let path = &cuts.tips[tip];
@@ -103,7 +103,7 @@ impl<'a> CellBasis<'a> {
                 }
             }
             let modes = MODES.map(|mode| WilliamsField::of(mode, steel));
-            tips.push(TipBasis { path, corners, sheet: (middle, path.angle(middle)), modes });
+            tips.push(TipBasis { path, corners, sheet: path.sheet(&polygon), modes });
         }
         Self { element: cut.element, tips, targets }
     }

@@ -103,11 +103,11 @@ impl XfemBody {
     }
 }
 
-/// Size (mm) of the element at a point: the root of its area.
+/// Size (mm) of the elements at a point: the longest side of the one that holds it.
 fn element_size(background: &Background, at: Vec2) -> f64 {
     let mesh = background.mesh();
     let size = mesh.element(mesh.locate(at).unwrap_or(0)).size();
-    (size.x * size.y).sqrt()
+    size.x.max(size.y)
 }
 
 /// C and S from the border: S_ee = K_ee − K_es K_ss⁻¹ K_se, C = B S_ee⁻¹ Bᵀ.

@@ -1,7 +1,7 @@
 //! The cracks as the mesh sees them.
 
 use crate::crack::{Crack, End, point_to_segment};
-use crate::math::Vec2;
+use crate::math::{Orientation, Vec2, orientation};
 
 /// Points nearer than this to the line between their neighbours, over the length of the crack, are left out: increments
 /// straight ahead leave points on a line up to round-off, and two cutting lines that differ by round-off cannot be ordered.
@@ -88,19 +88,35 @@ impl TipPath {
         (self.points[self.points.len() - 2], self.position())
     }
 
-    /// The angle (radians) of a point that is not on the crack, from straight ahead, continued across the extension of the
-    /// last segment and cut along the crack as it is: the ray from the tip to the point changes sheet where it crosses.
-    pub(super) fn angle(&self, point: Vec2) -> f64 {
-        let mut angle = self.straight_angle(point);
+    /// A point inside a convex cell that no crack cuts, and its angle (radians) from straight ahead, continued across the
+    /// extension of the last segment and cut along the crack as it is: the ray from the tip changes sheet where it crosses.
+    ///
+    /// Sides are those of the corners, exactly, so that the point of a sliver cannot fall on the wrong side by round-off.
+    pub(super) fn sheet(&self, cell: &[Vec2]) -> (Vec2, f64) {
+        let inside = cell.iter().fold(Vec2::default(), |sum, &v| sum + v) * (1.0 / cell.len() as f64);
         let tip = self.position();
-        for pair in self.points[..self.points.len() - 1].windows(2) {
-            match crossing(tip, point, pair[0], pair[1]) {
-                Some(Leaving::Left) => angle -= std::f64::consts::TAU,
-                Some(Leaving::Right) => angle += std::f64::consts::TAU,
-                None => {}
+        let mut angle = self.straight_angle(inside);
+        let (from, to) = self.last_segment();
+        if angle.abs() > 0.5 * std::f64::consts::PI {
+            match side_of(cell, inside, from, to) {
+                Orientation::Left if angle < 0.0 => angle += std::f64::consts::TAU,
+                Orientation::Right if angle > 0.0 => angle -= std::f64::consts::TAU,
+                _ => {}
             }
         }
-        angle
+        for pair in self.points[..self.points.len() - 1].windows(2) {
+            let left_of_ray = |v: Vec2| orientation(tip, inside, v) != Orientation::Right;
+            // A ray through a kink counts for one of the segments that meet there.
+            if left_of_ray(pair[0]) == left_of_ray(pair[1]) {
+                continue;
+            }
+            match (orientation(pair[0], pair[1], tip), side_of(cell, inside, pair[0], pair[1])) {
+                (Orientation::Left, Orientation::Right) => angle -= std::f64::consts::TAU,
+                (Orientation::Right, Orientation::Left) => angle += std::f64::consts::TAU,
+                _ => {}
+            }
+        }
+        (inside, angle)
     }
 
     /// The angle of a point near another one at which the angle is known, the straight line between them off the crack.
@@ -120,24 +136,13 @@ impl TipPath {
     }
 }
 
-/// The side of a segment from which a ray crosses it.
-enum Leaving {
-    Left,
-    Right,
-}
-
-/// Whether the ray piece a → b crosses the segment p → q, and from which side; a ray through an end counts for one of the
-/// segments that meet there.
-fn crossing(a: Vec2, b: Vec2, p: Vec2, q: Vec2) -> Option<Leaving> {
-    use crate::math::{Orientation, orientation};
-    let left_of_ray = |v: Vec2| orientation(a, b, v) != Orientation::Right;
-    if left_of_ray(p) == left_of_ray(q) {
-        return None;
-    }
-    match (orientation(p, q, a), orientation(p, q, b)) {
-        (Orientation::Left, Orientation::Right) => Some(Leaving::Left),
-        (Orientation::Right, Orientation::Left) => Some(Leaving::Right),
-        _ => None,
+/// The side of the line p → q on which a cell lies; that of its inner point when the line cuts it.
+fn side_of(cell: &[Vec2], inside: Vec2, p: Vec2, q: Vec2) -> Orientation {
+    let has = |wanted| cell.iter().any(|&v| orientation(p, q, v) == wanted);
+    match (has(Orientation::Left), has(Orientation::Right)) {
+        (true, false) => Orientation::Left,
+        (false, true) => Orientation::Right,
+        _ => orientation(p, q, inside),
     }
 }
 
@@ -165,12 +170,13 @@ mod tests {
         let points = vec![Vec2::new(-1.0, -1.0), Vec2::new(0.0, -2.0), Vec2::new(1.0, -2.0)];
         let crack = Crack::polyline(points).unwrap();
         let tip = TipPath::new(0, &CutPath::new(&crack), End::Last);
-        let below = tip.angle(Vec2::new(-1.0, -1.9));
+        let angle = |x: f64, y: f64| tip.sheet(&[Vec2::new(x, y)]).1;
+        let below = angle(-1.0, -1.9);
         assert!(below < -PI && below > -1.1 * PI, "{below}");
-        let above = tip.angle(Vec2::new(-0.2, -1.7));
+        let above = angle(-0.2, -1.7);
         assert!(above > 0.0 && above < PI, "{above}");
-        assert!((tip.angle(Vec2::new(1.0, -1.0)) - 0.5 * PI).abs() < 1e-15);
+        assert!((angle(1.0, -1.0) - 0.5 * PI).abs() < 1e-15);
         let near = tip.angle_near(Vec2::new(-1.0, -2.1), Vec2::new(-1.0, -1.9), below);
-        assert!((near - tip.angle(Vec2::new(-1.0, -2.1))).abs() < 1e-14);
+        assert!((near - angle(-1.0, -2.1)).abs() < 1e-14);
     }
 }

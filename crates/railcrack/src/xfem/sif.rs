@@ -130,10 +130,15 @@ fn weight_at(cut: &CutElement, q: [f64; 4], point: Vec2) -> (f64, Vec2) {
 }
 
 impl Dual<'_> {
-    /// Both fields at a point, on the sheet of the cell with the inner point `middle`.
-    fn at(&self, point: Vec2, middle: Vec2) -> [DualValue; 2] {
+    /// The sheet of a cell.
+    fn sheet(&self, cut: &CutElement, cell: usize) -> (Vec2, f64) {
+        self.context.cuts.tips[self.tip].sheet(&cut.arrangement.polygon(cell))
+    }
+
+    /// Both fields at a point of the cell on `sheet`.
+    fn at(&self, point: Vec2, sheet: (Vec2, f64)) -> [DualValue; 2] {
         let path = &self.context.cuts.tips[self.tip];
-        let theta = path.angle_near(point, middle, path.angle(middle));
+        let theta = path.angle_near(point, sheet.0, sheet.1);
         let r = (point - path.position()).length();
         let nu = self.context.elasticity.steel.poisson();
         self.fields.map(|field| {
@@ -165,10 +170,10 @@ impl Dual<'_> {
         let mut functions: Vec<Function> = Vec::new();
         for cell in 0..cut.arrangement.cells.len() {
             let basis = self.basis(e, cut, cell);
-            let middle = cut.arrangement.middle(cell);
+            let sheet = self.sheet(cut, cell);
             let mut values = vec![[0.0; 2]; basis.targets.len()];
             for (point, weight) in rules.on_cell(cut, cell, &[tip]) {
-                let duals = self.at(point, middle);
+                let duals = self.at(point, sheet);
                 let (_, slope) = weight_at(cut, q, point);
                 basis.at(point, &mut functions);
                 let tractions = duals.map(|dual| dual.stress.traction(slope));
@@ -194,13 +199,13 @@ impl Dual<'_> {
         let mut functions: Vec<Function> = Vec::new();
         for side in cut.sides.iter().filter(|side| side.side == Edge::Top) {
             let basis = self.basis(e, cut, side.cell);
-            let middle = cut.arrangement.middle(side.cell);
+            let sheet = self.sheet(cut, side.cell);
             for &(t, weight) in &rule {
                 let point = Vec2::new(side.from + t * (side.to - side.from), cut.element.upper.y);
                 let (q, _) = weight_at(cut, q, point);
                 let length = weight * (side.to - side.from);
                 basis.at(point, &mut functions);
-                let duals = self.at(point, middle);
+                let duals = self.at(point, sheet);
                 for (k, function) in functions.iter().enumerate() {
                     for mode in 0..2 {
                         let traction = duals[mode].stress.traction(Vec2::new(0.0, 1.0));
@@ -234,7 +239,7 @@ impl Dual<'_> {
             let mut jump = [Vec2::default(); 2];
             for (place, sign) in [(piece.plus, 1.0), (piece.minus, -1.0)] {
                 let cut = &cuts.elements[&place.element];
-                let duals = self.at(station.point, cut.arrangement.middle(place.cell));
+                let duals = self.at(station.point, self.sheet(cut, place.cell));
                 for (jump, dual) in jump.iter_mut().zip(&duals) {
                     *jump = *jump + dual.displacement * sign;
                 }

@@ -179,7 +179,8 @@ mod tests {
             let window = Window::new(&network, MeshSettings { element_size: 0.2, expected_growth: 2.67 });
             let mesh = window.mesh(Outline { left: -3000.0, right: 3000.0, depth: 3000.0 }).unwrap();
             let mut cuts = Cuts::new(&mesh, &network);
-            let held: Vec<usize> = cuts.elements.iter().filter(|(_, c)| c.regions > 1).map(|(e, _)| *e).collect();
+            let held: Vec<usize> =
+                cuts.elements.iter().filter(|(_, c)| c.regions > 1).map(|(e, _)| *e).collect();
             let space = Space::new(&mesh, &mut cuts, &[0.0]);
             let tip = cuts.tips[0].position();
             for e in held {
@@ -188,16 +189,32 @@ mod tests {
                     if patch.iter().any(|&e| elements_at(&mesh, tip).contains(&e)) {
                         continue;
                     }
-                    let parts = space.enrichments.iter().filter(|x| matches!(x, Enrichment::Part { node: n, .. } if *n == node));
+                    let parts = space
+                        .enrichments
+                        .iter()
+                        .filter(|x| matches!(x, Enrichment::Part { node: n, .. } if *n == node));
                     if parts.count() != 1 {
-                        println!("{degrees} element {e} {:?} node {node} at {:?}", mesh.element(e), mesh.node_position(node));
+                        println!(
+                            "{degrees} element {e} {:?} node {node} at {:?}",
+                            mesh.element(e),
+                            mesh.node_position(node)
+                        );
                         for &e in &patch {
                             let cut = cuts.elements.get(&e);
                             println!("   {e} {:?} {:?}", mesh.element(e).lower, mesh.element(e).upper);
                             if let Some(cut) = cut {
-                                println!("   regions {:?} of {}; vertices {:?} cells {:?} cracks {:?}", cut.region, cut.regions, cut.arrangement.vertices, cut.arrangement.cells, cut.cracks);
+                                println!(
+                                    "   regions {:?} of {}; vertices {:?} cells {:?} cracks {:?}",
+                                    cut.region,
+                                    cut.regions,
+                                    cut.arrangement.vertices,
+                                    cut.arrangement.cells,
+                                    cut.cracks
+                                );
                             }
-                            for side in [Edge::Top, Edge::Right] { println!("     joined {side:?} {:?}", cuts.joined(&mesh, e, side)); }
+                            for side in [Edge::Top, Edge::Right] {
+                                println!("     joined {side:?} {:?}", cuts.joined(&mesh, e, side));
+                            }
                         }
                         panic!();
                     }
