@@ -83,4 +83,8 @@ pub trait CrackedBody: Sync {
     fn sif_influence(&self) -> &Matrix;
     /// Number of displacement unknowns behind C.
     fn dofs(&self) -> usize;
+    /// What the user must know about how the body was computed.
+    fn remarks(&self) -> &[String] {
+        &[]
+    }
 }

@@ -16,8 +16,9 @@ pub struct BodyError {
 
 /// A method of computing cracked bodies.
 pub trait BodyEngine {
-    /// The body with `network` of cracks.
-    fn body(&self, network: &CrackNetwork) -> Result<Box<dyn CrackedBody>, BodyError>;
+    /// The body with `network` of cracks. An engine may keep what it computed for the next call, but only so that the results are
+    /// the same bits without.
+    fn body(&mut self, network: &CrackNetwork) -> Result<Box<dyn CrackedBody>, BodyError>;
     /// The smallest distance (mm) between a tip and the surface or another crack that is still resolved.
     fn resolution(&self, network: &CrackNetwork) -> f64;
 }

@@ -222,13 +222,16 @@ fn growth(section: &SectionValues) -> Option<GrowthSettings> {
 
 fn mesh(section: &SectionValues) -> Option<MeshSettings> {
     Some(MeshSettings {
-        element_size: section.number("element_size_mm")?,
+        element_size: section.number("element_size_mm"),
+        tip_enrichment_radius: section.number("tip_enrichment_radius_mm"),
+        interface_spacing: section.number("interface_spacing_mm"),
         interface_elements: count(section, "interface_elements"),
     })
 }
 
 fn engine(section: &SectionValues) -> Option<Engine> {
     match section.text("engine")? {
+        "xfem" => Some(Engine::Xfem),
         "dislocation" => Some(Engine::Dislocation),
         _ => None,
     }

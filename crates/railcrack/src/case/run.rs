@@ -1,10 +1,17 @@
 //! A case made into a run.
 
-use super::validated::{Case, ContactSolver, Engine};
+use super::validated::{Boundary, Case, ContactSolver, Engine};
+use crate::body::BodyEngine;
 use crate::contact::{self, Latin, Newton};
 use crate::dislocation::{DislocationEngine, FaceResolution};
 use crate::field::StressField;
 use crate::growth::{Growth, GrowthProblem, GrowthState, RailBox};
+use crate::xfem::{EnrichmentRadius, MeshSettings, RailEnd, XfemEngine, XfemSettings};
+
+/// Elements along the shortest crack, by default.
+const ELEMENTS_PER_CRACK: f64 = 30.0;
+/// Growth of the length that the window makes room for, at most: a crack that grows on has it enlarged.
+const LARGEST_WINDOW: f64 = 3.0;
 
 impl Case {
     /// How finely the dislocation engine resolves the faces.
@@ -15,9 +22,29 @@ impl Case {
             .map_or(FaceResolution::for_cracks(cracks), |elements| FaceResolution { elements })
     }
 
+    /// The finite-element engine, with a mesh for the cracks at the beginning and their growth.
+    pub fn xfem_engine(&self) -> XfemEngine {
+        let shortest = self.cracks.cracks().iter().map(|crack| crack.length()).fold(f64::INFINITY, f64::min);
+        let mesh = MeshSettings {
+            element_size: self.mesh.element_size.unwrap_or(shortest / ELEMENTS_PER_CRACK),
+            expected_growth: (1.0 + self.growth.increment).powf(self.growth.steps as f64).min(LARGEST_WINDOW),
+        };
+        let defaults = XfemSettings::default();
+        let settings = XfemSettings {
+            enrichment: self.mesh.tip_enrichment_radius.map_or(defaults.enrichment, EnrichmentRadius::Fixed),
+            interface_spacing: self.mesh.interface_spacing,
+            ..defaults
+        };
+        let end = match self.rail.boundary {
+            Boundary::HalfPlane => RailEnd::HalfPlane { centre: self.rail.centre },
+        };
+        XfemEngine::new(&self.cracks, self.steel, mesh, end, settings)
+    }
+
     /// The run of this case: from `state` on, from its beginning where there is none.
     pub fn growth_run(&self, state: Option<GrowthState>) -> Growth {
-        let engine = match self.engine {
+        let engine: Box<dyn BodyEngine> = match self.engine {
+            Engine::Xfem => Box::new(self.xfem_engine()),
             Engine::Dislocation => {
                 Box::new(DislocationEngine { steel: self.steel, resolution: self.face_resolution() })
             }

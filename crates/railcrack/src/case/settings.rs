@@ -1,6 +1,6 @@
 //! Sections that say how it is computed and how cracks grow.
 
-use super::declare::{FINITE_ELEMENTS, choice, closed, integer, key, later, length, now, number, positive};
+use super::declare::{choice, closed, integer, key, length, now, number, positive};
 use super::table::{Availability, Kind, Presence, Preset, Section, SectionPresence};
 use Preset::{Integer, Number, Text};
 
@@ -113,12 +113,24 @@ pub(super) const MESH: Section = Section {
     doc: "Discretisation.",
     presence: SectionPresence::Defaulted,
     keys: &[
-        number(
+        key(
             "element_size_mm",
-            "mm",
-            positive(100.0),
-            0.1,
-            "Element size near the cracks in a finite-element engine; without effect on the dislocation engine.",
+            length(positive(100.0)),
+            Presence::Optional(Number(0.1)),
+            "Element size at the cracks in the finite-element engine; without it, a thirtieth of the shortest crack. \
+             Without effect on the dislocation engine.",
+        ),
+        key(
+            "tip_enrichment_radius_mm",
+            length(positive(100.0)),
+            Presence::Optional(Number(0.5)),
+            "Radius around a tip within which nodes carry its square-root functions; without it, two and a half elements.",
+        ),
+        key(
+            "interface_spacing_mm",
+            length(positive(100.0)),
+            Presence::Optional(Number(0.2)),
+            "Largest distance between face points in the finite-element engine; without it, the length of crack in an element.",
         ),
         key(
             "interface_elements",
@@ -140,10 +152,10 @@ pub(super) const SOLVER: Section = Section {
         choice(
             "engine",
             &[
+                now("xfem", "extended finite elements"),
                 now("dislocation", "distributed dislocations in a half-plane"),
-                later("xfem", "extended finite elements", FINITE_ELEMENTS),
             ],
-            "dislocation",
+            "xfem",
             "What computes the cracked rail.",
         ),
         choice(

@@ -10,6 +10,8 @@ pub struct RunSize {
     pub face_points: usize,
     /// Tips, q.
     pub tips: usize,
+    /// Displacement unknowns behind the face points; none in the dislocation engine.
+    pub displacements: usize,
     /// Unknowns of the contact problem: two per face point.
     pub unknowns: usize,
     /// Estimate of the memory needed, bytes.
@@ -27,14 +29,21 @@ impl Case {
     /// The size of the run.
     pub fn size(&self) -> RunSize {
         let tips = self.cracks.cracks().iter().map(|c| c.tips().len()).sum();
-        let face_points = match self.engine {
-            Engine::Dislocation => dislocation::face_points(&self.cracks, self.face_resolution()),
+        let (face_points, displacements, factor) = match self.engine {
+            Engine::Dislocation => (dislocation::face_points(&self.cracks, self.face_resolution()), 0, 0),
+            Engine::Xfem => match self.xfem_engine().size(&self.cracks) {
+                Ok(size) => {
+                    (size.face_points, size.mesh_unknowns + size.enriched_unknowns, size.factor_entries)
+                }
+                Err(_) => (0, 0, 0),
+            },
         };
         let unknowns = 2 * face_points;
         let number = size_of::<f64>();
         let matrices = MATRICES * unknowns * unknowns + 2 * tips * unknowns;
         // Face record of one passage: four numbers and a status per position and point.
         let records = self.passages.passage.positions * (5 * face_points + 2 * tips);
-        RunSize { face_points, tips, unknowns, memory_bytes: BASE + number * (matrices + records) }
+        let memory_bytes = BASE + number * (matrices + records + 2 * factor);
+        RunSize { face_points, tips, displacements, unknowns, memory_bytes }
     }
 }

@@ -91,8 +91,12 @@ pub enum ShakedownMethod {
 /// Discretisation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeshSettings {
-    /// Element size near the cracks, mm; without effect on the dislocation engine.
-    pub element_size: f64,
+    /// Element size at the cracks in the finite-element engine, mm; chosen by the shortest crack where none.
+    pub element_size: Option<f64>,
+    /// Radius of the √r functions around a tip, mm; chosen by the elements where none.
+    pub tip_enrichment_radius: Option<f64>,
+    /// Largest distance between face points of the finite-element engine, mm.
+    pub interface_spacing: Option<f64>,
     /// Elements along each crack in the dislocation engine; chosen by the number of cracks where none.
     pub interface_elements: Option<usize>,
 }
@@ -100,6 +104,8 @@ pub struct MeshSettings {
 /// What computes the cracked rail.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Engine {
+    /// Extended finite elements.
+    Xfem,
     /// Distributed dislocations in a half-plane.
     Dislocation,
 }
@@ -117,6 +123,7 @@ impl Engine {
     /// The name in case files and results.
     pub fn name(self) -> &'static str {
         match self {
+            Self::Xfem => "xfem",
             Self::Dislocation => "dislocation",
         }
     }

@@ -126,7 +126,7 @@ pub struct DislocationEngine {
 const RESOLVED: f64 = 0.005;
 
 impl BodyEngine for DislocationEngine {
-    fn body(&self, network: &CrackNetwork) -> Result<Box<dyn CrackedBody>, BodyError> {
+    fn body(&mut self, network: &CrackNetwork) -> Result<Box<dyn CrackedBody>, BodyError> {
         match DislocationBody::new(network, &self.steel, self.resolution) {
             Ok(body) => Ok(Box::new(body)),
             Err(reason) => Err(BodyError { reason: Box::new(reason) }),

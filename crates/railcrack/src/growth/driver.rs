@@ -151,7 +151,8 @@ impl Growth {
         let body_s = started.elapsed().as_secs_f64();
 
         let started = Instant::now();
-        let mut warnings = Vec::new();
+        let remark = |text: &String| Warning { step, kind: "engine".into(), text: text.clone() };
+        let mut warnings: Vec<Warning> = body.remarks().iter().map(remark).collect();
         let passage = self.stabilise(body.as_ref(), watch, &mut warnings)?;
         let contact_s = started.elapsed().as_secs_f64();
 

@@ -2,14 +2,16 @@
 
 use super::background::Background;
 use super::border::Border;
+use super::columns::ColumnStore;
 use super::cuts::Cuts;
-use super::interface::Interface;
+use super::interface::{Interface, Station};
 use super::sif::{SifContext, SifDomain, SifFunctional};
 use super::space::Space;
 use crate::body::{BodyTip, CrackedBody, FaceMesh};
 use crate::crack::CrackNetwork;
-use crate::linear::{LinearError, ReachedColumn, SparseColumn, SpdFactor, gram, gram_of, spd_inverse};
+use crate::linear::{LinearError, SparseColumn, SpdFactor, spd_inverse};
 use crate::math::{Matrix, Vec2, dot};
+use crate::mesh::{MeshError, QuadMesh};
 use thiserror::Error;
 
 /// Cracks that the finite-element engine cannot represent.
@@ -25,25 +27,44 @@ pub enum XfemError {
         /// Its length, mm.
         length: f64,
     },
+    /// Grid lines that make no mesh.
+    #[error("the mesh cannot be made: {0}")]
+    Mesh(#[from] MeshError),
     /// Linear algebra.
     #[error("the enriched system cannot be solved: {0}")]
     Linear(#[from] LinearError),
 }
 
-/// Radii around a tip, over the size of the elements there.
+/// Resolution around the tips and along the faces. Numbers without unit count elements at the tip.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TipRadii {
+pub struct XfemSettings {
     /// Corner nodes within it carry √r functions.
-    pub enrichment: f64,
-    /// The weight of the domain of integration is 1 up to here.
+    pub enrichment: EnrichmentRadius,
+    /// The weight of the domain of integration of the SIFs is 1 up to here.
     pub domain_inner: f64,
     /// It falls to 0 here.
     pub domain_outer: f64,
+    /// Distance between face points away from mouth, tip and kinks, mm; the length of crack in an element where none.
+    pub interface_spacing: Option<f64>,
 }
 
-impl Default for TipRadii {
+/// Radius of the √r functions around a tip.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum EnrichmentRadius {
+    /// In elements at the tip.
+    Elements(f64),
+    /// In mm.
+    Fixed(f64),
+}
+
+impl Default for XfemSettings {
     fn default() -> Self {
-        Self { enrichment: 2.5, domain_inner: 1.5, domain_outer: 4.5 }
+        Self {
+            enrichment: EnrichmentRadius::Elements(2.5),
+            domain_inner: 1.5,
+            domain_outer: 4.5,
+            interface_spacing: None,
+        }
     }
 }
 
@@ -56,6 +77,7 @@ pub struct XfemBody {
     stiffness: Matrix,
     sif_influence: Matrix,
     dofs: usize,
+    remarks: Vec<String>,
 }
 
 /// Share of the diagonal that is added to the condensed matrix: functions that the others repeat to round-off get no say.
@@ -63,22 +85,24 @@ const REDUNDANT: f64 = 1e-13;
 
 impl XfemBody {
     /// The rail on `background` with `network` of cracks.
-    pub fn new(background: &Background, network: &CrackNetwork, radii: TipRadii) -> Result<Self, XfemError> {
+    pub fn new(
+        background: &Background,
+        network: &CrackNetwork,
+        settings: XfemSettings,
+    ) -> Result<Self, XfemError> {
+        Self::with_columns(background, network, settings, &mut ColumnStore::default())
+    }
+
+    /// [`XfemBody::new`] with what was computed for other cracks on the same background.
+    pub fn with_columns(
+        background: &Background,
+        network: &CrackNetwork,
+        settings: XfemSettings,
+        columns: &mut ColumnStore,
+    ) -> Result<Self, XfemError> {
         let mesh = background.mesh();
-        let mut cuts = Cuts::new(mesh, network);
-        let sizes: Vec<f64> = cuts.tips.iter().map(|tip| element_size(background, tip.position())).collect();
-        let radius: Vec<f64> = sizes.iter().map(|size| radii.enrichment * size).collect();
-        let space = Space::new(mesh, &mut cuts, &radius);
+        let Discretisation { cuts, sizes, space, interface } = Discretisation::new(mesh, network, &settings)?;
         let border = Border::new(&cuts, &space, background.elasticity());
-        let interface = Interface::new(mesh, network, &cuts);
-        for (index, crack) in network.cracks().iter().enumerate() {
-            let own = |s: &&super::interface::Station| cuts.pieces[s.piece].crack == index;
-            let covered: f64 = interface.stations.iter().filter(own).map(|s| s.length).sum();
-            let length = crack.length();
-            if (covered - length).abs() > 1e-8 * length {
-                return Err(XfemError::OutsideMesh { crack: index + 1, covered, length });
-            }
-        }
         let context = SifContext {
             mesh,
             cuts: &cuts,
@@ -90,22 +114,78 @@ impl XfemBody {
             .iter()
             .enumerate()
             .flat_map(|(tip, size)| {
-                let domain = SifDomain { inner: radii.domain_inner * size, outer: radii.domain_outer * size };
+                let domain =
+                    SifDomain { inner: settings.domain_inner * size, outer: settings.domain_outer * size };
                 context.functionals(tip, domain)
             })
             .collect();
         let (compliance, sif_influence) =
-            condense(background, &border, &cuts, &space, &interface, &functionals)?;
+            condense(background, columns, &border, &cuts, &space, &interface, &functionals)?;
         let stiffness = spd_inverse(&compliance)?;
         let tips = cuts.tips.iter().map(|tip| BodyTip { crack: tip.crack, end: tip.end }).collect();
         let dofs = background.unknown_count() + space.unknowns();
-        Ok(Self { faces: interface.faces, tips, compliance, stiffness, sif_influence, dofs })
+        Ok(Self {
+            faces: interface.faces,
+            tips,
+            compliance,
+            stiffness,
+            sif_influence,
+            dofs,
+            remarks: Vec::new(),
+        })
     }
 }
 
+impl XfemBody {
+    /// Adds something the user must know.
+    pub(super) fn remark(&mut self, text: String) {
+        self.remarks.push(text);
+    }
+}
+
+/// Everything about the cracks in the mesh that does not need its stiffness.
+pub(super) struct Discretisation {
+    pub cuts: Cuts,
+    /// Size of the elements at each tip, mm.
+    pub sizes: Vec<f64>,
+    pub space: Space,
+    pub interface: Interface,
+}
+
+impl Discretisation {
+    pub(super) fn new(
+        mesh: &QuadMesh,
+        network: &CrackNetwork,
+        settings: &XfemSettings,
+    ) -> Result<Self, XfemError> {
+        let mut cuts = Cuts::new(mesh, network);
+        let sizes: Vec<f64> = cuts.tips.iter().map(|tip| element_size(mesh, tip.position())).collect();
+        let radius: Vec<f64> = sizes
+            .iter()
+            .map(|size| match settings.enrichment {
+                EnrichmentRadius::Elements(elements) => elements * size,
+                EnrichmentRadius::Fixed(radius) => radius,
+            })
+            .collect();
+        let space = Space::new(mesh, &mut cuts, &radius);
+        let interface = Interface::new(mesh, network, &cuts, settings.interface_spacing);
+        for (index, crack) in network.cracks().iter().enumerate() {
+            let own = |s: &&Station| cuts.pieces[s.piece].crack == index;
+            let covered: f64 = interface.stations.iter().filter(own).map(|s| s.length).sum();
+            let length = crack.length();
+            if (covered - length).abs() > COVERAGE * length {
+                return Err(XfemError::OutsideMesh { crack: index + 1, covered, length });
+            }
+        }
+        Ok(Self { cuts, sizes, space, interface })
+    }
+}
+
+/// Difference between the length of a crack and that of its pieces in elements, over the length, that round-off explains.
+const COVERAGE: f64 = 1e-8;
+
 /// Size (mm) of the elements at a point: the longest side of the one that holds it.
-fn element_size(background: &Background, at: Vec2) -> f64 {
-    let mesh = background.mesh();
+fn element_size(mesh: &QuadMesh, at: Vec2) -> f64 {
     let size = mesh.element(mesh.locate(at).unwrap_or(0)).size();
     size.x.max(size.y)
 }
@@ -113,6 +193,7 @@ fn element_size(background: &Background, at: Vec2) -> f64 {
 /// C and S from the border: S_ee = K_ee − K_es K_ss⁻¹ K_se, C = B S_ee⁻¹ Bᵀ.
 fn condense(
     background: &Background,
+    store: &mut ColumnStore,
     border: &Border,
     cuts: &Cuts,
     space: &Space,
@@ -126,11 +207,7 @@ fn condense(
     let mut columns: Vec<SparseColumn> = border.columns.iter().map(|column| sparse(column)).collect();
     let n = columns.len();
     columns.extend(functionals.iter().map(|f| sparse(&f.standard)));
-    let reached = background.factor().forward(&columns)?;
-    let reached: Vec<&ReachedColumn> = reached.iter().collect();
-    let (enriched, duals) = reached.split_at(n);
-    let removed = gram_of(enriched);
-    let coupling = gram(duals, enriched);
+    let products = store.products(background.factor(), &columns)?;
 
     let scale: Vec<f64> = (0..n)
         .map(|i| {
@@ -139,7 +216,7 @@ fn condense(
         })
         .collect();
     let condensed = Matrix::from_fn(n, n, |i, j| {
-        let scaled = (border.square[(i, j)] - removed[(i, j)]) * scale[i] * scale[j];
+        let scaled = (border.square[(i, j)] - products[(i, j)]) * scale[i] * scale[j];
         if i == j { scaled + if scale[i] > 0.0 { REDUNDANT } else { 1.0 } } else { scaled }
     });
     let factor = SpdFactor::new(&condensed)?;
@@ -168,7 +245,7 @@ fn condense(
     let sif_influence = {
         let mut influence = Matrix::zeros(functionals.len(), 2 * points);
         for (k, functional) in functionals.iter().enumerate() {
-            let mut row: Vec<f64> = coupling.row(k).iter().map(|c| -c).collect();
+            let mut row: Vec<f64> = products.row(n + k)[..n].iter().map(|c| -c).collect();
             functional.enriched.iter().for_each(|&(unknown, value)| row[unknown] += value);
             row.iter_mut().zip(&scale).for_each(|(value, scale)| *value *= scale);
             for j in 0..2 * points {
@@ -218,5 +295,9 @@ impl CrackedBody for XfemBody {
 
     fn dofs(&self) -> usize {
         self.dofs
+    }
+
+    fn remarks(&self) -> &[String] {
+        &self.remarks
     }
 }

@@ -43,9 +43,10 @@ const SMALL_KINK: f64 = 0.05;
 const GAUSS: usize = 6;
 
 impl Interface {
-    pub(super) fn new(mesh: &QuadMesh, network: &CrackNetwork, cuts: &Cuts) -> Self {
+    /// `spacing` (mm) between face points, by the elements where there is none.
+    pub(super) fn new(mesh: &QuadMesh, network: &CrackNetwork, cuts: &Cuts, spacing: Option<f64>) -> Self {
         let walks: Vec<Walk> = network.cracks().iter().map(Walk::new).collect();
-        let nodes: Vec<Vec<f64>> = walks.iter().map(|walk| nodes(mesh, walk)).collect();
+        let nodes: Vec<Vec<f64>> = walks.iter().map(|walk| nodes(mesh, walk, spacing)).collect();
         let (elements, faces) = discretise(&walks, &nodes);
         let mut interface = Self { faces, stations: Vec::new(), elements, walks };
         interface.stations = interface.stations_of(cuts);
@@ -144,13 +145,14 @@ fn shares(element: &FaceElement, g: f64) -> ([(usize, f64); 2], [(usize, f64); 2
 }
 
 /// The nodes of one walk in g, ends included.
-fn nodes(mesh: &QuadMesh, walk: &Walk) -> Vec<f64> {
+fn nodes(mesh: &QuadMesh, walk: &Walk, spacing: Option<f64>) -> Vec<f64> {
     let (start, end) = walk.range();
     let vertices = walk.vertices();
     let segments = walk.segments();
     let chord = |g: f64| {
         let segment = walk.segment_at(g, &vertices);
-        chord_at(mesh, walk.position(segment, g), walk.tangent(segment))
+        let chord = SPACING * chord_at(mesh, walk.position(segment, g), walk.tangent(segment));
+        spacing.map_or(chord, |spacing| chord.min(spacing))
     };
     let tip_chord = |g: f64| chord(g) / walk.root_slope().powi(2);
     let tip_step = [
@@ -158,7 +160,7 @@ fn nodes(mesh: &QuadMesh, walk: &Walk) -> Vec<f64> {
         Some(TIP_STEP * tip_chord(end).sqrt()),
     ];
     let tip_step = tip_step.into_iter().flatten().fold(f64::INFINITY, f64::min);
-    let density = |g: f64| (walk.ds(g) / (SPACING * chord(g))).max(0.0);
+    let density = |g: f64| (walk.ds(g) / chord(g)).max(0.0);
     // An element across each kink, so that every node has one tangent.
     let mut fixed = vec![start];
     for i in (1..segments).filter(|&i| walk.turn(i) > SMALL_KINK) {

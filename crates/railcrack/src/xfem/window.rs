@@ -107,6 +107,13 @@ impl Window {
         })
     }
 
+    /// Size (mm) of the elements at the tips of `network`, the smallest.
+    pub fn resolution(&self, network: &CrackNetwork) -> f64 {
+        let tips =
+            network.cracks().iter().flat_map(|crack| crack.tips().into_iter().map(|end| crack.tip(end)));
+        tips.map(|tip| self.size_x(tip.x).max(self.size_y(tip.y))).fold(f64::INFINITY, f64::min)
+    }
+
     /// Wanted width of an element at abscissa `x`, mm.
     fn size_x(&self, x: f64) -> f64 {
         let (lower, upper) = (self.lower.x, self.upper.x);
