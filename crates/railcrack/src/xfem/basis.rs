@@ -6,7 +6,7 @@ use super::space::Space;
 use crate::fracture::{Sif, WilliamsField};
 use crate::material::IsotropicElastic;
 use crate::math::{Stress, Vec2};
-use crate::mesh::{CORNERS, Element, NODES, shape_functions};
+use crate::mesh::{Element, NODES, shape_functions};
 
 /// A displacement function at a point: its value and slopes, x and y components.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -67,7 +67,7 @@ pub(super) struct CellBasis<'a> {
 
 struct TipBasis<'a> {
     path: &'a TipPath,
-    corners: [Option<usize>; 4],
+    corners: [Option<usize>; NODES],
     /// A point of the cell and its angle at the tip: the sheet of the cell.
     sheet: (Vec2, f64),
     modes: [WilliamsField; 2],
@@ -96,7 +96,7 @@ impl<'a> CellBasis<'a> {
         let polygon = cut.arrangement.polygon(place.cell);
         let mut tips = Vec::new();
         for &(tip, corners) in space.tips_in(place.element) {
-            let path = &cuts.tips[tip];
+            let path = &cuts.poles[tip];
             for enrichment in corners.into_iter().flatten() {
                 for mode in 0..2 {
                     targets.push(Target { standard: None, enriched: Some(2 * enrichment + mode) });
@@ -123,10 +123,9 @@ impl<'a> CellBasis<'a> {
         }
         for tip in &self.tips {
             let fields = tip.fields(point);
-            for (_, [a, b]) in tip.corners.iter().zip(CORNERS).filter(|(corner, _)| corner.is_some()) {
-                let (p, q) = (0.5 * (1.0 + a * xi), 0.5 * (1.0 + b * eta));
-                let n = p * q;
-                let (dx, dy) = (0.5 * a * q * slopes.0, 0.5 * b * p * slopes.1);
+            let shapes = shape_functions(xi, eta);
+            for (_, [n, d_xi, d_eta]) in tip.corners.iter().zip(shapes).filter(|(corner, _)| corner.is_some()) {
+                let (dx, dy) = (d_xi * slopes.0, d_eta * slopes.1);
                 for field in &fields {
                     functions.push(Function {
                         value: field.value * n,

@@ -160,8 +160,10 @@ impl Discretisation {
     ) -> Result<Self, XfemError> {
         let mut cuts = Cuts::new(mesh, network);
         let sizes: Vec<f64> = cuts.tips.iter().map(|tip| element_size(mesh, tip.position())).collect();
-        let radius: Vec<f64> = sizes
+        let radius: Vec<f64> = cuts
+            .poles
             .iter()
+            .map(|pole| element_size(mesh, pole.position()))
             .map(|size| match settings.enrichment {
                 EnrichmentRadius::Elements(elements) => elements * size,
                 EnrichmentRadius::Fixed(radius) => radius,

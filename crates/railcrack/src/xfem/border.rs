@@ -82,7 +82,7 @@ fn element_stiffness(
 ) -> Vec<CellStiffness> {
     let cut = &cuts.elements[&element];
     let singular: Vec<Vec2> =
-        space.tips_in(element).iter().map(|&(tip, _)| cuts.tips[tip].position()).collect();
+        space.tips_in(element).iter().map(|&(tip, _)| cuts.poles[tip].position()).collect();
     let mut functions: Vec<Function> = Vec::new();
     (0..cut.arrangement.cells.len())
         .filter_map(|cell| {

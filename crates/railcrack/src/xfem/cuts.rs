@@ -11,6 +11,9 @@ use std::collections::BTreeMap;
 /// where a crack passes through a node. A piece this short carries 1e-24 of the energy of an element.
 const NOTHING: f64 = 1e-12;
 
+/// Kinks above this angle (radians) stop the slip of the faces that meet there: jumps go like √r.
+const SHARP_KINK: f64 = 0.35;
+
 /// One element with its cells.
 #[derive(Debug, Clone)]
 pub(super) struct CutElement {
@@ -80,6 +83,8 @@ struct SideCrack {
 pub(super) struct Cuts {
     pub paths: Vec<CutPath>,
     pub tips: Vec<TipPath>,
+    /// Points with √r functions: the tips, then the kinks.
+    pub poles: Vec<TipPath>,
     /// Elements that hold a piece of crack or a tip, and those asked for.
     pub elements: BTreeMap<usize, CutElement>,
     /// All pieces, crack by crack along the walk.
@@ -94,6 +99,13 @@ impl Cuts {
         let mut tips = Vec::new();
         for (crack, one) in network.cracks().iter().enumerate() {
             tips.extend(one.tips().into_iter().map(|end| TipPath::new(crack, &paths[crack], end)));
+        }
+        let mut poles = tips.clone();
+        for (crack, path) in paths.iter().enumerate() {
+            for i in (1..path.segments()).filter(|&i| path.turn(i) > SHARP_KINK) {
+                poles.push(TipPath::before_kink(crack, path, i));
+                if std::env::var("BOTH").is_ok() { poles.push(TipPath::behind_kink(crack, path, i)); }
+            }
         }
         let mut held: BTreeMap<usize, Vec<(usize, usize)>> = BTreeMap::new();
         for (crack, path) in paths.iter().enumerate() {
@@ -116,7 +128,7 @@ impl Cuts {
             }
         }
         let mut cuts =
-            Self { paths, tips, elements: BTreeMap::new(), pieces: Vec::new(), side_cracks: BTreeMap::new() };
+            Self { paths, tips, poles, elements: BTreeMap::new(), pieces: Vec::new(), side_cracks: BTreeMap::new() };
         for (e, mut segments) in held {
             segments.sort_unstable();
             let cut = cuts.cut(mesh, e, &segments);

@@ -36,7 +36,9 @@ const SPACING: f64 = 1.0;
 /// Step of √r next to a tip, over the root of the element's length of crack there: points at 1/9, 4/9, 1 of an element.
 const TIP_STEP: f64 = 1.0 / 3.0;
 /// Length of the element across a kink, over the regular one.
-const KINK_SPACING: f64 = 0.5;
+const KINK_SPACING: f64 = 0.15;
+/// Growth of the distance of face points away from a kink: length per distance.
+const KINK_GRADING: f64 = 0.5;
 /// Kinks below this angle (radians) are smooth for the jump.
 const SMALL_KINK: f64 = 0.05;
 /// Gauss points on each common piece of face element and cut element: jumps are of degree 5 in g, times ψ and ds/dg.
@@ -160,15 +162,23 @@ fn nodes(mesh: &QuadMesh, walk: &Walk, spacing: Option<f64>) -> Vec<f64> {
         Some(TIP_STEP * tip_chord(end).sqrt()),
     ];
     let tip_step = tip_step.into_iter().flatten().fold(f64::INFINITY, f64::min);
-    let density = |g: f64| (walk.ds(g) / chord(g)).max(0.0);
+    let kinks: Vec<(f64, f64)> = (1..segments)
+        .filter(|&i| walk.turn(i) > SMALL_KINK)
+        .map(|i| {
+            let before = walk.from_first(i) - walk.from_first(i - 1);
+            let after = walk.from_first(i + 1) - walk.from_first(i);
+            (walk.from_first(i), (KINK_SPACING * chord(vertices[i])).min(0.5 * before.min(after)))
+        })
+        .collect();
+    let density = |g: f64| {
+        let near = |&(at, across): &(f64, f64)| across + KINK_GRADING * (walk.s(g) - at).abs();
+        walk.ds(g) / kinks.iter().map(near).fold(chord(g), f64::min)
+    };
     // An element across each kink, so that every node has one tangent.
     let mut fixed = vec![start];
-    for i in (1..segments).filter(|&i| walk.turn(i) > SMALL_KINK) {
-        let before = walk.from_first(i) - walk.from_first(i - 1);
-        let after = walk.from_first(i + 1) - walk.from_first(i);
-        let across = (KINK_SPACING * chord(vertices[i])).min(0.5 * before.min(after));
-        fixed.push(walk.g(walk.from_first(i) - 0.5 * across));
-        fixed.push(walk.g(walk.from_first(i) + 0.5 * across));
+    for &(at, across) in &kinks {
+        fixed.push(walk.g(at - 0.5 * across));
+        fixed.push(walk.g(at + 0.5 * across));
     }
     fixed.push(end);
     let mut nodes = vec![start];

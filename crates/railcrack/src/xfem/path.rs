@@ -50,6 +50,12 @@ impl CutPath {
         (self.points[i], self.points[i + 1])
     }
 
+    /// The angle (radians, 0 to π) by which the path turns at point `i`, not an end.
+    pub(super) fn turn(&self, i: usize) -> f64 {
+        let (a, b) = (self.points[i] - self.points[i - 1], self.points[i + 1] - self.points[i]);
+        a.cross(b).atan2(a.dot(b)).abs()
+    }
+
     /// Arc length of a point on segment `i`.
     pub(super) fn arc_length(&self, i: usize, point: Vec2) -> f64 {
         let (from, to) = self.segment(i);
@@ -76,6 +82,20 @@ impl TipPath {
         }
         let n = points.len();
         Self { crack, end, ahead: (points[n - 1] - points[n - 2]).normalised(), points }
+    }
+
+    /// The part of the crack before its kink at point `i`, as if it ended there.
+    pub(super) fn before_kink(crack: usize, path: &CutPath, i: usize) -> Self {
+        let points = path.points[..=i].to_vec();
+        Self { crack, end: End::Last, ahead: (points[i] - points[i - 1]).normalised(), points }
+    }
+
+    /// The part of the crack behind its kink at point `i`, walked towards the kink.
+    pub(super) fn behind_kink(crack: usize, path: &CutPath, i: usize) -> Self {
+        let mut points = path.points[i..].to_vec();
+        points.reverse();
+        let n = points.len();
+        Self { crack, end: End::First, ahead: (points[n - 1] - points[n - 2]).normalised(), points }
     }
 
     /// The tip, mm.

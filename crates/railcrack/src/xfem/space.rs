@@ -31,7 +31,7 @@ pub(super) struct Space {
     /// (element, region, local node) → enrichment.
     parts: BTreeMap<(usize, usize), [Option<usize>; NODES]>,
     /// element → (tip, enrichments of the four corners).
-    tips: BTreeMap<usize, Vec<(usize, [Option<usize>; 4])>>,
+    tips: BTreeMap<usize, Vec<(usize, [Option<usize>; NODES])>>,
     /// Elements with an enrichment, in increasing order.
     pub elements: Vec<usize>,
 }
@@ -52,14 +52,14 @@ impl Space {
                 enrichments.push(Enrichment::Part { node, regions });
             }
         }
-        let mut tips: BTreeMap<usize, Vec<(usize, [Option<usize>; 4])>> = BTreeMap::new();
+        let mut tips: BTreeMap<usize, Vec<(usize, [Option<usize>; NODES])>> = BTreeMap::new();
         for (tip, &radius) in radius.iter().enumerate() {
             for node in tip_nodes(mesh, cuts, tip, radius) {
                 for e in mesh.elements_of(node) {
                     let local = mesh.element(e).nodes.iter().position(|&n| n == node).expect("own element");
                     let list = tips.entry(e).or_default();
                     if list.last().is_none_or(|(t, _)| *t != tip) {
-                        list.push((tip, [None; 4]));
+                        list.push((tip, [None; NODES]));
                     }
                     let last = list.len() - 1;
                     list[last].1[local] = Some(enrichments.len());
@@ -87,23 +87,23 @@ impl Space {
     }
 
     /// Per tip with functions in an element, the enrichments of its corners.
-    pub(super) fn tips_in(&self, element: usize) -> &[(usize, [Option<usize>; 4])] {
+    pub(super) fn tips_in(&self, element: usize) -> &[(usize, [Option<usize>; NODES])] {
         self.tips.get(&element).map_or(&[], Vec::as_slice)
     }
 }
 
 /// The corner nodes that carry the functions of a tip.
 fn tip_nodes(mesh: &QuadMesh, cuts: &Cuts, tip: usize, radius: f64) -> BTreeSet<usize> {
-    let at = cuts.tips[tip].position();
+    let at = cuts.poles[tip].position();
     let mut nodes = BTreeSet::new();
     for e in elements_at(mesh, at) {
-        nodes.extend(&mesh.element(e).nodes[..4]);
+        nodes.extend(mesh.element(e).nodes);
     }
     let reach = crate::math::Vec2::new(radius, radius);
     let (columns, rows) = mesh.places_meeting(at - reach, at + reach);
     for row in rows {
         for column in columns.clone() {
-            let corners = &mesh.element(row * mesh.columns() + column).nodes[..4];
+            let corners = mesh.element(row * mesh.columns() + column).nodes;
             nodes.extend(corners.iter().filter(|&&n| (mesh.node_position(n) - at).length() <= radius));
         }
     }
