@@ -1,11 +1,13 @@
-//! Times of the sparse factor of an elastic grid: factorisation, forward solves of local columns, their scalar products.
+//! Times of the uncracked rail: its sparse factor, forward solves of local columns, their scalar products, and the correction of a
+//! block.
 
 use divan::{Bencher, black_box};
-use railcrack::linear::{
-    ReachedColumn, SparseCholesky, SparseColumn, SparseFactor, SparseSymmetric, SymmetricPattern, gram_of,
-};
-use railcrack::math::{Matrix, gauss_legendre};
-use railcrack::mesh::{Element, NODES, QuadMesh, shape_functions};
+use railcrack::bulk::{BlockCorrection, BottomSupport, Boundary, BulkRail, SideSupport};
+use railcrack::linear::{ReachedColumn, SparseCholesky, SparseColumn, gram_of};
+use railcrack::load::HertzianContact;
+use railcrack::material::IsotropicElastic;
+use railcrack::math::Vec2;
+use railcrack::mesh::QuadMesh;
 use std::sync::Arc;
 
 /// Elements along each side of the grid, and how many columns are solved with it.
@@ -14,128 +16,137 @@ const SIZES: [(usize, usize); 3] = [(70, 500), (70, 1500), (120, 500)];
 /// Samples of what takes tenths of seconds at most.
 const SAMPLES: u32 = 10;
 
+const CONTACT: HertzianContact = HertzianContact { peak_pressure: 845.0, half_width: 6.75, friction: 0.4 };
+
+const CLAMPED: Boundary = Boundary::Block { bottom: BottomSupport::Clamped, sides: SideSupport::Free };
+
 fn main() {
-    let sizes: std::collections::BTreeSet<usize> = SIZES.iter().map(|(n, _)| *n).collect();
-    for n in sizes {
-        let (_, factor) = Grid::new(n).factored();
+    for (name, rail) in [("70 x 70", square(70)), ("120 x 120", square(120)), ("block", rail(block_mesh()))] {
+        let (nodes, factor) = (rail.mesh().node_count(), rail.factor());
         let (order, entries, bytes) = (factor.order(), factor.entries(), factor.memory_bytes());
-        println!("{n} x {n} elements: {order} unknowns, {entries} entries of L, {bytes} bytes");
+        println!("{name}: {nodes} nodes, {order} unknowns, {entries} entries of L, {bytes} bytes");
     }
     divan::main();
 }
 
-struct Grid {
-    mesh: QuadMesh,
-    elements: Vec<[Option<usize>; 2 * NODES]>,
-    pattern: Arc<SymmetricPattern>,
+fn rail(mesh: QuadMesh) -> BulkRail {
+    BulkRail::new(mesh, &IsotropicElastic::new(210e3, 0.3).unwrap(), CLAMPED).unwrap()
 }
 
-impl Grid {
-    fn new(n: usize) -> Self {
-        let lines: Vec<f64> = (0..=n).map(|i| i as f64).collect();
-        let mesh = QuadMesh::new(lines.clone(), lines).unwrap();
-        let unknowns = |element: Element| {
-            std::array::from_fn(|k| {
-                let node = element.nodes[k / 2];
-                // The bottom is held.
-                (mesh.lattice_point(node).1 > 0).then(|| 2 * (node - (2 * mesh.columns() + 1)) + k % 2)
-            })
-        };
-        let elements: Vec<_> = (0..mesh.element_count()).map(|e| unknowns(mesh.element(e))).collect();
-        let order = 2 * (mesh.node_count() - (2 * mesh.columns() + 1));
-        let pattern = Arc::new(SymmetricPattern::from_blocks(order, &elements).unwrap());
-        Self { mesh, elements, pattern }
-    }
-
-    fn matrix(&self) -> SparseSymmetric {
-        let stiffness = unit_stiffness();
-        let mut matrix = SparseSymmetric::zeros(Arc::clone(&self.pattern));
-        for element in &self.elements {
-            matrix.add_block(element, &stiffness).unwrap();
-        }
-        matrix
-    }
-
-    fn analysed(&self) -> SparseCholesky {
-        let held = 2 * self.mesh.columns() + 1;
-        let nodes = self.mesh.nested_dissection().into_iter().filter_map(|node| node.checked_sub(held));
-        let order = nodes.flat_map(|node| [2 * node, 2 * node + 1]).collect();
-        SparseCholesky::analyse(Arc::clone(&self.pattern), order).unwrap()
-    }
-
-    fn factored(&self) -> (SparseCholesky, SparseFactor) {
-        let analysed = self.analysed();
-        let factor = analysed.factor(&self.matrix()).unwrap();
-        (analysed, factor)
-    }
-
-    /// Columns on the unknowns of single elements, along a slanted line that begins at the middle of the top.
-    fn local_columns(&self, count: usize) -> Vec<SparseColumn> {
-        let n = self.mesh.columns();
-        let column = |i: usize| {
-            let along = i * (n / 3) / count;
-            let e = (n - 1 - along) * n + n / 2 + along / 2;
-            let unknowns = self.elements[e].iter().flatten();
-            SparseColumn {
-                entries: unknowns.enumerate().map(|(k, &u)| (u, ((i + k) as f64).sin())).collect(),
-            }
-        };
-        (0..count).map(column).collect()
-    }
+fn square(n: usize) -> BulkRail {
+    let lines: Vec<f64> = (0..=n).map(|i| i as f64 - n as f64).collect();
+    rail(QuadMesh::new(lines.clone(), lines).unwrap())
 }
 
-/// The stiffness of a square with eight nodes in plane strain, E = 1, ν = 0.3.
-fn unit_stiffness() -> Matrix {
-    let (mu, lambda) = (0.5 / 1.3, 0.3 / (1.3 * 0.4));
-    let mut stiffness = Matrix::zeros(2 * NODES, 2 * NODES);
-    let rule = gauss_legendre(3);
-    for (s, t, weight) in rule.iter().flat_map(|(s, v)| rule.iter().map(move |(t, w)| (*s, *t, v * w))) {
-        let shapes = shape_functions(2.0 * s - 1.0, 2.0 * t - 1.0);
-        for i in 0..2 * NODES {
-            for j in 0..2 * NODES {
-                let (a, b) = (shapes[i / 2], shapes[j / 2]);
-                let (p, q) = (i % 2 + 1, j % 2 + 1);
-                let shear = if p == q { a[1] * b[1] + a[2] * b[2] } else { 0.0 };
-                stiffness[(i, j)] += 4.0 * weight * (lambda * a[p] * b[q] + mu * a[q] * b[p] + mu * shear);
+/// The block of 300 × 172 mm: elements of 0.2 mm in a window of 12 × 8 mm, growing outwards by a quarter, up to 15 mm.
+fn block_mesh() -> QuadMesh {
+    let outwards = |window: f64, end: f64| {
+        let (mut at, mut step, mut lines) = (0.0, 0.2, vec![0.0]);
+        while at + 1.5 * step < end {
+            at += step;
+            lines.push(at);
+            if at > window - 0.1 {
+                step = f64::min(1.25 * step, 15.0);
             }
         }
-    }
-    stiffness
+        lines.push(end);
+        lines
+    };
+    let right = outwards(6.0, 150.0);
+    let x = right.iter().skip(1).rev().map(|x| -x).chain(right.iter().copied()).collect();
+    QuadMesh::new(x, outwards(8.0, 172.0).into_iter().rev().map(|depth| -depth).collect()).unwrap()
+}
+
+fn analysed(rail: &BulkRail) -> SparseCholesky {
+    let nodes = rail.mesh().nested_dissection().into_iter();
+    let order = nodes.flat_map(|node| rail.unknowns(node)).flatten().collect();
+    SparseCholesky::analyse(Arc::clone(rail.matrix().pattern()), order).unwrap()
+}
+
+/// Columns on the unknowns of single elements, along a slanted line that begins at the middle of the top.
+fn local_columns(rail: &BulkRail, count: usize) -> Vec<SparseColumn> {
+    let n = rail.mesh().columns();
+    let column = |i: usize| {
+        let along = i * (n / 3) / count;
+        let unknowns = rail.element_unknowns((n - 1 - along) * n + n / 2 + along / 2);
+        let entry = |(k, u): (usize, usize)| (u, ((i + k) as f64).sin());
+        SparseColumn { entries: unknowns.into_iter().flatten().enumerate().map(entry).collect() }
+    };
+    (0..count).map(column).collect()
+}
+
+/// Points on a crack of 8 mm.
+fn face_points() -> Vec<Vec2> {
+    (0..200).map(|i| Vec2::new(0.02, -0.02) * f64::from(i)).collect()
 }
 
 #[divan::bench(args = SIZES, sample_count = SAMPLES, sample_size = 1)]
 fn analyse(bencher: Bencher, (n, _): (usize, usize)) {
-    let grid = Grid::new(n);
-    bencher.bench(|| black_box(&grid).analysed());
+    let rail = square(n);
+    bencher.bench(|| analysed(black_box(&rail)));
 }
 
 #[divan::bench(args = SIZES, sample_count = SAMPLES, sample_size = 1)]
 fn factor(bencher: Bencher, (n, _): (usize, usize)) {
-    let grid = Grid::new(n);
-    let (analysed, matrix) = (grid.analysed(), grid.matrix());
-    bencher.bench(|| analysed.factor(black_box(&matrix)).unwrap());
+    let rail = square(n);
+    let analysed = analysed(&rail);
+    bencher.bench(|| analysed.factor(black_box(rail.matrix())).unwrap());
 }
 
 #[divan::bench(args = SIZES, sample_count = SAMPLES, sample_size = 1)]
 fn forward(bencher: Bencher, (n, count): (usize, usize)) {
-    let grid = Grid::new(n);
-    let (_, factor) = grid.factored();
-    let columns = grid.local_columns(count);
-    bencher.bench(|| factor.forward(black_box(&columns)).unwrap());
+    let rail = square(n);
+    let columns = local_columns(&rail, count);
+    bencher.bench(|| rail.factor().forward(black_box(&columns)).unwrap());
 }
 
 #[divan::bench(args = SIZES, sample_count = SAMPLES, sample_size = 1)]
 fn scalar_products(bencher: Bencher, (n, count): (usize, usize)) {
-    let grid = Grid::new(n);
-    let (_, factor) = grid.factored();
-    let reached = factor.forward(&grid.local_columns(count)).unwrap();
+    let rail = square(n);
+    let reached = rail.factor().forward(&local_columns(&rail, count)).unwrap();
     let columns: Vec<&ReachedColumn> = reached.iter().collect();
     bencher.bench(|| gram_of(black_box(&columns)));
 }
 
 #[divan::bench(args = SIZES, sample_count = SAMPLES, sample_size = 1)]
 fn solve_one(bencher: Bencher, (n, _): (usize, usize)) {
-    let (_, factor) = Grid::new(n).factored();
+    let rail = square(n);
+    let factor = rail.factor();
     let mut column: Vec<f64> = (0..factor.order()).map(|i| (i as f64).sin()).collect();
     bencher.bench_local(|| factor.solve(black_box(&mut column)).unwrap());
+}
+
+/// Assembly, analysis and factor of the block.
+#[divan::bench(sample_count = SAMPLES, sample_size = 1)]
+fn bulk_rail(bencher: Bencher) {
+    let mesh = block_mesh();
+    bencher.bench(|| rail(black_box(&mesh).clone()));
+}
+
+/// The correction for a wheel that runs over ±6 a.
+#[divan::bench(sample_count = SAMPLES, sample_size = 1)]
+fn block_correction(bencher: Bencher) {
+    let rail = rail(block_mesh());
+    bencher.bench(|| BlockCorrection::new(black_box(&rail), &CONTACT, -40.5..=40.5).unwrap());
+}
+
+/// The correction prepared for the points of a crack.
+#[divan::bench(sample_count = SAMPLES, sample_size = 1)]
+fn correction_at_points(bencher: Bencher) {
+    let rail = rail(block_mesh());
+    let correction = BlockCorrection::new(&rail, &CONTACT, -40.5..=40.5).unwrap();
+    bencher.bench(|| correction.at(black_box(&face_points())).unwrap());
+}
+
+/// The stress of the correction at the points of a crack, for one wheel position.
+#[divan::bench]
+fn correction_for_one_position(bencher: Bencher) {
+    let rail = rail(block_mesh());
+    let correction = BlockCorrection::new(&rail, &CONTACT, -40.5..=40.5).unwrap();
+    let points = face_points();
+    let there = correction.at(&points).unwrap();
+    bencher.bench(|| {
+        let wheel = there.wheel_at(black_box(1.3)).unwrap();
+        (0..points.len()).map(|k| wheel.stress(k).xx).sum::<f64>()
+    });
 }

@@ -45,6 +45,7 @@
 //! Units everywhere inside: mm, N, MPa, radians; stress intensity factors in MPa √mm. Plane strain.
 
 pub mod body;
+pub mod bulk;
 pub mod case;
 pub mod contact;
 pub mod crack;

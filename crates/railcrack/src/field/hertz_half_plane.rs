@@ -38,16 +38,7 @@ impl HertzField {
     pub fn stress(&self, point: Vec2, xc: f64) -> Stress {
         let x = (point.x - xc) * self.per_half_width;
         let y = (point.y * self.per_half_width).min(0.0);
-        // The root in the quadrant of z: the larger of |Re s|, |Im s| by the square root of a sum without
-        // cancellation, the other by division. Im s ≤ 0 selects the lower side of the cut under the contact.
-        let (ahead, behind, y2) = (x - 1.0, x + 1.0, y * y);
-        let real = ahead * behind - y2;
-        let modulus = ((ahead * ahead + y2) * (behind * behind + y2)).sqrt();
-        // At an edge s = 0: the floor keeps 0/0 out, and y/s → 0 there.
-        let larger = (0.5 * (modulus + real.abs())).sqrt().max(f64::MIN_POSITIVE);
-        let smaller = (x * y).abs() / larger;
-        let (s_re, s_im) = if real >= 0.0 { (larger, -smaller) } else { (smaller, -larger) };
-        let s_re = s_re.copysign(x);
+        let Root { re: s_re, im: s_im, modulus } = Root::of(x, y);
         // W = −1/(s + z): s − z would cancel far away.
         let (sum_re, sum_im) = (s_re + x, s_im + y);
         let per_sum = 1.0 / (sum_re * sum_re + sum_im * sum_im);
@@ -62,6 +53,29 @@ impl HertzField {
         let xy = -mu * w_im - (slope_im + mu * slope_re);
         let p0 = self.peak_pressure;
         Stress { xx: p0 * (trace - yy), yy: p0 * yy, zz: p0 * self.poisson * trace, xy: p0 * xy }
+    }
+}
+
+/// s = √(z² − 1) in the quadrant of z = x + i y, y ≤ 0, and |s|².
+pub(super) struct Root {
+    pub(super) re: f64,
+    pub(super) im: f64,
+    pub(super) modulus: f64,
+}
+
+impl Root {
+    /// The larger of |Re s|, |Im s| by the square root of a sum without cancellation, the other by division. Im s ≤ 0
+    /// selects the lower side of the cut under the contact.
+    #[inline]
+    pub(super) fn of(x: f64, y: f64) -> Self {
+        let (ahead, behind, y2) = (x - 1.0, x + 1.0, y * y);
+        let real = ahead * behind - y2;
+        let modulus = ((ahead * ahead + y2) * (behind * behind + y2)).sqrt();
+        // At an edge s = 0: the floor keeps 0/0 out, and y/s → 0 there.
+        let larger = (0.5 * (modulus + real.abs())).sqrt().max(f64::MIN_POSITIVE);
+        let smaller = (x * y).abs() / larger;
+        let (re, im) = if real >= 0.0 { (larger, -smaller) } else { (smaller, -larger) };
+        Self { re: re.copysign(x), im, modulus }
     }
 }
 

@@ -1,9 +1,11 @@
 //! Stress fields of the uncracked rail.
 
 mod depth_profile;
+mod hertz_displacement;
 mod hertz_half_plane;
 
 pub use depth_profile::{DepthProfile, ProfileError};
+pub use hertz_displacement::HertzDisplacement;
 pub use hertz_half_plane::{HertzField, hertz_stress};
 
 use crate::math::{Stress, Vec2};

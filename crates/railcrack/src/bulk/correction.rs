@@ -1,0 +1,203 @@
+//! What the ends of a block do to the stress under the wheel.
+
+use super::boundary::Boundary;
+use super::cancel::ElasticField;
+use super::chebyshev;
+use super::gauss_stress::StressAtPoints;
+use super::rail::{BulkError, BulkRail};
+use crate::field::{HertzDisplacement, HertzField};
+use crate::load::HertzianContact;
+use crate::math::{Stress, Vec2};
+use std::ops::RangeInclusive;
+
+/// The field that, added to that of the half-plane under the wheel, gives the field of the block: it takes the tractions of the
+/// half-plane from the free ends of the block and its displacements from the held ones.
+///
+/// The ends are away from the wheel, so the field is smooth, and coarse elements do. It depends on the wheel position x_c like its data on
+/// the ends, which are analytic in x_c: it is solved at Chebyshev points and interpolated between them, to [`BlockCorrection::TOLERANCE`].
+/// Nothing is solved per wheel position.
+#[derive(Debug, Clone)]
+pub struct BlockCorrection<'a> {
+    rail: &'a BulkRail,
+    range: RangeInclusive<f64>,
+    positions: Vec<f64>,
+    /// Position by position, node by node.
+    displacements: Vec<Vec<Vec2>>,
+}
+
+/// The field of the half-plane with the wheel at one place.
+struct Under {
+    stress: HertzField,
+    displacement: HertzDisplacement,
+    half_width: f64,
+    xc: f64,
+}
+
+impl ElasticField for Under {
+    fn stress(&self, point: Vec2) -> Stress {
+        self.stress.stress(point, self.xc)
+    }
+
+    fn displacement(&self, point: Vec2) -> Vec2 {
+        self.displacement.displacement(point, self.xc)
+    }
+
+    fn smooth_within(&self, point: Vec2) -> f64 {
+        // The square roots of the potential have their branch points at the edges of the contact.
+        ((point.x - self.xc).abs() - self.half_width).hypot(point.y)
+    }
+}
+
+impl<'a> BlockCorrection<'a> {
+    /// Error of the interpolation between wheel positions, relative to the largest value of the correction: far below that of the mesh.
+    pub const TOLERANCE: f64 = 1e-8;
+
+    /// Most positions that are solved.
+    const MOST_POSITIONS: usize = 200;
+
+    /// The correction of `rail` for a wheel whose `contact` is centred anywhere in `range` (mm).
+    ///
+    /// Errors: a half-plane; a range that is empty or not finite; a contact that leaves the block or comes so close to one of its sides
+    /// that the field is no longer smooth.
+    pub fn new(
+        rail: &'a BulkRail,
+        contact: &HertzianContact,
+        range: RangeInclusive<f64>,
+    ) -> Result<Self, BulkError> {
+        if rail.boundary() == Boundary::HalfPlane {
+            return Err(BulkError::NoBlock);
+        }
+        let (from, to) = (*range.start(), *range.end());
+        if !(from <= to && from.is_finite() && to.is_finite()) {
+            return Err(BulkError::Positions { from, to });
+        }
+        let count = positions_needed(rail, contact, &range)?;
+        let positions = chebyshev::points(&range, count);
+        let under = |&xc: &f64| Under {
+            stress: HertzField::new(contact, rail.steel().poisson()),
+            displacement: HertzDisplacement::new(contact, rail.steel()),
+            half_width: contact.half_width,
+            xc,
+        };
+        let fields: Vec<Under> = positions.iter().map(under).collect();
+        let fields: Vec<&dyn ElasticField> = fields.iter().map(|field| field as _).collect();
+        let displacements = rail.cancel(&fields)?;
+        Ok(Self { rail, range, positions, displacements })
+    }
+
+    /// Wheel positions at which the correction was solved, mm.
+    pub fn positions(&self) -> &[f64] {
+        &self.positions
+    }
+
+    /// The displacements (mm, node by node) of the correction for the wheel at `xc` (mm).
+    ///
+    /// Errors: a position outside of the range.
+    pub fn displacements(&self, xc: f64) -> Result<Vec<Vec2>, BulkError> {
+        let weights = weights(&self.positions, &self.range, xc)?;
+        let mut sum = vec![Vec2::default(); self.rail.mesh().node_count()];
+        for (weight, displacements) in weights.into_iter().zip(&self.displacements) {
+            sum.iter_mut().zip(displacements).for_each(|(sum, u)| *sum = *sum + *u * weight);
+        }
+        Ok(sum)
+    }
+
+    /// The correction prepared for many wheel positions at fixed `points` (mm).
+    ///
+    /// Errors: a point outside of the mesh.
+    pub fn at(&self, points: &[Vec2]) -> Result<CorrectionAtPoints, BulkError> {
+        let stress = StressAtPoints::new(self.rail, points)?;
+        let by_position: Vec<Vec<Stress>> = self.displacements.iter().map(|u| stress.stress(u)).collect();
+        let of_point = |k: usize| by_position.iter().map(move |stresses| stresses[k]);
+        Ok(CorrectionAtPoints {
+            range: self.range.clone(),
+            positions: self.positions.clone(),
+            stresses: (0..points.len()).flat_map(of_point).collect(),
+        })
+    }
+}
+
+/// How many positions interpolate the correction.
+fn positions_needed(
+    rail: &BulkRail,
+    contact: &HertzianContact,
+    range: &RangeInclusive<f64>,
+) -> Result<usize, BulkError> {
+    let lines = rail.mesh().x_lines();
+    let (left, right) = (lines[0], lines[lines.len() - 1]);
+    let (from, to) = (range.start() - contact.half_width, range.end() + contact.half_width);
+    // As seen from a place on the ends of the block, the potential has its branch points where an edge of the contact would meet that place
+    // or its mirror image above the surface: a top corner is the first of the sides, and the bottom lies at its depth beside the range.
+    let half = 0.5 * (range.end() - range.start());
+    let depth = -rail.mesh().y_lines()[0];
+    let needed = |gap: f64| {
+        if half == 0.0 {
+            return 1.0;
+        }
+        chebyshev::count(chebyshev::rate(gap / half, depth / half), BlockCorrection::TOLERANCE)
+    };
+    let most = BlockCorrection::MOST_POSITIONS as f64;
+    let count = needed((from - left).min(right - to));
+    if from >= left && to <= right && count <= most {
+        return Ok(count.ceil() as usize);
+    }
+    // The gap that would do, by bisection: the wider it is, the fewer positions.
+    let (mut narrow, mut wide) = (0.0, half);
+    for _ in 0..50 {
+        let middle = 0.5 * (narrow + wide);
+        if needed(middle) > most {
+            narrow = middle;
+        } else {
+            wide = middle;
+        }
+    }
+    Err(BulkError::OffTheBlock { from, to, left, right, gap: wide })
+}
+
+fn weights(positions: &[f64], range: &RangeInclusive<f64>, xc: f64) -> Result<Vec<f64>, BulkError> {
+    if !range.contains(&xc) {
+        return Err(BulkError::Position { position: xc, from: *range.start(), to: *range.end() });
+    }
+    Ok(chebyshev::weights(positions, xc))
+}
+
+/// The stress of the correction at fixed points, for any wheel position of its range.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CorrectionAtPoints {
+    range: RangeInclusive<f64>,
+    positions: Vec<f64>,
+    /// Point by point, position by position.
+    stresses: Vec<Stress>,
+}
+
+impl CorrectionAtPoints {
+    /// The wheel at `xc` (mm).
+    ///
+    /// Errors: a position outside of the range.
+    pub fn wheel_at(&self, xc: f64) -> Result<WheelAt<'_>, BulkError> {
+        Ok(WheelAt { points: self, weights: weights(&self.positions, &self.range, xc)? })
+    }
+
+    /// The stress (MPa) of the correction at point `k` (from 0) for the wheel at `xc` (mm): [`WheelAt::stress`] for one point.
+    ///
+    /// Errors: a position outside of the range.
+    pub fn stress(&self, k: usize, xc: f64) -> Result<Stress, BulkError> {
+        Ok(self.wheel_at(xc)?.stress(k))
+    }
+}
+
+/// The correction at fixed points with the wheel at one place.
+#[derive(Debug, Clone)]
+pub struct WheelAt<'a> {
+    points: &'a CorrectionAtPoints,
+    weights: Vec<f64>,
+}
+
+impl WheelAt<'_> {
+    /// The stress (MPa) of the correction at point `k` (from 0, in the order of [`BlockCorrection::at`]).
+    pub fn stress(&self, k: usize) -> Stress {
+        let count = self.weights.len();
+        let stresses = &self.points.stresses[k * count..(k + 1) * count];
+        self.weights.iter().zip(stresses).fold(Stress::ZERO, |sum, (weight, stress)| sum + *stress * *weight)
+    }
+}

@@ -1,0 +1,23 @@
+//! The rail without cracks in finite elements: what holds it, its stiffness and factor, and what its ends do to the stress under
+//! the wheel.
+
+mod boundary;
+mod cancel;
+mod chebyshev;
+mod correction;
+mod gauss_stress;
+mod grid;
+mod rail;
+mod stiffness;
+
+pub use boundary::{BottomSupport, Boundary, SideSupport};
+pub use cancel::ElasticField;
+pub use correction::{BlockCorrection, CorrectionAtPoints, WheelAt};
+pub use gauss_stress::StressAtPoints;
+pub use rail::{BulkError, BulkRail};
+pub use stiffness::RectangleStiffness;
+
+#[cfg(test)]
+mod correction_tests;
+#[cfg(test)]
+mod patch_tests;

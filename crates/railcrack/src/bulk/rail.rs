@@ -1,0 +1,166 @@
+//! The uncracked rail: mesh, supports, stiffness, factor.
+
+use super::boundary::{Boundary, Freedom};
+use super::stiffness::RectangleStiffness;
+use crate::linear::{LinearError, SparseCholesky, SparseFactor, SparseSymmetric, SymmetricPattern};
+use crate::material::IsotropicElastic;
+use crate::math::Vec2;
+use crate::mesh::{NODES, QuadMesh};
+use std::sync::Arc;
+use thiserror::Error;
+
+/// A rail that cannot be computed.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum BulkError {
+    /// The mesh does not end at the running surface.
+    #[error("the top of the mesh lies at y = {top} mm: must be the running surface, y = 0")]
+    Top {
+        /// Ordinate of its last line, mm.
+        top: f64,
+    },
+    /// A half-plane has no ends to correct for.
+    #[error("the stress in a half-plane under a wheel needs no correction: the boundary must be a block")]
+    NoBlock,
+    /// Wheel positions without an order.
+    #[error("wheel positions from {from} to {to} mm: must be finite and increasing")]
+    Positions {
+        /// First, mm.
+        from: f64,
+        /// Last, mm.
+        to: f64,
+    },
+    /// The contact does not stay on the block.
+    #[error(
+        "the contact reaches from {from} to {to} mm, the block only from {left} to {right} mm: it must stay {gap} mm \
+         inside"
+    )]
+    OffTheBlock {
+        /// Left end of the contact in its leftmost position, mm.
+        from: f64,
+        /// Right end in its rightmost position, mm.
+        to: f64,
+        /// Left side of the block, mm.
+        left: f64,
+        /// Right side, mm.
+        right: f64,
+        /// What must remain between contact and side, mm.
+        gap: f64,
+    },
+    /// A wheel position that the correction was not made for.
+    #[error("wheel at {position} mm: the correction was made for {from} to {to} mm")]
+    Position {
+        /// What was asked for, mm.
+        position: f64,
+        /// First position, mm.
+        from: f64,
+        /// Last position, mm.
+        to: f64,
+    },
+    /// A point that is not in the mesh.
+    #[error("point ({x}, {y}) mm is not in the mesh")]
+    Point {
+        /// Abscissa, mm.
+        x: f64,
+        /// Ordinate, mm.
+        y: f64,
+    },
+    /// The stiffness cannot be factored.
+    #[error("stiffness of the uncracked rail")]
+    Stiffness(#[from] LinearError),
+}
+
+/// The rail without cracks: a mesh of 8-node rectangles, supports, the stiffness of the free unknowns and its factor.
+#[derive(Debug, Clone)]
+pub struct BulkRail {
+    mesh: QuadMesh,
+    steel: IsotropicElastic,
+    boundary: Boundary,
+    /// Along x and y of each node; none where it is held.
+    unknowns: Vec<[Option<usize>; 2]>,
+    matrix: SparseSymmetric,
+    factor: SparseFactor,
+}
+
+impl BulkRail {
+    /// Assembles and factors the rail on `mesh`, whose top is the running surface, ending at `boundary`.
+    ///
+    /// Errors: a top that is not at y = 0; a stiffness that cannot be factored.
+    pub fn new(mesh: QuadMesh, steel: &IsotropicElastic, boundary: Boundary) -> Result<Self, BulkError> {
+        let top = mesh.y_lines()[mesh.rows()];
+        if top != 0.0 {
+            return Err(BulkError::Top { top });
+        }
+        let mut count = 0;
+        let mut number = |freedom| {
+            (freedom == Freedom::Free).then(|| {
+                count += 1;
+                count - 1
+            })
+        };
+        let unknowns: Vec<[Option<usize>; 2]> =
+            boundary.nodes(&mesh).into_iter().map(|axes| axes.map(&mut number)).collect();
+        let blocks: Vec<[Option<usize>; 2 * NODES]> =
+            (0..mesh.element_count()).map(|e| of_element(&mesh, &unknowns, e)).collect();
+        let pattern = Arc::new(SymmetricPattern::from_blocks(count, &blocks)?);
+        let mut matrix = SparseSymmetric::zeros(Arc::clone(&pattern));
+        let stiffness = RectangleStiffness::new(steel);
+        for (e, block) in blocks.iter().enumerate() {
+            matrix.add_block(block, &stiffness.matrix(mesh.element(e).size()))?;
+        }
+        let order = mesh.nested_dissection().into_iter().flat_map(|node| unknowns[node]).flatten().collect();
+        let factor = SparseCholesky::analyse(pattern, order)?.factor(&matrix)?;
+        Ok(Self { mesh, steel: *steel, boundary, unknowns, matrix, factor })
+    }
+
+    /// The mesh.
+    pub fn mesh(&self) -> &QuadMesh {
+        &self.mesh
+    }
+
+    /// The elasticity.
+    pub fn steel(&self) -> &IsotropicElastic {
+        &self.steel
+    }
+
+    /// What the mesh ends at.
+    pub fn boundary(&self) -> Boundary {
+        self.boundary
+    }
+
+    /// The unknowns u_x, u_y of a node; none where it is held.
+    pub fn unknowns(&self, node: usize) -> [Option<usize>; 2] {
+        self.unknowns[node]
+    }
+
+    /// The unknowns of element `e`: 2i is u_x, 2i + 1 u_y of its node i.
+    pub fn element_unknowns(&self, e: usize) -> [Option<usize>; 2 * NODES] {
+        of_element(&self.mesh, &self.unknowns, e)
+    }
+
+    /// The stiffness of the free unknowns, N/mm per mm of thickness.
+    pub fn matrix(&self) -> &SparseSymmetric {
+        &self.matrix
+    }
+
+    /// Its factor.
+    pub fn factor(&self) -> &SparseFactor {
+        &self.factor
+    }
+
+    /// Puts displacements (mm) of the free unknowns and those of the `held` ones at the nodes together: node by node.
+    pub(super) fn at_nodes(&self, free: &[f64], held: impl Fn(Vec2) -> Vec2) -> Vec<Vec2> {
+        let node = |(node, [x, y]): (usize, &[Option<usize>; 2])| match (x, y) {
+            (Some(x), Some(y)) => Vec2::new(free[*x], free[*y]),
+            _ => {
+                let held = held(self.mesh.node_position(node));
+                Vec2::new(x.map_or(held.x, |i| free[i]), y.map_or(held.y, |i| free[i]))
+            }
+        };
+        self.unknowns.iter().enumerate().map(node).collect()
+    }
+}
+
+fn of_element(mesh: &QuadMesh, unknowns: &[[Option<usize>; 2]], e: usize) -> [Option<usize>; 2 * NODES] {
+    let nodes = mesh.element(e).nodes;
+    std::array::from_fn(|k| unknowns[nodes[k / 2]][k % 2])
+}
