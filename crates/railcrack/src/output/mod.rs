@@ -4,6 +4,7 @@
 //! described in `docs/file-formats.md`.
 
 mod checkpoint;
+mod compare;
 mod csv;
 mod error;
 mod figures;
@@ -15,6 +16,10 @@ mod story;
 mod summary;
 pub mod vtu;
 
+pub use compare::{
+    COMPARE_COLUMNS, COMPARE_POSITIONS_COLUMNS, CaseDifference, Comparison, Parting, RunLabel, SifDifference,
+    TipComparison, TipSifs,
+};
 pub use csv::{FACES_COLUMNS, GROWTH_COLUMNS, RESIDUAL_COLUMNS, ResidualRow, SIF_COLUMNS};
 pub use error::OutputError;
 pub use figures::rebuild_plots;
