@@ -72,6 +72,8 @@ impl RunError {
             Self::Output(error) => match error {
                 OutputError::HoldsRun { .. }
                 | OutputError::NoRun { .. }
+                | OutputError::NotARun { .. }
+                | OutputError::HoldsComparison { .. }
                 | OutputError::CaseChanged { .. }
                 | OutputError::OtherVersion { .. } => Exit::BadInput,
                 OutputError::NotFinite { .. } => Exit::NotConverged,

@@ -1,6 +1,6 @@
 //! What is derived from the table of keys.
 
-use railcrack::case::{Availability, Presence, SECTIONS, Section, json_schema, markdown};
+use railcrack::case::{Availability, Engine, Kind, Presence, SECTIONS, Section, json_schema, markdown};
 use serde_json::{Value, json};
 
 #[test]
@@ -70,4 +70,13 @@ fn the_schema_says_what_the_reader_accepts() {
     let contact = &schema["properties"]["contact"];
     assert_eq!(contact["required"], json!(["friction"]));
     assert_eq!(contact["oneOf"][1]["required"], json!(["line_load_n_per_mm", "wheel_radius_mm"]));
+}
+
+#[test]
+fn every_engine_that_a_case_may_name_is_listed() {
+    let solver = SECTIONS.iter().find(|section| section.name == "solver").unwrap();
+    let Kind::Choice(choices) = solver.key("engine").unwrap().kind else { panic!("engine is a choice") };
+    let now = choices.iter().filter(|choice| choice.availability == Availability::Now);
+    let listed: Vec<&str> = Engine::ALL.iter().map(|engine| engine.name()).collect();
+    assert_eq!(now.map(|choice| choice.name).collect::<Vec<_>>(), listed);
 }

@@ -1,6 +1,7 @@
 //! The commands, one file each.
 
 pub mod check;
+pub mod compare;
 pub mod init;
 pub mod run;
 pub mod schema;
@@ -14,6 +15,7 @@ pub fn dispatch(command: Command) -> Result<Exit, Failure> {
         Command::Init(arguments) => init::init(&arguments),
         Command::Check(arguments) => check::check(&arguments),
         Command::Run(arguments) => run::run(&arguments),
+        Command::Compare(arguments) => compare::compare(&arguments),
         Command::Schema => schema::schema(),
     }
 }

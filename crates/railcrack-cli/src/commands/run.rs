@@ -51,6 +51,26 @@ pub struct RunArguments {
 
 /// Runs the case and prints the result.
 pub fn run(arguments: &RunArguments) -> Result<Exit, Failure> {
+    let finished = compute(arguments, &listen()?)?;
+    print::stdout(&result_text(&finished))?;
+    Ok(match finished.ending {
+        Ending::Ended => Exit::Done,
+        Ending::Interrupted => Exit::Interrupted,
+    })
+}
+
+/// Listens to the signals by which a user stops a run.
+///
+/// Errors: the system refuses.
+pub fn listen() -> Result<Interruption, RunError> {
+    Interruption::listen()
+        .map_err(|reason| RunError::System { action: "listen to signals".into(), reason: reason.to_string() })
+}
+
+/// Runs the case until it ends or is interrupted.
+///
+/// Errors: the case is wrong; the run fails.
+pub fn compute(arguments: &RunArguments, interruption: &Interruption) -> Result<Finished, Failure> {
     let overrides = Overrides {
         steps: arguments.steps,
         engine: arguments.engine.clone(),
@@ -58,18 +78,10 @@ pub fn run(arguments: &RunArguments) -> Result<Exit, Failure> {
     };
     let case = Case::read_with(&arguments.case, &overrides)?;
     use_threads(arguments.threads)?;
-    let interruption = Interruption::listen().map_err(|reason| RunError::System {
-        action: "listen to signals".into(),
-        reason: reason.to_string(),
-    })?;
-    let finished = execute(arguments, Job::of(&case), &interruption, |state| {
+    let finished = execute(arguments, Job::of(&case), interruption, |state| {
         Ok((case.growth_run(state), residual_rows(&case)))
     })?;
-    print::stdout(&result_text(&finished))?;
-    Ok(match finished.ending {
-        Ending::Ended => Exit::Done,
-        Ending::Interrupted => Exit::Interrupted,
-    })
+    Ok(finished)
 }
 
 /// The residual stress that the rail carries, at the depths of its profile.

@@ -120,6 +120,9 @@ pub enum ContactSolver {
 }
 
 impl Engine {
+    /// Every engine of this version, the default first.
+    pub const ALL: &[Self] = &[Self::Dislocation];
+
     /// The name in case files and results.
     pub fn name(self) -> &'static str {
         match self {

@@ -7,6 +7,7 @@ mod passage;
 mod record;
 mod stops;
 
+pub(crate) use driver::NEAR_TIE;
 pub use driver::{Growth, GrowthError, GrowthProblem, GrowthState, Unwatched, Watch};
 pub use increments::{Advance, StepState, TipAdvance, TipDrive, advance};
 pub use passage::{PassageError, PassageSettings, RailLoad, StabilisedPassage, stabilised_passage};

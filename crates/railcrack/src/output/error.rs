@@ -17,6 +17,25 @@ pub enum OutputError {
         /// A file of the run that is there.
         file: &'static str,
     },
+    /// A folder that is not that of a run.
+    #[error("{} is not a run folder: it has no {file}", folder.display())]
+    NotARun {
+        /// The folder.
+        folder: PathBuf,
+        /// A file that every run has.
+        file: &'static str,
+    },
+    /// The folder already holds a comparison, and nobody allowed to replace it.
+    #[error(
+        "{} already holds a comparison ({file}): replace it with --force, or choose another folder with --out",
+        folder.display()
+    )]
+    HoldsComparison {
+        /// The folder.
+        folder: PathBuf,
+        /// A file of it that is there.
+        file: &'static str,
+    },
     /// There is no run to take up again.
     #[error("{} holds no run to resume: start one without --resume, or name its folder with --out", folder.display())]
     NoRun {

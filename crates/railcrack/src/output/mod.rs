@@ -1,9 +1,10 @@
-//! The run folder: tables as steps finish, a checkpoint, a summary, plots.
+//! The run folder: tables as steps finish, a checkpoint, a summary, plots. Fields on meshes as files of VTK.
 //!
 //! This module reads results and writes files; nothing that computes knows it. Every file, column, unit and sign is
 //! described in `docs/file-formats.md`.
 
 mod checkpoint;
+mod compare;
 mod csv;
 mod error;
 mod figures;
@@ -13,7 +14,12 @@ mod plot;
 mod recorder;
 mod story;
 mod summary;
+pub mod vtu;
 
+pub use compare::{
+    COMPARE_COLUMNS, COMPARE_POSITIONS_COLUMNS, CaseDifference, Comparison, Parting, RunLabel, SifDifference,
+    TipComparison, TipSifs,
+};
 pub use csv::{FACES_COLUMNS, GROWTH_COLUMNS, RESIDUAL_COLUMNS, ResidualRow, SIF_COLUMNS};
 pub use error::OutputError;
 pub use figures::rebuild_plots;

@@ -30,6 +30,11 @@ impl Row<'_> {
         value.ok_or_else(|| self.unreadable(i, "a finite number"))
     }
 
+    /// A real number, or an empty field.
+    pub(crate) fn optional(&self, i: usize) -> Result<Option<f64>, OutputError> {
+        if self.fields[i].is_empty() { Ok(None) } else { self.real(i).map(Some) }
+    }
+
     /// The error that the `i`-th column asked for should hold what is `accepted`.
     pub(crate) fn unreadable(&self, i: usize, accepted: &str) -> OutputError {
         let (line, column, found) = (self.line, self.columns[i], self.fields[i]);

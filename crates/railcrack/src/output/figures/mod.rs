@@ -1,5 +1,7 @@
 //! The plots of a run, built from its folder alone.
 
+mod compare_paths;
+mod compare_sif;
 mod cycles;
 mod faces;
 mod paths;
@@ -10,7 +12,11 @@ use super::folder::{Durability, SUMMARY_FILE, read_if_there, replace_file};
 use super::plot::{Anchor, GREY, INK, Span, Svg, TextStyle};
 use super::{OutputError, Summary};
 use std::path::Path;
-use stored::{chosen_steps, read_faces, read_growth, read_histories};
+use stored::{chosen_steps, read_faces, read_growth};
+
+pub(crate) use compare_paths::compared_paths;
+pub(crate) use compare_sif::{ComparedTip, compared_sifs};
+pub(crate) use stored::{History, read_histories};
 
 pub(crate) const PLOTS_FOLDER: &str = "plots";
 

@@ -49,7 +49,7 @@ pub(super) fn paths(summary: &Summary) -> String {
 }
 
 /// Axes around all paths with the same scale both ways, depth downwards.
-fn equal_axes(cracks: &[CrackSummary]) -> Axes {
+pub(super) fn equal_axes(cracks: &[CrackSummary]) -> Axes {
     let points = || cracks.iter().flat_map(|crack| &crack.points_mm);
     let bounds = |c: usize| {
         let all = points().map(|point| point[c]);
@@ -75,7 +75,7 @@ fn equal_axes(cracks: &[CrackSummary]) -> Axes {
     }
 }
 
-fn draw_rail(svg: &mut Svg, axes: &Axes) {
+pub(super) fn draw_rail(svg: &mut Svg, axes: &Axes) {
     let frame = axes.frame;
     let [_, surface] = axes.at(0.0, 0.0);
     svg.rectangle([frame.left, surface, frame.width, frame.bottom() - surface], "#f6f5f2", "none");

@@ -21,7 +21,7 @@ pub(super) struct GrowthRow {
 
 /// K of one tip over the stabilised passage of one step.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(super) struct History {
+pub(crate) struct History {
     pub step: usize,
     pub crack: usize,
     pub tip: usize,
@@ -96,7 +96,7 @@ pub(super) fn chosen_steps(growth: &[GrowthRow]) -> Vec<usize> {
 }
 
 /// The stabilised passage of every tip at `steps`, in the order of the table.
-pub(super) fn read_histories(folder: &Path, steps: &[usize]) -> Result<Vec<History>, OutputError> {
+pub(crate) fn read_histories(folder: &Path, steps: &[usize]) -> Result<Vec<History>, OutputError> {
     let mut histories: Vec<History> = Vec::new();
     let mut passage = 0;
     let columns = ["step", "passage", "crack", "tip", "xc_over_a", "ki_mpa_sqrt_m", "kii_mpa_sqrt_m"];

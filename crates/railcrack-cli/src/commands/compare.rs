@@ -1,0 +1,139 @@
+//! `railcrack compare`.
+
+use crate::commands::run::{self, RunArguments};
+use crate::drive::{Ending, RunError};
+use crate::exit::{Exit, Failure};
+use crate::print;
+use clap::Args;
+use railcrack::case::{Case, Engine};
+use railcrack::output::{Comparison, Existing};
+use std::path::{Path, PathBuf};
+
+/// Set two runs against each other: SIF histories, paths, cycles
+///
+/// Compares two run folders, or with --engines computes one case with every engine and compares their runs. Of each step
+/// the stabilised passage counts. The differences are printed, and written with plots to a folder of their own.
+#[derive(Debug, Args)]
+pub struct CompareArguments {
+    /// The first run folder; with --engines the case file
+    #[arg(value_name = "DIR|CASE")]
+    first: PathBuf,
+    /// The second run folder
+    #[arg(value_name = "DIR", required_unless_present = "engines", conflicts_with = "engines")]
+    second: Option<PathBuf>,
+    /// Compute the case with every engine and compare their runs
+    #[arg(long)]
+    engines: bool,
+    /// Folder of the comparison [default: the name of the first run or of the case with -compare, beside it]
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Say whether K differs by more than this, in per cent of the largest |K| of the case
+    #[arg(long, value_name = "P", value_parser = percent, allow_negative_numbers = true)]
+    tolerance: Option<f64>,
+    /// With --engines: number of increments, in place of the case's
+    #[arg(long, value_name = "N", requires = "engines")]
+    steps: Option<u64>,
+    /// With --engines: say nothing while computing
+    #[arg(long, requires = "engines")]
+    quiet: bool,
+    /// Replace the comparison in the folder, with --engines its runs too
+    #[arg(long)]
+    force: bool,
+}
+
+fn percent(text: &str) -> Result<f64, String> {
+    let value = text.parse().ok().filter(|value: &f64| value.is_finite() && *value >= 0.0);
+    value.ok_or_else(|| "must be a number of per cent, at least 0".to_owned())
+}
+
+/// Compares two runs, computed here or before.
+pub fn compare(arguments: &CompareArguments) -> Result<Exit, Failure> {
+    let out = match &arguments.out {
+        Some(folder) => folder.clone(),
+        None => beside(&arguments.first),
+    };
+    match &arguments.second {
+        Some(second) => compare_folders(arguments, [&arguments.first, second], &out),
+        None => compare_engines(arguments, &out),
+    }
+}
+
+/// The name of the first run or of the case without its ending, with `-compare`, beside it.
+fn beside(first: &Path) -> PathBuf {
+    // `.` and `..` have no name of their own.
+    let named = match first.file_name() {
+        Some(_) => first.to_path_buf(),
+        None => first.canonicalize().unwrap_or_else(|_| first.join("run")),
+    };
+    let stem = if named.is_dir() { named.file_name() } else { named.file_stem() };
+    let mut name = stem.unwrap_or_default().to_owned();
+    name.push("-compare");
+    named.with_file_name(name)
+}
+
+fn compare_folders(arguments: &CompareArguments, runs: [&PathBuf; 2], out: &Path) -> Result<Exit, Failure> {
+    let comparison = Comparison::of(runs[0], runs[1]).map_err(RunError::from)?;
+    let existing = if arguments.force { Existing::Replace } else { Existing::Refuse };
+    comparison.write(out, existing, arguments.tolerance).map_err(RunError::from)?;
+    let text = comparison.text(arguments.tolerance);
+    print::stdout(&format!("{text}comparison in {}\n", out.display()))?;
+    Ok(Exit::Done)
+}
+
+/// Runs the case with every engine, each into a folder of its name in `out`, and compares the first two.
+fn compare_engines(arguments: &CompareArguments, out: &Path) -> Result<Exit, Failure> {
+    // Whatever is wrong with the case is said before what is missing.
+    Case::read(&arguments.first)?;
+    let [first, second, ..] = Engine::ALL else {
+        let engine = Engine::ALL.first().map_or("none", |engine| engine.name());
+        return Err(Failure::OneEngine { engine });
+    };
+    let interruption = run::listen()?;
+    let mut folders = Vec::new();
+    for engine in [first, second] {
+        let finished = run::compute(&run_with(arguments, engine.name(), out), &interruption)?;
+        if finished.ending == Ending::Interrupted {
+            print::stdout(&run::result_text(&finished))?;
+            return Ok(Exit::Interrupted);
+        }
+        folders.push(finished.folder);
+    }
+    compare_folders(arguments, [&folders[0], &folders[1]], out)
+}
+
+/// `railcrack run` of the case with one engine.
+fn run_with(arguments: &CompareArguments, engine: &str, out: &Path) -> RunArguments {
+    RunArguments {
+        case: arguments.first.clone(),
+        out: Some(out.join(engine)),
+        engine: Some(engine.to_owned()),
+        contact: None,
+        steps: arguments.steps,
+        threads: None,
+        quiet: arguments.quiet,
+        resume: false,
+        force: arguments.force,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_default_folder_is_beside_the_first_run() {
+        assert_eq!(beside(Path::new("runs/a.b/")), Path::new("runs/a-compare"), "not there: like a case");
+        assert_eq!(beside(Path::new("cases/rail.toml")), Path::new("cases/rail-compare"));
+        let here = std::env::current_dir().unwrap();
+        let name = format!("{}-compare", here.file_name().unwrap().to_string_lossy());
+        assert_eq!(beside(Path::new(".")), here.with_file_name(name));
+    }
+
+    #[test]
+    fn tolerances_are_per_cent() {
+        assert_eq!(percent("0.5"), Ok(0.5));
+        for text in ["-1", "nan", "inf", "1%", ""] {
+            assert!(percent(text).is_err(), "{text}");
+        }
+    }
+}
