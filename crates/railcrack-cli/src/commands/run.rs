@@ -113,7 +113,7 @@ impl Job {
                 title: case.title.clone(),
                 engine: case.engine.name().into(),
                 contact: case.contact_solver.name().into(),
-                boundary: case.rail.boundary.name().into(),
+                boundary: case.rail.boundary_name(),
                 half_width: case.contact.half_width,
                 axle_load: case.axle_load,
                 warnings: Vec::new(),

@@ -53,9 +53,14 @@ impl FaceMesh {
     /// Nodal forces on the + faces, N/mm, of removing a transmitted stress σ: ∫ φ_j σ·x2 ds in the frame of point j,
     /// `[2 j]` along x1, `[2 j + 1]` along x2. `stress` gives σ (MPa) at a point (mm).
     pub fn nodal_forces(&self, stress: impl Fn(Vec2) -> Stress) -> Vec<f64> {
+        self.nodal_forces_of_samples(|_, point| stress(point))
+    }
+
+    /// [`FaceMesh::nodal_forces`] of a stress that is known by the index of the sample, from 0.
+    pub fn nodal_forces_of_samples(&self, stress: impl Fn(usize, Vec2) -> Stress) -> Vec<f64> {
         let mut forces = vec![0.0; 2 * self.points.len()];
-        for sample in &self.samples {
-            let traction = stress(sample.point).traction(sample.normal);
+        for (k, sample) in self.samples.iter().enumerate() {
+            let traction = stress(k, sample.point).traction(sample.normal);
             for (point, length) in sample.shares {
                 let tangent = self.points[point].tangent;
                 forces[2 * point] += length * traction.dot(tangent);
@@ -64,6 +69,13 @@ impl FaceMesh {
         }
         forces
     }
+}
+
+/// What the ends of a rail add to the stress of the half-plane under the wheel.
+pub trait RailEnds: Sync {
+    /// The stresses (MPa) at the samples of the faces, in order, for the wheel at `xc` (mm); beyond the positions that the rail was made
+    /// for, those of the last one.
+    fn stresses(&self, xc: f64) -> Vec<Stress>;
 }
 
 /// A cracked elastic body loaded on its crack faces only, reduced to its face points.
@@ -83,6 +95,10 @@ pub trait CrackedBody: Sync {
     fn sif_influence(&self) -> &Matrix;
     /// Number of displacement unknowns behind C.
     fn dofs(&self) -> usize;
+    /// The ends of the rail; none for a half-plane.
+    fn ends(&self) -> Option<&dyn RailEnds> {
+        None
+    }
     /// What the user must know about how the body was computed.
     fn remarks(&self) -> &[String] {
         &[]

@@ -4,6 +4,6 @@ mod cracked;
 mod engine;
 mod faces;
 
-pub use cracked::{BodyTip, CrackedBody, FaceMesh, FaceSample, MeshPoint};
+pub use cracked::{BodyTip, CrackedBody, FaceMesh, FaceSample, MeshPoint, RailEnds};
 pub use engine::{BodyEngine, BodyError};
 pub use faces::{FaceElement, FacePiece, discretise};

@@ -178,6 +178,12 @@ impl CorrectionAtPoints {
         Ok(WheelAt { points: self, weights: weights(&self.positions, &self.range, xc)? })
     }
 
+    /// The wheel at the position of the range that is nearest to `xc` (mm).
+    pub fn wheel_nearest(&self, xc: f64) -> WheelAt<'_> {
+        let inside = xc.clamp(*self.range.start(), *self.range.end());
+        WheelAt { points: self, weights: chebyshev::weights(&self.positions, inside) }
+    }
+
     /// The stress (MPa) of the correction at point `k` (from 0) for the wheel at `xc` (mm): [`WheelAt::stress`] for one point.
     ///
     /// Errors: a position outside of the range.

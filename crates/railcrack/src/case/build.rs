@@ -8,9 +8,10 @@ use super::section::SectionValues;
 use super::sections::SECTIONS;
 use super::table::{Kind, NumberRange};
 use super::validated::{
-    Boundary, Case, ContactSolver, Engine, INITIAL_RESIDUAL_NAME, MeshSettings, RESIDUAL_STRESS_NAME, Rail,
+    Case, ContactSolver, Engine, INITIAL_RESIDUAL_NAME, MeshSettings, RESIDUAL_STRESS_NAME, Rail,
     ShakedownMethod, ShakedownSettings,
 };
+use crate::bulk::{BottomSupport, Boundary, SideSupport};
 use crate::fatigue::{DirectionCriterion, ParisLaw};
 use crate::growth::{GrowthSettings, PassageSettings};
 use crate::load::{HertzianContact, Passage};
@@ -31,6 +32,10 @@ pub(super) fn build(sections: &[SectionValues], folder: &Path, report: &mut Repo
         check_fit(placed, rail, &crack_sections, report);
     }
     let passage = section("passage").and_then(|s| passage(s, contact.as_ref(), placed.as_ref(), report));
+    if let Some(rail) = &rail {
+        let wheel = contact.as_ref().zip(passage.as_ref());
+        check_block(rail, section("solver").and_then(engine), wheel, &section, report);
+    }
     let residual_stress = section("residual_stress").and_then(|s| profile(s, "profile", folder, report));
     let shakedown = section("shakedown").and_then(|s| shakedown(s, folder, report));
     let placed = placed?;
@@ -132,6 +137,19 @@ fn rail(section: &SectionValues, placed: Option<&PlacedCracks>) -> Option<Rail> 
         centre: section.number("centre_mm").or(middle)?,
         boundary: match section.text("boundary")? {
             "half-plane" => Boundary::HalfPlane,
+            "block" => Boundary::Block {
+                bottom: match section.text("bottom")? {
+                    "clamped" => BottomSupport::Clamped,
+                    "rollers" => BottomSupport::Rollers,
+                    _ => return None,
+                },
+                sides: match section.text("sides")? {
+                    "free" => SideSupport::Free,
+                    "rollers" => SideSupport::Rollers,
+                    "clamped" => SideSupport::Clamped,
+                    _ => return None,
+                },
+            },
             _ => return None,
         },
     })
@@ -167,6 +185,53 @@ fn passage(
         to: last + to * contact.half_width,
         positions: count(section, "positions")?,
     })
+}
+
+/// Smallest gap between the contact and the side of a block, over the half-width: closer, the sides bear a part of the contact.
+const SIDE_GAP: f64 = 1.0;
+
+/// A block needs the finite-element engine, and a wheel that stays on its top.
+fn check_block<'a>(
+    rail: &Rail,
+    engine: Option<Engine>,
+    wheel: Option<(&HertzianContact, &Passage)>,
+    section: &dyn Fn(&str) -> Option<&'a SectionValues>,
+    report: &mut Report,
+) {
+    if rail.boundary == Boundary::HalfPlane {
+        return;
+    }
+    if let (Some(Engine::Dislocation), Some(solver)) = (engine, section("solver")) {
+        report.add(Fault {
+            message:
+                "`solver.engine = \"dislocation\"`: knows the half-plane only, and rail.boundary is \"block\""
+                    .into(),
+            key: Some("solver.engine".into()),
+            span: Some(solver.span_of("engine")),
+            help: Some(
+                "engine = \"xfem\" computes a block; boundary = \"half-plane\" suits both engines".into(),
+            ),
+            also: None,
+        });
+    }
+    let (Some((contact, passage)), Some(section)) = (wheel, section("passage")) else { return };
+    let reach = 0.5 * rail.width - (1.0 + SIDE_GAP) * contact.half_width;
+    for (key, at) in [("from_over_a", passage.from), ("to_over_a", passage.to)] {
+        if (at - rail.centre).abs() > reach {
+            let over_a = section.number(key).unwrap_or_default();
+            report.add(Fault {
+                message: format!(
+                    "`passage.{key} = {over_a}`: puts the wheel at x = {at} mm, and the top of the block leaves it {} to {} mm",
+                    rail.centre - reach,
+                    rail.centre + reach
+                ),
+                key: Some(format!("passage.{key}")),
+                span: Some(section.span_of(key)),
+                help: Some("a wider block ([rail] width_mm) or a shorter passage".into()),
+                also: None,
+            });
+        }
+    }
 }
 
 fn passages(section: &SectionValues, passage: Passage) -> Option<PassageSettings> {

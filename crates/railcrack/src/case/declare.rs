@@ -84,9 +84,3 @@ pub(super) const fn now(name: &'static str, doc: &'static str) -> Choice {
 pub(super) const fn later(name: &'static str, doc: &'static str, availability: Availability) -> Choice {
     Choice { name, doc, availability }
 }
-
-/// What needs the finite-element engine.
-pub(super) const FINITE_ELEMENTS: Availability = Availability::Later {
-    reason: "the finite-element engine is not part of this version",
-    instead: "the engine of this version is \"dislocation\"",
-};

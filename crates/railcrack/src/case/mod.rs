@@ -37,6 +37,6 @@ pub use table::{
     SectionPresence,
 };
 pub use validated::{
-    Boundary, Case, Companion, ContactSolver, Engine, MeshSettings, Rail, ShakedownMethod, ShakedownSettings,
+    Case, Companion, ContactSolver, Engine, MeshSettings, Rail, ShakedownMethod, ShakedownSettings,
 };
 pub use write::init_text;

@@ -1,8 +1,8 @@
 //! Sections that say what is computed: rail, wheel, cracks, stress.
 
 use super::declare::{
-    FINITE_ELEMENTS, FROM_ZERO_BELOW_HALF, choice, closed, integer, key, later, length, now, number,
-    positive, required, support,
+    FROM_ZERO_BELOW_HALF, choice, closed, integer, key, later, length, now, number, positive, required,
+    support,
 };
 use super::table::{
     Availability, Form, Key, Kind, NumberRange, Presence, Preset, RangeEnd, Section, SectionPresence,
@@ -46,7 +46,7 @@ pub(super) const RAIL: Section = Section {
             "boundary",
             &[
                 now("half-plane", "no boundary but the running surface"),
-                later("block", "a block of width_mm times depth_mm on supports", FINITE_ELEMENTS),
+                now("block", "a block of width_mm times depth_mm on supports; finite-element engine only"),
             ],
             "half-plane",
             "What the rail ends at.",

@@ -1,15 +1,19 @@
 //! A case made into a run.
 
-use super::validated::{Boundary, Case, ContactSolver, Engine};
+use super::validated::{Case, ContactSolver, Engine};
 use crate::body::BodyEngine;
+use crate::bulk::Boundary;
 use crate::contact::{self, Latin, Newton};
+use crate::crack::Crack;
 use crate::dislocation::{DislocationEngine, FaceResolution};
 use crate::field::StressField;
 use crate::growth::{Growth, GrowthProblem, GrowthState, RailBox};
-use crate::xfem::{EnrichmentRadius, MeshSettings, RailEnd, XfemEngine, XfemSettings};
+use crate::xfem::{EnrichmentRadius, MeshSettings, Outline, RailEnd, XfemEngine, XfemSettings};
 
 /// Elements along the shortest crack, by default.
-const ELEMENTS_PER_CRACK: f64 = 30.0;
+const ELEMENTS_PER_CRACK: f64 = 60.0;
+/// Elements along the segment that ends at a tip, at least, by default.
+const ELEMENTS_PER_TIP_SEGMENT: f64 = 7.0;
 /// Growth of the length that the window makes room for, at most: a crack that grows on has it enlarged.
 const LARGEST_WINDOW: f64 = 3.0;
 
@@ -24,9 +28,17 @@ impl Case {
 
     /// The finite-element engine, with a mesh for the cracks at the beginning and their growth.
     pub fn xfem_engine(&self) -> XfemEngine {
-        let shortest = self.cracks.cracks().iter().map(|crack| crack.length()).fold(f64::INFINITY, f64::min);
+        let cracks = self.cracks.cracks();
+        let wanted = |crack: &Crack| {
+            let points = crack.points();
+            let last = (points[points.len() - 1] - points[points.len() - 2]).length();
+            (crack.length() / ELEMENTS_PER_CRACK).min(last / ELEMENTS_PER_TIP_SEGMENT)
+        };
         let mesh = MeshSettings {
-            element_size: self.mesh.element_size.unwrap_or(shortest / ELEMENTS_PER_CRACK),
+            element_size: self
+                .mesh
+                .element_size
+                .unwrap_or_else(|| cracks.iter().map(wanted).fold(f64::INFINITY, f64::min)),
             expected_growth: (1.0 + self.growth.increment).powf(self.growth.steps as f64).min(LARGEST_WINDOW),
         };
         let defaults = XfemSettings::default();
@@ -37,6 +49,20 @@ impl Case {
         };
         let end = match self.rail.boundary {
             Boundary::HalfPlane => RailEnd::HalfPlane { centre: self.rail.centre },
+            Boundary::Block { bottom, sides } => {
+                let passage = self.passages.passage;
+                RailEnd::Block {
+                    outline: Outline {
+                        left: self.rail.centre - 0.5 * self.rail.width,
+                        right: self.rail.centre + 0.5 * self.rail.width,
+                        depth: self.rail.depth,
+                    },
+                    bottom,
+                    sides,
+                    contact: self.contact,
+                    positions: passage.from.min(passage.to)..=passage.from.max(passage.to),
+                }
+            }
         };
         XfemEngine::new(&self.cracks, self.steel, mesh, end, settings)
     }

@@ -2,6 +2,7 @@
 
 use super::accept::Value;
 use super::profile::ProfileFile;
+use crate::bulk::{BottomSupport, Boundary, SideSupport};
 use crate::crack::CrackNetwork;
 use crate::growth::{GrowthSettings, PassageSettings};
 use crate::load::HertzianContact;
@@ -53,13 +54,6 @@ pub struct Rail {
     pub centre: f64,
     /// What the rail ends at.
     pub boundary: Boundary,
-}
-
-/// What the rail ends at.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Boundary {
-    /// The running surface alone.
-    HalfPlane,
 }
 
 /// Plastic behaviour of the rail and the criterion of initiation.
@@ -121,7 +115,7 @@ pub enum ContactSolver {
 
 impl Engine {
     /// Every engine of this version, the default first.
-    pub const ALL: &[Self] = &[Self::Dislocation];
+    pub const ALL: &[Self] = &[Self::Xfem, Self::Dislocation];
 
     /// The name in case files and results.
     pub fn name(self) -> &'static str {
@@ -142,11 +136,23 @@ impl ContactSolver {
     }
 }
 
-impl Boundary {
-    /// The name in case files and results.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::HalfPlane => "half-plane",
+impl Rail {
+    /// What the rail ends at, in the words of case files.
+    pub fn boundary_name(&self) -> String {
+        match self.boundary {
+            Boundary::HalfPlane => "half-plane".into(),
+            Boundary::Block { bottom, sides } => {
+                let bottom = match bottom {
+                    BottomSupport::Clamped => "clamped",
+                    BottomSupport::Rollers => "rollers",
+                };
+                let sides = match sides {
+                    SideSupport::Free => "free",
+                    SideSupport::Rollers => "rollers",
+                    SideSupport::Clamped => "clamped",
+                };
+                format!("block, bottom {bottom}, sides {sides}")
+            }
         }
     }
 }

@@ -24,6 +24,11 @@ pub(super) enum Part {
         /// Sign of x on that side.
         side: f64,
     },
+    /// Share of the wheel's load, 0 to 1, at one place: where there is no far away.
+    Load {
+        /// x_c, mm.
+        xc: f64,
+    },
     /// x_c, mm.
     Over,
 }
@@ -67,13 +72,24 @@ pub(super) struct PartLoad<'a> {
 impl LoadPath for PartLoad<'_> {
     fn nodal_forces(&self, at: f64) -> Vec<f64> {
         let FaceLoad { problem, wheel, residual } = self.load;
-        let xc = match self.part {
+        let (xc, share) = match self.part {
             Part::Ramp => return residual.iter().map(|f| f * at).collect(),
             Part::Far { .. } if at == 0.0 => return residual.clone(),
-            Part::Far { origin, side } => origin + side / at,
-            Part::Over => at,
+            Part::Far { origin, side } => (origin + side / at, 1.0),
+            Part::Load { xc } => (xc, at),
+            Part::Over => (at, 1.0),
         };
-        let mut forces = problem.body().faces().nodal_forces(|point| wheel.stress(point, xc));
+        let body = problem.body();
+        let mut forces = match body.ends() {
+            None => body.faces().nodal_forces(|point| wheel.stress(point, xc)),
+            Some(ends) => {
+                let ends = ends.stresses(xc);
+                body.faces().nodal_forces_of_samples(|k, point| wheel.stress(point, xc) + ends[k])
+            }
+        };
+        if share != 1.0 {
+            forces.iter_mut().for_each(|f| *f *= share);
+        }
         forces.iter_mut().zip(residual).for_each(|(f, r)| *f += r);
         forces
     }

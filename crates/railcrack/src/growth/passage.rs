@@ -67,7 +67,7 @@ pub enum PassageError {
 
 /// Residual stress is ramped up on virgin faces; then wheels pass until the SIF histories of two consecutive passages
 /// agree. Frictionless faces have no memory: one passage is all. The wheel comes from infinitely far and leaves to
-/// infinitely far.
+/// infinitely far; in a rail with ends, its load is ramped up at the first position and down at the last.
 ///
 /// Errors: contact does not converge; `watch` asks to stop.
 pub fn stabilised_passage(
@@ -116,7 +116,7 @@ pub fn stabilised_passage(
 /// Stations of the approach from infinity and of the departure to it, evenly spaced in 1/distance: the load grows about
 /// linearly from station to station.
 const FAR_STATIONS: usize = 16;
-/// Stations of the ramp of residual stress.
+/// Stations of the ramp of residual stress, and of the wheel's load where it cannot come from far away.
 const RAMP_STATIONS: usize = 8;
 
 /// Stations around the passage of a contact edge over a mouth, over a: the stress there goes like the root of the distance.
@@ -164,11 +164,17 @@ impl Wheel<'_> {
         };
         sample(self.stepper.solution(), self.stepper.load());
 
+        let bounded = body.ends().is_some();
+        let ramp = |k: usize| k as f64 / RAMP_STATIONS as f64;
         let near = self.distance(first);
         let share = |k: usize| k as f64 / FAR_STATIONS as f64 / near;
-        let approach = Part::Far { origin: first + travel * near, side: -travel };
-        self.follow(approach, 0.0, (1..=FAR_STATIONS).map(share), &mut sample)
-            .map_err(failure(number, "approach"))?;
+        let arrived = if bounded {
+            self.follow(Part::Load { xc: first }, 0.0, (1..=RAMP_STATIONS).map(ramp), &mut sample)
+        } else {
+            let approach = Part::Far { origin: first + travel * near, side: -travel };
+            self.follow(approach, 0.0, (1..=FAR_STATIONS).map(share), &mut sample)
+        };
+        arrived.map_err(failure(number, "approach"))?;
 
         let mut record = PassageRecord { xc: self.xc.to_vec(), sifs: vec![Vec::new(); tips] };
         let mut states = Vec::with_capacity(self.xc.len());
@@ -191,9 +197,14 @@ impl Wheel<'_> {
 
         let near = self.distance(last);
         let share = |k: usize| k as f64 / FAR_STATIONS as f64 / near;
-        let departure = Part::Far { origin: last - travel * near, side: travel };
-        self.follow(departure, share(FAR_STATIONS), (0..FAR_STATIONS).rev().map(share), &mut sample)
-            .map_err(failure(number, "departure"))?;
+        let left = if bounded {
+            self.follow(Part::Load { xc: last }, 1.0, (0..RAMP_STATIONS).rev().map(ramp), &mut sample)
+        } else {
+            let departure = Part::Far { origin: last - travel * near, side: travel };
+            let stations = (0..FAR_STATIONS).rev().map(share);
+            self.follow(departure, share(FAR_STATIONS), stations, &mut sample)
+        };
+        left.map_err(failure(number, "departure"))?;
         Ok(Pass { record, histories, states })
     }
 

@@ -124,7 +124,8 @@ impl<'a> CellBasis<'a> {
         for tip in &self.tips {
             let fields = tip.fields(point);
             let shapes = shape_functions(xi, eta);
-            for (_, [n, d_xi, d_eta]) in tip.corners.iter().zip(shapes).filter(|(corner, _)| corner.is_some()) {
+            for (_, [n, d_xi, d_eta]) in tip.corners.iter().zip(shapes).filter(|(corner, _)| corner.is_some())
+            {
                 let (dx, dy) = (d_xi * slopes.0, d_eta * slopes.1);
                 for field in &fields {
                     functions.push(Function {

@@ -1,16 +1,17 @@
 //! The cracked rail by extended finite elements, reduced to its face points.
 
-use super::background::Background;
+use super::basis::Elasticity;
 use super::border::Border;
 use super::columns::ColumnStore;
 use super::cuts::Cuts;
 use super::interface::{Interface, Station};
 use super::sif::{SifContext, SifDomain, SifFunctional};
 use super::space::Space;
-use crate::body::{BodyTip, CrackedBody, FaceMesh};
+use crate::body::{BodyTip, CrackedBody, FaceMesh, RailEnds};
+use crate::bulk::{BlockCorrection, BulkError, BulkRail, CorrectionAtPoints};
 use crate::crack::CrackNetwork;
 use crate::linear::{LinearError, SparseColumn, SpdFactor, spd_inverse};
-use crate::math::{Matrix, Vec2, dot};
+use crate::math::{Matrix, Stress, Vec2, dot};
 use crate::mesh::{MeshError, QuadMesh};
 use thiserror::Error;
 
@@ -30,6 +31,9 @@ pub enum XfemError {
     /// Grid lines that make no mesh.
     #[error("the mesh cannot be made: {0}")]
     Mesh(#[from] MeshError),
+    /// The uncracked rail.
+    #[error("the rail cannot be computed: {0}")]
+    Bulk(#[from] BulkError),
     /// Linear algebra.
     #[error("the enriched system cannot be solved: {0}")]
     Linear(#[from] LinearError),
@@ -78,6 +82,21 @@ pub struct XfemBody {
     sif_influence: Matrix,
     dofs: usize,
     remarks: Vec<String>,
+    ends: Option<BlockEnds>,
+}
+
+/// The ends of a block as the faces see them.
+#[derive(Debug, Clone)]
+struct BlockEnds {
+    points: usize,
+    correction: CorrectionAtPoints,
+}
+
+impl RailEnds for BlockEnds {
+    fn stresses(&self, xc: f64) -> Vec<Stress> {
+        let wheel = self.correction.wheel_nearest(xc);
+        (0..self.points).map(|k| wheel.stress(k)).collect()
+    }
 }
 
 /// Share of the diagonal that is added to the condensed matrix: functions that the others repeat to round-off get no say.
@@ -86,7 +105,7 @@ const REDUNDANT: f64 = 1e-13;
 impl XfemBody {
     /// The rail on `background` with `network` of cracks.
     pub fn new(
-        background: &Background,
+        background: &BulkRail,
         network: &CrackNetwork,
         settings: XfemSettings,
     ) -> Result<Self, XfemError> {
@@ -95,21 +114,17 @@ impl XfemBody {
 
     /// [`XfemBody::new`] with what was computed for other cracks on the same background.
     pub fn with_columns(
-        background: &Background,
+        background: &BulkRail,
         network: &CrackNetwork,
         settings: XfemSettings,
         columns: &mut ColumnStore,
     ) -> Result<Self, XfemError> {
         let mesh = background.mesh();
         let Discretisation { cuts, sizes, space, interface } = Discretisation::new(mesh, network, &settings)?;
-        let border = Border::new(&cuts, &space, background.elasticity());
-        let context = SifContext {
-            mesh,
-            cuts: &cuts,
-            space: &space,
-            interface: &interface,
-            elasticity: background.elasticity(),
-        };
+        let elasticity = Elasticity::new(*background.steel());
+        let border = Border::new(&cuts, &space, &elasticity);
+        let context =
+            SifContext { mesh, cuts: &cuts, space: &space, interface: &interface, elasticity: &elasticity };
         let functionals: Vec<SifFunctional> = sizes
             .iter()
             .enumerate()
@@ -123,7 +138,7 @@ impl XfemBody {
             condense(background, columns, &border, &cuts, &space, &interface, &functionals)?;
         let stiffness = spd_inverse(&compliance)?;
         let tips = cuts.tips.iter().map(|tip| BodyTip { crack: tip.crack, end: tip.end }).collect();
-        let dofs = background.unknown_count() + space.unknowns();
+        let dofs = background.factor().order() + space.unknowns();
         Ok(Self {
             faces: interface.faces,
             tips,
@@ -132,11 +147,19 @@ impl XfemBody {
             sif_influence,
             dofs,
             remarks: Vec::new(),
+            ends: None,
         })
     }
 }
 
 impl XfemBody {
+    /// Adds what the ends of a block do to the stress under the wheel.
+    pub(super) fn add_ends(&mut self, correction: &BlockCorrection) -> Result<(), BulkError> {
+        let points: Vec<Vec2> = self.faces.samples.iter().map(|sample| sample.point).collect();
+        self.ends = Some(BlockEnds { points: points.len(), correction: correction.at(&points)? });
+        Ok(())
+    }
+
     /// Adds something the user must know.
     pub(super) fn remark(&mut self, text: String) {
         self.remarks.push(text);
@@ -194,7 +217,7 @@ fn element_size(mesh: &QuadMesh, at: Vec2) -> f64 {
 
 /// C and S from the border: S_ee = K_ee − K_es K_ss⁻¹ K_se, C = B S_ee⁻¹ Bᵀ.
 fn condense(
-    background: &Background,
+    background: &BulkRail,
     store: &mut ColumnStore,
     border: &Border,
     cuts: &Cuts,
@@ -202,9 +225,11 @@ fn condense(
     interface: &Interface,
     functionals: &[SifFunctional],
 ) -> Result<(Matrix, Matrix), XfemError> {
-    let unknowns = background.unknowns();
     let sparse = |entries: &[(usize, f64)]| SparseColumn {
-        entries: entries.iter().filter_map(|&(dof, v)| unknowns[dof].map(|u| (u, v))).collect(),
+        entries: entries
+            .iter()
+            .filter_map(|&(dof, v)| background.unknowns(dof / 2)[dof % 2].map(|u| (u, v)))
+            .collect(),
     };
     let mut columns: Vec<SparseColumn> = border.columns.iter().map(|column| sparse(column)).collect();
     let n = columns.len();
@@ -297,6 +322,10 @@ impl CrackedBody for XfemBody {
 
     fn dofs(&self) -> usize {
         self.dofs
+    }
+
+    fn ends(&self) -> Option<&dyn RailEnds> {
+        self.ends.as_ref().map(|ends| ends as &dyn RailEnds)
     }
 
     fn remarks(&self) -> &[String] {

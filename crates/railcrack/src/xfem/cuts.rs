@@ -104,7 +104,6 @@ impl Cuts {
         for (crack, path) in paths.iter().enumerate() {
             for i in (1..path.segments()).filter(|&i| path.turn(i) > SHARP_KINK) {
                 poles.push(TipPath::before_kink(crack, path, i));
-                if std::env::var("BOTH").is_ok() { poles.push(TipPath::behind_kink(crack, path, i)); }
             }
         }
         let mut held: BTreeMap<usize, Vec<(usize, usize)>> = BTreeMap::new();
@@ -127,8 +126,14 @@ impl Cuts {
                 }
             }
         }
-        let mut cuts =
-            Self { paths, tips, poles, elements: BTreeMap::new(), pieces: Vec::new(), side_cracks: BTreeMap::new() };
+        let mut cuts = Self {
+            paths,
+            tips,
+            poles,
+            elements: BTreeMap::new(),
+            pieces: Vec::new(),
+            side_cracks: BTreeMap::new(),
+        };
         for (e, mut segments) in held {
             segments.sort_unstable();
             let cut = cuts.cut(mesh, e, &segments);

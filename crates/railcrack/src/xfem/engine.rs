@@ -1,15 +1,17 @@
 //! The engine: one mesh and factor for all steps of a run.
 
-use super::background::{Background, Supports};
 use super::body::{Discretisation, XfemBody, XfemError, XfemSettings};
 use super::columns::ColumnStore;
 use super::window::{MeshSettings, Outline, Window};
 use crate::body::{BodyEngine, BodyError, CrackedBody};
+use crate::bulk::{BlockCorrection, BottomSupport, Boundary, BulkRail, SideSupport};
 use crate::crack::CrackNetwork;
+use crate::load::HertzianContact;
 use crate::material::IsotropicElastic;
+use std::ops::RangeInclusive;
 
-/// What ends the rail of the finite-element engine.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// What the rail of the finite-element engine ends at.
+#[derive(Debug, Clone, PartialEq)]
 pub enum RailEnd {
     /// Nothing but the running surface: held so far away that it is not felt.
     HalfPlane {
@@ -20,33 +22,39 @@ pub enum RailEnd {
     Block {
         /// The block.
         outline: Outline,
-        /// What holds it.
-        supports: Supports,
+        /// What it stands on.
+        bottom: BottomSupport,
+        /// What holds its sides.
+        sides: SideSupport,
+        /// The wheel that rolls over it.
+        contact: HertzianContact,
+        /// Positions that the wheel may take, mm.
+        positions: RangeInclusive<f64>,
     },
 }
 
 /// Half width and depth of the mesh of a half-plane, over the extent of the window. Held at this distance, the boundary
-/// changes K by about (l/R)² × 8: less than 1e-4.
+/// changes K by about (l/R)² × 8: less than 1e-3.
 const FAR: f64 = 150.0;
-/// Size of an enlargement of the window that is still tried.
+/// Enlargements of the window that are tried.
 const ENLARGEMENTS: usize = 20;
 
 impl RailEnd {
     fn outline(&self, window: &Window) -> Outline {
-        match *self {
+        match self {
             Self::HalfPlane { centre } => {
                 let size = window.upper - window.lower;
                 let reach = FAR * size.x.max(size.y);
                 Outline { left: centre - reach, right: centre + reach, depth: reach }
             }
-            Self::Block { outline, .. } => outline,
+            Self::Block { outline, .. } => *outline,
         }
     }
 
-    fn supports(&self) -> Supports {
-        match self {
-            Self::HalfPlane { .. } => Supports::FAR,
-            Self::Block { supports, .. } => *supports,
+    fn boundary(&self) -> Boundary {
+        match *self {
+            Self::HalfPlane { .. } => Boundary::HalfPlane,
+            Self::Block { bottom, sides, .. } => Boundary::Block { bottom, sides },
         }
     }
 }
@@ -75,7 +83,7 @@ pub struct XfemEngine {
     end: RailEnd,
     settings: XfemSettings,
     window: Window,
-    background: Option<Background>,
+    background: Option<BulkRail>,
     columns: ColumnStore,
 }
 
@@ -95,8 +103,8 @@ impl XfemEngine {
     /// How large the system of `network` is, without factoring it.
     pub fn size(&self, network: &CrackNetwork) -> Result<XfemSize, XfemError> {
         let mesh = self.window.mesh(self.end.outline(&self.window))?;
-        let held = self.end.supports().held(&mesh);
-        let mesh_unknowns = held.iter().filter(|held| !**held).count();
+        // All but a few of the unknowns on the boundary are free.
+        let mesh_unknowns = 2 * mesh.node_count();
         let Discretisation { space, interface, .. } = Discretisation::new(&mesh, network, &self.settings)?;
         Ok(XfemSize {
             mesh_unknowns,
@@ -107,7 +115,7 @@ impl XfemEngine {
     }
 
     /// The mesh for `network`, made and factored where it is not there yet.
-    pub fn background(&mut self, network: &CrackNetwork) -> Result<&Background, XfemError> {
+    pub fn background(&mut self, network: &CrackNetwork) -> Result<&BulkRail, XfemError> {
         let mut window = self.window.clone();
         for _ in 0..ENLARGEMENTS {
             if window.holds(network) {
@@ -117,7 +125,7 @@ impl XfemEngine {
         }
         if window != self.window || self.background.is_none() {
             let mesh = window.mesh(self.end.outline(&window))?;
-            self.background = Some(Background::new(mesh, self.steel, self.end.supports())?);
+            self.background = Some(BulkRail::new(mesh, &self.steel, self.end.boundary())?);
             self.columns = ColumnStore::default();
             self.window = window;
         }
@@ -129,6 +137,10 @@ impl XfemEngine {
         self.background(network)?;
         let background = self.background.as_ref().expect("made above");
         let mut body = XfemBody::with_columns(background, network, self.settings, &mut self.columns)?;
+        if let RailEnd::Block { contact, positions, .. } = &self.end {
+            let correction = BlockCorrection::new(background, contact, positions.clone())?;
+            body.add_ends(&correction)?;
+        }
         if enlarged {
             let (lower, upper) = (self.window.lower, self.window.upper);
             body.remark(format!(

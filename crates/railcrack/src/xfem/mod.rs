@@ -1,7 +1,6 @@
 //! The finite-element engine: a background mesh that does not know the cracks, and functions that do.
 
 mod arrangement;
-mod background;
 mod basis;
 mod body;
 mod border;
@@ -16,7 +15,6 @@ mod space;
 mod trace;
 mod window;
 
-pub use background::{Background, BottomSupport, SideSupport, Supports};
 pub use body::{EnrichmentRadius, XfemBody, XfemError, XfemSettings};
 pub use columns::ColumnStore;
 pub use engine::{RailEnd, XfemEngine, XfemSize};

@@ -90,14 +90,6 @@ impl TipPath {
         Self { crack, end: End::Last, ahead: (points[i] - points[i - 1]).normalised(), points }
     }
 
-    /// The part of the crack behind its kink at point `i`, walked towards the kink.
-    pub(super) fn behind_kink(crack: usize, path: &CutPath, i: usize) -> Self {
-        let mut points = path.points[i..].to_vec();
-        points.reverse();
-        let n = points.len();
-        Self { crack, end: End::First, ahead: (points[n - 1] - points[n - 2]).normalised(), points }
-    }
-
     /// The tip, mm.
     pub(super) fn position(&self) -> Vec2 {
         self.points[self.points.len() - 1]

@@ -1,15 +1,15 @@
 //! What the enriched functions do at the faces.
 
-use super::background::Background;
 use super::basis::{CellBasis, Function};
 use super::cuts::Cuts;
 use super::interface::Interface;
 use super::space::Space;
+use crate::bulk::BulkRail;
 use crate::math::Matrix;
 
 /// Adds B: row 2 j + axis, column of an enriched unknown: ∫ λ_j ⟦φ⟧ ds.
 pub(super) fn jumps(
-    background: &Background,
+    background: &BulkRail,
     cuts: &Cuts,
     space: &Space,
     interface: &Interface,
@@ -20,7 +20,7 @@ pub(super) fn jumps(
         let piece = &cuts.pieces[station.piece];
         for (place, sign) in [(piece.plus, 1.0), (piece.minus, -1.0)] {
             let cut = &cuts.elements[&place.element];
-            let basis = CellBasis::new(cuts, space, cut, place, &background.elasticity().steel);
+            let basis = CellBasis::new(cuts, space, cut, place, background.steel());
             basis.at(station.point, &mut functions);
             for (target, function) in basis.targets.iter().zip(&functions) {
                 let Some(enriched) = target.enriched else { continue };

@@ -68,7 +68,8 @@ impl Window {
             })
         });
         let (lower, upper) = bounds(points().chain(ahead));
-        let margin = Vec2::new(1.0, 1.0) * (MARGIN * settings.element_size);
+        let margin =
+            Vec2::new(1.0, 1.0) * (MARGIN * settings.element_size * settings.expected_growth.max(1.0));
         let mouths =
             network.cracks().iter().filter(|c| c.is_surface_breaking()).map(|c| c.points()[0].x).collect();
         let upper = upper + margin;
