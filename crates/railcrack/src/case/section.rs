@@ -242,8 +242,9 @@ fn fill(read: &mut SectionValues, given: &[(&'static Key, Range<usize>)], report
         if in_a_form(key) && !form.is_some_and(|f| f.keys.contains(&key.name)) {
             continue;
         }
+        let wanted = key.only_with.is_none_or(|with| read.text(with.key) == Some(with.choice));
         match key.presence {
-            Presence::Default(preset) if key.only_with.is_none() => {
+            Presence::Default(preset) if wanted => {
                 read.entries.push(Entry { key, value: preset.into(), span: None, parts: Vec::new() });
             }
             Presence::Required(_) => report.add(Fault {
