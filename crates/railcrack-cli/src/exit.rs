@@ -49,12 +49,6 @@ pub enum Failure {
     /// A run that failed.
     #[error(transparent)]
     Run(#[from] RunError),
-    /// Engines cannot be compared where there is only one.
-    #[error("only one engine is available ({engine}): --engines needs two; compare two run folders instead")]
-    OneEngine {
-        /// The engine that there is.
-        engine: &'static str,
-    },
     /// A file that is already there.
     #[error("{} is already there; --force replaces it", path.display())]
     Exists {
@@ -78,7 +72,7 @@ impl Failure {
     /// The exit code of this failure.
     pub fn exit(&self) -> Exit {
         match self {
-            Self::Case(_) | Self::OneEngine { .. } => Exit::BadInput,
+            Self::Case(_) => Exit::BadInput,
             Self::Run(error) => error.exit(),
             Self::Exists { .. } | Self::CannotWrite { .. } | Self::Stdout(_) => Exit::CannotReadOrWrite,
         }

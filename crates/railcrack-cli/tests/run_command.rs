@@ -177,7 +177,7 @@ fn both_contact_solvers_give_the_same_path() {
 fn refusals_write_nothing() {
     let folder = workplace("refused");
     let refusals: [(&[&str], i32, &str); 4] = [
-        (&["--engine", "xfem"], 2, "dislocation"),
+        (&["--engine", "fem"], 2, "dislocation"),
         (&["--contact", "bisection"], 2, "newton"),
         (&["--steps", "100000"], 2, "steps"),
         (&["--out", "absent", "--resume"], 2, "absent"),

@@ -240,14 +240,14 @@ fn types_and_words() {
             Append("[solver]\nengine = 5"),
             11,
             "solver.engine",
-            "must be \"dislocation\", not a number",
+            "must be \"xfem\" or \"dislocation\", not a number",
             "quotes",
         ),
         wrong(
             Append("[solver]\nengine = \"dislocations\""),
             11,
             "solver.engine",
-            "must be \"dislocation\"",
+            "must be \"xfem\" or \"dislocation\"",
             "nearest: \"dislocation\"",
         ),
         wrong(
@@ -287,19 +287,18 @@ fn types_and_words() {
 fn what_this_version_has_not() {
     check(&[
         wrong(
-            Append("[solver]\nengine = \"xfem\""),
-            11,
+            Append("[rail]\nboundary = \"block\"\n[solver]\nengine = \"dislocation\""),
+            13,
             "solver.engine",
-            "finite-element engine is not part of this version",
-            "\"dislocation\"",
+            "knows the half-plane only",
+            "engine = \"xfem\" computes a block",
         ),
-        wrong(Append("[rail]\nboundary = \"block\""), 11, "rail.boundary", "not part of this version", ""),
         wrong(
-            Append("[rail]\nboundary = \"block\"\nbottom = \"clamped\""),
-            11,
-            "rail.boundary",
-            "not part of this version",
-            "",
+            Append("[rail]\nboundary = \"block\"\nwidth_mm = 100.0\n[passage]\nto_over_a = 5.0"),
+            13,
+            "passage.from_over_a",
+            "puts the wheel at x = -40.5 mm",
+            "a wider block",
         ),
         wrong(
             Append("[rail]\nbottom = \"clamped\""),
@@ -706,7 +705,7 @@ fn missing_profile() {
 #[test]
 fn all_errors_at_once() {
     let text = "[rail]\nwidth_mm = -1\nfoo = 1\n[contact]\npeak_pressure_mpa = nan\n[[crack]]\nlength_mm = 0\n\
-                [growth]\nsteps = 1.0\n[solver]\nengine = \"xfem\"\n";
+                [growth]\nsteps = 1.0\n[solver]\nengine = \"fem\"\n";
     let keys: Vec<String> =
         errors(text).errors().iter().filter_map(|e| e.key().map(str::to_string)).collect();
     let want = [

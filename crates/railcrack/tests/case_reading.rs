@@ -56,7 +56,7 @@ fn defaults_are_the_reference_case() {
         (short.passages.passage.from, short.passages.passage.to, short.passages.passage.positions),
         (-40.5, 40.5, 241)
     );
-    assert_eq!((short.engine, short.contact_solver), (Engine::Dislocation, ContactSolver::Newton));
+    assert_eq!((short.engine, short.contact_solver), (Engine::Xfem, ContactSolver::Newton));
     assert_eq!(
         (long.cracks.clone(), long.passages.passage, long.rail),
         (short.cracks, short.passages.passage, short.rail)
@@ -120,19 +120,20 @@ fn contact_from_line_load() {
 
 #[test]
 fn the_command_line_takes_the_place_of_the_file() {
-    let text = init_text().replace("engine = \"dislocation\"", "engine = \"xfem\"");
+    let text = init_text();
     let overrides =
         Overrides { steps: Some(3), engine: Some("dislocation".into()), contact: Some("latin".into()) };
     let case = Case::parse_with(&text, "case.toml", Path::new(""), &overrides).unwrap();
     assert_eq!((case.growth.steps, case.contact_solver), (3, ContactSolver::Latin));
+    assert_eq!(case.engine, Engine::Dislocation);
     assert!(case.to_toml().contains("\nsteps = 3\n") && case.to_toml().contains("\ncontact = \"latin\"\n"));
 
-    let wrong = Overrides { steps: Some(u64::MAX), engine: Some("xfem".into()), contact: Some("x".into()) };
+    let wrong = Overrides { steps: Some(u64::MAX), engine: Some("fem".into()), contact: Some("x".into()) };
     let errors = Case::parse_with(&text, "case.toml", Path::new(""), &wrong).unwrap_err();
     let lines: Vec<String> = errors.errors().iter().map(|e| e.one_line()).collect();
     assert_eq!(lines.len(), 3, "{lines:?}");
     assert!(lines[0].starts_with("case.toml: `--steps (too large)`: must be an integer from 0"), "{lines:?}");
-    assert!(lines[1].contains("`--engine xfem`: the finite-element engine is not part"), "{lines:?}");
+    assert!(lines[1].contains("`--engine fem`: must be \"xfem\" or \"dislocation\""), "{lines:?}");
     assert!(lines[2].contains("`--contact x`: must be \"newton\" or \"latin\""), "{lines:?}");
 }
 

@@ -80,17 +80,12 @@ fn compare_folders(arguments: &CompareArguments, runs: [&PathBuf; 2], out: &Path
     Ok(Exit::Done)
 }
 
-/// Runs the case with every engine, each into a folder of its name in `out`, and compares the first two.
+/// Runs the case with every engine, each into a folder of its name in `out`, and compares them.
 fn compare_engines(arguments: &CompareArguments, out: &Path) -> Result<Exit, Failure> {
-    // Whatever is wrong with the case is said before what is missing.
     Case::read(&arguments.first)?;
-    let [first, second, ..] = Engine::ALL else {
-        let engine = Engine::ALL.first().map_or("none", |engine| engine.name());
-        return Err(Failure::OneEngine { engine });
-    };
     let interruption = run::listen()?;
     let mut folders = Vec::new();
-    for engine in [first, second] {
+    for engine in Engine::ALL {
         let finished = run::compute(&run_with(arguments, engine.name(), out), &interruption)?;
         if finished.ending == Ending::Interrupted {
             print::stdout(&run::result_text(&finished))?;

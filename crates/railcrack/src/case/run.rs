@@ -10,8 +10,10 @@ use crate::field::StressField;
 use crate::growth::{Growth, GrowthProblem, GrowthState, RailBox};
 use crate::xfem::{EnrichmentRadius, MeshSettings, Outline, RailEnd, XfemEngine, XfemSettings};
 
-/// Elements along the shortest crack, by default.
+/// Elements along a crack, by default: with 60, histories of single cracks are within 0.6 % of the peak |K|, where 1 % is promised.
 const ELEMENTS_PER_CRACK: f64 = 60.0;
+/// Elements along each crack of a network of more than three, by default.
+const ELEMENTS_PER_CRACK_OF_MANY: f64 = 30.0;
 /// Elements along the segment that ends at a tip, at least, by default.
 const ELEMENTS_PER_TIP_SEGMENT: f64 = 7.0;
 /// Growth of the length that the window makes room for, at most: a crack that grows on has it enlarged.
@@ -29,10 +31,11 @@ impl Case {
     /// The finite-element engine, with a mesh for the cracks at the beginning and their growth.
     pub fn xfem_engine(&self) -> XfemEngine {
         let cracks = self.cracks.cracks();
+        let per_crack = if cracks.len() > 3 { ELEMENTS_PER_CRACK_OF_MANY } else { ELEMENTS_PER_CRACK };
         let wanted = |crack: &Crack| {
             let points = crack.points();
             let last = (points[points.len() - 1] - points[points.len() - 2]).length();
-            (crack.length() / ELEMENTS_PER_CRACK).min(last / ELEMENTS_PER_TIP_SEGMENT)
+            (crack.length() / per_crack).min(last / ELEMENTS_PER_TIP_SEGMENT)
         };
         let mesh = MeshSettings {
             element_size: self

@@ -115,7 +115,7 @@ pub enum ContactSolver {
 
 impl Engine {
     /// Every engine of this version, the default first.
-    pub const ALL: &[Self] = &[Self::Xfem, Self::Dislocation];
+    pub const ALL: [Self; 2] = [Self::Xfem, Self::Dislocation];
 
     /// The name in case files and results.
     pub fn name(self) -> &'static str {

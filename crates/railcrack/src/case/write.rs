@@ -57,7 +57,8 @@ fn init_line(section: &Section, key: &Key) -> String {
     let inactive = other_form
         || section.presence == SectionPresence::Optional
         || matches!(key.presence, Presence::Optional(_))
-        || default_needs_another(section, key);
+        || default_needs_another(section, key)
+        || !goes_with_the_defaults(section, key);
     let assignment = format!("{}{} = {}", if inactive { "# " } else { "" }, key.name, preset_text(preset));
     let mut comment = key.doc.to_string();
     match key.kind {
@@ -81,6 +82,13 @@ fn init_line(section: &Section, key: &Key) -> String {
 /// A key with a default that means nothing without an optional one: `count` without `spacing_mm`.
 fn default_needs_another(section: &Section, key: &Key) -> bool {
     section.presence == SectionPresence::Repeated && matches!(key.presence, Presence::Default(_))
+}
+
+/// Whether a key that needs another one's choice has it by default.
+fn goes_with_the_defaults(section: &Section, key: &Key) -> bool {
+    let Some(with) = key.only_with else { return true };
+    let default = section.key(with.key).map(|other| other.presence.preset());
+    matches!(default, Some(Preset::Text(chosen)) if chosen == with.choice)
 }
 
 /// A value as TOML.
