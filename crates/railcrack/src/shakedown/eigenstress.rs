@@ -14,32 +14,32 @@ pub(super) type Columns = [Vec<f64>; 3];
 /// (∂² − k²)² φ = −E′ (∂² e_xx − k² e_yy − 2 i k ∂ e_xy); see [`Wave`]. Stresses are averages over layers: the operator
 /// is then symmetric, like the energy that it comes from.
 ///
-/// Waves have a period, the rail has none. Let the strain be U(y) far upstream and U + D far downstream. U is carried
-/// exactly. To the rest, a ramp that rises by D over one period is added; this makes it periodic, and the exact stress of
-/// such a ramp in the endless half-plane,
+/// Waves have a period L, the rail has none. Let the strain be U(y) far upstream and U + D far downstream. U is carried
+/// exactly. To the rest, a ramp that rises by D over one period is added, which makes it periodic, and the stress of such a
+/// ramp in the endless half-plane is subtracted. The ramp, and the mean over the period, are what is left of the waves that
+/// are longer than it: the stress σ(k) of a wave has a kink at k = 0, and the sum over waves becomes the integral up to
+/// L⁻⁴ if the kink is represented by its value at Δk/6, Δk = 2π/L (Euler and Maclaurin). With K the response to that wave,
 ///
-///   σ_xx = −E′ (D_xx + ν D_zz) x/L + (2 E′/L) ∫_(−∞)^y D_xy,   σ_xy = −(E′/L) ∫_y^0 (D_xx + ν D_zz),
+///   σ_xx = −E′ mean + (K_xx + E′)(q − D x/L) + E′ D_xx x/L + …,
 ///
-/// is subtracted. What remains of the period falls with its square.
+/// q the mean of the strain less the step of height D at x = 0, and −Im K D/(L Δk/6) for stresses that are odd in k.
+/// Together they are in equilibrium like the wave itself. `docs/shakedown.md` shows what remains of the period.
 pub(super) struct Eigenstress {
     plane_strain_modulus: f64,
     poisson: f64,
     columns: usize,
-    period: f64,
     layers: Layers,
     fourier: Fourier,
     /// Of wave k > 0 and layer j at (k − 1) · layers + j.
     factors: Vec<LayerFactors>,
-    /// Of the mean over the period, see [`Eigenstress::mean`].
-    mean_factors: Vec<LayerFactors>,
+    /// Of the wave that represents the longer ones.
+    long_factors: Vec<LayerFactors>,
     signals: Signals,
     wave: Wave,
 }
 
-/// The mean over a period stands for the waves that are longer than it. Between −Δk/2 and Δk/2 the stress of a wave has
-/// a kink at k = 0; the sum over waves is the integral up to Δk⁴ if the kink is represented by the wave Δk/6 (Euler and
-/// Maclaurin).
-const MEAN_WAVE: f64 = 1.0 / 6.0;
+/// The wave that represents all waves longer than the period, over Δk.
+const LONG_WAVE: f64 = 1.0 / 6.0;
 
 impl Eigenstress {
     /// `columns` (a power of two) abscissae at `spacing` (mm); `layers` of the rail; its elasticity `steel`.
@@ -51,16 +51,15 @@ impl Eigenstress {
             (0..layers.count()).map(move |j| LayerFactors::new(wave_number, layers.top(j), layers.thickness(j)))
         };
         let factors = (1..=columns / 2).flat_map(|k| factors_of(unit * k as f64)).collect();
-        let mean_factors = factors_of(unit * MEAN_WAVE).collect();
+        let long_factors = factors_of(unit * LONG_WAVE).collect();
         let lanes = layers.count() + layers.count().div_ceil(2);
         Self {
             plane_strain_modulus: steel.plane_strain_modulus(),
             poisson: steel.poisson(),
             columns,
-            period,
             fourier: Fourier::new(columns),
             factors,
-            mean_factors,
+            long_factors,
             signals: Signals::zeros(columns * lanes),
             wave: Wave::new(layers.count()),
             layers,
@@ -86,9 +85,10 @@ impl Eigenstress {
         for k in 1..=self.columns / 2 {
             self.balance_wave(k);
         }
-        self.balance_mean();
+        let mean = self.take_mean();
+        let long = self.long_waves(&mean, &gain, &entering);
         self.fourier.backward(&mut self.signals);
-        self.unload(&gain, &entering, stress);
+        self.unload(&long, stress);
     }
 
     /// e = (ε_xx + ν ε_zz, ε_yy + ν ε_zz, ε_xy).
@@ -148,54 +148,73 @@ impl Eigenstress {
         }
     }
 
-    /// The mean over the period: σ_xx alone, which no equilibrium involves.
-    fn balance_mean(&mut self) {
+    /// The mean over the period, −E′ e_xx, taken out of the signals.
+    fn take_mean(&mut self) -> Vec<Strains> {
         let layers = self.layers.count();
         let lanes = layers + layers.div_ceil(2);
-        for j in 0..layers {
-            let real = |value: f64| Complex { re: value, im: 0.0 };
-            // Shear strain has a part of σ_xx that is odd in k, hence smooth.
-            self.wave.strains[j] = [real(self.signals.re[j]), real(self.signals.im[j]), Complex::ZERO];
-        }
-        self.wave.balance(&self.mean_factors);
-        let scale = -self.plane_strain_modulus / self.columns as f64;
+        let per_column = 1.0 / self.columns as f64;
+        let mean = (0..layers)
+            .map(|j| Strains { xx: self.signals.re[j] * per_column, yy: self.signals.im[j] * per_column, xy: 0.0 })
+            .collect();
         self.signals.re[..lanes].fill(0.0);
         self.signals.im[..lanes].fill(0.0);
-        for j in 0..layers {
-            self.signals.re[j] = scale * self.wave.stresses[j][0].re;
-        }
+        mean
     }
 
-    /// Stress from the signals, with the ramp taken out and the strain that enters put in.
-    fn unload(&self, gain: &[Strains], entering: &[Strains], stress: &mut Columns) {
+    /// What the waves that are longer than the period give, with the strain that enters put in and the ramp taken out.
+    fn long_waves(&mut self, mean: &[Strains], gain: &[Strains], entering: &[Strains]) -> Vec<LongWaves> {
+        let layers = self.layers.count();
+        let real = |re: f64| Complex { re, im: 0.0 };
+        for j in 0..layers {
+            let (xx, yy) = (mean[j].xx - gain[j].xx, mean[j].yy - gain[j].yy);
+            self.wave.strains[j] = [real(xx), real(yy), Complex::ZERO];
+        }
+        self.wave.balance(&self.long_factors);
+        let kink: Vec<f64> = (0..layers).map(|j| self.wave.stresses[j][0].re - self.wave.strains[j][0].re).collect();
+        for j in 0..layers {
+            self.wave.strains[j] = [real(gain[j].xx), real(gain[j].yy), real(gain[j].xy)];
+        }
+        self.wave.balance(&self.long_factors);
+        let modulus = self.plane_strain_modulus;
+        let wave_number = 2.0 * std::f64::consts::PI * LONG_WAVE;
+        let of_layer = |j: usize| {
+            let [xx, _, xy] = self.wave.stresses[j];
+            LongWaves {
+                // Half a period from the first column to the load, where the kink is.
+                xx: -modulus * (mean[j].xx + entering[j].xx + kink[j] + 0.5 * (xx.re - gain[j].xx))
+                    + modulus * xx.im / wave_number,
+                slope_xx: modulus * xx.re,
+                xy: modulus * xy.im / wave_number,
+            }
+        };
+        (0..layers).map(of_layer).collect()
+    }
+
+    /// Stress from signals and long waves.
+    fn unload(&self, long: &[LongWaves], stress: &mut Columns) {
         let layers = self.layers.count();
         let lanes = layers + layers.div_ceil(2);
-        let modulus = self.plane_strain_modulus;
-        let mut constant_xx = vec![0.0; layers];
-        let mut constant_xy = vec![0.0; layers];
-        let (mut above, mut below) = (0.0, 0.0);
-        for j in 0..layers {
-            let half = 0.5 * self.layers.thickness(j);
-            constant_xy[j] = modulus / self.period * (above + half * gain[j].xx);
-            above += 2.0 * half * gain[j].xx;
-        }
-        for j in (0..layers).rev() {
-            let half = 0.5 * self.layers.thickness(j);
-            constant_xx[j] = -modulus * entering[j].xx - 2.0 * modulus / self.period * (below + half * gain[j].xy);
-            below += 2.0 * half * gain[j].xy;
-        }
         let [xx, yy, xy] = stress;
         for i in 0..self.columns {
-            let ramp = modulus * i as f64 / self.columns as f64;
+            let ramp = i as f64 / self.columns as f64;
             for j in 0..layers {
                 let (at, lane, pair) = (i * layers + j, i * lanes + j, i * lanes + layers + j / 2);
-                xx[at] = self.signals.re[lane] + constant_xx[j] + ramp * gain[j].xx;
+                xx[at] = self.signals.re[lane] + long[j].xx + ramp * long[j].slope_xx;
                 yy[at] = self.signals.im[lane];
                 let shear = if j % 2 == 0 { self.signals.re[pair] } else { self.signals.im[pair] };
-                xy[at] = shear + constant_xy[j];
+                xy[at] = shear + long[j].xy;
             }
         }
     }
+}
+
+/// Stresses in a layer, MPa, that the waves longer than the period make: σ_xx in the first column and its rise over a
+/// period, σ_xy.
+#[derive(Debug, Clone, Copy)]
+struct LongWaves {
+    xx: f64,
+    slope_xx: f64,
+    xy: f64,
 }
 
 /// Waves k of two real signals that were transformed as one complex one.
