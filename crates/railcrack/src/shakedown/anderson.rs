@@ -20,13 +20,6 @@ impl Anderson {
         Self { depth, residual_steps: Vec::new(), image_steps: Vec::new(), last: None }
     }
 
-    /// Forgets what it has seen.
-    pub(super) fn restart(&mut self) {
-        self.residual_steps.clear();
-        self.image_steps.clear();
-        self.last = None;
-    }
-
     /// The next iterate after `iterate`, whose image is `image`.
     pub(super) fn next(&mut self, iterate: &[f64], image: &[f64]) -> Vec<f64> {
         let residual: Vec<f64> = image.iter().zip(iterate).map(|(g, x)| g - x).collect();

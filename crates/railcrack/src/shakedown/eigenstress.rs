@@ -66,11 +66,6 @@ impl Eigenstress {
         }
     }
 
-    /// The layers.
-    pub(super) fn layers(&self) -> &Layers {
-        &self.layers
-    }
-
     /// σ_xx, σ_yy and σ_xy, MPa, averaged over the layers, into `stress`, of the plastic strain `strain` (coordinates
     /// of [`super::PlasticStrain::deviator`]) in the layers, which enters as `upstream` in the last column and leaves by the
     /// first.
@@ -120,12 +115,28 @@ impl Eigenstress {
         }
     }
 
-    /// Wave ±k of all layers, from strain to stress.
-    fn balance_wave(&mut self, k: usize) {
+    /// The largest force per mm² that is missing on a layer or on the surface for equilibrium, MPa: the sum over waves, of
+    /// which none can cancel another, between neighbouring columns.
+    pub(super) fn imbalance(&mut self, strain: &Columns, upstream: &[[f64; 3]]) -> f64 {
+        let layers = self.layers.count();
+        let gain: Vec<Strains> =
+            (0..layers).map(|j| self.in_plane([0, 1, 2].map(|c| strain[c][j] - upstream[j][c]))).collect();
+        self.load(strain, upstream, &gain);
+        self.fourier.forward(&mut self.signals);
+        let mut sum = 0.0;
+        for k in 1..=self.columns / 2 {
+            self.take_wave(k);
+            sum += self.wave.imbalance(&self.factors[(k - 1) * layers..k * layers]);
+        }
+        2.0 * self.plane_strain_modulus / self.columns as f64 * sum
+    }
+
+    /// Balances wave k of the transformed strain.
+    fn take_wave(&mut self, k: usize) {
         let layers = self.layers.count();
         let lanes = layers + layers.div_ceil(2);
         let (plus, minus) = (k * lanes, (self.columns - k) * lanes);
-        let signals = &mut self.signals;
+        let signals = &self.signals;
         for j in 0..layers {
             let (xx, yy) = separate(signals, plus + j, minus + j);
             let pair = layers + j / 2;
@@ -133,6 +144,15 @@ impl Eigenstress {
             self.wave.strains[j] = [xx, yy, if j % 2 == 0 { even } else { odd }];
         }
         self.wave.balance(&self.factors[(k - 1) * layers..k * layers]);
+    }
+
+    /// Wave ±k of all layers, from strain to stress.
+    fn balance_wave(&mut self, k: usize) {
+        let layers = self.layers.count();
+        let lanes = layers + layers.div_ceil(2);
+        let (plus, minus) = (k * lanes, (self.columns - k) * lanes);
+        self.take_wave(k);
+        let signals = &mut self.signals;
         // −E′/N: the inverse transform is not yet divided by N. The shortest wave, which is its own mirror image, has no
         // imaginary part; `combine` drops it because it writes that wave twice.
         let scale = -self.plane_strain_modulus / self.columns as f64;

@@ -7,13 +7,21 @@ pub struct Layers {
     interfaces: Vec<f64>,
 }
 
-/// Thickness of a layer over the one above, where they grow.
-const GROWTH: f64 = 1.1;
+/// Thickness of a layer over the one above, below the even ones: nothing flows there.
+const GROWTH: f64 = 1.2;
+/// The same at the surface, …
+const SURFACE_GROWTH: f64 = 2.0;
+/// … where layers begin with the even thickness over two to this power. Under friction the stress at the edges of the
+/// contact varies with the root of the depth.
+const SURFACE_LAYERS: i32 = 5;
 
 impl Layers {
-    /// Layers of `thickness` (mm) down to `fine_depth` (mm), growing below to `depth` (mm).
+    /// Layers of `thickness` (mm) down to `fine_depth` (mm), thinner ones at the surface, growing below to `depth` (mm).
     pub(super) fn graded(thickness: f64, fine_depth: f64, depth: f64) -> Self {
         let mut interfaces = vec![0.0];
+        // 2⁻⁵, 2⁻⁵, 2⁻⁴, …, 2⁻¹ of the thickness make up one layer.
+        let surface = (0..SURFACE_LAYERS).rev().map(|i| thickness * SURFACE_GROWTH.powi(-i - 1));
+        interfaces.extend(surface);
         let (mut bottom, mut next, mut count) = (0.0, thickness, 0.0);
         while bottom < depth {
             count += 1.0;
@@ -48,8 +56,8 @@ impl Layers {
         self.interfaces.windows(2).map(|w| 0.5 * (w[0] + w[1])).collect()
     }
 
-    /// Depth of the lower face of the last layer, mm.
-    pub fn depth(&self) -> f64 {
-        self.interfaces[self.interfaces.len() - 1]
+    /// Depths of the interfaces, mm, the surface first.
+    pub fn interfaces(&self) -> &[f64] {
+        &self.interfaces
     }
 }
