@@ -43,12 +43,11 @@ pub(super) fn of(
 ) -> (Cycle, Admissibility) {
     let depths = grid.layers.middles();
     let layers = depths.len();
-    let last = (grid.columns - 1) * layers;
     let strain_at = |at: usize| [0, 1, 2].map(|c| passage.strain[c][at]);
-    let entering: Vec<[f64; 3]> = (0..layers).map(|j| strain_at(last + j)).collect();
+    let entering = &passage.entering;
     let mut residual = zeros(grid);
-    problem.eigenstress.stress(&passage.strain, &entering, &mut residual);
-    let imbalance = problem.eigenstress.imbalance(&passage.strain, &entering);
+    problem.eigenstress.stress(&passage.strain, entering, &mut residual);
+    let imbalance = problem.eigenstress.imbalance(&passage.strain, entering);
     let field = rail.forward_field();
     let (poisson, young) = (rail.steel.poisson(), rail.steel.young());
     let (radius, back) = (rail.hardening.yield_radius(), rail.hardening.back_stress_modulus());
@@ -76,7 +75,7 @@ pub(super) fn of(
     }
     let drift = first_column(&passage.strain, layers)
         .iter()
-        .zip(&entering)
+        .zip(entering)
         .map(|(a, b)| PlasticStrain::from_deviator([0, 1, 2].map(|c| a[c] - b[c])).equivalent())
         .fold(0.0, f64::max);
     (cycle, Admissibility { overshoot, drift, imbalance: imbalance / radius })

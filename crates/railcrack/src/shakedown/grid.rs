@@ -42,7 +42,9 @@ const SPREAD: f64 = 1.35;
 /// … so much over a.
 const SPREAD_OVER_A: f64 = 0.1;
 /// The period over the depth of the even layers, at least.
-const PERIOD_OVER_DEPTH: f64 = 8.0;
+const PERIOD_OVER_DEPTH: f64 = 4.5;
+/// Depth of all layers over that of the even ones: flow in the lower ones tells that there should be more even ones.
+const MARGIN: f64 = 1.15;
 /// Even layers, at most: deeper zones get thicker ones.
 const MOST_EVEN_LAYERS: f64 = 128.0;
 /// Half-widths on each side of the contact in which there may be flow and the extrapolation works.
@@ -69,7 +71,7 @@ impl Grid {
         }
         let period = (f64::from(resolution.period) * a).max(PERIOD_OVER_DEPTH * fine_depth);
         let columns = ((period / spacing).ceil() as usize).next_power_of_two();
-        Self { columns, spacing, layers: Layers::graded(spacing, fine_depth, 2.0 * fine_depth), fine_depth }
+        Self { columns, spacing, layers: Layers::graded(spacing, fine_depth, MARGIN * fine_depth), fine_depth }
     }
 
     /// Abscissa of column `i` from the centre of the contact, mm.

@@ -21,7 +21,7 @@ pub struct Stabilisation {
     pub resolution: Resolution,
     /// Passages after which the rail counts as not stabilised.
     pub max_passes: usize,
-    /// Change of the plastic strain by a passage, √(2/3) |Δε_p| over the yield strain σ_y/E, at which it has stabilised.
+    /// Change of the residual stress by a passage, over the largest that passages have left, at which it has stabilised.
     pub pass_tolerance: f64,
 }
 
@@ -31,22 +31,29 @@ impl Default for Stabilisation {
             method: Method::PassByPass,
             resolution: Resolution::default(),
             max_passes: 500,
-            // What is still to come is about as much again: a 2000th of the yield strain is 0.1 % of what a passage
-            // leaves.
+            // Passages change the stress by ever smaller amounts, two to ten of them by half: what is still to come is some
+            // thousandths.
             pass_tolerance: 5e-4,
         }
     }
 }
 
-/// The iteration within a passage ends at this change, times 2 G over R. A hundredth of the pass tolerance would do.
-const TOLERANCE: f64 = 2e-6;
+/// The iteration within a passage ends at this change of the plastic strain, times 2 G over R: some MPa/1000.
+const TOLERANCE: f64 = 1e-5;
+/// The same for the direct method, whose plastic strain drifts by as much in each iteration while it leaves the stress alone.
+const DIRECT_TOLERANCE: f64 = 2e-4;
+/// Change of the plastic strain by a passage, over the yield strain, above which it has not stabilised whatever the stress:
+/// a shear along the rail leaves no residual stress, and may go on.
+const STRAIN_TOLERANCE: f64 = 1e-2;
 /// Redistributions after which a passage has failed; the softest steels (C = E/10⁴) take some hundreds.
 const MOST_ITERATIONS: usize = 3000;
 /// Times that the even layers are extended downwards because there is flow below them.
 const EXTENSIONS: usize = 8;
-/// A layer alternates if its plastic path per passage exceeds this share of the yield strain: above what is left of a
-/// layer that settles, at the end by [`Stabilisation::pass_tolerance`].
+/// A layer alternates if its plastic path in a passage is this many times what it keeps of it: of one that settles the two are
+/// equal; …
 const ALTERNATING: f64 = 4.0;
+/// … and if the path is at least this share of the longest: shorter ones are within the tolerance of the iteration.
+const ALTERNATING_SHARE: f64 = 1e-3;
 
 /// The state that repeated passages over `rail` end in. `watch` is told of every passage.
 ///
@@ -131,7 +138,10 @@ impl<'a> Run<'a> {
             background,
             window: middle - half_window..middle + half_window,
             strain_scale: 2.0 * rail.steel.shear_modulus() / rail.hardening.yield_radius(),
-            tolerance: TOLERANCE,
+            tolerance: match settings.method {
+                Method::PassByPass => TOLERANCE,
+                Method::Direct => DIRECT_TOLERANCE,
+            },
             max_iterations: MOST_ITERATIONS,
         };
         let entering = vec![[0.0; 3]; layers.len()];
@@ -152,7 +162,8 @@ impl<'a> Run<'a> {
             if flown > self.grid.fine_depth {
                 return Ok(flown);
             }
-            self.stabilised = record.strain_change <= self.settings.pass_tolerance * yield_strain;
+            self.stabilised = record.stress_change <= self.settings.pass_tolerance * record.left_stress
+                && record.strain_change <= STRAIN_TOLERANCE * yield_strain;
             watch(&record);
             self.passes.push(record);
         }
@@ -177,11 +188,7 @@ impl<'a> Run<'a> {
             });
         }
         let leaving = first_column(&passage.strain, layers);
-        let came = match upstream {
-            Upstream::Given => self.entering.clone(),
-            Upstream::Downstream => last_column(&passage.strain, layers),
-        };
-        let record = self.record(&came, &leaving, &passage);
+        let record = self.record(&passage.entering, &leaving, &passage);
         self.entering = leaving;
         self.before = self.last.take().map(|last| last.strain);
         self.last = Some(passage);
@@ -222,18 +229,17 @@ impl<'a> Run<'a> {
             strain_change: 0.0,
             largest_strain: 0.0,
             plastic_path: passage.path.iter().copied().fold(0.0, f64::max),
-            largest_stress: 0.0,
+            left_stress: 0.0,
         };
-        let depths = self.grid.layers.middles();
         for j in 0..came.len() {
             let change = PlasticStrain::from_deviator([0, 1, 2].map(|c| leaving[j][c] - came[j][c]));
             let by = cycle::layer_stress(&self.rail.steel, change);
             let strain = PlasticStrain::from_deviator(leaving[j]);
-            let stress = cycle::layer_stress(&self.rail.steel, strain) + self.rail.initial_stress(depths[j]);
+            let stress = cycle::layer_stress(&self.rail.steel, strain);
             record.stress_change = record.stress_change.max(by.xx.abs()).max(by.zz.abs());
             record.strain_change = record.strain_change.max(change.equivalent());
             record.largest_strain = record.largest_strain.max(strain.equivalent());
-            record.largest_stress = record.largest_stress.max(stress.xx.abs()).max(stress.zz.abs());
+            record.left_stress = record.left_stress.max(stress.xx.abs()).max(stress.zz.abs());
         }
         record
     }
@@ -249,6 +255,7 @@ impl<'a> Run<'a> {
         let layers = self.entering.len();
         let passage = self.last.take().unwrap_or_else(|| SteadyPassage {
             strain: cycle::zeros(self.grid),
+            entering: self.entering.clone(),
             path: vec![0.0; layers],
             iterations: 0,
             change: 0.0,
@@ -269,7 +276,7 @@ impl<'a> Run<'a> {
         let profile: Vec<LayerState> = (0..layers).map(layer).collect();
         let state = self.state();
         let alternating = match state {
-            RailState::PlasticShakedown => self.alternating(&passage.path),
+            RailState::PlasticShakedown => Some(self.alternating(&passage)),
             _ => None,
         };
         StabilisedRail {
@@ -306,26 +313,23 @@ impl<'a> Run<'a> {
     }
 
     /// Where plastic strain alternates: by the layers, and where the zone is thinner than these by the elastic paths.
-    fn alternating(&self, path: &[f64]) -> Option<DepthRange> {
-        let yield_strain = self.rail.hardening.yield_stress() / self.rail.steel.young();
-        let least = ALTERNATING * self.settings.pass_tolerance * yield_strain;
+    fn alternating(&self, passage: &SteadyPassage) -> DepthRange {
+        let layers = self.entering.len();
+        let (came, leaving) = (&passage.entering, first_column(&passage.strain, layers));
+        let longest = passage.path.iter().copied().fold(0.0, f64::max);
+        let alternates = |j: usize| {
+            let kept = PlasticStrain::from_deviator([0, 1, 2].map(|c| leaving[j][c] - came[j][c])).equivalent();
+            passage.path[j] > ALTERNATING * kept && passage.path[j] > ALTERNATING_SHARE * longest
+        };
         let interfaces = self.grid.layers.interfaces();
-        let from = path.iter().position(|&path| path > least).map(|j| interfaces[j]);
-        let to = path.iter().rposition(|&path| path > least).map(|j| interfaces[j + 1]);
-        match from.zip(to) {
-            Some((from, to)) => Some(DepthRange { from, to }),
-            None => {
-                let contact = self.rail.forward_contact();
-                let limit = shakedown_limit_ratio(contact.friction, self.rail.steel.poisson());
-                let depth = limit.depth_over_a * contact.half_width;
-                Some(DepthRange { from: depth, to: depth })
-            }
-        }
+        let from = (0..layers).find(|&j| alternates(j)).map(|j| interfaces[j]);
+        let to = (0..layers).rfind(|&j| alternates(j)).map(|j| interfaces[j + 1]);
+        let contact = self.rail.forward_contact();
+        let limit = || shakedown_limit_ratio(contact.friction, self.rail.steel.poisson());
+        let (from, to) = from.zip(to).unwrap_or_else(|| {
+            let depth = limit().depth_over_a * contact.half_width;
+            (depth, depth)
+        });
+        DepthRange { from, to }
     }
-}
-
-/// The strain of the last column, by layer.
-fn last_column(strain: &Columns, layers: usize) -> Vec<[f64; 3]> {
-    let first = strain[0].len() - layers;
-    (first..first + layers).map(|at| [0, 1, 2].map(|c| strain[c][at])).collect()
 }

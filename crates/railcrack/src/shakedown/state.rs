@@ -64,8 +64,8 @@ pub struct PassRecord {
     pub largest_strain: f64,
     /// Largest plastic path of the passage, √(2/3) ∫ |dε_p|.
     pub plastic_path: f64,
-    /// Largest magnitude of σ_xx or σ_zz of the residual stress after the passage, MPa.
-    pub largest_stress: f64,
+    /// Largest magnitude of σ_xx or σ_zz that the passages so far have left, that of manufacturing not included, MPa.
+    pub left_stress: f64,
 }
 
 /// What one layer keeps.

@@ -10,6 +10,8 @@ use std::ops::Range;
 pub(super) struct SteadyPassage {
     /// Plastic strain, coordinates of a deviator.
     pub strain: Columns,
+    /// The plastic strain that enters, by layer.
+    pub entering: Vec<[f64; 3]>,
     /// √(2/3) ∫ |dε_p| of each layer.
     pub path: Vec<f64>,
     /// Elastic redistributions that it took.
@@ -73,7 +75,7 @@ impl SteadyProblem {
             let path = self.law.follow(&stress, &self.background, &strain, &entering, &mut image);
             let change = largest_difference(&image, &strain) * self.strain_scale;
             if change <= self.tolerance || iterations >= self.max_iterations {
-                return SteadyPassage { strain: image, path, iterations, change };
+                return SteadyPassage { strain: image, entering, path, iterations, change };
             }
             let window = self.window.start * layers..self.window.end * layers;
             let part = |field: &Columns| -> Vec<f64> {

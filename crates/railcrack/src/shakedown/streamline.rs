@@ -2,6 +2,8 @@
 
 use super::eigenstress::Columns;
 use crate::material::{IsotropicElastic, KinematicHardening};
+use pulp::{Arch, Simd, WithSimd};
+use std::ops::Range;
 
 /// The law of the material along horizontal streamlines.
 ///
@@ -42,17 +44,6 @@ impl FlowLaw {
         }
     }
 
-    /// The deviator of the residual stress with in-plane components `stress` of the plastic strain `strain`.
-    #[inline(always)]
-    pub(super) fn deviator(&self, [xx, yy, xy]: [f64; 3], strain: [f64; 3]) -> [f64; 3] {
-        const ROOT_2: f64 = std::f64::consts::SQRT_2;
-        [
-            (xx - yy) / ROOT_2,
-            self.out_of_trace * (xx + yy) + self.out_of_strain * strain[1],
-            ROOT_2 * xy,
-        ]
-    }
-
     /// From the plastic strain `old`, its residual `stress` and the deviators `background` of all other stress: the
     /// plastic strain `new` of particles that enter with `upstream` at the last column. Returns the length of the plastic
     /// path √(2/3) ∫ |dε_p| of each layer.
@@ -66,33 +57,39 @@ impl FlowLaw {
     ) -> Vec<f64> {
         let layers = upstream.len();
         let columns = old[0].len() / layers;
-        let mut strain = upstream.to_vec();
-        let mut before = vec![[0.0; 3]; layers];
+        let mut strain = [0, 1, 2].map(|c| upstream.iter().map(|u| u[c]).collect::<Vec<f64>>());
+        let zeros = || [vec![0.0; layers], vec![0.0; layers], vec![0.0; layers]];
+        let (mut before, mut here) = (zeros(), zeros());
+        let mut size = vec![0.0; layers];
         let mut path = vec![0.0; layers];
         for i in (0..columns).rev() {
+            let column = i * layers..(i + 1) * layers;
+            Arch::new().dispatch(Drive {
+                law: self,
+                stress: part(stress, column.clone()),
+                background: part(background, column.clone()),
+                old: part(old, column.clone()),
+                strain: part(&strain, 0..layers),
+                driver: &mut here,
+                size: &mut size,
+            });
             for j in 0..layers {
-                let at = i * layers + j;
-                let was = [old[0][at], old[1][at], old[2][at]];
-                let residual = self.deviator([stress[0][at], stress[1][at], stress[2][at]], was);
-                let driver = [0, 1, 2].map(|c| residual[c] + background[c][at] + self.stiffness * was[c]);
-                if self.overshoot(driver, strain[j]) > 0.0 {
-                    let from = if i + 1 == columns { driver } else { before[j] };
-                    path[j] += self.flow(from, driver, &mut strain[j]);
+                if size[j] > self.radius * self.radius {
+                    let to = [0, 1, 2].map(|c| here[c][j]);
+                    let from = if i + 1 == columns { to } else { [0, 1, 2].map(|c| before[c][j]) };
+                    let mut flowing = [0, 1, 2].map(|c| strain[c][j]);
+                    path[j] += self.flow(from, to, &mut flowing);
+                    for c in 0..3 {
+                        strain[c][j] = flowing[c];
+                    }
                 }
-                before[j] = driver;
-                for c in 0..3 {
-                    new[c][at] = strain[j][c];
-                }
+            }
+            std::mem::swap(&mut before, &mut here);
+            for c in 0..3 {
+                new[c][column.clone()].copy_from_slice(&strain[c]);
             }
         }
         path
-    }
-
-    /// |ξ| − R.
-    #[inline(always)]
-    fn overshoot(&self, driver: [f64; 3], strain: [f64; 3]) -> f64 {
-        let xi = [0, 1, 2].map(|c| driver[c] - self.modulus * strain[c]);
-        (xi[0] * xi[0] + xi[1] * xi[1] + xi[2] * xi[2]).sqrt() - self.radius
     }
 
     /// Flow on the straight path of the driver; returns the length of the plastic path.
@@ -111,5 +108,45 @@ impl FlowLaw {
             }
         }
         (2.0 / 3.0_f64).sqrt() * path
+    }
+}
+
+/// One column of a field.
+fn part(field: &Columns, column: Range<usize>) -> [&[f64]; 3] {
+    [0, 1, 2].map(|c| &field[c][column.clone()])
+}
+
+/// B and |ξ|² of all layers of a column.
+struct Drive<'a> {
+    law: &'a FlowLaw,
+    stress: [&'a [f64]; 3],
+    background: [&'a [f64]; 3],
+    old: [&'a [f64]; 3],
+    strain: [&'a [f64]; 3],
+    driver: &'a mut Columns,
+    size: &'a mut [f64],
+}
+
+impl WithSimd for Drive<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        const ROOT_2: f64 = std::f64::consts::SQRT_2;
+        let FlowLaw { stiffness, modulus, out_of_trace, out_of_strain, .. } = *self.law;
+        let n = self.size.len();
+        let [xx, yy, xy] = self.stress.map(|s| &s[..n]);
+        let [b0, b1, b2] = self.background.map(|s| &s[..n]);
+        let [o0, o1, o2] = self.old.map(|s| &s[..n]);
+        let [p0, p1, p2] = self.strain.map(|s| &s[..n]);
+        let [d0, d1, d2] = self.driver;
+        let (d0, d1, d2) = (&mut d0[..n], &mut d1[..n], &mut d2[..n]);
+        for j in 0..n {
+            d0[j] = (xx[j] - yy[j]) / ROOT_2 + b0[j] + stiffness * o0[j];
+            d1[j] = out_of_trace * (xx[j] + yy[j]) + b1[j] + (stiffness + out_of_strain) * o1[j];
+            d2[j] = ROOT_2 * xy[j] + b2[j] + stiffness * o2[j];
+            let (x0, x1, x2) = (d0[j] - modulus * p0[j], d1[j] - modulus * p1[j], d2[j] - modulus * p2[j]);
+            self.size[j] = x0 * x0 + x1 * x1 + x2 * x2;
+        }
     }
 }
