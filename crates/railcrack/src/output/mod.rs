@@ -1,4 +1,4 @@
-//! The run folder: tables as steps finish, a checkpoint, a summary, plots.
+//! The run folder: tables as steps finish, a checkpoint, a summary, plots. Fields on meshes as files of VTK.
 //!
 //! This module reads results and writes files; nothing that computes knows it. Every file, column, unit and sign is
 //! described in `docs/file-formats.md`.
@@ -13,6 +13,7 @@ mod plot;
 mod recorder;
 mod story;
 mod summary;
+pub mod vtu;
 
 pub use csv::{FACES_COLUMNS, GROWTH_COLUMNS, RESIDUAL_COLUMNS, ResidualRow, SIF_COLUMNS};
 pub use error::OutputError;

@@ -1,0 +1,34 @@
+//! A collection: which grid belongs to which time.
+
+use super::write::{escaped, put};
+use super::{GridError, VtuError};
+use std::path::Path;
+
+/// A grid of a collection.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Snapshot {
+    /// Time, or whatever orders the grids: a step, x_c/a.
+    pub time: f64,
+    /// The file of the grid, relative to the folder of the collection, with `/`.
+    pub file: String,
+}
+
+/// Writes the collection of `snapshots` to the file `path`, in their order.
+///
+/// Errors: a time that is not finite; the system refuses.
+pub fn write_pvd(path: &Path, snapshots: &[Snapshot]) -> Result<(), VtuError> {
+    if let Some(entry) = snapshots.iter().position(|snapshot| !snapshot.time.is_finite()) {
+        let reason = GridError::NotFinite { name: "time".to_owned(), entry, value: snapshots[entry].time };
+        return Err(VtuError::Grid { path: path.to_path_buf(), reason });
+    }
+    let mut text = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+    text.push_str(
+        "<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n<Collection>\n",
+    );
+    for Snapshot { time, file } in snapshots {
+        let file = escaped(file);
+        text.push_str(&format!("<DataSet timestep=\"{time}\" part=\"0\" file=\"{file}\"/>\n"));
+    }
+    text.push_str("</Collection>\n</VTKFile>\n");
+    put(path, text.as_bytes())
+}
