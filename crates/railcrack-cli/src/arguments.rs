@@ -1,6 +1,6 @@
 //! What can be written on the command line.
 
-use crate::commands::{check::CheckArguments, init::InitArguments, run::RunArguments};
+use crate::commands::{check::CheckArguments, init::InitArguments, run::RunArguments, shakedown::ShakedownArguments};
 use clap::{Parser, Subcommand};
 
 const AFTER_HELP: &str = "\
@@ -15,6 +15,7 @@ Start:
   railcrack init case.toml     a commented file, the reference case
   railcrack check case.toml    what would be computed
   railcrack run case.toml      compute it
+  railcrack shakedown case.toml   the stabilised plastic state under the same wheel
 ";
 
 /// Predicts the growth of rolling-contact-fatigue cracks in rails.
@@ -34,6 +35,7 @@ pub enum Command {
     Init(InitArguments),
     Check(CheckArguments),
     Run(RunArguments),
+    Shakedown(ShakedownArguments),
     /// Print the JSON Schema of the case file
     ///
     /// Editors with a TOML language server use it to complete keys, to show what they mean and to mark errors.

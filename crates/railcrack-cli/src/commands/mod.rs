@@ -4,6 +4,7 @@ pub mod check;
 pub mod init;
 pub mod run;
 pub mod schema;
+pub mod shakedown;
 
 use crate::arguments::Command;
 use crate::exit::{Exit, Failure};
@@ -14,6 +15,7 @@ pub fn dispatch(command: Command) -> Result<Exit, Failure> {
         Command::Init(arguments) => init::init(&arguments),
         Command::Check(arguments) => check::check(&arguments),
         Command::Run(arguments) => run::run(&arguments),
+        Command::Shakedown(arguments) => shakedown::shakedown(&arguments),
         Command::Schema => schema::schema(),
     }
 }

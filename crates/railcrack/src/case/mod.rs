@@ -37,6 +37,6 @@ pub use table::{
     SectionPresence,
 };
 pub use validated::{
-    Boundary, Case, Companion, ContactSolver, Engine, MeshSettings, Rail, ShakedownMethod, ShakedownSettings,
+    Boundary, Case, Companion, ContactSolver, Engine, MeshSettings, Rail, ShakedownSettings,
 };
 pub use write::init_text;

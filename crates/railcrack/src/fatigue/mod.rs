@@ -3,12 +3,14 @@
 mod dang_van;
 mod hourlier_pineau;
 mod hull;
+mod initiation;
 mod kink;
 mod law;
 mod ranges;
 
 pub use dang_van::{DangVan, DangVanValue};
 pub use hourlier_pineau::{HourlierPineau, Kink, Rival};
+pub use initiation::{DepthValue, Initiation};
 pub use kink::KinkFunctions;
 pub use law::{DirectionCriterion, KINK_ANGLES, ParisLaw};
 pub use ranges::SifRanges;

@@ -91,6 +91,28 @@ pub fn bounds_by_depth(friction: f64, poisson: f64, depths_over_a: &[f64]) -> Ve
     depths_over_a.iter().map(at).collect()
 }
 
+/// First yield and limit of elastic shakedown at one friction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MapPoint {
+    /// |μ| of the wheel.
+    pub friction: f64,
+    /// p0 / k at first yield.
+    pub first_yield: f64,
+    /// p0 / k at the limit of elastic shakedown.
+    pub shakedown: f64,
+}
+
+/// The shakedown map: `points` frictions evenly spaced from 0 to `most` (Johnson, Contact Mechanics, fig. 9.7).
+pub fn shakedown_map(most: f64, points: usize, poisson: f64) -> Vec<MapPoint> {
+    let last = points.saturating_sub(1).max(1) as f64;
+    let at = |i: usize| {
+        let friction = most * i as f64 / last;
+        let first_yield = first_yield_ratio(friction, poisson).ratio;
+        MapPoint { friction, first_yield, shakedown: shakedown_limit_ratio(friction, poisson).ratio }
+    };
+    (0..points).map(at).collect()
+}
+
 /// Depth and value of the largest √(3/2) |s + s0| over σ_y of the elastic passage of `contact`, s0 the deviator of the
 /// initial stress at a depth (mm): the rail yields where it exceeds 1. Searched down to `DEEPEST` half-widths.
 pub(super) fn utilisation(

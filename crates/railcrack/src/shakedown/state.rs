@@ -1,8 +1,10 @@
 //! The stabilised state and what leads to it.
 
 use super::layers::Layers;
+use super::rail::RolledRail;
 use super::strain::PlasticStrain;
-use crate::math::Stress;
+use crate::field::HertzField;
+use crate::math::{Stress, Vec2};
 
 /// What repeated passages end in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -168,6 +170,19 @@ impl StabilisedRail {
         let layers = self.profile.len();
         let mut path: Vec<Stress> = self.cycle.stress.iter().skip(j).step_by(layers).copied().collect();
         path.push(self.profile[j].stress);
+        path
+    }
+
+    /// The same at the running surface: the stress of the wheel there, and what the uppermost layer keeps. `rail` is what was
+    /// computed.
+    pub fn surface_path(&self, rail: &RolledRail) -> Vec<Stress> {
+        let field = HertzField::new(&rail.contact, rail.steel.poisson());
+        let Some(top) = self.profile.first() else { return Vec::new() };
+        let mut path = self.stress_path(0);
+        for (stress, &x) in path.iter_mut().zip(&self.cycle.abscissae) {
+            let wheel = |depth: f64| field.stress(Vec2::new(x, -depth), 0.0);
+            *stress = *stress + wheel(0.0) - wheel(top.depth);
+        }
         path
     }
 }

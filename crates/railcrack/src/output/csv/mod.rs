@@ -22,7 +22,7 @@ pub(crate) use rows::Rows;
 pub(crate) use sif::{SIF_FILE, SifScale, sif_header, sif_rows};
 
 /// Comment lines, then the column names.
-fn header(comments: &[&str], columns: &[&str]) -> String {
+pub(crate) fn header(comments: &[&str], columns: &[&str]) -> String {
     let mut text = format!("# railcrack {}\n", super::VERSION);
     for comment in comments {
         text.push_str("# ");
