@@ -23,6 +23,20 @@ pub enum ShakedownError {
         /// What is accepted.
         accepted: &'static str,
     },
+    /// A stress of manufacturing that the steel cannot carry.
+    #[error("initial residual stress: {utilisation} of the yield stress at depth {depth} mm; must be at most 1, or the rail yields without a wheel")]
+    Initial {
+        /// √(3/2) |s| / σ_y.
+        utilisation: f64,
+        /// mm.
+        depth: f64,
+    },
+    /// A plastic zone that reaches deeper with every attempt.
+    #[error("the plastic zone reaches below {depth} mm: the initial residual stress and the wheel make the whole rail yield")]
+    Bottomless {
+        /// mm.
+        depth: f64,
+    },
     /// A passage whose plastic strain did not settle.
     #[error(
         "passage {pass} not converged: after {iterations} redistributions the plastic strain still changes by {change:.2e} of the yield strain, allowed are {tolerance:.1e}"
