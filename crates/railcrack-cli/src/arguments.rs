@@ -1,6 +1,8 @@
 //! What can be written on the command line.
 
-use crate::commands::{check::CheckArguments, init::InitArguments, run::RunArguments, shakedown::ShakedownArguments};
+use crate::commands::{
+    check::CheckArguments, init::InitArguments, run::RunArguments, shakedown::ShakedownArguments,
+};
 use clap::{Parser, Subcommand};
 
 const AFTER_HELP: &str = "\

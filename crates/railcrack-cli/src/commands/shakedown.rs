@@ -9,8 +9,8 @@ use railcrack::case::Case;
 use railcrack::fatigue::Initiation;
 use railcrack::output::{Existing, Extent, ShakedownRecorder, ShakedownResults, ShakedownSummary};
 use railcrack::shakedown::{
-    Method, PassRecord, RailState, RolledRail, Stabilisation, StabilisedRail, bounds_by_depth, shakedown_map,
-    stabilise,
+    Method, PassRecord, RailState, RolledRail, Stabilisation, StabilisedRail, bounds_by_depth, check_rail,
+    shakedown_map, stabilise,
 };
 use std::io::Write;
 use std::path::PathBuf;
@@ -51,11 +51,12 @@ pub fn shakedown(arguments: &ShakedownArguments) -> Result<Exit, Failure> {
     if is_same_file(&arguments.case, &folder.join("case.toml")) {
         return Err(RunError::CaseInRunFolder { path: arguments.case.clone() }.into());
     }
+    let (rail, settings) = (case.rolled_rail(), case.stabilisation());
+    check_rail(&rail).map_err(RunError::from)?;
     let existing = if arguments.force { Existing::Replace } else { Existing::Refuse };
     let started = Instant::now();
     let mut recorder =
         ShakedownRecorder::start(&folder, &case_files(&case), existing).map_err(RunError::from)?;
-    let (rail, settings) = (case.rolled_rail(), case.stabilisation());
     let mut refused = None;
     let stabilised = stabilise(&rail, &settings, |pass| {
         if !arguments.quiet {
@@ -93,10 +94,11 @@ fn results(
         }
     };
     let dang_van = case.shakedown.dang_van;
-    let layers = stabilised.profile.iter().enumerate().map(|(j, layer)| (layer.depth, stabilised.stress_path(j)));
+    let layers =
+        stabilised.profile.iter().enumerate().map(|(j, layer)| (layer.depth, stabilised.stress_path(j)));
     let surface = (0.0, stabilised.surface_path(&rail));
-    let initiation = Initiation::by_depth(&dang_van, std::iter::once(surface).chain(layers))
-        .ok_or(RunError::NoLayers)?;
+    let initiation =
+        Initiation::by_depth(&dang_van, std::iter::once(surface).chain(layers)).ok_or(RunError::NoLayers)?;
     let (friction, poisson) = (rail.contact.friction, rail.steel.poisson());
     let depths: Vec<f64> = (0..BOUNDS).map(|i| BOUNDS_DEPTH * i as f64 / (BOUNDS - 1) as f64).collect();
     let half_length = 0.5 * case.rail.width;
@@ -140,7 +142,10 @@ fn warnings(
         ));
     }
     if stabilised.state == RailState::ElasticShakedown {
-        warnings.push("an elastic-shakedown state depends on the load history: on the first passages as computed".into());
+        warnings.push(
+            "an elastic-shakedown state depends on the load history: on the first passages as computed"
+                .into(),
+        );
     }
     warnings
 }

@@ -27,7 +27,10 @@ pub(super) const SHAKEDOWN: Section = Section {
             "method",
             &[
                 now("pass-by-pass", "each passage starts from the state the one before left"),
-                now("direct", "upstream := downstream in every iteration: cheaper, and another admissible state"),
+                now(
+                    "direct",
+                    "upstream := downstream in every iteration: cheaper, and another admissible state",
+                ),
             ],
             "pass-by-pass",
             "Way to the stabilised state.",

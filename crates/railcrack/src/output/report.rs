@@ -36,12 +36,27 @@ fn rows(summary: &ShakedownSummary) -> Vec<(&'static str, String)> {
     let dang_van = &summary.dang_van;
     let mut rows = vec![
         ("state", summary.state.clone()),
-        ("method", format!("{}, {} passages, {} redistributions", summary.method, summary.passes, summary.redistributions)),
+        (
+            "method",
+            format!(
+                "{}, {} passages, {} redistributions",
+                summary.method, summary.passes, summary.redistributions
+            ),
+        ),
         ("p0 / k", format!("{:.4}", summary.p0_over_k)),
-        ("first yield", format!("p0 / k = {:.4}, depth {:.3} mm", summary.first_yield.p0_over_k, summary.first_yield.depth_mm)),
+        (
+            "first yield",
+            format!(
+                "p0 / k = {:.4}, depth {:.3} mm",
+                summary.first_yield.p0_over_k, summary.first_yield.depth_mm
+            ),
+        ),
         (
             "shakedown limit",
-            format!("p0 / k = {:.4}, depth {:.3} mm", summary.shakedown_limit.p0_over_k, summary.shakedown_limit.depth_mm),
+            format!(
+                "p0 / k = {:.4}, depth {:.3} mm",
+                summary.shakedown_limit.p0_over_k, summary.shakedown_limit.depth_mm
+            ),
         ),
         (
             "largest residual stress",
@@ -59,10 +74,16 @@ fn rows(summary: &ShakedownSummary) -> Vec<(&'static str, String)> {
                 dang_van.critical_value_mpa, dang_van.critical_depth_mm, dang_van.b_mpa, dang_van.margin_mpa
             ),
         ),
-        ("Dang Van at the surface", format!("{:.1} MPa, margin {:.1} MPa", dang_van.surface.value_mpa, dang_van.surface.margin_mpa)),
+        (
+            "Dang Van at the surface",
+            format!("{:.1} MPa, margin {:.1} MPa", dang_van.surface.value_mpa, dang_van.surface.margin_mpa),
+        ),
     ];
     if let Some(below) = dang_van.subsurface {
-        let text = format!("{:.1} MPa at depth {:.3} mm, margin {:.1} MPa", below.value_mpa, below.depth_mm, below.margin_mpa);
+        let text = format!(
+            "{:.1} MPa at depth {:.3} mm, margin {:.1} MPa",
+            below.value_mpa, below.depth_mm, below.margin_mpa
+        );
         rows.push(("Dang Van below it", text));
     }
     if let Some(zone) = summary.alternating_zone {

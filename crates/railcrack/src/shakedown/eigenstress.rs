@@ -48,7 +48,8 @@ impl Eigenstress {
         let unit = 2.0 * std::f64::consts::PI / period;
         let factors_of = |wave_number: f64| {
             let layers = &layers;
-            (0..layers.count()).map(move |j| LayerFactors::new(wave_number, layers.top(j), layers.thickness(j)))
+            (0..layers.count())
+                .map(move |j| LayerFactors::new(wave_number, layers.top(j), layers.thickness(j)))
         };
         let factors = (1..=columns / 2).flat_map(|k| factors_of(unit * k as f64)).collect();
         let long_factors = factors_of(unit * LONG_WAVE).collect();
@@ -71,9 +72,8 @@ impl Eigenstress {
     /// first.
     pub(super) fn stress(&mut self, strain: &Columns, upstream: &[[f64; 3]], stress: &mut Columns) {
         let layers = self.layers.count();
-        let gain: Vec<Strains> = (0..layers)
-            .map(|j| self.in_plane([0, 1, 2].map(|c| strain[c][j] - upstream[j][c])))
-            .collect();
+        let gain: Vec<Strains> =
+            (0..layers).map(|j| self.in_plane([0, 1, 2].map(|c| strain[c][j] - upstream[j][c]))).collect();
         let entering: Vec<Strains> = upstream.iter().map(|u| self.in_plane(*u)).collect();
         self.load(strain, upstream, &gain);
         self.fourier.forward(&mut self.signals);
@@ -174,7 +174,11 @@ impl Eigenstress {
         let lanes = layers + layers.div_ceil(2);
         let per_column = 1.0 / self.columns as f64;
         let mean = (0..layers)
-            .map(|j| Strains { xx: self.signals.re[j] * per_column, yy: self.signals.im[j] * per_column, xy: 0.0 })
+            .map(|j| Strains {
+                xx: self.signals.re[j] * per_column,
+                yy: self.signals.im[j] * per_column,
+                xy: 0.0,
+            })
             .collect();
         self.signals.re[..lanes].fill(0.0);
         self.signals.im[..lanes].fill(0.0);
@@ -190,7 +194,8 @@ impl Eigenstress {
             self.wave.strains[j] = [real(xx), real(yy), Complex::ZERO];
         }
         self.wave.balance(&self.long_factors);
-        let kink: Vec<f64> = (0..layers).map(|j| self.wave.stresses[j][0].re - self.wave.strains[j][0].re).collect();
+        let kink: Vec<f64> =
+            (0..layers).map(|j| self.wave.stresses[j][0].re - self.wave.strains[j][0].re).collect();
         for j in 0..layers {
             self.wave.strains[j] = [real(gain[j].xx), real(gain[j].yy), real(gain[j].xy)];
         }

@@ -24,7 +24,9 @@ pub enum ShakedownError {
         accepted: &'static str,
     },
     /// A stress of manufacturing that the steel cannot carry.
-    #[error("initial residual stress: {utilisation} of the yield stress at depth {depth} mm; must be at most 1, or the rail yields without a wheel")]
+    #[error(
+        "initial residual stress: {utilisation} of the yield stress at depth {depth} mm; must be at most 1, or the rail yields without a wheel"
+    )]
     Initial {
         /// √(3/2) |s| / σ_y.
         utilisation: f64,
@@ -32,7 +34,9 @@ pub enum ShakedownError {
         depth: f64,
     },
     /// A plastic zone that reaches deeper with every attempt.
-    #[error("the plastic zone reaches below {depth} mm: the initial residual stress and the wheel make the whole rail yield")]
+    #[error(
+        "the plastic zone reaches below {depth} mm: the initial residual stress and the wheel make the whole rail yield"
+    )]
     Bottomless {
         /// mm.
         depth: f64,

@@ -45,33 +45,43 @@ const SPREAD_OVER_A: f64 = 0.1;
 const PERIOD_OVER_DEPTH: f64 = 4.5;
 /// Depth of all layers over that of the even ones: flow in the lower ones tells that there should be more even ones.
 const MARGIN: f64 = 1.15;
-/// Even layers, at most: deeper zones get thicker ones.
-const MOST_EVEN_LAYERS: f64 = 128.0;
+/// Depth over a from which on layers and columns double: deeper zones are larger in all directions.
+const COARSER_BEYOND: f64 = 4.0;
 /// Half-widths on each side of the contact in which there may be flow and the extrapolation works.
 pub(super) const WINDOW: f64 = 3.0;
 
 impl Grid {
     /// For `rail`: even layers down to where its elastic passage yields and somewhat deeper.
     pub(super) fn of(rail: &RolledRail, resolution: Resolution) -> Result<Self, ShakedownError> {
-        let ratio = rail.pressure_ratio();
-        if !(ratio > 0.0 && ratio <= HEAVIEST) {
-            return Err(ShakedownError::Load { ratio, most: HEAVIEST });
-        }
+        Self::check_load(rail)?;
         let a = rail.contact.half_width;
         let depth = yield_depth(rail).max(a);
         Ok(Self::down_to(rail, resolution, SPREAD * depth + SPREAD_OVER_A * a))
+    }
+
+    /// Whether the load of `rail` is one that a half-plane can carry.
+    pub(super) fn check_load(rail: &RolledRail) -> Result<(), ShakedownError> {
+        let ratio = rail.pressure_ratio();
+        let accepted = ratio > 0.0 && ratio <= HEAVIEST;
+        if accepted { Ok(()) } else { Err(ShakedownError::Load { ratio, most: HEAVIEST }) }
     }
 
     /// For `rail`: even layers down to `fine_depth` (mm).
     pub(super) fn down_to(rail: &RolledRail, resolution: Resolution, fine_depth: f64) -> Self {
         let a = rail.contact.half_width;
         let mut spacing = a / f64::from(resolution.per_half_width.next_power_of_two());
-        while fine_depth > MOST_EVEN_LAYERS * spacing {
-            spacing *= 2.0;
+        let mut reach = COARSER_BEYOND * a;
+        while fine_depth > reach {
+            (spacing, reach) = (2.0 * spacing, 2.0 * reach);
         }
         let period = (f64::from(resolution.period) * a).max(PERIOD_OVER_DEPTH * fine_depth);
         let columns = ((period / spacing).ceil() as usize).next_power_of_two();
-        Self { columns, spacing, layers: Layers::graded(spacing, fine_depth, MARGIN * fine_depth), fine_depth }
+        Self {
+            columns,
+            spacing,
+            layers: Layers::graded(spacing, fine_depth, MARGIN * fine_depth),
+            fine_depth,
+        }
     }
 
     /// Abscissa of column `i` from the centre of the contact, mm.

@@ -17,14 +17,14 @@ mod streamline;
 mod wave;
 
 pub use bounds::{
-    DepthBounds, FirstYield, MapPoint, ShakedownLimit, bounds_by_depth, first_yield_ratio, shakedown_limit_ratio,
-    shakedown_map,
+    DepthBounds, FirstYield, MapPoint, ShakedownLimit, bounds_by_depth, first_yield_ratio,
+    shakedown_limit_ratio, shakedown_map,
 };
 pub use error::ShakedownError;
 pub use grid::Resolution;
 pub use layers::Layers;
 pub use rail::{RolledRail, Travel};
-pub use stabilise::{Stabilisation, stabilise};
+pub use stabilise::{Stabilisation, check_rail, stabilise};
 pub use state::{
     Admissibility, Cycle, DepthRange, LayerState, Method, PassRecord, RailState, StabilisedRail,
 };

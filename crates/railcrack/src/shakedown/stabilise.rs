@@ -65,7 +65,7 @@ pub fn stabilise(
     settings: &Stabilisation,
     mut watch: impl FnMut(&PassRecord),
 ) -> Result<StabilisedRail, ShakedownError> {
-    check(rail)?;
+    check_rail(rail)?;
     let mut grid = Grid::of(rail, settings.resolution)?;
     for _ in 0..EXTENSIONS {
         let mut run = Run::new(rail, settings, &grid);
@@ -78,7 +78,11 @@ pub fn stabilise(
     Err(ShakedownError::Bottomless { depth: grid.fine_depth })
 }
 
-fn check(rail: &RolledRail) -> Result<(), ShakedownError> {
+/// Whether [`stabilise`] can take `rail`.
+///
+/// Errors: a load, contact or stress of manufacturing outside of what the model is made for.
+pub fn check_rail(rail: &RolledRail) -> Result<(), ShakedownError> {
+    Grid::check_load(rail)?;
     let contact = &rail.contact;
     let positive = |quantity, value: f64| {
         let accepted = "positive and finite";
@@ -148,7 +152,17 @@ impl<'a> Run<'a> {
             max_iterations: MOST_ITERATIONS,
         };
         let entering = vec![[0.0; 3]; layers.len()];
-        Self { rail, settings, grid, problem, last: None, before: None, entering, passes: Vec::new(), stabilised: false }
+        Self {
+            rail,
+            settings,
+            grid,
+            problem,
+            last: None,
+            before: None,
+            entering,
+            passes: Vec::new(),
+            stabilised: false,
+        }
     }
 
     /// All passages; returns the greatest depth with plastic strain, mm. Ends early where that is below the even layers.
@@ -321,7 +335,8 @@ impl<'a> Run<'a> {
         let (came, leaving) = (&passage.entering, first_column(&passage.strain, layers));
         let longest = passage.path.iter().copied().fold(0.0, f64::max);
         let alternates = |j: usize| {
-            let kept = PlasticStrain::from_deviator([0, 1, 2].map(|c| leaving[j][c] - came[j][c])).equivalent();
+            let kept =
+                PlasticStrain::from_deviator([0, 1, 2].map(|c| leaving[j][c] - came[j][c])).equivalent();
             passage.path[j] > ALTERNATING * kept && passage.path[j] > ALTERNATING_SHARE * longest
         };
         let interfaces = self.grid.layers.interfaces();

@@ -51,7 +51,12 @@ const DEPTH: usize = 6;
 impl SteadyProblem {
     /// Iterates redistribution and flow from `start` until the plastic strain repeats, or `max_iterations`; `entering`
     /// is the plastic strain upstream, by layer.
-    pub(super) fn solve(&mut self, start: Columns, entering: &[[f64; 3]], upstream: Upstream) -> SteadyPassage {
+    pub(super) fn solve(
+        &mut self,
+        start: Columns,
+        entering: &[[f64; 3]],
+        upstream: Upstream,
+    ) -> SteadyPassage {
         let layers = entering.len();
         let mut entering = entering.to_vec();
         let mut strain = start;

@@ -48,7 +48,8 @@ mod tests {
     fn coordinates_and_back() {
         let strain = PlasticStrain { xx: 1e-3, yy: -3e-3, zz: 2e-3, xy: 5e-4 };
         let back = PlasticStrain::from_deviator(strain.deviator());
-        for (a, b) in [(strain.xx, back.xx), (strain.yy, back.yy), (strain.zz, back.zz), (strain.xy, back.xy)] {
+        for (a, b) in [(strain.xx, back.xx), (strain.yy, back.yy), (strain.zz, back.zz), (strain.xy, back.xy)]
+        {
             assert!((a - b).abs() < 1e-17, "{back:?}"); // round-off
         }
         // Simple tension: the equivalent strain is the axial one.

@@ -93,7 +93,8 @@ impl LayerFactors {
         let whole = -(-tau).exp_m1();
         let (first, own) = if tau < THIN {
             let first = tau * tau * (0.5 - tau * (1.0 / 3.0 - tau * (0.125 - tau / 30.0)));
-            let plain = tau * (1.0 - tau * (1.0 / 3.0 - tau * (1.0 / 12.0 - tau * (1.0 / 60.0 - tau / 360.0))));
+            let plain =
+                tau * (1.0 - tau * (1.0 / 3.0 - tau * (1.0 / 12.0 - tau * (1.0 / 60.0 - tau / 360.0))));
             let moment = tau * tau * (1.0 / 3.0 - tau * (1.0 / 6.0 - tau * (0.05 - tau / 90.0)));
             (first, [plain, moment])
         } else {
@@ -275,11 +276,7 @@ impl Image {
     fn stress(self, plain: f64, moment: f64) -> [Complex; 3] {
         let Self { a, b } = self;
         let falling = b * moment;
-        [
-            (a + b * 2.0) * plain - falling,
-            falling - a * plain,
-            -((a + b) * plain - falling).turned(),
-        ]
+        [(a + b * 2.0) * plain - falling, falling - a * plain, -((a + b) * plain - falling).turned()]
     }
 }
 
@@ -319,8 +316,11 @@ mod tests {
     /// Series and closed forms meet.
     #[test]
     fn thin_layers() {
-        let (below, above) = (LayerFactors::new(1.0, 0.0, THIN * (1.0 - 1e-9)), LayerFactors::new(1.0, 0.0, THIN));
-        for (a, b) in [(below.source[1], above.source[1]), (below.own[0], above.own[0]), (below.own[1], above.own[1])] {
+        let (below, above) =
+            (LayerFactors::new(1.0, 0.0, THIN * (1.0 - 1e-9)), LayerFactors::new(1.0, 0.0, THIN));
+        for (a, b) in
+            [(below.source[1], above.source[1]), (below.own[0], above.own[0]), (below.own[1], above.own[1])]
+        {
             // The closed forms lose τ⁻³ of round-off.
             assert!((a / b - 1.0).abs() < 1e-8, "{a} {b}");
         }

@@ -93,10 +93,8 @@ pub fn march(rail: &RolledRail, mesh: March, passes: usize) -> Marched {
     for _ in 0..passes {
         for step in 0..=count {
             let xc = a * (-mesh.run + step as f64 / mesh.steps);
-            let wheel: Vec<[[f64; 3]; POINTS]> = elements
-                .iter()
-                .map(|e| e.points.map(|p| field.stress(p, xc).deviator()))
-                .collect();
+            let wheel: Vec<[[f64; 3]; POINTS]> =
+                elements.iter().map(|e| e.points.map(|p| field.stress(p, xc).deviator())).collect();
             let before = strain.clone();
             loop {
                 let mut change = 0.0_f64;

@@ -19,7 +19,10 @@ fn admissible_at_a_third_of_the_cost() {
         assert!(direct.admissibility.drift < 1e-6, "{:?}", direct.admissibility);
         let (cost, whole) = (direct.iterations(), passes.iterations());
         assert!(3 * cost <= whole, "{pressure}, {friction}: {cost} of {whole}");
-        println!("{pressure} {friction}: {cost} of {whole}, {:.1} MPa apart", direct.stress_difference(&passes));
+        println!(
+            "{pressure} {friction}: {cost} of {whole}, {:.1} MPa apart",
+            direct.stress_difference(&passes)
+        );
     }
 }
 

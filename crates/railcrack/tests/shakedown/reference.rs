@@ -20,8 +20,7 @@ fn residual_stress_of_elastic_shakedown() {
     assert_eq!((result.state, result.passes.len()), (RailState::ElasticShakedown, 11));
     assert_eq!(result.alternating, None);
     let table = rows("shakedown-half-plane/rolling_0.1_1100.csv");
-    let (depth, xx, zz) =
-        (column(&table, "depth_mm"), column(&table, "sxx_mpa"), column(&table, "szz_mpa"));
+    let (depth, xx, zz) = (column(&table, "depth_mm"), column(&table, "sxx_mpa"), column(&table, "szz_mpa"));
     let largest = xx.iter().chain(&zz).fold(0.0_f64, |m, s| m.max(s.abs()));
     let mut differences = Vec::new();
     for i in 0..depth.len() {

@@ -43,7 +43,8 @@ impl LinePicture<'_> {
         let [width, height] = self.size;
         let frame = Frame { left: 76.0, top: HEADING, width, height };
         let whole = frame.right() + 20.0 + legend_width(&entries);
-        let mut svg = Svg::new(whole, (frame.bottom() + 56.0).max(HEADING + 20.0 + 18.0 * entries.len() as f64));
+        let mut svg =
+            Svg::new(whole, (frame.bottom() + 56.0).max(HEADING + 20.0 + 18.0 * entries.len() as f64));
         draw_title(&mut svg, frame.left, whole - frame.left, self.title, &self.shows);
         let axes = Axes { frame, x: self.x, y: self.y };
         axes.draw_grid(&mut svg);

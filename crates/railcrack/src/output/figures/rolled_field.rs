@@ -32,7 +32,11 @@ const PANELS: [Panel; 2] = [
             (1.5 * (s[0] * s[0] + s[1] * s[1] + s[2] * s[2])).sqrt()
         },
     },
-    Panel { name: "Equivalent plastic strain", unit: "10⁻³", value: |cycle, at| 1e3 * cycle.strain[at].equivalent() },
+    Panel {
+        name: "Equivalent plastic strain",
+        unit: "10⁻³",
+        value: |cycle, at| 1e3 * cycle.strain[at].equivalent(),
+    },
 ];
 
 pub(super) fn rolled_field(results: &ShakedownResults) -> String {
@@ -43,15 +47,18 @@ pub(super) fn rolled_field(results: &ShakedownResults) -> String {
     let columns = shown_columns(&cycle.abscissae, AROUND * a);
     let (left, width, height, gap) = (72.0, 400.0, 200.0, 62.0);
     let mut svg = Svg::new(left + width + 240.0, HEADING + 20.0 + 2.0 * (height + gap));
-    draw_title(&mut svg, left, width + 220.0, &results.title, &[Span::plain("The last passage around the contact")]);
+    draw_title(
+        &mut svg,
+        left,
+        width + 220.0,
+        &results.title,
+        &[Span::plain("The last passage around the contact")],
+    );
     for (place, panel) in PANELS.iter().enumerate() {
         let top = HEADING + 20.0 + place as f64 * (height + gap);
         let frame = Frame { left, top, width, height };
-        let axes = Axes {
-            frame,
-            x: Axis::exact(-AROUND * a, AROUND * a, 10),
-            y: Axis::exact(DEPTH * a, 0.0, 6),
-        };
+        let axes =
+            Axes { frame, x: Axis::exact(-AROUND * a, AROUND * a, 10), y: Axis::exact(DEPTH * a, 0.0, 6) };
         let value = |i: usize, j: usize| (panel.value)(cycle, i * layers + j);
         let most = columns.iter().flat_map(|&i| (0..layers).map(move |j| (i, j))).map(|(i, j)| value(i, j));
         let step = round_step(most.fold(0.0, f64::max).max(f64::MIN_POSITIVE), LEVELS);

@@ -126,7 +126,10 @@ fn passes(results: &ShakedownResults) -> String {
         results,
         "Plastic strain over the passages, largest over depth",
         "Equivalent plastic strain  (10⁻³)",
-        &[("kept so far", |pass| 1e3 * pass.largest_strain), ("along the way", |pass| 1e3 * pass.plastic_path)],
+        &[
+            ("kept so far", |pass| 1e3 * pass.largest_strain),
+            ("along the way", |pass| 1e3 * pass.plastic_path),
+        ],
     )
 }
 
@@ -161,7 +164,9 @@ fn bounds(results: &ShakedownResults) -> String {
     ];
     LinePicture {
         title: &results.title,
-        shows: plain("What each depth bears: elastic left of first yield, shakedown possible left of the limit"),
+        shows: plain(
+            "What each depth bears: elastic left of first yield, shakedown possible left of the limit",
+        ),
         x_title: vec![Span::Italic("p"), Span::Sub("0"), Span::plain(" / "), Span::Italic("k")],
         y_title: plain("Depth  (mm)"),
         x: Axis::exact(0.0, most, 10),
@@ -177,7 +182,11 @@ fn map(results: &ShakedownResults) -> String {
     let most = results.map.last().map_or(0.5, |point| point.friction);
     let lines = vec![
         line(results.map.iter().map(|p| [p.friction, p.first_yield]).collect(), 4, "first yield"),
-        line(results.map.iter().map(|p| [p.friction, p.shakedown]).collect(), 0, "limit of elastic shakedown"),
+        line(
+            results.map.iter().map(|p| [p.friction, p.shakedown]).collect(),
+            0,
+            "limit of elastic shakedown",
+        ),
         Line { dots: Dots::Shown, ..line(vec![here], 1, "the case") },
     ];
     let highest = results.map.iter().map(|p| p.shakedown).fold(here[1], f64::max);

@@ -207,11 +207,12 @@ fn bounds_row(bounds: &DepthBounds, half_width: f64, ratio: f64) -> BoundsRow {
 }
 
 fn peak(results: &ShakedownResults) -> PeakStress {
-    let components = results.stabilised.profile.iter().flat_map(|layer| {
-        [("sxx", layer.stress.xx, layer.depth), ("szz", layer.stress.zz, layer.depth)]
-    });
-    let largest =
-        components.reduce(|best, here| if here.1.abs() > best.1.abs() { here } else { best });
+    let components = results
+        .stabilised
+        .profile
+        .iter()
+        .flat_map(|layer| [("sxx", layer.stress.xx, layer.depth), ("szz", layer.stress.zz, layer.depth)]);
+    let largest = components.reduce(|best, here| if here.1.abs() > best.1.abs() { here } else { best });
     let (component, stress_mpa, depth_mm) = largest.unwrap_or(("sxx", 0.0, 0.0));
     PeakStress { component: component.into(), stress_mpa, depth_mm }
 }

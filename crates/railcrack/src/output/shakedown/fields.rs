@@ -54,14 +54,16 @@ pub(super) fn cycle_grid(results: &ShakedownResults) -> UnstructuredGrid {
     let cells = || shown.iter().flat_map(|&i| (0..layers).map(move |j| i * layers + j));
     let stresses: Vec<Stress> = cells().map(|at| cycle.stress[at]).collect();
     let strains: Vec<Stress> = cells().map(|at| as_tensor(cycle.strain[at])).collect();
-    grid.cell_data = vec![Array::stresses("stress_mpa", &stresses), Array::stresses("plastic_strain", &strains)];
+    grid.cell_data =
+        vec![Array::stresses("stress_mpa", &stresses), Array::stresses("plastic_strain", &strains)];
     grid
 }
 
 /// Cells between `borders` (mm, increasing) and `depths` (mm, increasing), down each column.
 fn quadrilaterals(borders: &[f64], depths: &[f64]) -> UnstructuredGrid {
     let rows = depths.len();
-    let points = borders.iter().flat_map(|&x| depths.iter().map(move |&depth| Vec2::new(x, -depth))).collect();
+    let points =
+        borders.iter().flat_map(|&x| depths.iter().map(move |&depth| Vec2::new(x, -depth))).collect();
     let cell = |i: usize, j: usize| {
         let upper_left = i * rows + j;
         [upper_left + 1, upper_left + rows + 1, upper_left + rows, upper_left]
