@@ -14,7 +14,9 @@ const CASES: [(f64, f64, f64); 4] =
     [(1100.0, 0.1, 20e3), (1000.0, 0.3, 20e3), (1300.0, 0.05, 20e3), (1200.0, -0.2, 5e3)];
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    println!("after three passages, against per_half_width 128 and period 32: largest and mean difference, % of peak");
+    println!(
+        "after three passages, against per_half_width 128 and period 32: largest and mean difference, % of peak"
+    );
     for case in CASES {
         let fine = solve(case, Resolution { per_half_width: 128, period: 32 }, Method::PassByPass, 3)?.0;
         for (per_half_width, period) in [(16, 16), (32, 8), (32, 16), (32, 32), (64, 16)] {

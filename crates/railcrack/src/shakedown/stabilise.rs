@@ -94,7 +94,7 @@ pub fn check_rail(rail: &RolledRail) -> Result<(), ShakedownError> {
     };
     positive("peak pressure (MPa)", contact.peak_pressure)?;
     positive("half width (mm)", contact.half_width)?;
-    if !(contact.friction.abs() <= 1.0) {
+    if !(-1.0..=1.0).contains(&contact.friction) {
         let (quantity, value) = ("friction", contact.friction);
         return Err(ShakedownError::Contact { quantity, value, accepted: "between -1 and 1" });
     }
@@ -196,7 +196,7 @@ impl<'a> Run<'a> {
         };
         let start = self.guess();
         let passage = self.problem.solve(start, &self.entering, upstream);
-        if !(passage.change <= self.problem.tolerance) {
+        if passage.change.is_nan() || passage.change > self.problem.tolerance {
             return Err(ShakedownError::NotConverged {
                 pass: self.passes.len() + 1,
                 iterations: passage.iterations,

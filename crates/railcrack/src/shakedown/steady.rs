@@ -79,7 +79,7 @@ impl SteadyProblem {
             self.eigenstress.stress(&strain, &entering, &mut stress);
             let path = self.law.follow(&stress, &self.background, &strain, &entering, &mut image);
             let change = largest_difference(&image, &strain) * self.strain_scale;
-            if change <= self.tolerance || iterations >= self.max_iterations {
+            if change <= self.tolerance || iterations >= self.max_iterations || !change.is_finite() {
                 return SteadyPassage { strain: image, entering, path, iterations, change };
             }
             let window = self.window.start * layers..self.window.end * layers;
@@ -104,12 +104,17 @@ pub(super) fn first_column(strain: &Columns, layers: usize) -> Vec<[f64; 3]> {
     (0..layers).map(|j| [0, 1, 2].map(|c| strain[c][j])).collect()
 }
 
-/// Largest Frobenius norm of a − b.
+/// Largest Frobenius norm of a − b; NaN where there is one.
 fn largest_difference(a: &Columns, b: &Columns) -> f64 {
     let mut largest = 0.0_f64;
     for at in 0..a[0].len() {
         let d = [0, 1, 2].map(|c| a[c][at] - b[c][at]);
-        largest = largest.max(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+        let square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+        // `max` would pass over it.
+        if square.is_nan() {
+            return f64::NAN;
+        }
+        largest = largest.max(square);
     }
     largest.sqrt()
 }

@@ -1,6 +1,6 @@
 //! The case of `verification/shakedown-half-plane`: an independent computation, whose mesh is as fine as ours.
 
-use crate::common::{column, rows};
+use crate::table::{column, rows};
 use crate::{peak, rail, stabilised};
 use railcrack::math::Stress;
 use railcrack::shakedown::{RailState, StabilisedRail};

@@ -95,14 +95,12 @@ fn plastic_strain(results: &ShakedownResults) -> String {
     by_depth(results, "Plastic strain", plain("Plastic strain  (10⁻³)"), lines)
 }
 
-fn over_passes(
-    results: &ShakedownResults,
-    shows: &str,
-    y_title: &str,
-    named: &[(&str, fn(&PassRecord) -> f64)],
-) -> String {
+/// Words of the legend and what of a passage they are for.
+type Named = (&'static str, fn(&PassRecord) -> f64);
+
+fn over_passes(results: &ShakedownResults, shows: &str, y_title: &str, named: &[Named]) -> String {
     let passes = &results.stabilised.passes;
-    let of = |(colour, (words, value)): (usize, &(&str, fn(&PassRecord) -> f64))| Line {
+    let of = |(colour, (words, value)): (usize, &Named)| Line {
         dots: Dots::Shown,
         ..line(passes.iter().map(|pass| [pass.pass as f64, value(pass)]).collect(), colour, words)
     };
