@@ -52,8 +52,9 @@ const EXTENSIONS: usize = 8;
 /// A layer alternates if its plastic path in a passage is this many times what it keeps of it: of one that settles the two are
 /// equal; …
 const ALTERNATING: f64 = 4.0;
-/// … and if the path is at least this share of the longest: shorter ones are within the tolerance of the iteration.
-const ALTERNATING_SHARE: f64 = 1e-3;
+/// … and if the path is at least this share of the longest: shorter ones, in single layers at the surface, come and go with the
+/// columns.
+const ALTERNATING_SHARE: f64 = 1e-2;
 
 /// The state that repeated passages over `rail` end in. `watch` is told of every passage.
 ///
