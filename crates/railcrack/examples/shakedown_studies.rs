@@ -19,7 +19,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     );
     for case in CASES {
         let fine = solve(case, Resolution { per_half_width: 128, period: 32 }, Method::PassByPass, 3)?.0;
-        for (per_half_width, period) in [(16, 16), (32, 16), (32, 32), (64, 16)] {
+        for (per_half_width, period) in [(16, 16), (32, 16), (32, 32), (64, 16), (128, 16)] {
             let resolution = Resolution { per_half_width, period };
             let (result, seconds) = solve(case, resolution, Method::PassByPass, 3)?;
             let (largest, mean) = difference(&result, &fine);

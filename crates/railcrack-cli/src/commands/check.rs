@@ -40,6 +40,7 @@ fn summary(case: &Case) -> String {
         ("residual stress", residual_stress(case)),
         ("solution", solution(case)),
         ("growth", growth(case)),
+        ("plastic state", plastic_state(case)),
         ("bounds", bounds(case)),
     ] {
         if !rows.is_empty() {
@@ -179,6 +180,21 @@ fn growth(case: &Case) -> Vec<Row> {
     }
     if let Some(load) = case.axle_load {
         rows.push(("axle load", format!("{load} t")));
+    }
+    rows
+}
+
+/// What `railcrack shakedown` would compute.
+fn plastic_state(case: &Case) -> Vec<Row> {
+    let shakedown = &case.shakedown;
+    let hardening = &shakedown.hardening;
+    let mut rows = vec![
+        ("yield, hardening", format!("{} MPa, C = {} MPa", hardening.yield_stress(), hardening.modulus())),
+        ("method", format!("{}, at most {} passages", shakedown.method.name(), shakedown.max_passes)),
+        ("Dang Van", format!("a = {}, b = {} MPa", shakedown.dang_van.slope, shakedown.dang_van.limit)),
+    ];
+    if let Some(file) = &shakedown.initial_residual {
+        rows.push(("initial residual", file.given_name().into()));
     }
     rows
 }

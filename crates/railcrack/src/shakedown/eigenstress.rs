@@ -19,6 +19,7 @@ pub(super) type Columns = [Vec<f64>; 3];
 /// ramp in the endless half-plane is subtracted. The ramp, and the mean over the period, are what is left of the waves that
 /// are longer than it: the stress σ(k) of a wave has a kink at k = 0, and the sum over waves becomes the integral up to
 /// L⁻⁴ if the kink is represented by its value at Δk/6, Δk = 2π/L (Euler and Maclaurin). With K the response to that wave,
+/// as far as it is linear in k,
 ///
 ///   σ_xx = −E′ mean + (K_xx + E′)(q − D x/L) + E′ D_xx x/L + …,
 ///
@@ -32,7 +33,7 @@ pub(super) struct Eigenstress {
     fourier: Fourier,
     /// Of wave k > 0 and layer j at (k − 1) · layers + j.
     factors: Vec<LayerFactors>,
-    /// Of the wave that represents the longer ones.
+    /// Of [`LONG_WAVES`] and layer, likewise.
     long_factors: Vec<LayerFactors>,
     signals: Signals,
     wave: Wave,
@@ -40,6 +41,10 @@ pub(super) struct Eigenstress {
 
 /// The wave that represents all waves longer than the period, over Δk.
 const LONG_WAVE: f64 = 1.0 / 6.0;
+/// Only what is linear in k counts: it is taken from two waves that are longer still, by this factor and twice it, …
+const NEAR: f64 = 0.01;
+/// … over Δk.
+const LONG_WAVES: [f64; 2] = [NEAR * LONG_WAVE, 2.0 * NEAR * LONG_WAVE];
 
 impl Eigenstress {
     /// `columns` (a power of two) abscissae at `spacing` (mm); `layers` of the rail; its elasticity `steel`.
@@ -52,7 +57,7 @@ impl Eigenstress {
                 .map(move |j| LayerFactors::new(wave_number, layers.top(j), layers.thickness(j)))
         };
         let factors = (1..=columns / 2).flat_map(|k| factors_of(unit * k as f64)).collect();
-        let long_factors = factors_of(unit * LONG_WAVE).collect();
+        let long_factors = LONG_WAVES.into_iter().flat_map(|long| factors_of(unit * long)).collect();
         let lanes = layers.count() + layers.count().div_ceil(2);
         Self {
             plane_strain_modulus: steel.plane_strain_modulus(),
@@ -187,32 +192,43 @@ impl Eigenstress {
 
     /// What the waves that are longer than the period give, with the strain that enters put in and the ramp taken out.
     fn long_waves(&mut self, mean: &[Strains], gain: &[Strains], entering: &[Strains]) -> Vec<LongWaves> {
+        let modulus = self.plane_strain_modulus;
+        let less_step: Vec<f64> = mean.iter().zip(gain).map(|(mean, gain)| mean.xx - gain.xx).collect();
+        let (near, far) = (self.long_wave(0, &less_step, gain), self.long_wave(1, &less_step, gain));
+        let of_layer = |j: usize| {
+            let of = |c: usize| near[j][c] + (1.0 / NEAR - 1.0) * (far[j][c] - near[j][c]);
+            let [kink, along, shear, shear_along] = [of(0), of(1), of(2), of(3)];
+            LongWaves {
+                // Half a period from the first column to the load, where the step is.
+                xx: -modulus * (mean[j].xx + entering[j].xx + kink + 0.5 * (along - gain[j].xx))
+                    + modulus * shear_along,
+                slope_xx: modulus * along,
+                xy: modulus * shear,
+            }
+        };
+        (0..mean.len()).map(of_layer).collect()
+    }
+
+    /// Of long wave `which`, over −E′ and by layer: the σ_xx of the strain `less_step` beyond that of a filled layer, σ_xx
+    /// of `gain`, and what is odd in k of σ_xy and σ_xx of `gain`, over κ L.
+    ///
+    /// e_yy has no part in it: its stresses begin with k².
+    fn long_wave(&mut self, which: usize, less_step: &[f64], gain: &[Strains]) -> Vec<[f64; 4]> {
         let layers = self.layers.count();
         let real = |re: f64| Complex { re, im: 0.0 };
         for j in 0..layers {
-            let (xx, yy) = (mean[j].xx - gain[j].xx, mean[j].yy - gain[j].yy);
-            self.wave.strains[j] = [real(xx), real(yy), Complex::ZERO];
+            self.wave.strains[j] = [real(less_step[j]), Complex::ZERO, Complex::ZERO];
         }
-        self.wave.balance(&self.long_factors);
-        let kink: Vec<f64> =
-            (0..layers).map(|j| self.wave.stresses[j][0].re - self.wave.strains[j][0].re).collect();
+        self.wave.balance(&self.long_factors[which * layers..(which + 1) * layers]);
+        let kinks: Vec<f64> = (0..layers).map(|j| self.wave.stresses[j][0].re - less_step[j]).collect();
         for j in 0..layers {
-            self.wave.strains[j] = [real(gain[j].xx), real(gain[j].yy), real(gain[j].xy)];
+            self.wave.strains[j] = [real(gain[j].xx), Complex::ZERO, real(gain[j].xy)];
         }
-        self.wave.balance(&self.long_factors);
-        let modulus = self.plane_strain_modulus;
-        let wave_number = 2.0 * std::f64::consts::PI * LONG_WAVE;
-        let of_layer = |j: usize| {
-            let [xx, _, xy] = self.wave.stresses[j];
-            LongWaves {
-                // Half a period from the first column to the load, where the kink is.
-                xx: -modulus * (mean[j].xx + entering[j].xx + kink[j] + 0.5 * (xx.re - gain[j].xx))
-                    + modulus * xx.im / wave_number,
-                slope_xx: modulus * xx.re,
-                xy: modulus * xy.im / wave_number,
-            }
-        };
-        (0..layers).map(of_layer).collect()
+        self.wave.balance(&self.long_factors[which * layers..(which + 1) * layers]);
+        let length = 2.0 * std::f64::consts::PI * LONG_WAVES[which];
+        let of_layer =
+            |(&kink, [xx, _, xy]): (&f64, &[Complex; 3])| [kink, xx.re, xy.im / length, xx.im / length];
+        kinks.iter().zip(&self.wave.stresses).map(of_layer).collect()
     }
 
     /// Stress from signals and long waves.
@@ -259,4 +275,130 @@ fn combine(signals: &mut Signals, plus: usize, minus: usize, one: Complex, other
     }
     (signals.re[plus], signals.im[plus]) = (one.re - other.im, one.im + other.re);
     (signals.re[minus], signals.im[minus]) = (one.re + other.im, other.re - one.im);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SPACING: f64 = 0.25;
+
+    fn steel() -> IsotropicElastic {
+        IsotropicElastic::new(210e3, 0.3).unwrap()
+    }
+
+    fn layers() -> Layers {
+        Layers::graded(0.25, 2.0, 2.5)
+    }
+
+    fn zeros(columns: usize) -> Columns {
+        [0, 1, 2].map(|_| vec![0.0; columns * layers().count()])
+    }
+
+    /// A strain around x = `centre` and depth `depth` (mm), of unit size, in `direction`.
+    fn spot(columns: usize, centre: f64, depth: f64, direction: [f64; 3]) -> Columns {
+        let mut strain = zeros(columns);
+        let middles = layers().middles();
+        for i in 0..columns {
+            let x = (i as f64 - 0.5 * columns as f64) * SPACING - centre;
+            for (j, middle) in middles.iter().enumerate() {
+                let size = 1e-3 * (-x * x - (middle - depth).powi(2)).exp();
+                for c in 0..3 {
+                    strain[c][i * middles.len() + j] = size * direction[c];
+                }
+            }
+        }
+        strain
+    }
+
+    fn stress(columns: usize, strain: &Columns) -> Columns {
+        let upstream = vec![[0.0; 3]; layers().count()];
+        let mut stress = zeros(columns);
+        Eigenstress::new(&steel(), columns, SPACING, layers()).stress(strain, &upstream, &mut stress);
+        stress
+    }
+
+    /// ∫ σ : ε of the strain `of` in the stress of the strain `by`, with σ_zz = ν (σ_xx + σ_yy) − E ε_zz.
+    fn work(of: &Columns, by: &Columns, columns: usize) -> f64 {
+        let [xx, yy, xy] = stress(columns, by);
+        let layers = layers();
+        let strain = |field: &Columns, at: usize| {
+            super::super::PlasticStrain::from_deviator([0, 1, 2].map(|c| field[c][at]))
+        };
+        let at = |at: usize| {
+            let (e, own) = (strain(of, at), strain(by, at));
+            let zz = steel().poisson() * (xx[at] + yy[at]) - steel().young() * own.zz;
+            let density = xx[at] * e.xx + yy[at] * e.yy + zz * e.zz + 2.0 * xy[at] * e.xy;
+            density * layers.thickness(at % layers.count()) * SPACING
+        };
+        (0..xx.len()).map(at).sum()
+    }
+
+    const DIRECTIONS: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+    /// Betti: each strain does the same work on the stress of the other; and on its own stress a negative one (the energy).
+    #[test]
+    fn reciprocal_and_dissipative() {
+        let columns = 128;
+        for one in DIRECTIONS {
+            for other in DIRECTIONS {
+                let (a, b) = (spot(columns, 0.5, 0.6, one), spot(columns, -0.7, 1.1, other));
+                let (ab, ba, aa) = (work(&a, &b, columns), work(&b, &a, columns), work(&a, &a, columns));
+                assert!(aa < 0.0);
+                // Round-off.
+                assert!((ab - ba).abs() < 1e-12 * aa.abs(), "{one:?}, {other:?}: {ab:e} {ba:e}");
+            }
+        }
+    }
+
+    /// A strain that fills a layer from end to end: −E′ (ε_xx + ν ε_zz), and nothing else.
+    #[test]
+    fn filled_layers() {
+        let columns = 64;
+        let upstream: Vec<[f64; 3]> = (0..layers().count()).map(|j| [1e-3, -2e-3, 5e-4 * j as f64]).collect();
+        let mut strain = zeros(columns);
+        for at in 0..strain[0].len() {
+            for c in 0..3 {
+                strain[c][at] = upstream[at % upstream.len()][c];
+            }
+        }
+        let mut stress = zeros(columns);
+        Eigenstress::new(&steel(), columns, SPACING, layers()).stress(&strain, &upstream, &mut stress);
+        let e = super::super::PlasticStrain::from_deviator(upstream[0]);
+        let want = -steel().plane_strain_modulus() * (e.xx + 0.3 * e.zz);
+        assert!(stress[0].iter().all(|s| (s - want).abs() < 1e-9)); // round-off of some hundred MPa
+        assert!(stress[1].iter().chain(&stress[2]).all(|s| s.abs() < 1e-9));
+    }
+
+    /// A strain that enters as nothing and leaves as a constant: behind the step the stress tends to that of filled layers,
+    /// ahead of it to zero, and the period matters with its fourth power.
+    #[test]
+    fn step_in_an_endless_rail() {
+        let step = |columns: usize| {
+            let mut strain = zeros(columns);
+            let layers = layers().count();
+            for i in 0..columns {
+                let x = (i as f64 - 0.5 * columns as f64) * SPACING;
+                let height = 1e-3 / (1.0 + (2.0 * x).exp());
+                for j in 0..layers {
+                    for c in 0..3 {
+                        strain[c][i * layers + j] = height * [1.0, -0.5, 0.7][c];
+                    }
+                }
+            }
+            stress(columns, &strain)
+        };
+        let of = |columns: usize| {
+            let (field, layers) = (step(columns), layers().count());
+            let middle = columns / 2 * layers;
+            [0, 1, 2].map(|c| field[c][middle - 8 * layers..middle + 8 * layers].to_vec()).concat()
+        };
+        let difference =
+            |a: &[f64], b: &[f64]| a.iter().zip(b).fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()));
+        // Periods of 6, 13 and 51 times the depth of the strain.
+        let [short, longer, long] = [64, 128, 512].map(of);
+        let (first, second) = (difference(&short, &long), difference(&longer, &long));
+        let scale = 1e-3 * steel().plane_strain_modulus();
+        assert!(first < 0.02 * scale && second < 0.1 * first, "{} {}", first / scale, second / scale);
+    }
 }

@@ -56,7 +56,8 @@ const ALTERNATING: f64 = 4.0;
 /// columns.
 const ALTERNATING_SHARE: f64 = 1e-2;
 
-/// The state that repeated passages over `rail` end in. `watch` is told of every passage.
+/// The state that repeated passages over `rail` end in. `watch` is told of every
+/// passage, and again from the first one on where the plastic zone turns out to need more layers.
 ///
 /// Errors: a load or contact outside of what the model is made for; a passage that does not converge.
 ///
