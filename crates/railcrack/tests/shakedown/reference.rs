@@ -3,7 +3,7 @@
 use crate::table::{column, rows};
 use crate::{peak, rail, stabilised};
 use railcrack::math::Stress;
-use railcrack::shakedown::{RailState, StabilisedRail};
+use railcrack::shakedown::{RailState, Stabilisation, StabilisedRail};
 
 /// Of the reference's peak, at every depth. The reference agrees with finite elements to 3 %.
 const WORST: f64 = 0.03;
@@ -66,4 +66,13 @@ fn plastic_strain_of_elastic_shakedown() {
 fn table_1_is_elastic() {
     let result = stabilised(&rail(845.0, 0.025, 20e3));
     assert_eq!((result.state, result.passes.len(), peak(&result)), (RailState::Elastic, 1, 0.0));
+}
+
+/// The shipped case is this one.
+#[test]
+fn the_case_file_says_the_same() {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/shakedown.toml");
+    let case = railcrack::case::Case::read(&path).unwrap();
+    assert_eq!(case.rolled_rail(), rail(1100.0, 0.1, 20e3));
+    assert_eq!(case.stabilisation(), Stabilisation::default());
 }
