@@ -24,9 +24,9 @@ lint:
 doc:
     RUSTDOCFLAGS="-D warnings" cargo doc --release --no-deps --workspace
 
-# Times of body, passage and growth step
+# Times of body, passage and growth step, and of the plastic state
 bench:
-    cargo bench --bench chain
+    cargo bench --bench chain --bench shakedown
 
 # Compute a case
 run case="cases/reference.toml":

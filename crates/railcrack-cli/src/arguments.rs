@@ -2,6 +2,7 @@
 
 use crate::commands::{
     check::CheckArguments, compare::CompareArguments, init::InitArguments, run::RunArguments,
+    shakedown::ShakedownArguments,
 };
 use clap::{Parser, Subcommand};
 
@@ -18,6 +19,7 @@ Start:
   railcrack check case.toml    what would be computed
   railcrack run case.toml      compute it
   railcrack compare A B        what differs between two runs
+  railcrack shakedown case.toml   the stabilised plastic state under the same wheel
 ";
 
 /// Predicts the growth of rolling-contact-fatigue cracks in rails.
@@ -38,6 +40,7 @@ pub enum Command {
     Check(CheckArguments),
     Run(RunArguments),
     Compare(CompareArguments),
+    Shakedown(ShakedownArguments),
     /// Print the JSON Schema of the case file
     ///
     /// Editors with a TOML language server use it to complete keys, to show what they mean and to mark errors.

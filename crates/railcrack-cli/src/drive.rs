@@ -5,6 +5,7 @@ use crate::interruption::Interruption;
 use crate::progress::Progress;
 use railcrack::growth::{Growth, GrowthError, GrowthState, StepRecord, Watch};
 use railcrack::output::{OutputError, Recorder, Summary};
+use railcrack::shakedown::ShakedownError;
 use std::path::PathBuf;
 use std::sync::mpsc::{SyncSender, sync_channel};
 use thiserror::Error;
@@ -45,6 +46,12 @@ pub enum RunError {
     /// The computation.
     #[error(transparent)]
     Growth(#[from] GrowthError),
+    /// The plastic state.
+    #[error(transparent)]
+    Shakedown(#[from] ShakedownError),
+    /// A rail without layers has no state.
+    #[error("the rail has no layers to judge")]
+    NoLayers,
     /// The run would overwrite its own case file.
     #[error(
         "{} is the case file and would be overwritten by the run: choose another folder with --out",
@@ -79,7 +86,10 @@ impl RunError {
                 OutputError::NotFinite { .. } => Exit::NotConverged,
                 OutputError::Damaged { .. } | OutputError::Io { .. } => Exit::CannotReadOrWrite,
             },
-            Self::Growth(_) => Exit::NotConverged,
+            Self::Growth(_) | Self::NoLayers | Self::Shakedown(ShakedownError::NotConverged { .. }) => {
+                Exit::NotConverged
+            }
+            Self::Shakedown(_) => Exit::BadInput,
             Self::System { .. } => Exit::CannotReadOrWrite,
         }
     }

@@ -6,7 +6,7 @@ use clap::Args;
 use railcrack::case::Case;
 use railcrack::crack::Crack;
 use railcrack::fatigue::DirectionCriterion;
-use railcrack::shakedown::{first_yield_ratio, shakedown_limit_ratio};
+use railcrack::shakedown::{DepthBounds, bounds_by_depth, first_yield_ratio, shakedown_limit_ratio};
 use std::path::PathBuf;
 
 /// Validate a case file and say what would be computed
@@ -40,6 +40,7 @@ fn summary(case: &Case) -> String {
         ("residual stress", residual_stress(case)),
         ("solution", solution(case)),
         ("growth", growth(case)),
+        ("plastic state", plastic_state(case)),
         ("bounds", bounds(case)),
     ] {
         if !rows.is_empty() {
@@ -183,9 +184,27 @@ fn growth(case: &Case) -> Vec<Row> {
     rows
 }
 
+/// What `railcrack shakedown` would compute.
+fn plastic_state(case: &Case) -> Vec<Row> {
+    let shakedown = &case.shakedown;
+    let hardening = &shakedown.hardening;
+    let mut rows = vec![
+        ("yield, hardening", format!("{} MPa, C = {} MPa", hardening.yield_stress(), hardening.modulus())),
+        ("method", format!("{}, at most {} passages", shakedown.method.name(), shakedown.max_passes)),
+        ("Dang Van", format!("a = {}, b = {} MPa", shakedown.dang_van.slope, shakedown.dang_van.limit)),
+    ];
+    if let Some(file) = &shakedown.initial_residual {
+        rows.push(("initial residual", file.given_name().into()));
+    }
+    rows
+}
+
+/// Depths over the half-width of the contact at which bounds are printed.
+const BOUND_DEPTHS: [f64; 8] = [0.0, 0.125, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0];
+
 /// How the pressure compares with the yield stress.
 fn bounds(case: &Case) -> Vec<Row> {
-    let shear_yield = case.shakedown.yield_stress / 3f64.sqrt();
+    let shear_yield = case.shakedown.hardening.shear_yield_stress();
     let ratio = case.contact.peak_pressure / shear_yield;
     let first_yield = first_yield_ratio(case.contact.friction, case.steel.poisson());
     let shakedown = shakedown_limit_ratio(case.contact.friction, case.steel.poisson());
@@ -196,13 +215,34 @@ fn bounds(case: &Case) -> Vec<Row> {
     } else {
         "beyond elastic shakedown: every passage yields"
     };
+    let a = case.contact.half_width;
+    let by_depth = bounds_by_depth(case.contact.friction, case.steel.poisson(), &BOUND_DEPTHS);
+    let verdict = |bounds: &DepthBounds| {
+        let verdict = if ratio <= bounds.first_yield {
+            "elastic"
+        } else if ratio <= bounds.shakedown {
+            "yields, shakedown possible"
+        } else {
+            "no elastic shakedown"
+        };
+        let line = format!(
+            "{:>8}   {:>11.4}   {:>15.4}   {verdict}",
+            number(bounds.depth_over_a * a),
+            bounds.first_yield,
+            bounds.shakedown
+        );
+        ("", line)
+    };
     let at = |depth_over_a: f64| format!("depth {} mm", number(depth_over_a * case.contact.half_width));
-    vec![
+    let mut rows = vec![
         ("shear yield stress k", format!("{} MPa", number(shear_yield))),
         ("p0 / k", format!("{}: {state}", number(ratio))),
         ("first yield", format!("p0 / k = {:.4}, {}", first_yield.ratio, at(first_yield.depth_over_a))),
         ("shakedown limit", format!("p0 / k = {:.4}, {}", shakedown.ratio, at(shakedown.depth_over_a))),
-    ]
+        ("", "depth mm   first yield   shakedown limit   p0 / k of the case".into()),
+    ];
+    rows.extend(by_depth.iter().map(verdict));
+    rows
 }
 
 /// Six significant digits, without trailing zeros: enough to recognise a number, few enough to read.

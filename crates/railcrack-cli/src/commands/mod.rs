@@ -5,6 +5,7 @@ pub mod compare;
 pub mod init;
 pub mod run;
 pub mod schema;
+pub mod shakedown;
 
 use crate::arguments::Command;
 use crate::exit::{Exit, Failure};
@@ -16,6 +17,7 @@ pub fn dispatch(command: Command) -> Result<Exit, Failure> {
         Command::Check(arguments) => check::check(&arguments),
         Command::Run(arguments) => run::run(&arguments),
         Command::Compare(arguments) => compare::compare(&arguments),
+        Command::Shakedown(arguments) => shakedown::shakedown(&arguments),
         Command::Schema => schema::schema(),
     }
 }

@@ -105,10 +105,8 @@ pub struct Job {
 
 impl Job {
     fn of(case: &Case) -> Self {
-        let companions =
-            case.companions().into_iter().map(|file| (file.name.into(), file.text.into())).collect();
         Self {
-            case: CaseFiles { toml: case.to_toml(), companions },
+            case: case_files(case),
             info: RunInfo {
                 title: case.title.clone(),
                 engine: case.engine.name().into(),
@@ -172,8 +170,14 @@ pub fn use_threads(threads: Option<NonZeroUsize>) -> Result<(), RunError> {
     })
 }
 
+/// `case.toml` and the files that it names.
+pub fn case_files(case: &Case) -> CaseFiles {
+    let companions = case.companions().into_iter().map(|file| (file.name.into(), file.text.into())).collect();
+    CaseFiles { toml: case.to_toml(), companions }
+}
+
 /// The name of the case file without its ending, beside it.
-fn default_folder(case: &Path) -> PathBuf {
+pub fn default_folder(case: &Path) -> PathBuf {
     case.with_extension("")
 }
 
@@ -193,7 +197,8 @@ fn open(
     Ok((Recorder::start(folder, case, info, existing)?, None))
 }
 
-fn is_same_file(one: &Path, other: &Path) -> bool {
+/// Whether both paths lead to one file.
+pub fn is_same_file(one: &Path, other: &Path) -> bool {
     match (one.canonicalize(), other.canonicalize()) {
         (Ok(one), Ok(other)) => one == other,
         _ => false,

@@ -9,13 +9,14 @@ use super::sections::SECTIONS;
 use super::table::{Kind, NumberRange};
 use super::validated::{
     Case, ContactSolver, Engine, INITIAL_RESIDUAL_NAME, MeshSettings, RESIDUAL_STRESS_NAME, Rail,
-    ShakedownMethod, ShakedownSettings,
+    ShakedownSettings,
 };
 use crate::bulk::{BottomSupport, Boundary, SideSupport};
-use crate::fatigue::{DirectionCriterion, ParisLaw};
+use crate::fatigue::{DangVan, DirectionCriterion, ParisLaw};
 use crate::growth::{GrowthSettings, PassageSettings};
 use crate::load::{HertzianContact, Passage};
-use crate::material::IsotropicElastic;
+use crate::material::{IsotropicElastic, KinematicHardening};
+use crate::shakedown::Method;
 use std::path::Path;
 
 /// The case that `sections` describe; `None` where something is wrong or missing, which `report` then says.
@@ -249,17 +250,29 @@ fn profile(section: &SectionValues, key: &str, folder: &Path, report: &mut Repor
 }
 
 fn shakedown(section: &SectionValues, folder: &Path, report: &mut Report) -> Option<ShakedownSettings> {
+    let initial_residual = profile(section, "initial_residual", folder, report);
+    let (yield_stress, modulus) =
+        (section.number("yield_stress_mpa")?, section.number("hardening_modulus_mpa")?);
+    let hardening = KinematicHardening::new(yield_stress, modulus)
+        .map_err(|error| {
+            report.add(Fault {
+                message: format!("`shakedown`: {error}"),
+                key: Some("shakedown".into()),
+                span: Some(section.span.clone()),
+                ..Fault::default()
+            });
+        })
+        .ok()?;
     Some(ShakedownSettings {
-        initial_residual: profile(section, "initial_residual", folder, report),
-        yield_stress: section.number("yield_stress_mpa")?,
-        hardening_modulus: section.number("hardening_modulus_mpa")?,
+        hardening,
         method: match section.text("method")? {
-            "pass-by-pass" => ShakedownMethod::PassByPass,
-            "direct" => ShakedownMethod::Direct,
+            "pass-by-pass" => Method::PassByPass,
+            "direct" => Method::Direct,
             _ => return None,
         },
-        dang_van_a: section.number("dang_van_a")?,
-        dang_van_b: section.number("dang_van_b_mpa")?,
+        max_passes: count(section, "max_passes")?,
+        initial_residual,
+        dang_van: DangVan { slope: section.number("dang_van_a")?, limit: section.number("dang_van_b_mpa")? },
     })
 }
 

@@ -36,7 +36,5 @@ pub use table::{
     Availability, Choice, Form, Key, Kind, NumberRange, OnlyWith, Presence, Preset, RangeEnd, Section,
     SectionPresence,
 };
-pub use validated::{
-    Case, Companion, ContactSolver, Engine, MeshSettings, Rail, ShakedownMethod, ShakedownSettings,
-};
+pub use validated::{Case, Companion, ContactSolver, Engine, MeshSettings, Rail, ShakedownSettings};
 pub use write::init_text;

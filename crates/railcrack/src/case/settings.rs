@@ -27,11 +27,15 @@ pub(super) const SHAKEDOWN: Section = Section {
             "method",
             &[
                 now("pass-by-pass", "each passage starts from the state the one before left"),
-                now("direct", "the stabilised state in one iteration"),
+                now(
+                    "direct",
+                    "upstream := downstream in every iteration: cheaper, and another admissible state",
+                ),
             ],
             "pass-by-pass",
             "Way to the stabilised state.",
         ),
+        integer("max_passes", 1, 100_000, 500, "Passages after which the rail counts as not stabilised."),
         key(
             "initial_residual",
             Kind::Path,

@@ -4,9 +4,11 @@ use super::accept::Value;
 use super::profile::ProfileFile;
 use crate::bulk::{BottomSupport, Boundary, SideSupport};
 use crate::crack::CrackNetwork;
+use crate::fatigue::DangVan;
 use crate::growth::{GrowthSettings, PassageSettings};
 use crate::load::HertzianContact;
-use crate::material::IsotropicElastic;
+use crate::material::{IsotropicElastic, KinematicHardening};
+use crate::shakedown::{Method, RolledRail, Stabilisation, Travel};
 
 /// What is to be computed: everything in a case file, checked, in the types of the library.
 #[derive(Debug, Clone, PartialEq)]
@@ -59,27 +61,16 @@ pub struct Rail {
 /// Plastic behaviour of the rail and the criterion of initiation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ShakedownSettings {
-    /// Yield stress in tension, MPa.
-    pub yield_stress: f64,
-    /// C of the back stress X = (2/3) C ε_p, MPa.
-    pub hardening_modulus: f64,
+    /// Yield stress and hardening of the steel.
+    pub hardening: KinematicHardening,
     /// Way to the stabilised state.
-    pub method: ShakedownMethod,
+    pub method: Method,
+    /// Passages after which the rail counts as not stabilised.
+    pub max_passes: usize,
     /// Balanced profile present before the first passage.
     pub initial_residual: Option<ProfileFile>,
-    /// a of τ + a p_h ≤ b (Dang Van).
-    pub dang_van_a: f64,
-    /// b, MPa.
-    pub dang_van_b: f64,
-}
-
-/// Way to the stabilised plastic state.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ShakedownMethod {
-    /// Each passage starts from the state that the one before left.
-    PassByPass,
-    /// Upstream := downstream in every iteration.
-    Direct,
+    /// The criterion of initiation.
+    pub dang_van: DangVan,
 }
 
 /// Discretisation.
@@ -173,6 +164,24 @@ pub(super) const RESIDUAL_STRESS_NAME: &str = "inputs/residual-stress.csv";
 pub(super) const INITIAL_RESIDUAL_NAME: &str = "inputs/initial-residual.csv";
 
 impl Case {
+    /// The rail without its cracks, under the repeated passage of the wheel.
+    pub fn rolled_rail(&self) -> RolledRail {
+        let passage = &self.passages.passage;
+        RolledRail {
+            steel: self.steel,
+            hardening: self.shakedown.hardening,
+            contact: self.contact,
+            travel: if passage.from < passage.to { Travel::Forward } else { Travel::Backward },
+            initial: self.shakedown.initial_residual.as_ref().map(|file| file.profile().clone()),
+        }
+    }
+
+    /// How its stabilised state is sought.
+    pub fn stabilisation(&self) -> Stabilisation {
+        let ShakedownSettings { method, max_passes, .. } = self.shakedown;
+        Stabilisation { method, max_passes, ..Stabilisation::default() }
+    }
+
     /// The files that the text of [`Case::to_toml`] names: a folder with that text and these files is complete.
     pub fn companions(&self) -> Vec<Companion<'_>> {
         let mut companions = Vec::new();

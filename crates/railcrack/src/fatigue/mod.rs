@@ -1,12 +1,16 @@
-//! Growth rate and direction under non-proportional mixed mode.
+//! Criteria on histories: where a crack starts, and rate and direction of growth under non-proportional mixed mode.
 
+mod dang_van;
 mod hourlier_pineau;
 mod hull;
+mod initiation;
 mod kink;
 mod law;
 mod ranges;
 
+pub use dang_van::{DangVan, DangVanValue};
 pub use hourlier_pineau::{HourlierPineau, Kink, Rival};
+pub use initiation::{DepthValue, Initiation};
 pub use kink::KinkFunctions;
 pub use law::{DirectionCriterion, KINK_ANGLES, ParisLaw};
 pub use ranges::SifRanges;

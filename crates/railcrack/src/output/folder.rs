@@ -3,6 +3,8 @@
 use super::OutputError;
 use super::csv::{FACES_FILE, GROWTH_FILE, RESIDUAL_FILE, SIF_FILE};
 use super::figures::{PLOT_FILES, PLOTS_FOLDER};
+use super::report::REPORT_FILE;
+use super::shakedown::{CYCLE_FILE, PASSES_FILE, PLASTIC_FILE, PROFILE_FILE, SHAKEDOWN_FILE};
 use serde::{Deserialize, Serialize};
 use std::fs::{self, File};
 use std::io::{ErrorKind, Write};
@@ -14,14 +16,19 @@ pub(crate) const SUMMARY_FILE: &str = "summary.json";
 
 /// Files of a run beside `case.toml`, in the order in which a replaced run is removed: without its checkpoint a run
 /// is one that has not begun.
-const RUN_FILES: [&str; 10] = [
+const RUN_FILES: [&str; 15] = [
     CHECKPOINT_FILE,
     SIF_FILE,
     GROWTH_FILE,
     FACES_FILE,
     RESIDUAL_FILE,
     SUMMARY_FILE,
-    "report.html",
+    PASSES_FILE,
+    PROFILE_FILE,
+    SHAKEDOWN_FILE,
+    PLASTIC_FILE,
+    CYCLE_FILE,
+    REPORT_FILE,
     "fields.pvd",
     "inputs/residual-stress.csv",
     "inputs/initial-residual.csv",

@@ -12,6 +12,8 @@ mod folder;
 mod memory;
 mod plot;
 mod recorder;
+mod report;
+mod shakedown;
 mod story;
 mod summary;
 pub mod vtu;
@@ -25,6 +27,9 @@ pub use error::OutputError;
 pub use figures::rebuild_plots;
 pub use folder::{CaseFiles, Existing};
 pub use recorder::{Recorder, RunInfo};
+pub use shakedown::{
+    Extent, PASSES_COLUMNS, PROFILE_COLUMNS, ShakedownRecorder, ShakedownResults, ShakedownSummary,
+};
 pub use summary::{CrackSummary, PhaseSeconds, Summary, TipSummary};
 
 /// Version of the program that writes the files.

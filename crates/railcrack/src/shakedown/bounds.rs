@@ -24,6 +24,17 @@ pub struct ShakedownLimit {
     pub depth_over_a: f64,
 }
 
+/// What one depth bears.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DepthBounds {
+    /// Depth over the half-width of the contact.
+    pub depth_over_a: f64,
+    /// p0 / k at which it first yields; infinite where nothing is stressed.
+    pub first_yield: f64,
+    /// p0 / k up to which it can shake down elastically.
+    pub shakedown: f64,
+}
+
 /// Depths searched, over a: the stress path shrinks with depth beyond the maximum, near 0.5 to 0.8.
 const DEEPEST: f64 = 2.0;
 /// Number of intervals of the first search in depth; the maximum is refined between its neighbours.
@@ -58,14 +69,79 @@ pub fn first_yield_ratio(friction: f64, poisson: f64) -> FirstYield {
 pub fn shakedown_limit_ratio(friction: f64, poisson: f64) -> ShakedownLimit {
     let field = unit_contact(friction, poisson);
     let path = path_abscissae();
-    let radius = |depth: f64| {
-        let mut deviators: Vec<[f64; 3]> =
-            path.iter().map(|&x| field.stress(Vec2::new(x, -depth), 0.0).deviator()).collect();
-        deviators.push(Stress::ZERO.deviator());
-        smallest_ball(&deviators).radius
-    };
+    let radius = |depth: f64| smallest_ball(&deviators(&field, &path, depth)).radius;
     let (depth_over_a, largest) = maximum_over_depth(radius);
     ShakedownLimit { ratio: std::f64::consts::SQRT_2 / largest, depth_over_a }
+}
+
+/// First yield and limit of elastic shakedown at each of `depths_over_a`, as [`first_yield_ratio`] and
+/// [`shakedown_limit_ratio`] find them at the depth that decides.
+pub fn bounds_by_depth(friction: f64, poisson: f64, depths_over_a: &[f64]) -> Vec<DepthBounds> {
+    let field = unit_contact(friction, poisson);
+    let path = path_abscissae();
+    let at = |&depth_over_a: &f64| {
+        let deviators = deviators(&field, &path, depth_over_a);
+        let largest = deviators.iter().map(|s| s.iter().map(|c| c * c).sum::<f64>()).fold(0.0, f64::max);
+        DepthBounds {
+            depth_over_a,
+            first_yield: std::f64::consts::SQRT_2 / largest.sqrt(),
+            shakedown: std::f64::consts::SQRT_2 / smallest_ball(&deviators).radius,
+        }
+    };
+    depths_over_a.iter().map(at).collect()
+}
+
+/// First yield and limit of elastic shakedown at one friction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MapPoint {
+    /// |μ| of the wheel.
+    pub friction: f64,
+    /// p0 / k at first yield.
+    pub first_yield: f64,
+    /// p0 / k at the limit of elastic shakedown.
+    pub shakedown: f64,
+}
+
+/// The shakedown map: `points` frictions evenly spaced from 0 to `most` (Johnson, Contact Mechanics, fig. 9.7).
+pub fn shakedown_map(most: f64, points: usize, poisson: f64) -> Vec<MapPoint> {
+    let last = points.saturating_sub(1).max(1) as f64;
+    let at = |i: usize| {
+        let friction = most * i as f64 / last;
+        let first_yield = first_yield_ratio(friction, poisson).ratio;
+        MapPoint { friction, first_yield, shakedown: shakedown_limit_ratio(friction, poisson).ratio }
+    };
+    (0..points).map(at).collect()
+}
+
+/// Depth and value of the largest √(3/2) |s + s0| over σ_y of the elastic passage of `contact`, s0 the deviator of the
+/// initial stress at a depth (mm): the rail yields where it exceeds 1. Searched down to `DEEPEST` half-widths.
+pub(super) fn utilisation(
+    contact: &HertzianContact,
+    poisson: f64,
+    yield_radius: f64,
+    initial: impl Fn(f64) -> [f64; 3],
+) -> (f64, f64) {
+    let field = HertzField::new(contact, poisson);
+    let a = contact.half_width;
+    let path = path_abscissae();
+    let (depth, largest) = maximum_over_depth(|depth| {
+        let offset = initial(depth * a);
+        let size = |x: f64| {
+            let wheel = field.stress(Vec2::new(x * a, -depth * a), 0.0).deviator();
+            [0, 1, 2].map(|c| wheel[c] + offset[c]).iter().map(|c| c * c).sum::<f64>()
+        };
+        let unloaded = offset.iter().map(|c| c * c).sum();
+        path.iter().map(|&x| size(x)).fold(unloaded, f64::max).sqrt()
+    });
+    (depth * a, largest / yield_radius)
+}
+
+/// The deviators of the elastic passage at a depth, the unloaded state included.
+fn deviators(field: &HertzField, path: &[f64], depth: f64) -> Vec<[f64; 3]> {
+    let mut deviators: Vec<[f64; 3]> =
+        path.iter().map(|&x| field.stress(Vec2::new(x, -depth), 0.0).deviator()).collect();
+    deviators.push(Stress::ZERO.deviator());
+    deviators
 }
 
 /// Peak pressure and half-width 1: abscissae are x/a, stresses σ/p0.
@@ -80,7 +156,7 @@ fn shear_intensity(field: &HertzField, x: f64, depth: f64) -> f64 {
 }
 
 /// x/a from −cosh 3 to cosh 3, both edges of the contact and its middle among them.
-fn path_abscissae() -> Vec<f64> {
+pub(super) fn path_abscissae() -> Vec<f64> {
     let t = |i: i32| f64::from(i) / f64::from(PATH_INTERVALS);
     let inside = (-PATH_INTERVALS..=PATH_INTERVALS).map(|i| (std::f64::consts::FRAC_PI_2 * t(i)).sin());
     let outside = (1..=PATH_INTERVALS).map(|i| (PATH_END * t(i)).cosh());

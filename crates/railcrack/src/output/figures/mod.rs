@@ -4,7 +4,10 @@ mod compare_paths;
 mod compare_sif;
 mod cycles;
 mod faces;
+mod lines;
 mod paths;
+mod rolled_field;
+mod shakedown;
 mod sif;
 mod stored;
 
@@ -20,9 +23,25 @@ pub(crate) use stored::{History, read_histories};
 
 pub(crate) const PLOTS_FOLDER: &str = "plots";
 
-/// Every file that [`rebuild_plots`] may write.
-pub(crate) const PLOT_FILES: [&str; 6] =
-    ["ki.svg", "kii.svg", "paths.svg", "length-cycles.svg", "faces.svg", "faces-last.svg"];
+pub(crate) use shakedown::shakedown_plots;
+
+/// Every file that [`rebuild_plots`] and [`shakedown_plots`] may write.
+pub(crate) const PLOT_FILES: [&str; 14] = [
+    "ki.svg",
+    "kii.svg",
+    "paths.svg",
+    "length-cycles.svg",
+    "faces.svg",
+    "faces-last.svg",
+    "residual-stress.svg",
+    "plastic-strain.svg",
+    "passes.svg",
+    "passes-change.svg",
+    "bounds.svg",
+    "shakedown-map.svg",
+    "dang-van.svg",
+    "field.svg",
+];
 
 /// Builds the plots of the run in `folder` from its tables and `summary.json`, for the steps that the summary counts,
 /// and writes them to `plots/`. A run without a finished step has no plots.
@@ -67,13 +86,18 @@ const HEADING: f64 = 58.0;
 
 /// The title of the case and, below it, what the picture shows and for which model.
 fn draw_heading(svg: &mut Svg, left: f64, room: f64, summary: &Summary, shows: &[Span]) {
-    let bold = TextStyle { size: 15.0, anchor: Anchor::Start, colour: INK, weight: "bold" };
-    let quiet = TextStyle { size: 12.0, anchor: Anchor::Start, colour: GREY, weight: "normal" };
-    svg.text([left, 24.0], &[Span::Plain(shortened(&summary.title, room / 8.6))], bold);
     let Summary { engine, contact, boundary, .. } = summary;
     let mut spans = shows.to_vec();
     spans.push(Span::Plain(format!(" \u{b7} {boundary}, engine {engine}, contact {contact}")));
-    svg.text([left, 43.0], &spans, quiet);
+    draw_title(svg, left, room, &summary.title, &spans);
+}
+
+/// The title of the case and, below it, what the picture shows.
+fn draw_title(svg: &mut Svg, left: f64, room: f64, title: &str, shows: &[Span]) {
+    let bold = TextStyle { size: 15.0, anchor: Anchor::Start, colour: INK, weight: "bold" };
+    let quiet = TextStyle { size: 12.0, anchor: Anchor::Start, colour: GREY, weight: "normal" };
+    svg.text([left, 24.0], &[Span::Plain(shortened(title, room / 8.6))], bold);
+    svg.text([left, 43.0], shows, quiet);
 }
 
 /// `text` cut to about `letters` letters.

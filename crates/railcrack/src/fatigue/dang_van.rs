@@ -1,0 +1,104 @@
+//! The Dang Van criterion: does a crack start?
+
+use crate::math::{Stress, smallest_ball};
+
+/// No crack starts where τ(t) + a p_h(t) ≤ b at all times of the stabilised cycle.
+///
+/// Source: Dang Van, Griveau & Message 1989, EGF Publication 3, 479–496.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DangVan {
+    /// a, the weight of the hydrostatic stress.
+    pub slope: f64,
+    /// b, MPa: the fatigue limit in pure shear.
+    pub limit: f64,
+}
+
+/// The worst time of a cycle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DangVanValue {
+    /// τ + a p_h, MPa.
+    pub value: f64,
+    /// Mesoscopic shear τ, MPa: half the difference of the extreme principal values of s − s*.
+    pub shear: f64,
+    /// Hydrostatic stress p_h, MPa, tension positive.
+    pub hydrostatic: f64,
+    /// Which stress of the path.
+    pub time: usize,
+}
+
+impl DangVan {
+    /// max over time of τ + a p_h on a cycle of stresses `path` (MPa, in any order, residual stress included); s* is the
+    /// centre of the smallest ball (Frobenius norm) around the deviators. None for an empty path.
+    pub fn value(&self, path: &[Stress]) -> Option<DangVanValue> {
+        let deviators: Vec<[f64; 3]> = path.iter().map(|stress| stress.deviator()).collect();
+        let centre = smallest_ball(&deviators).centre;
+        let at = |(time, (stress, deviator)): (usize, (&Stress, &[f64; 3]))| {
+            let meso = [0, 1, 2].map(|c| deviator[c] - centre[c]);
+            let (shear, hydrostatic) = (largest_shear(meso), (stress.xx + stress.yy + stress.zz) / 3.0);
+            DangVanValue { value: shear + self.slope * hydrostatic, shear, hydrostatic, time }
+        };
+        path.iter()
+            .zip(&deviators)
+            .enumerate()
+            .map(at)
+            .reduce(|worst, here| if here.value > worst.value { here } else { worst })
+    }
+
+    /// b less `value`, MPa: negative where a crack starts.
+    pub fn margin(&self, value: f64) -> f64 {
+        self.limit - value
+    }
+}
+
+/// Half the difference of the extreme principal values of a deviator in the coordinates of [`Stress::deviator`].
+fn largest_shear([difference, out, shear]: [f64; 3]) -> f64 {
+    let zz = (2.0 / 3.0_f64).sqrt() * out;
+    let in_plane = difference.hypot(shear) / std::f64::consts::SQRT_2;
+    let (high, low) = (-0.5 * zz + in_plane, -0.5 * zz - in_plane);
+    0.5 * (high.max(zz) - low.min(zz))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const CRITERION: DangVan = DangVan { slope: 0.3, limit: 250.0 };
+    /// Round-off.
+    const ROUNDING: f64 = 1e-10;
+
+    /// Fully reversed tension ±S: s* = 0, τ = S/2, p_h = S/3 at the tensile end.
+    #[test]
+    fn reversed_tension() {
+        let path = [300.0, 0.0, -300.0].map(|yy| Stress { yy, ..Stress::ZERO });
+        let worst = CRITERION.value(&path).unwrap();
+        assert!((worst.value - (150.0 + 0.3 * 100.0)).abs() < ROUNDING, "{worst:?}");
+        assert_eq!(worst.time, 0);
+    }
+
+    /// Repeated tension 0 to S: the ball is centred at half of it, τ = S/4, p_h = S/3; so is out-of-plane tension.
+    #[test]
+    fn repeated_tension() {
+        for path in [
+            [0.0, 400.0].map(|xx| Stress { xx, ..Stress::ZERO }),
+            [0.0, 400.0].map(|zz| Stress { zz, ..Stress::ZERO }),
+        ] {
+            let worst = CRITERION.value(&path).unwrap();
+            assert!((worst.value - (100.0 + 0.3 * 400.0 / 3.0)).abs() < ROUNDING, "{worst:?}");
+            assert_eq!(worst.time, 1);
+        }
+    }
+
+    /// Reversed shear ±T under a constant pressure P: τ = T, whatever shear is constant, less a P.
+    #[test]
+    fn reversed_shear_under_pressure() {
+        let path = [-150.0, 150.0].map(|xy| Stress { xx: -90.0, yy: -90.0, zz: -90.0, xy: xy + 35.0 });
+        let worst = CRITERION.value(&path).unwrap();
+        assert!((worst.value - (150.0 - 0.3 * 90.0)).abs() < ROUNDING, "{worst:?}");
+        assert!((CRITERION.margin(worst.value) - 127.0).abs() < ROUNDING);
+    }
+
+    #[test]
+    fn nothing_for_no_path() {
+        assert_eq!(CRITERION.value(&[]), None);
+    }
+}

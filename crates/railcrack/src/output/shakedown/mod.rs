@@ -1,0 +1,16 @@
+//! The run folder of a stabilised plastic state.
+
+mod document;
+mod fields;
+mod recorder;
+mod tables;
+
+pub use document::ShakedownSummary;
+pub use recorder::{Extent, ShakedownRecorder, ShakedownResults};
+pub use tables::{PASSES_COLUMNS, PROFILE_COLUMNS};
+
+pub(crate) const PASSES_FILE: &str = "passes.csv";
+pub(crate) const PROFILE_FILE: &str = "profile.csv";
+pub(crate) const SHAKEDOWN_FILE: &str = "shakedown.json";
+pub(crate) const PLASTIC_FILE: &str = "plastic.vtu";
+pub(crate) const CYCLE_FILE: &str = "cycle.vtu";

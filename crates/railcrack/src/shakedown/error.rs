@@ -1,0 +1,58 @@
+//! Why there is no stabilised state.
+
+use thiserror::Error;
+
+/// A passage that could not be computed.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum ShakedownError {
+    /// A pressure outside of what the model is made for.
+    #[error("p0/k = {ratio}: must be positive and at most {most}; k is the yield stress over sqrt(3)")]
+    Load {
+        /// p0/k.
+        ratio: f64,
+        /// The largest that is accepted.
+        most: f64,
+    },
+    /// A contact that cannot exist.
+    #[error("{quantity} = {value}: must be {accepted}")]
+    Contact {
+        /// Which quantity.
+        quantity: &'static str,
+        /// What was given.
+        value: f64,
+        /// What is accepted.
+        accepted: &'static str,
+    },
+    /// A stress of manufacturing that the steel cannot carry.
+    #[error(
+        "initial residual stress: {utilisation} of the yield stress at depth {depth} mm; must be at most 1, or the rail yields without a wheel"
+    )]
+    Initial {
+        /// √(3/2) |s| / σ_y.
+        utilisation: f64,
+        /// mm.
+        depth: f64,
+    },
+    /// A plastic zone that reaches deeper with every attempt.
+    #[error(
+        "the plastic zone reaches below {depth} mm: the initial residual stress and the wheel make the whole rail yield"
+    )]
+    Bottomless {
+        /// mm.
+        depth: f64,
+    },
+    /// A passage whose plastic strain did not settle.
+    #[error(
+        "passage {pass} not converged: after {iterations} redistributions the plastic strain still changes by {change:.2e} of the yield strain, allowed are {tolerance:.1e}"
+    )]
+    NotConverged {
+        /// Which passage, from 1.
+        pass: usize,
+        /// Elastic redistributions.
+        iterations: usize,
+        /// The last change of the plastic strain, times 2 G over the radius of the yield surface.
+        change: f64,
+        /// The change at which it would have ended.
+        tolerance: f64,
+    },
+}

@@ -1,0 +1,199 @@
+//! Discrete Fourier transforms of many signals at once.
+
+use pulp::{Arch, Simd, WithSimd};
+
+/// The transform X_k = Σ_n x_n e^(−2π i k n / N) of signals of length N, a power of two.
+///
+/// Signals lie side by side: sample n of all of them is contiguous, so that one butterfly serves them all.
+///
+/// Source: Stockham's self-sorting form of radix four (Cooley & Tukey 1965; Van Loan 1992, Computational Frameworks for
+/// the Fast Fourier Transform, 1.7).
+#[derive(Debug, Clone)]
+pub(super) struct Fourier {
+    length: usize,
+    /// e^(−2π i n / N).
+    roots: Vec<(f64, f64)>,
+}
+
+/// Complex signals: sample n of signal j at n · signals + j.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Signals {
+    pub re: Vec<f64>,
+    pub im: Vec<f64>,
+    spare_re: Vec<f64>,
+    spare_im: Vec<f64>,
+}
+
+impl Signals {
+    /// `samples` = length · number of signals zeros.
+    pub(super) fn zeros(samples: usize) -> Self {
+        let zeros = || vec![0.0; samples];
+        Self { re: zeros(), im: zeros(), spare_re: zeros(), spare_im: zeros() }
+    }
+}
+
+impl Fourier {
+    /// `length` is a power of two.
+    pub(super) fn new(length: usize) -> Self {
+        let root = |n: usize| (-2.0 * std::f64::consts::PI * n as f64 / length as f64).sin_cos();
+        let roots = (0..length).map(root).map(|(sin, cos)| (cos, sin)).collect();
+        Self { length, roots }
+    }
+
+    /// Transforms `signals` in place.
+    pub(super) fn forward(&self, signals: &mut Signals) {
+        self.stages(signals);
+    }
+
+    /// The inverse of [`Fourier::forward`] times N: the same with real and imaginary parts exchanged.
+    pub(super) fn backward(&self, signals: &mut Signals) {
+        let exchange = |s: &mut Signals| {
+            std::mem::swap(&mut s.re, &mut s.im);
+            std::mem::swap(&mut s.spare_re, &mut s.spare_im);
+        };
+        exchange(signals);
+        self.stages(signals);
+        exchange(signals);
+    }
+
+    fn stages(&self, signals: &mut Signals) {
+        let lanes = signals.re.len() / self.length;
+        let (mut rest, mut stride) = (self.length, 1);
+        while rest > 1 {
+            let radix = if rest.is_multiple_of(4) { 4 } else { 2 };
+            let Signals { re, im, spare_re, spare_im } = &mut *signals;
+            for part in 0..rest / radix {
+                let root = |power: usize| self.roots[power * part * stride];
+                let from = Part { re, im, block: stride * lanes, part, parts: rest / radix };
+                let first = part * radix * stride * lanes;
+                let to = (first, spare_re.as_mut_slice(), spare_im.as_mut_slice());
+                if radix == 4 {
+                    Arch::new().dispatch(Four { from, to, roots: [root(1), root(2), root(3)] });
+                } else {
+                    Arch::new().dispatch(Two { from, to });
+                }
+            }
+            std::mem::swap(&mut signals.re, &mut signals.spare_re);
+            std::mem::swap(&mut signals.im, &mut signals.spare_im);
+            (rest, stride) = (rest / radix, stride * radix);
+        }
+    }
+}
+
+/// Where a butterfly reads: blocks `part`, `part + parts`, `part + 2 parts`, ….
+struct Part<'a> {
+    re: &'a [f64],
+    im: &'a [f64],
+    block: usize,
+    part: usize,
+    parts: usize,
+}
+
+impl<'a> Part<'a> {
+    #[inline(always)]
+    fn leg(&self, leg: usize) -> (&'a [f64], &'a [f64]) {
+        let from = (self.part + leg * self.parts) * self.block;
+        (&self.re[from..from + self.block], &self.im[from..from + self.block])
+    }
+}
+
+/// Offset of the first block that a butterfly writes, and the arrays.
+type Target<'a> = (usize, &'a mut [f64], &'a mut [f64]);
+
+struct Four<'a> {
+    from: Part<'a>,
+    to: Target<'a>,
+    roots: [(f64, f64); 3],
+}
+
+impl WithSimd for Four<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        let block = self.from.block;
+        let [(ar, ai), (br, bi), (cr, ci), (dr, di)] = [0, 1, 2, 3].map(|leg| self.from.leg(leg));
+        let (first, re, im) = self.to;
+        let (re, im) = (&mut re[first..first + 4 * block], &mut im[first..first + 4 * block]);
+        let (re_low, re_high) = re.split_at_mut(2 * block);
+        let (im_low, im_high) = im.split_at_mut(2 * block);
+        let ((r0, r1), (r2, r3)) = (re_low.split_at_mut(block), re_high.split_at_mut(block));
+        let ((i0, i1), (i2, i3)) = (im_low.split_at_mut(block), im_high.split_at_mut(block));
+        let [(w1r, w1i), (w2r, w2i), (w3r, w3i)] = self.roots;
+        for n in 0..block {
+            let (even_r, even_i) = (ar[n] + cr[n], ai[n] + ci[n]);
+            let (odd_r, odd_i) = (ar[n] - cr[n], ai[n] - ci[n]);
+            let (sum_r, sum_i) = (br[n] + dr[n], bi[n] + di[n]);
+            // −i (b − d).
+            let (turn_r, turn_i) = (bi[n] - di[n], dr[n] - br[n]);
+            (r0[n], i0[n]) = (even_r + sum_r, even_i + sum_i);
+            let (tr, ti) = (odd_r + turn_r, odd_i + turn_i);
+            (r1[n], i1[n]) = (w1r * tr - w1i * ti, w1r * ti + w1i * tr);
+            let (tr, ti) = (even_r - sum_r, even_i - sum_i);
+            (r2[n], i2[n]) = (w2r * tr - w2i * ti, w2r * ti + w2i * tr);
+            let (tr, ti) = (odd_r - turn_r, odd_i - turn_i);
+            (r3[n], i3[n]) = (w3r * tr - w3i * ti, w3r * ti + w3i * tr);
+        }
+    }
+}
+
+struct Two<'a> {
+    from: Part<'a>,
+    to: Target<'a>,
+}
+
+impl WithSimd for Two<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        // The last stage alone: its only root is 1.
+        let block = self.from.block;
+        let [(ar, ai), (br, bi)] = [0, 1].map(|leg| self.from.leg(leg));
+        let (first, re, im) = self.to;
+        let (r0, r1) = re[first..first + 2 * block].split_at_mut(block);
+        let (i0, i1) = im[first..first + 2 * block].split_at_mut(block);
+        for n in 0..block {
+            (r0[n], i0[n]) = (ar[n] + br[n], ai[n] + bi[n]);
+            (r1[n], i1[n]) = (ar[n] - br[n], ai[n] - bi[n]);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn agrees_with_the_sum_and_inverts() {
+        for length in [2, 4, 8, 16, 32, 64] {
+            for lanes in [1, 3] {
+                let mut signals = Signals::zeros(length * lanes);
+                for n in 0..length * lanes {
+                    (signals.re[n], signals.im[n]) = ((0.7 * n as f64).sin(), (1.3 * n as f64).cos());
+                }
+                let (re, im) = (signals.re.clone(), signals.im.clone());
+                let fourier = Fourier::new(length);
+                fourier.forward(&mut signals);
+                for k in 0..length {
+                    for lane in 0..lanes {
+                        let (mut want_re, mut want_im) = (0.0, 0.0);
+                        for n in 0..length {
+                            let turn = -2.0 * std::f64::consts::PI * (k * n) as f64 / length as f64;
+                            let at = n * lanes + lane;
+                            want_re += re[at] * turn.cos() - im[at] * turn.sin();
+                            want_im += re[at] * turn.sin() + im[at] * turn.cos();
+                        }
+                        let (got_re, got_im) = (signals.re[k * lanes + lane], signals.im[k * lanes + lane]);
+                        // Round-off of sums of `length` terms.
+                        assert!((got_re - want_re).hypot(got_im - want_im) < 1e-12, "{length}, {k}");
+                    }
+                }
+                fourier.backward(&mut signals);
+                let n = length as f64;
+                assert!(signals.re.iter().zip(&re).all(|(a, b)| (a / n - b).abs() < 1e-14));
+                assert!(signals.im.iter().zip(&im).all(|(a, b)| (a / n - b).abs() < 1e-14));
+            }
+        }
+    }
+}

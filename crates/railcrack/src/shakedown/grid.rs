@@ -1,0 +1,111 @@
+//! Columns and layers around the contact.
+
+use super::layers::Layers;
+use super::rail::RolledRail;
+use super::{bounds, error::ShakedownError};
+use crate::math::Vec2;
+
+/// How finely stress and strain around the contact are resolved.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Resolution {
+    /// Columns, and layers where the rail may yield, per half-width of the contact: a power of two, so that both edges
+    /// of the contact are columns.
+    pub per_half_width: u32,
+    /// The period of the waves, in half-widths of the contact, at least; see `docs/shakedown.md`.
+    pub period: u32,
+}
+
+impl Default for Resolution {
+    /// What is measured in `docs/shakedown.md`: within 2 % of the largest residual stress.
+    fn default() -> Self {
+        Self { per_half_width: 32, period: 16 }
+    }
+}
+
+/// Columns and layers of one computation.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Grid {
+    /// A power of two.
+    pub columns: usize,
+    /// mm.
+    pub spacing: f64,
+    pub layers: Layers,
+    /// Depth of the even layers, mm.
+    pub fine_depth: f64,
+}
+
+/// Beyond this p0/k the plastic zone is deeper than ten half-widths: no elastic half-plane carries such a load, and the pressure is
+/// no longer Hertz's long before.
+const HEAVIEST: f64 = 20.0;
+/// The plastic zone reaches deeper than first yield does, because the yielded part sheds its load: by so much, and …
+const SPREAD: f64 = 1.35;
+/// … so much over a.
+const SPREAD_OVER_A: f64 = 0.1;
+/// The period over the depth of the even layers, at least.
+const PERIOD_OVER_DEPTH: f64 = 4.5;
+/// Depth of all layers over that of the even ones: flow in the lower ones tells that there should be more even ones.
+const MARGIN: f64 = 1.15;
+/// Depth over a from which on layers and columns double: deeper zones are larger in all directions.
+const COARSER_BEYOND: f64 = 4.0;
+/// Half-widths on each side of the contact in which there may be flow and the extrapolation works.
+pub(super) const WINDOW: f64 = 3.0;
+
+impl Grid {
+    /// For `rail`: even layers down to where its elastic passage yields and somewhat deeper.
+    pub(super) fn of(rail: &RolledRail, resolution: Resolution) -> Result<Self, ShakedownError> {
+        Self::check_load(rail)?;
+        let a = rail.contact.half_width;
+        let depth = yield_depth(rail).max(a);
+        Ok(Self::down_to(rail, resolution, SPREAD * depth + SPREAD_OVER_A * a))
+    }
+
+    /// Whether the load of `rail` is one that a half-plane can carry.
+    pub(super) fn check_load(rail: &RolledRail) -> Result<(), ShakedownError> {
+        let ratio = rail.pressure_ratio();
+        let accepted = ratio > 0.0 && ratio <= HEAVIEST;
+        if accepted { Ok(()) } else { Err(ShakedownError::Load { ratio, most: HEAVIEST }) }
+    }
+
+    /// For `rail`: even layers down to `fine_depth` (mm).
+    pub(super) fn down_to(rail: &RolledRail, resolution: Resolution, fine_depth: f64) -> Self {
+        let a = rail.contact.half_width;
+        let mut spacing = a / f64::from(resolution.per_half_width.next_power_of_two());
+        let mut reach = COARSER_BEYOND * a;
+        while fine_depth > reach {
+            (spacing, reach) = (2.0 * spacing, 2.0 * reach);
+        }
+        let period = (f64::from(resolution.period) * a).max(PERIOD_OVER_DEPTH * fine_depth);
+        let columns = ((period / spacing).ceil() as usize).next_power_of_two();
+        Self {
+            columns,
+            spacing,
+            layers: Layers::graded(spacing, fine_depth, MARGIN * fine_depth),
+            fine_depth,
+        }
+    }
+
+    /// Abscissa of column `i` from the centre of the contact, mm.
+    pub(super) fn abscissa(&self, i: usize) -> f64 {
+        (i as f64 - 0.5 * self.columns as f64) * self.spacing
+    }
+}
+
+/// The greatest depth (mm) at which the elastic passage reaches the yield stress; 0 for none.
+fn yield_depth(rail: &RolledRail) -> f64 {
+    // Steps of the search over a, and how far: beyond a depth d the stress of the wheel is at most p0 a/d.
+    const STEP: f64 = 0.05;
+    let a = rail.contact.half_width;
+    let field = rail.forward_field();
+    let limit = rail.hardening.yield_radius().powi(2);
+    let path: Vec<f64> = bounds::path_abscissae().into_iter().map(|x| x * a).collect();
+    let yields = |depth: f64| {
+        let offset = rail.initial_stress(depth);
+        let size = |x: f64| {
+            let s = (field.stress(Vec2::new(x, -depth), 0.0) + offset).deviator();
+            s.iter().map(|c| c * c).sum::<f64>()
+        };
+        path.iter().any(|&x| size(x) > limit)
+    };
+    let deepest = (rail.pressure_ratio() / STEP).ceil() as usize;
+    (1..=deepest).rev().map(|i| STEP * i as f64 * a).find(|&depth| yields(depth)).unwrap_or(0.0)
+}

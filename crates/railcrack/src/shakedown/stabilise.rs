@@ -1,0 +1,355 @@
+//! Passage after passage, until nothing changes any more.
+
+use super::bounds::{shakedown_limit_ratio, utilisation};
+use super::cycle;
+use super::eigenstress::{Columns, Eigenstress};
+use super::error::ShakedownError;
+use super::grid::{Grid, Resolution, WINDOW};
+use super::rail::RolledRail;
+use super::state::{DepthRange, LayerState, Method, PassRecord, RailState, StabilisedRail};
+use super::steady::{SteadyPassage, SteadyProblem, Upstream, first_column};
+use super::strain::PlasticStrain;
+use super::streamline::FlowLaw;
+use crate::math::{Stress, Vec2};
+
+/// How the stabilised state is sought.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stabilisation {
+    /// The way.
+    pub method: Method,
+    /// Columns and layers.
+    pub resolution: Resolution,
+    /// Passages after which the rail counts as not stabilised.
+    pub max_passes: usize,
+    /// Change of the residual stress by a passage, over the largest that passages have left, at which it has stabilised.
+    pub pass_tolerance: f64,
+}
+
+impl Default for Stabilisation {
+    fn default() -> Self {
+        Self {
+            method: Method::PassByPass,
+            resolution: Resolution::default(),
+            max_passes: 500,
+            // Passages change the stress by ever smaller amounts, two to ten of them by half: what is still to come is some
+            // thousandths.
+            pass_tolerance: 5e-4,
+        }
+    }
+}
+
+/// The iteration within a passage ends at this change of the plastic strain, times 2 G over R: some MPa/1000.
+const TOLERANCE: f64 = 1e-5;
+/// The same for the direct method, whose plastic strain drifts by as much in each iteration while it leaves the stress alone.
+const DIRECT_TOLERANCE: f64 = 2e-4;
+/// Change of the plastic strain by a passage, over the yield strain, above which it has not stabilised whatever the stress:
+/// a shear along the rail leaves no residual stress, and may go on.
+const STRAIN_TOLERANCE: f64 = 1e-2;
+/// Redistributions after which a passage has failed; the softest steels (C = E/10⁴) take some hundreds.
+const MOST_ITERATIONS: usize = 3000;
+/// Times that the even layers are extended downwards because there is flow below them.
+const EXTENSIONS: usize = 8;
+/// A layer alternates if its plastic path in a passage is this many times what it keeps of it: of one that settles the two are
+/// equal; …
+const ALTERNATING: f64 = 4.0;
+/// … and if the path is at least this share of the longest: shorter ones, in single layers at the surface, come and go with the
+/// columns.
+const ALTERNATING_SHARE: f64 = 1e-2;
+
+/// The state that repeated passages over `rail` end in. `watch` is told of every
+/// passage, and again from the first one on where the plastic zone turns out to need more layers.
+///
+/// Errors: a load or contact outside of what the model is made for; a passage that does not converge.
+///
+/// Source: Dang Van & Maitournam 1993, J. Mech. Phys. Solids 41, 1691–1710 (steady flow under moving loads).
+pub fn stabilise(
+    rail: &RolledRail,
+    settings: &Stabilisation,
+    mut watch: impl FnMut(&PassRecord),
+) -> Result<StabilisedRail, ShakedownError> {
+    check_rail(rail)?;
+    let mut grid = Grid::of(rail, settings.resolution)?;
+    for _ in 0..EXTENSIONS {
+        let mut run = Run::new(rail, settings, &grid);
+        let flown = run.all_passes(&mut watch)?;
+        if flown <= grid.fine_depth {
+            return Ok(run.finish());
+        }
+        grid = Grid::down_to(rail, settings.resolution, 1.25 * flown);
+    }
+    Err(ShakedownError::Bottomless { depth: grid.fine_depth })
+}
+
+/// Whether [`stabilise`] can take `rail`.
+///
+/// Errors: a load, contact or stress of manufacturing outside of what the model is made for.
+pub fn check_rail(rail: &RolledRail) -> Result<(), ShakedownError> {
+    Grid::check_load(rail)?;
+    let contact = &rail.contact;
+    let positive = |quantity, value: f64| {
+        let accepted = "positive and finite";
+        if value > 0.0 && value.is_finite() {
+            Ok(())
+        } else {
+            Err(ShakedownError::Contact { quantity, value, accepted })
+        }
+    };
+    positive("peak pressure (MPa)", contact.peak_pressure)?;
+    positive("half width (mm)", contact.half_width)?;
+    if !(-1.0..=1.0).contains(&contact.friction) {
+        let (quantity, value) = ("friction", contact.friction);
+        return Err(ShakedownError::Contact { quantity, value, accepted: "between -1 and 1" });
+    }
+    // The profile is linear between its rows, and |s| convex: its largest value is at a row.
+    for &(depth, xx, zz) in rail.initial.iter().flat_map(|profile| profile.rows()) {
+        let s = Stress { xx, zz, ..Stress::ZERO }.deviator();
+        let utilisation = s.iter().map(|c| c * c).sum::<f64>().sqrt() / rail.hardening.yield_radius();
+        if utilisation > 1.0 {
+            return Err(ShakedownError::Initial { utilisation, depth });
+        }
+    }
+    Ok(())
+}
+
+/// The computation on one grid.
+struct Run<'a> {
+    rail: &'a RolledRail,
+    settings: &'a Stabilisation,
+    grid: &'a Grid,
+    problem: SteadyProblem,
+    /// Plastic strain of the last two passages.
+    last: Option<SteadyPassage>,
+    before: Option<Columns>,
+    entering: Vec<[f64; 3]>,
+    passes: Vec<PassRecord>,
+    stabilised: bool,
+}
+
+impl<'a> Run<'a> {
+    fn new(rail: &'a RolledRail, settings: &'a Stabilisation, grid: &'a Grid) -> Self {
+        let field = rail.forward_field();
+        let layers = grid.layers.middles();
+        let mut background = cycle::zeros(grid);
+        for (j, &depth) in layers.iter().enumerate() {
+            let initial = rail.initial_stress(depth);
+            for i in 0..grid.columns {
+                let stress = field.stress(Vec2::new(grid.abscissa(i), -depth), 0.0) + initial;
+                for (component, value) in background.iter_mut().zip(stress.deviator()) {
+                    component[i * layers.len() + j] = value;
+                }
+            }
+        }
+        let half_window = (WINDOW * rail.contact.half_width / grid.spacing).round() as usize;
+        let middle = grid.columns / 2;
+        let problem = SteadyProblem {
+            eigenstress: Eigenstress::new(&rail.steel, grid.columns, grid.spacing, grid.layers.clone()),
+            law: FlowLaw::new(&rail.steel, &rail.hardening),
+            background,
+            window: middle - half_window..middle + half_window,
+            strain_scale: 2.0 * rail.steel.shear_modulus() / rail.hardening.yield_radius(),
+            tolerance: match settings.method {
+                Method::PassByPass => TOLERANCE,
+                Method::Direct => DIRECT_TOLERANCE,
+            },
+            max_iterations: MOST_ITERATIONS,
+        };
+        let entering = vec![[0.0; 3]; layers.len()];
+        Self {
+            rail,
+            settings,
+            grid,
+            problem,
+            last: None,
+            before: None,
+            entering,
+            passes: Vec::new(),
+            stabilised: false,
+        }
+    }
+
+    /// All passages; returns the greatest depth with plastic strain, mm. Ends early where that is below the even layers.
+    fn all_passes(&mut self, watch: &mut impl FnMut(&PassRecord)) -> Result<f64, ShakedownError> {
+        let yield_strain = self.rail.hardening.yield_stress() / self.rail.steel.young();
+        let most = match self.settings.method {
+            Method::PassByPass => self.settings.max_passes.max(1),
+            Method::Direct => 1,
+        };
+        let mut flown = 0.0;
+        while !self.stabilised && self.passes.len() < most {
+            let record = self.pass()?;
+            flown = self.flown();
+            if flown > self.grid.fine_depth {
+                return Ok(flown);
+            }
+            self.stabilised = record.stress_change <= self.settings.pass_tolerance * record.left_stress
+                && record.strain_change <= STRAIN_TOLERANCE * yield_strain;
+            watch(&record);
+            self.passes.push(record);
+        }
+        Ok(flown)
+    }
+
+    /// The next passage.
+    fn pass(&mut self) -> Result<PassRecord, ShakedownError> {
+        let layers = self.entering.len();
+        let upstream = match self.settings.method {
+            Method::PassByPass => Upstream::Given,
+            Method::Direct => Upstream::Downstream,
+        };
+        let start = self.guess();
+        let passage = self.problem.solve(start, &self.entering, upstream);
+        if passage.change.is_nan() || passage.change > self.problem.tolerance {
+            return Err(ShakedownError::NotConverged {
+                pass: self.passes.len() + 1,
+                iterations: passage.iterations,
+                change: passage.change,
+                tolerance: self.problem.tolerance,
+            });
+        }
+        let leaving = first_column(&passage.strain, layers);
+        let record = self.record(&passage.entering, &leaving, &passage);
+        self.entering = leaving;
+        self.before = self.last.take().map(|last| last.strain);
+        self.last = Some(passage);
+        Ok(record)
+    }
+
+    /// The plastic strain of the next passage, from those before it: their last change times how much it has shrunk.
+    fn guess(&self) -> Columns {
+        let Some(last) = &self.last else { return cycle::zeros(self.grid) };
+        let mut guess = last.strain.clone();
+        let Some(before) = &self.before else { return guess };
+        let layers = self.entering.len();
+        let (mut product, mut square) = (0.0, 0.0);
+        for c in 0..3 {
+            for j in 0..layers {
+                // Upstream is the passage before the last.
+                let upstream = last.strain[c].len() - layers + j;
+                let newer = last.strain[c][j] - last.strain[c][upstream];
+                let older = before[c][j] - before[c][upstream];
+                product += newer * older;
+                square += older * older;
+            }
+        }
+        let ratio = if square > 0.0 { (product / square).clamp(0.0, 1.0) } else { 0.0 };
+        for c in 0..3 {
+            for (g, b) in guess[c].iter_mut().zip(&before[c]) {
+                *g += ratio * (*g - b);
+            }
+        }
+        guess
+    }
+
+    fn record(&self, came: &[[f64; 3]], leaving: &[[f64; 3]], passage: &SteadyPassage) -> PassRecord {
+        let mut record = PassRecord {
+            pass: self.passes.len() + 1,
+            iterations: passage.iterations,
+            stress_change: 0.0,
+            strain_change: 0.0,
+            largest_strain: 0.0,
+            plastic_path: passage.path.iter().copied().fold(0.0, f64::max),
+            left_stress: 0.0,
+        };
+        for j in 0..came.len() {
+            let change = PlasticStrain::from_deviator([0, 1, 2].map(|c| leaving[j][c] - came[j][c]));
+            let by = cycle::layer_stress(&self.rail.steel, change);
+            let strain = PlasticStrain::from_deviator(leaving[j]);
+            let stress = cycle::layer_stress(&self.rail.steel, strain);
+            record.stress_change = record.stress_change.max(by.xx.abs()).max(by.zz.abs());
+            record.strain_change = record.strain_change.max(change.equivalent());
+            record.largest_strain = record.largest_strain.max(strain.equivalent());
+            record.left_stress = record.left_stress.max(stress.xx.abs()).max(stress.zz.abs());
+        }
+        record
+    }
+
+    /// The greatest depth with plastic strain, mm; 0 for none.
+    fn flown(&self) -> f64 {
+        let Some(last) = &self.last else { return 0.0 };
+        let deepest = last.path.iter().rposition(|&path| path > 0.0);
+        deepest.map_or(0.0, |j| self.grid.layers.interfaces()[j + 1])
+    }
+
+    fn finish(mut self) -> StabilisedRail {
+        let layers = self.entering.len();
+        let passage = self.last.take().unwrap_or_else(|| SteadyPassage {
+            strain: cycle::zeros(self.grid),
+            entering: self.entering.clone(),
+            path: vec![0.0; layers],
+            iterations: 0,
+            change: 0.0,
+        });
+        let (cycle, admissibility) = cycle::of(self.rail, self.grid, &mut self.problem, &passage);
+        let depths = self.grid.layers.middles();
+        let mirror = cycle::mirror(self.rail.travel);
+        let layer = |j: usize| {
+            let strain = PlasticStrain::from_deviator(self.entering[j]);
+            let residual = cycle::layer_stress(&self.rail.steel, strain);
+            LayerState {
+                depth: depths[j],
+                stress: residual + self.rail.initial_stress(depths[j]),
+                strain: PlasticStrain { xy: mirror * strain.xy, ..strain },
+                plastic_per_pass: passage.path[j],
+            }
+        };
+        let profile: Vec<LayerState> = (0..layers).map(layer).collect();
+        let state = self.state();
+        let alternating = match state {
+            RailState::PlasticShakedown => Some(self.alternating(&passage)),
+            _ => None,
+        };
+        StabilisedRail {
+            state,
+            method: self.settings.method,
+            passes: self.passes,
+            layers: self.grid.layers.clone(),
+            profile,
+            alternating,
+            cycle,
+            admissibility,
+        }
+    }
+
+    /// Linear kinematic hardening without bound cannot ratchet, and where a constant back stress and residual stress exist with which the
+    /// passage is elastic, it is so in the end (Melan 1938); both are known at every depth without layers. So once
+    /// the passages repeat, the loads alone tell the states apart, without error of the mesh.
+    fn state(&self) -> RailState {
+        let rail = self.rail;
+        let initial = |depth: f64| rail.initial_stress(depth).deviator();
+        let radius = rail.hardening.yield_radius();
+        let contact = rail.forward_contact();
+        let (_, utilisation) = utilisation(&contact, rail.steel.poisson(), radius, initial);
+        let limit = shakedown_limit_ratio(contact.friction, rail.steel.poisson());
+        if !self.stabilised {
+            RailState::NotStabilised
+        } else if utilisation <= 1.0 && self.passes.iter().all(|pass| pass.plastic_path == 0.0) {
+            RailState::Elastic
+        } else if rail.pressure_ratio() <= limit.ratio {
+            RailState::ElasticShakedown
+        } else {
+            RailState::PlasticShakedown
+        }
+    }
+
+    /// Where plastic strain alternates: by the layers, and where the zone is thinner than these by the elastic paths.
+    fn alternating(&self, passage: &SteadyPassage) -> DepthRange {
+        let layers = self.entering.len();
+        let (came, leaving) = (&passage.entering, first_column(&passage.strain, layers));
+        let longest = passage.path.iter().copied().fold(0.0, f64::max);
+        let alternates = |j: usize| {
+            let kept =
+                PlasticStrain::from_deviator([0, 1, 2].map(|c| leaving[j][c] - came[j][c])).equivalent();
+            passage.path[j] > ALTERNATING * kept && passage.path[j] > ALTERNATING_SHARE * longest
+        };
+        let interfaces = self.grid.layers.interfaces();
+        let from = (0..layers).find(|&j| alternates(j)).map(|j| interfaces[j]);
+        let to = (0..layers).rfind(|&j| alternates(j)).map(|j| interfaces[j + 1]);
+        let contact = self.rail.forward_contact();
+        let limit = || shakedown_limit_ratio(contact.friction, self.rail.steel.poisson());
+        let (from, to) = from.zip(to).unwrap_or_else(|| {
+            let depth = limit().depth_over_a * contact.half_width;
+            (depth, depth)
+        });
+        DepthRange { from, to }
+    }
+}

@@ -1,0 +1,188 @@
+//! The stabilised state and what leads to it.
+
+use super::layers::Layers;
+use super::rail::RolledRail;
+use super::strain::PlasticStrain;
+use crate::field::HertzField;
+use crate::math::{Stress, Vec2};
+
+/// What repeated passages end in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RailState {
+    /// The rail never yields.
+    Elastic,
+    /// It yields in the first passages and is elastic in all later ones.
+    ElasticShakedown,
+    /// Every passage yields, and takes back what it does: plastic strain alternates.
+    PlasticShakedown,
+    /// Passages still changed the rail when there were no more of them.
+    NotStabilised,
+}
+
+impl RailState {
+    /// The name in results.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Elastic => "elastic",
+            Self::ElasticShakedown => "elastic shakedown",
+            Self::PlasticShakedown => "plastic shakedown",
+            Self::NotStabilised => "not stabilised",
+        }
+    }
+}
+
+/// Way to the stabilised plastic state.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Method {
+    /// Each passage starts from the state that the one before left.
+    PassByPass,
+    /// Upstream := downstream in every iteration. An elastic-shakedown state is not unique: this one is admissible, and
+    /// need not be the one that passages lead to.
+    Direct,
+}
+
+impl Method {
+    /// The name in case files and results.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::PassByPass => "pass-by-pass",
+            Self::Direct => "direct",
+        }
+    }
+}
+
+/// One passage, or the one computation of [`Method::Direct`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PassRecord {
+    /// From 1.
+    pub pass: usize,
+    /// Elastic redistributions.
+    pub iterations: usize,
+    /// Largest change of σ_xx or σ_zz of the residual stress from before the passage to after it, MPa.
+    pub stress_change: f64,
+    /// Largest change of the plastic strain from before the passage to after it, √(2/3) |Δε_p|.
+    pub strain_change: f64,
+    /// Largest equivalent plastic strain after the passage, √(2/3) |ε_p|.
+    pub largest_strain: f64,
+    /// Largest plastic path of the passage, √(2/3) ∫ |dε_p|.
+    pub plastic_path: f64,
+    /// Largest magnitude of σ_xx or σ_zz that the passages so far have left, that of manufacturing not included, MPa.
+    pub left_stress: f64,
+}
+
+/// What one layer keeps.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LayerState {
+    /// Depth of its middle, mm.
+    pub depth: f64,
+    /// Residual stress, that of manufacturing included, MPa.
+    pub stress: Stress,
+    /// Plastic strain.
+    pub strain: PlasticStrain,
+    /// Plastic path per passage, √(2/3) ∫ |dε_p|, in the stabilised state.
+    pub plastic_per_pass: f64,
+}
+
+/// Depths, mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DepthRange {
+    /// Upper end.
+    pub from: f64,
+    /// Lower end.
+    pub to: f64,
+}
+
+/// Stress and plastic strain around the load in the last passage, in the order of travel: a rail point meets the columns one
+/// after the other.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cycle {
+    /// Abscissae of the columns from the centre of the contact, mm, upstream first.
+    pub abscissae: Vec<f64>,
+    /// Stress of wheel, plastic strain and manufacturing, MPa: of column i and layer j at i · layers + j.
+    pub stress: Vec<Stress>,
+    /// Plastic strain, likewise.
+    pub strain: Vec<PlasticStrain>,
+}
+
+/// How well a state holds what a stabilised state must.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Admissibility {
+    /// Largest |s − X| − R over the whole cycle, over R: at most round-off and tolerance for an admissible state.
+    pub overshoot: f64,
+    /// Largest difference of the plastic strain downstream and upstream, √(2/3) |Δε_p|: zero for a state that repeats.
+    pub drift: f64,
+    /// Largest imbalance of a layer between two columns, over R.
+    pub imbalance: f64,
+}
+
+/// The rail after its passages.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StabilisedRail {
+    /// Which state it is.
+    pub state: RailState,
+    /// How it was found.
+    pub method: Method,
+    /// Every passage.
+    pub passes: Vec<PassRecord>,
+    /// The layers of the rail.
+    pub layers: Layers,
+    /// What each layer keeps, from the surface down.
+    pub profile: Vec<LayerState>,
+    /// Depths between which plastic strain alternates, in plastic shakedown.
+    pub alternating: Option<DepthRange>,
+    /// The last passage.
+    pub cycle: Cycle,
+    /// What it holds.
+    pub admissibility: Admissibility,
+}
+
+impl StabilisedRail {
+    /// Elastic redistributions of all passages: the cost.
+    pub fn iterations(&self) -> usize {
+        self.passes.iter().map(|pass| pass.iterations).sum()
+    }
+
+    /// The largest difference of σ_xx or σ_zz of the residual stress from `other`, MPa, at the depths of this one.
+    pub fn stress_difference(&self, other: &Self) -> f64 {
+        let difference = |layer: &LayerState| {
+            let there = other.residual_stress(layer.depth);
+            (layer.stress.xx - there.xx).abs().max((layer.stress.zz - there.zz).abs())
+        };
+        self.profile.iter().map(difference).fold(0.0, f64::max)
+    }
+
+    /// The residual stress at `depth` (mm), MPa: linear between the middles of the layers, constant beyond them.
+    pub fn residual_stress(&self, depth: f64) -> Stress {
+        let next = self.profile.partition_point(|layer| layer.depth < depth);
+        match (next.checked_sub(1).map(|i| self.profile[i]), self.profile.get(next)) {
+            (Some(above), Some(below)) => {
+                let t = (depth - above.depth) / (below.depth - above.depth);
+                above.stress * (1.0 - t) + below.stress * t
+            }
+            (Some(end), None) => end.stress,
+            (None, Some(&end)) => end.stress,
+            (None, None) => Stress::ZERO,
+        }
+    }
+
+    /// The stress path of layer `j` over the stabilised cycle, MPa: in the order of travel, then the unloaded state.
+    pub fn stress_path(&self, j: usize) -> Vec<Stress> {
+        let layers = self.profile.len();
+        let mut path: Vec<Stress> = self.cycle.stress.iter().skip(j).step_by(layers).copied().collect();
+        path.push(self.profile[j].stress);
+        path
+    }
+
+    /// The same at the running surface: the stress of the wheel there, and what the uppermost layer keeps. `rail` is what was
+    /// computed.
+    pub fn surface_path(&self, rail: &RolledRail) -> Vec<Stress> {
+        let field = HertzField::new(&rail.contact, rail.steel.poisson());
+        let Some(top) = self.profile.first() else { return Vec::new() };
+        let mut path = self.stress_path(0);
+        for (stress, &x) in path.iter_mut().zip(&self.cycle.abscissae) {
+            let wheel = |depth: f64| field.stress(Vec2::new(x, -depth), 0.0);
+            *stress = *stress + wheel(0.0) - wheel(top.depth);
+        }
+        path
+    }
+}

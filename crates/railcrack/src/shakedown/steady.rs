@@ -1,0 +1,120 @@
+//! One passage in the frame of the load.
+
+use super::anderson::Anderson;
+use super::eigenstress::{Columns, Eigenstress};
+use super::streamline::FlowLaw;
+use std::ops::Range;
+
+/// The steady state of one passage: stress and plastic strain around the load, which do not change as it moves on.
+#[derive(Debug, Clone)]
+pub(super) struct SteadyPassage {
+    /// Plastic strain, coordinates of a deviator.
+    pub strain: Columns,
+    /// The plastic strain that enters, by layer.
+    pub entering: Vec<[f64; 3]>,
+    /// √(2/3) ∫ |dε_p| of each layer.
+    pub path: Vec<f64>,
+    /// Elastic redistributions that it took.
+    pub iterations: usize,
+    /// Largest change of the plastic strain in the last of them, times 2 G over the radius of the yield surface.
+    pub change: f64,
+}
+
+/// How the strain that enters follows from the one that leaves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Upstream {
+    /// It is given.
+    Given,
+    /// It is the one that leaves: the same passage for ever.
+    Downstream,
+}
+
+/// What does not change from passage to passage.
+pub(super) struct SteadyProblem {
+    pub eigenstress: Eigenstress,
+    pub law: FlowLaw,
+    /// Deviators of the stress of wheel and initial state, MPa.
+    pub background: Columns,
+    /// Columns around the contact, in which the extrapolation works; what is outside of them follows.
+    pub window: Range<usize>,
+    /// 2 G over the radius of the yield surface.
+    pub strain_scale: f64,
+    /// Largest change at which the iteration ends.
+    pub tolerance: f64,
+    /// Redistributions after which it has failed.
+    pub max_iterations: usize,
+}
+
+/// Iterates that Anderson's extrapolation combines: 4 to 10 take about the same number of redistributions.
+const DEPTH: usize = 6;
+
+impl SteadyProblem {
+    /// Iterates redistribution and flow from `start` until the plastic strain repeats, or `max_iterations`; `entering`
+    /// is the plastic strain upstream, by layer.
+    pub(super) fn solve(
+        &mut self,
+        start: Columns,
+        entering: &[[f64; 3]],
+        upstream: Upstream,
+    ) -> SteadyPassage {
+        let layers = entering.len();
+        let mut entering = entering.to_vec();
+        let mut strain = start;
+        if upstream == Upstream::Given {
+            for c in 0..3 {
+                for at in self.window.end * layers..strain[c].len() {
+                    strain[c][at] = entering[at % layers][c];
+                }
+            }
+        }
+        let mut image = strain.clone();
+        let mut stress = strain.clone();
+        let mut anderson = Anderson::new(DEPTH);
+        let mut iterations = 0;
+        loop {
+            iterations += 1;
+            if upstream == Upstream::Downstream {
+                entering = first_column(&strain, layers);
+            }
+            self.eigenstress.stress(&strain, &entering, &mut stress);
+            let path = self.law.follow(&stress, &self.background, &strain, &entering, &mut image);
+            let change = largest_difference(&image, &strain) * self.strain_scale;
+            if change <= self.tolerance || iterations >= self.max_iterations || !change.is_finite() {
+                return SteadyPassage { strain: image, entering, path, iterations, change };
+            }
+            let window = self.window.start * layers..self.window.end * layers;
+            let part = |field: &Columns| -> Vec<f64> {
+                field.iter().flat_map(|component| &component[window.clone()]).copied().collect()
+            };
+            let next = anderson.next(&part(&strain), &part(&image));
+            for (c, values) in next.chunks_exact(window.len()).enumerate() {
+                strain[c][window.clone()].copy_from_slice(values);
+                strain[c][window.end..].copy_from_slice(&image[c][window.end..]);
+                // Downstream of the window the extrapolated strain goes on as the image does.
+                for at in (0..window.start).rev() {
+                    strain[c][at] = strain[c][at + layers] + (image[c][at] - image[c][at + layers]);
+                }
+            }
+        }
+    }
+}
+
+/// The strain of the first column, by layer.
+pub(super) fn first_column(strain: &Columns, layers: usize) -> Vec<[f64; 3]> {
+    (0..layers).map(|j| [0, 1, 2].map(|c| strain[c][j])).collect()
+}
+
+/// Largest Frobenius norm of a − b; NaN where there is one.
+fn largest_difference(a: &Columns, b: &Columns) -> f64 {
+    let mut largest = 0.0_f64;
+    for at in 0..a[0].len() {
+        let d = [0, 1, 2].map(|c| a[c][at] - b[c][at]);
+        let square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+        // `max` would pass over it.
+        if square.is_nan() {
+            return f64::NAN;
+        }
+        largest = largest.max(square);
+    }
+    largest.sqrt()
+}

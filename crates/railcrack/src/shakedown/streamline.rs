@@ -1,0 +1,152 @@
+//! Plastic flow along the streamlines.
+
+use super::eigenstress::Columns;
+use crate::material::{IsotropicElastic, KinematicHardening};
+use pulp::{Arch, Simd, WithSimd};
+use std::ops::Range;
+
+/// The law of the material along horizontal streamlines.
+///
+/// In the frame of the load a particle meets the stresses of its layer one after the other, d/dt = −V ∂/∂x. With
+/// B = s + H ε_p of the iterate before, which is what the redistribution leaves alone if H is the stiffness with which
+/// the surroundings answer, the plastic strain is such that ξ = B − (H + 2 C/3) ε_p stays in the yield ball: the return along
+/// the normal (Wilkins 1964; Simo & Hughes 1998, Computational Inelasticity, 3.3). At the fixed point B − H ε_p is the
+/// deviator s itself, whatever H.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct FlowLaw {
+    radius: f64,
+    /// H, MPa.
+    stiffness: f64,
+    /// H + 2 C/3, MPa.
+    modulus: f64,
+    /// Deviator from σ_xx + σ_yy and from ε_zz: √(3/2) (2 ν − 1)/3 and −2 E/3.
+    out_of_trace: f64,
+    out_of_strain: f64,
+}
+
+/// H over 2 G. The redistribution has stiffnesses from 0 (a shear that the surroundings follow) to 2 G (none do): half of it
+/// is the constant for which the worse of the two ends converges best.
+const STIFFNESS: f64 = 0.5;
+
+/// Parts of a step between columns in which there is plastic flow; the path is straight in between. See `docs/shakedown.md`
+/// for what they and the columns change.
+const PARTS: usize = 4;
+
+impl FlowLaw {
+    pub(super) fn new(steel: &IsotropicElastic, hardening: &KinematicHardening) -> Self {
+        let stiffness = STIFFNESS * 2.0 * steel.shear_modulus();
+        Self {
+            radius: hardening.yield_radius(),
+            stiffness,
+            modulus: stiffness + hardening.back_stress_modulus(),
+            out_of_trace: 1.5_f64.sqrt() * (2.0 * steel.poisson() - 1.0) / 3.0,
+            out_of_strain: -2.0 / 3.0 * steel.young(),
+        }
+    }
+
+    /// From the plastic strain `old`, its residual `stress` and the deviators `background` of all other stress: the
+    /// plastic strain `new` of particles that enter with `upstream` at the last column. Returns the length of the plastic
+    /// path √(2/3) ∫ |dε_p| of each layer.
+    pub(super) fn follow(
+        &self,
+        stress: &Columns,
+        background: &Columns,
+        old: &Columns,
+        upstream: &[[f64; 3]],
+        new: &mut Columns,
+    ) -> Vec<f64> {
+        let layers = upstream.len();
+        let columns = old[0].len() / layers;
+        let mut strain = [0, 1, 2].map(|c| upstream.iter().map(|u| u[c]).collect::<Vec<f64>>());
+        let zeros = || [vec![0.0; layers], vec![0.0; layers], vec![0.0; layers]];
+        let (mut before, mut here) = (zeros(), zeros());
+        let mut size = vec![0.0; layers];
+        let mut path = vec![0.0; layers];
+        for i in (0..columns).rev() {
+            let column = i * layers..(i + 1) * layers;
+            Arch::new().dispatch(Drive {
+                law: self,
+                stress: part(stress, column.clone()),
+                background: part(background, column.clone()),
+                old: part(old, column.clone()),
+                strain: part(&strain, 0..layers),
+                driver: &mut here,
+                size: &mut size,
+            });
+            for j in 0..layers {
+                if size[j] > self.radius * self.radius {
+                    let to = [0, 1, 2].map(|c| here[c][j]);
+                    let from = if i + 1 == columns { to } else { [0, 1, 2].map(|c| before[c][j]) };
+                    let mut flowing = [0, 1, 2].map(|c| strain[c][j]);
+                    path[j] += self.flow(from, to, &mut flowing);
+                    for c in 0..3 {
+                        strain[c][j] = flowing[c];
+                    }
+                }
+            }
+            std::mem::swap(&mut before, &mut here);
+            for c in 0..3 {
+                new[c][column.clone()].copy_from_slice(&strain[c]);
+            }
+        }
+        path
+    }
+
+    /// Flow on the straight path of the driver; returns the length of the plastic path.
+    fn flow(&self, from: [f64; 3], to: [f64; 3], strain: &mut [f64; 3]) -> f64 {
+        let mut path = 0.0;
+        for part in 1..=PARTS {
+            let t = part as f64 / PARTS as f64;
+            let xi = [0, 1, 2].map(|c| from[c] + t * (to[c] - from[c]) - self.modulus * strain[c]);
+            let size = (xi[0] * xi[0] + xi[1] * xi[1] + xi[2] * xi[2]).sqrt();
+            if size > self.radius {
+                let step = (size - self.radius) / (self.modulus * size);
+                for c in 0..3 {
+                    strain[c] += step * xi[c];
+                }
+                path += step * size;
+            }
+        }
+        (2.0 / 3.0_f64).sqrt() * path
+    }
+}
+
+/// One column of a field.
+fn part(field: &Columns, column: Range<usize>) -> [&[f64]; 3] {
+    [0, 1, 2].map(|c| &field[c][column.clone()])
+}
+
+/// B and |ξ|² of all layers of a column.
+struct Drive<'a> {
+    law: &'a FlowLaw,
+    stress: [&'a [f64]; 3],
+    background: [&'a [f64]; 3],
+    old: [&'a [f64]; 3],
+    strain: [&'a [f64]; 3],
+    driver: &'a mut Columns,
+    size: &'a mut [f64],
+}
+
+impl WithSimd for Drive<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        const ROOT_2: f64 = std::f64::consts::SQRT_2;
+        let FlowLaw { stiffness, modulus, out_of_trace, out_of_strain, .. } = *self.law;
+        let n = self.size.len();
+        let [xx, yy, xy] = self.stress.map(|s| &s[..n]);
+        let [b0, b1, b2] = self.background.map(|s| &s[..n]);
+        let [o0, o1, o2] = self.old.map(|s| &s[..n]);
+        let [p0, p1, p2] = self.strain.map(|s| &s[..n]);
+        let [d0, d1, d2] = self.driver;
+        let (d0, d1, d2) = (&mut d0[..n], &mut d1[..n], &mut d2[..n]);
+        for j in 0..n {
+            d0[j] = (xx[j] - yy[j]) / ROOT_2 + b0[j] + stiffness * o0[j];
+            d1[j] = out_of_trace * (xx[j] + yy[j]) + b1[j] + (stiffness + out_of_strain) * o1[j];
+            d2[j] = ROOT_2 * xy[j] + b2[j] + stiffness * o2[j];
+            let (x0, x1, x2) = (d0[j] - modulus * p0[j], d1[j] - modulus * p1[j], d2[j] - modulus * p2[j]);
+            self.size[j] = x0 * x0 + x1 * x1 + x2 * x2;
+        }
+    }
+}
