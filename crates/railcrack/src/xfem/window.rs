@@ -108,11 +108,11 @@ impl Window {
         })
     }
 
-    /// Size (mm) of the elements at the tips of `network`, the smallest.
+    /// Distance (mm) that quadratic elements resolve at the tips of `network`: half of the smallest one there.
     pub fn resolution(&self, network: &CrackNetwork) -> f64 {
         let tips =
             network.cracks().iter().flat_map(|crack| crack.tips().into_iter().map(|end| crack.tip(end)));
-        tips.map(|tip| self.size_x(tip.x).max(self.size_y(tip.y))).fold(f64::INFINITY, f64::min)
+        0.5 * tips.map(|tip| self.size_x(tip.x).max(self.size_y(tip.y))).fold(f64::INFINITY, f64::min)
     }
 
     /// Wanted width of an element at abscissa `x`, mm.
