@@ -9,6 +9,7 @@ mod collinear_cracks;
 mod contact_pressure;
 mod edge_crack_in_tension;
 mod edge_crack_under_pressure;
+mod engine_paths;
 mod far_apart;
 mod half_plane_histories;
 mod kinked_crack;
