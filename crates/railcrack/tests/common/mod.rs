@@ -3,9 +3,11 @@
 // Each test program uses a part of this.
 #![allow(dead_code)]
 
+mod ledger;
 mod passage;
 mod table;
 
+pub use ledger::measured;
 pub use passage::{Rolling, StepControl};
 pub use table::{History, column, histories, rows};
 
@@ -37,6 +39,7 @@ pub fn close(got: f64, want: f64, tolerance: Tolerance, reason: &str) {
         Of(share, scale) => (share, scale),
     };
     let error = (got - want).abs() / scale;
+    measured(error, limit, reason);
     assert!(error <= limit, "{got} against {want}: error {error:.3e}, allowed {limit:.1e} ({reason})");
 }
 
