@@ -137,14 +137,18 @@ fn residual_stress(case: &Case) -> Vec<Row> {
 
 fn solution(case: &Case) -> Vec<Row> {
     let size = case.size();
-    vec![
-        ("engine", case.engine.name().into()),
-        ("contact", case.contact_solver.name().into()),
+    let mut rows =
+        vec![("engine", case.engine.name().into()), ("contact", case.contact_solver.name().into())];
+    if size.displacements > 0 {
+        rows.push(("displacements", format!("{} unknowns, factored once", size.displacements)));
+    }
+    rows.extend([
         ("face points", size.face_points.to_string()),
-        ("unknowns", size.unknowns.to_string()),
+        ("face unknowns", size.unknowns.to_string()),
         ("tips", size.tips.to_string()),
         ("memory", format!("about {} MB", size.memory_bytes.div_ceil(1 << 20))),
-    ]
+    ]);
+    rows
 }
 
 fn growth(case: &Case) -> Vec<Row> {

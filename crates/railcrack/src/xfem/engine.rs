@@ -82,6 +82,9 @@ pub struct XfemEngine {
     steel: IsotropicElastic,
     end: RailEnd,
     settings: XfemSettings,
+    /// The window of the cracks at the beginning.
+    initial: Window,
+    /// That of the mesh.
     window: Window,
     background: Option<BulkRail>,
     columns: ColumnStore,
@@ -97,7 +100,15 @@ impl XfemEngine {
         settings: XfemSettings,
     ) -> Self {
         let window = Window::new(initial, mesh);
-        Self { steel, end, settings, window, background: None, columns: ColumnStore::default() }
+        Self {
+            steel,
+            end,
+            settings,
+            initial: window.clone(),
+            window,
+            background: None,
+            columns: ColumnStore::default(),
+        }
     }
 
     /// How large the system of `network` is, without factoring it.
@@ -114,15 +125,23 @@ impl XfemEngine {
         })
     }
 
-    /// The mesh for `network`, made and factored where it is not there yet.
-    pub fn background(&mut self, network: &CrackNetwork) -> Result<&BulkRail, XfemError> {
-        let mut window = self.window.clone();
+    /// The window that holds `network`, and the one before it in the sequence of enlargements, where there is one.
+    fn window_for(&self, network: &CrackNetwork) -> (Window, Option<Window>) {
+        let mut window = self.initial.clone();
+        let mut before = None;
         for _ in 0..ENLARGEMENTS {
             if window.holds(network) {
                 break;
             }
-            window = window.enlarged();
+            let larger = window.enlarged();
+            before = Some(std::mem::replace(&mut window, larger));
         }
+        (window, before)
+    }
+
+    /// The mesh for `network`, made and factored where it is not there yet.
+    pub fn background(&mut self, network: &CrackNetwork) -> Result<&BulkRail, XfemError> {
+        let (window, _) = self.window_for(network);
         if window != self.window || self.background.is_none() {
             let mesh = window.mesh(self.end.outline(&window))?;
             self.background = Some(BulkRail::new(mesh, &self.steel, self.end.boundary())?);
@@ -133,7 +152,6 @@ impl XfemEngine {
     }
 
     fn cracked(&mut self, network: &CrackNetwork) -> Result<XfemBody, XfemError> {
-        let enlarged = self.background.is_some() && !self.window.holds(network);
         self.background(network)?;
         let background = self.background.as_ref().expect("made above");
         let mut body = XfemBody::with_columns(background, network, self.settings, &mut self.columns)?;
@@ -141,11 +159,12 @@ impl XfemEngine {
             let correction = BlockCorrection::new(background, contact, positions.clone())?;
             body.add_ends(&correction)?;
         }
-        if enlarged {
-            let (lower, upper) = (self.window.lower, self.window.upper);
+        // Told by the crack alone, so that a run that is taken up here says the same.
+        let (window, before) = self.window_for(network);
+        if before.is_some_and(|before| before.was_left_by(network)) {
             body.remark(format!(
                 "a crack left the fine part of the mesh, which now reaches from x = {:.1} to {:.1} mm and to a depth of {:.1} mm",
-                lower.x, upper.x, -lower.y
+                window.lower.x, window.upper.x, -window.lower.y
             ));
         }
         Ok(body)

@@ -1,6 +1,6 @@
 //! Where the mesh is fine.
 
-use crate::crack::CrackNetwork;
+use crate::crack::{CrackNetwork, End};
 use crate::math::Vec2;
 use crate::mesh::{MeshError, QuadMesh};
 
@@ -95,17 +95,32 @@ impl Window {
 
     /// Whether all tips of `network` lie well inside.
     pub fn holds(&self, network: &CrackNetwork) -> bool {
-        network.cracks().iter().all(|crack| {
-            crack.tips().into_iter().all(|end| {
-                let tip = crack.tip(end);
-                let space = CLEARANCE * self.size_x(tip.x).max(self.size_y(tip.y));
-                let surface = self.upper.y == 0.0;
-                tip.x - self.lower.x >= space
-                    && self.upper.x - tip.x >= space
-                    && tip.y - self.lower.y >= space
-                    && (surface || self.upper.y - tip.y >= space)
+        network
+            .cracks()
+            .iter()
+            .all(|crack| crack.tips().into_iter().all(|end| self.holds_point(crack.tip(end))))
+    }
+
+    /// Whether a tip of `network` has left with the last segment of its crack.
+    pub fn was_left_by(&self, network: &CrackNetwork) -> bool {
+        network.cracks().iter().any(|crack| {
+            let points = crack.points();
+            crack.tips().into_iter().any(|end| {
+                let before = match end {
+                    End::First => points[1],
+                    End::Last => points[points.len() - 2],
+                };
+                !self.holds_point(crack.tip(end)) && self.holds_point(before)
             })
         })
+    }
+
+    fn holds_point(&self, point: Vec2) -> bool {
+        let space = CLEARANCE * self.size_x(point.x).max(self.size_y(point.y));
+        point.x - self.lower.x >= space
+            && self.upper.x - point.x >= space
+            && point.y - self.lower.y >= space
+            && (self.upper.y == 0.0 || self.upper.y - point.y >= space)
     }
 
     /// Distance (mm) that quadratic elements resolve at the tips of `network`: half of the smallest one there.
