@@ -37,6 +37,7 @@ pub use table::{
     SectionPresence,
 };
 pub use validated::{
-    Case, Companion, ContactSolver, Engine, MeshSettings, Rail, ShakedownMethod, ShakedownSettings,
+    Case, Companion, ContactSolver, Engine, FieldOutput, MeshSettings, Rail, ShakedownMethod,
+    ShakedownSettings,
 };
 pub use write::init_text;

@@ -9,6 +9,7 @@ use crate::crack::CrackNetwork;
 use crate::load::HertzianContact;
 use crate::material::IsotropicElastic;
 use std::ops::RangeInclusive;
+use std::sync::Arc;
 
 /// What the rail of the finite-element engine ends at.
 #[derive(Debug, Clone, PartialEq)]
@@ -83,7 +84,7 @@ pub struct XfemEngine {
     end: RailEnd,
     settings: XfemSettings,
     window: Window,
-    background: Option<BulkRail>,
+    background: Option<Arc<BulkRail>>,
     columns: ColumnStore,
 }
 
@@ -115,7 +116,7 @@ impl XfemEngine {
     }
 
     /// The mesh for `network`, made and factored where it is not there yet.
-    pub fn background(&mut self, network: &CrackNetwork) -> Result<&BulkRail, XfemError> {
+    pub fn background(&mut self, network: &CrackNetwork) -> Result<&Arc<BulkRail>, XfemError> {
         let mut window = self.window.clone();
         for _ in 0..ENLARGEMENTS {
             if window.holds(network) {
@@ -125,7 +126,7 @@ impl XfemEngine {
         }
         if window != self.window || self.background.is_none() {
             let mesh = window.mesh(self.end.outline(&window))?;
-            self.background = Some(BulkRail::new(mesh, &self.steel, self.end.boundary())?);
+            self.background = Some(Arc::new(BulkRail::new(mesh, &self.steel, self.end.boundary())?));
             self.columns = ColumnStore::default();
             self.window = window;
         }
@@ -139,7 +140,7 @@ impl XfemEngine {
         let mut body = XfemBody::with_columns(background, network, self.settings, &mut self.columns)?;
         if let RailEnd::Block { contact, positions, .. } = &self.end {
             let correction = BlockCorrection::new(background, contact, positions.clone())?;
-            body.add_ends(&correction)?;
+            body.add_ends(&correction, contact)?;
         }
         if enlarged {
             let (lower, upper) = (self.window.lower, self.window.upper);

@@ -110,6 +110,7 @@ pub fn step(size: Size, step: usize) -> (StepRecord, GrowthState) {
         tips,
         passages: vec![passage(0), passage(1)],
         faces: faces(size, &now, &xc),
+        fields: None,
         load_cycles: cycles(step),
         dofs: 30_000 + step,
         counts: SolverCounts {
