@@ -78,7 +78,7 @@ impl Default for XfemSettings {
 /// The cracked rail: C, A, S at the face points.
 #[derive(Debug, Clone)]
 pub struct XfemBody {
-    inside: Inside,
+    pub(super) inside: Inside,
     tips: Vec<BodyTip>,
     compliance: Matrix,
     stiffness: Matrix,
