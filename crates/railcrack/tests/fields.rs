@@ -29,8 +29,8 @@ fn fields(record: &StepRecord) -> &FieldRecord {
 
 #[test]
 fn the_running_surface_carries_the_wheel() {
-    // Stress at nodes on the surface, where it is extrapolated; the flap and the mouth are the worst.
-    const TOLERANCE: f64 = 0.02;
+    // Of the peak pressure: the stress of the cracked body is extrapolated to the surface; measured 5e-4.
+    const TOLERANCE: f64 = 2e-3;
     let record = step("[output]\nfields_over_a = [-1.1, 0.0, 0.9]\n");
     let fields = fields(&record);
     let positions: Vec<usize> = fields.snapshots.iter().map(|snapshot| snapshot.position).collect();
@@ -56,8 +56,8 @@ fn the_running_surface_carries_the_wheel() {
 
 #[test]
 fn closed_faces_carry_their_contact_traction() {
-    // Between the mean traction around a face point and the stress at the ends of cells; of the largest traction.
-    const TOLERANCE: f64 = 0.02;
+    // Of the largest traction, between the mean around a face point and the stress at the ends of cells; measured 1e-3.
+    const TOLERANCE: f64 = 3e-3;
     let record = step("[output]\nfields_over_a = [0.0]\n");
     let fields = fields(&record);
     let snapshot = &fields.snapshots[0];
