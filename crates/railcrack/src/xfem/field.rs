@@ -29,7 +29,7 @@ pub(super) struct Inside {
 }
 
 /// Distance (over the length of the longest crack) from the box of the cracks up to which fields are given.
-const MARGIN: f64 = 0.3;
+const MARGIN: f64 = 0.25;
 
 /// The unknowns under one load.
 struct Unknowns {
