@@ -83,7 +83,7 @@ impl RunError {
                 | OutputError::HoldsComparison { .. }
                 | OutputError::CaseChanged { .. }
                 | OutputError::OtherVersion { .. } => Exit::BadInput,
-                OutputError::NotFinite { .. } => Exit::NotConverged,
+                OutputError::NotFinite { .. } | OutputError::Field(_) => Exit::NotConverged,
                 OutputError::Damaged { .. } | OutputError::Io { .. } => Exit::CannotReadOrWrite,
             },
             Self::Growth(_) | Self::NoLayers | Self::Shakedown(ShakedownError::NotConverged { .. }) => {

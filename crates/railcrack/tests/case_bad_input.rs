@@ -543,6 +543,28 @@ fn missing_and_double() {
 const STRAIGHT: &str = "mouth_mm = 0.0\nlength_mm = 6.0\nangle_deg = 15.0";
 
 #[test]
+fn lists_of_numbers() {
+    let key = "output.fields_over_a";
+    let accepted = "must be a list of at most 100 numbers in [-1000, 1000] a";
+    check(&[
+        wrong(Append("[output]\nfields_over_a = 1.0"), 11, key, "not a number", "in brackets"),
+        wrong(Append("[output]\nfields_over_a = \"all\""), 11, key, accepted, ""),
+        wrong(
+            Append("[output]\nfields_over_a = [0, 1, 2e3]"),
+            11,
+            key,
+            "entry 3 must be a number in [-1000, 1000]",
+            "",
+        ),
+        wrong(Append("[output]\nfields_over_a = [nan]"), 11, key, "entry 1 must be a number", ""),
+        wrong(Append("[output]\nfields_over_a = [\n  0.0,\n  \"1\"]"), 13, key, "entry 2 must be", ""),
+        wrong(Append("[output]\nfields_every = -1"), 11, "output.fields_every", "from 0 to 10000", ""),
+    ]);
+    let many = format!("{GOOD}[output]\nfields_over_a = [{}]", "0, ".repeat(101));
+    assert!(errors(&many).to_string().contains("101 given"));
+}
+
+#[test]
 fn impossible_cracks() {
     let points = |points: &'static str| Replace(STRAIGHT, points);
     let key = "crack[1].points_mm";

@@ -239,3 +239,16 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn fields_are_read_and_written_back() {
+    let fragment = "[contact]\npeak_pressure_mpa = 845\nhalf_width_mm = 6.75\nfriction = 0.1\n[[crack]]\nmouth_mm = 0\n\
+                    length_mm = 6\nangle_deg = 15\nfriction = 0\n";
+    let read = |text: &str| Case::parse(text, "case.toml", Path::new("")).unwrap();
+    let plain = read(fragment);
+    assert_eq!((plain.fields.over_a.as_slice(), plain.fields.every), (&[-1.0, 0.0, 1.0][..], 25));
+    let given = read(&format!("{fragment}[output]\nfields_over_a = [2, -0.5]\nfields_every = 0\n"));
+    assert_eq!((given.fields.over_a.as_slice(), given.fields.every), (&[2.0, -0.5][..], 0));
+    assert!(given.to_toml().contains("fields_over_a = [2.0, -0.5]\nfields_every = 0\n"));
+    assert_eq!(read(&given.to_toml()).fields, given.fields);
+}

@@ -3,6 +3,7 @@
 mod support;
 
 use railcrack::growth::{FacePoint, StepRecord};
+use railcrack::output::vtu::read_vtu;
 use railcrack::output::{
     Existing, FACES_COLUMNS, GROWTH_COLUMNS, OutputError, RESIDUAL_COLUMNS, Recorder, ResidualRow,
     SIF_COLUMNS, rebuild_plots,
@@ -33,7 +34,7 @@ fn resume_to_the_end(folder: &Path, size: Size) -> usize {
 /// All files of a run as bytes, without those that hold wall times as they are.
 fn content(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     let mut files = BTreeMap::new();
-    for directory in [folder.to_path_buf(), folder.join("plots"), folder.join("inputs")] {
+    for directory in ["", "plots", "inputs", "fields"].map(|name| folder.join(name)) {
         for entry in fs::read_dir(directory).into_iter().flatten() {
             let path = entry.unwrap().path();
             let name = path.strip_prefix(folder).unwrap().display().to_string();
@@ -385,4 +386,42 @@ fn plots_are_rebuilt_from_the_folder_alone() {
     fs::write(&path, "step,passage\n0,1\n").unwrap();
     let refused = rebuild_plots(scratch.path()).unwrap_err();
     assert!(refused.to_string().contains("no column crack"), "{refused}");
+}
+
+#[test]
+fn field_files_are_listed_and_replaced_with_their_run() {
+    let scratch = Scratch::new("fields");
+    let folder = scratch.path();
+    run_through(folder, SMALL);
+    let pvd = fs::read_to_string(folder.join("fields.pvd")).unwrap();
+    let listed: Vec<&str> = pvd.lines().filter(|line| line.starts_with("<DataSet")).collect();
+    assert_eq!(listed.len(), 6, "{pvd}");
+    // Of 41 positions, the eleventh of step 2.
+    let third =
+        "<DataSet timestep=\"2.2439024390243905\" part=\"0\" file=\"fields/step-0002-position-0011.vtu\"/>";
+    assert_eq!(listed[2], third);
+    let grid = read_vtu(&folder.join("fields/step-0002-position-0011.vtu")).unwrap();
+    assert_eq!(grid.cell_array("face").unwrap().values, [0.0, 1.0]);
+    assert_eq!(grid.point_array("displacement_mm").unwrap().values[..3], [0.002, 1.0, 0.0]);
+    assert_eq!(grid.point_array("traction").unwrap().values[..3], [0.0, 5.0, 0.0]);
+
+    // A new run removes them, and leaves what is not its own.
+    for name in ["mine.vtu", "step-0004-position-0021.vtu.partial"] {
+        fs::write(folder.join("fields").join(name), "").unwrap();
+    }
+    Recorder::start(folder, case(), info(), Existing::Replace).unwrap();
+    let left: Vec<_> = fs::read_dir(folder.join("fields")).unwrap().map(|e| e.unwrap().file_name()).collect();
+    assert_eq!(left, ["mine.vtu"]);
+    assert!(!folder.join("fields.pvd").exists());
+}
+
+#[test]
+fn a_field_that_is_not_finite_is_refused_with_its_step() {
+    let scratch = Scratch::new("endless-field");
+    let mut recorder = Recorder::start(scratch.path(), case(), info(), Existing::Refuse).unwrap();
+    let (mut record, state) = step(SMALL, 0);
+    record.fields.as_mut().unwrap().snapshots[1].stress[2].xy = f64::NAN;
+    let refused = recorder.record(&record, &state).unwrap_err();
+    assert!(refused.to_string().contains("`stress_mpa` is NaN at entry 2"), "{refused}");
+    assert_eq!(table(scratch.path(), "growth.csv").len(), 1);
 }

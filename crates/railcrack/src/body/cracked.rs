@@ -1,5 +1,6 @@
 //! The trait that both engines implement.
 
+use super::{BodyError, BodyFields, FieldLoad};
 use crate::crack::End;
 use crate::math::{Matrix, Stress, Vec2};
 
@@ -98,6 +99,13 @@ pub trait CrackedBody: Sync {
     /// The ends of the rail; none for a half-plane.
     fn ends(&self) -> Option<&dyn RailEnds> {
         None
+    }
+    /// The fields of the body under each of `loads` around its cracks, what the ends of the rail do included, the half-plane under
+    /// the wheel and residual stress not; none where the engine knows the faces only.
+    ///
+    /// Errors: the engine cannot compute them.
+    fn fields(&self, _loads: &[FieldLoad]) -> Result<Option<BodyFields>, BodyError> {
+        Ok(None)
     }
     /// What the user must know about how the body was computed.
     fn remarks(&self) -> &[String] {

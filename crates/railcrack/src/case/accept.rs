@@ -1,7 +1,7 @@
 //! From a TOML value to an accepted value of a key.
 
 use super::suggest::nearest;
-use super::table::{Availability, Kind, Preset, available};
+use super::table::{Availability, Kind, NumberRange, Preset, available};
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::DeValue;
@@ -15,6 +15,8 @@ pub enum Value {
     Integer(u64),
     /// Text, a choice or a path.
     Text(String),
+    /// Numbers.
+    Numbers(Vec<f64>),
     /// Points (x, y), mm.
     Points(Vec<[f64; 2]>),
 }
@@ -25,6 +27,7 @@ impl From<Preset> for Value {
             Preset::Number(x) => Self::Number(x),
             Preset::Integer(n) => Self::Integer(n),
             Preset::Text(s) => Self::Text(s.into()),
+            Preset::Numbers(numbers) => Self::Numbers(numbers.to_vec()),
             Preset::Points(points) => Self::Points(points.to_vec()),
         }
     }
@@ -154,8 +157,30 @@ impl Kind {
                 },
                 _ => Err(self.wrong_type(raw)),
             },
+            Self::Numbers { range, .. } => self.numbers(raw, *range),
             Self::Points => self.points(raw),
         }
+    }
+
+    fn numbers(&self, raw: &Raw, range: NumberRange) -> Result<Value, Refusal> {
+        let Raw::List(items) = raw else { return Err(self.wrong_type(raw)) };
+        if items.len() > Self::MOST_NUMBERS {
+            return Err(Refusal::new(format!("must be {}; {} given", self.accepted(), items.len())));
+        }
+        let mut numbers = Vec::with_capacity(items.len());
+        for (index, (item, span)) in items.iter().enumerate() {
+            match item.number() {
+                Some(value) if range.contains(value) => numbers.push(value),
+                _ => {
+                    return Err(Refusal {
+                        message: format!("entry {} must be a number in {range}", index + 1),
+                        help: None,
+                        part: Some(span.clone()),
+                    });
+                }
+            }
+        }
+        Ok(Value::Numbers(numbers))
     }
 
     fn points(&self, raw: &Raw) -> Result<Value, Refusal> {
@@ -196,6 +221,9 @@ impl Kind {
         let help = match (self, raw) {
             (Self::Number { .. } | Self::Integer { .. }, Raw::Text(_)) => {
                 Some("numbers are written without quotes".into())
+            }
+            (Self::Numbers { .. }, Raw::Integer(_) | Raw::Float(_)) => {
+                Some("a list is written in brackets, one number included".into())
             }
             (Self::Choice(_) | Self::Text | Self::Path, _) => Some("text is written in quotes".into()),
             _ => None,

@@ -8,8 +8,8 @@ use super::section::SectionValues;
 use super::sections::SECTIONS;
 use super::table::{Kind, NumberRange};
 use super::validated::{
-    Case, ContactSolver, Engine, INITIAL_RESIDUAL_NAME, MeshSettings, RESIDUAL_STRESS_NAME, Rail,
-    ShakedownSettings,
+    Case, ContactSolver, Engine, FieldOutput, INITIAL_RESIDUAL_NAME, MeshSettings, RESIDUAL_STRESS_NAME,
+    Rail, ShakedownSettings,
 };
 use crate::bulk::{BottomSupport, Boundary, SideSupport};
 use crate::fatigue::{DangVan, DirectionCriterion, ParisLaw};
@@ -55,6 +55,7 @@ pub(super) fn build(sections: &[SectionValues], folder: &Path, report: &mut Repo
         mesh: mesh(section("mesh")?)?,
         engine: engine(section("solver")?)?,
         contact_solver: contact_solver(section("solver")?)?,
+        fields: fields(section("output")?)?,
         axle_load: section("traffic").and_then(|s| s.number("axle_load_t")),
         written: written(sections, &rail),
     })
@@ -233,6 +234,13 @@ fn check_block<'a>(
             });
         }
     }
+}
+
+fn fields(section: &SectionValues) -> Option<FieldOutput> {
+    Some(FieldOutput {
+        over_a: section.numbers("fields_over_a")?.to_vec(),
+        every: count(section, "fields_every")?,
+    })
 }
 
 fn passages(section: &SectionValues, passage: Passage) -> Option<PassageSettings> {

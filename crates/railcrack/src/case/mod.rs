@@ -36,5 +36,7 @@ pub use table::{
     Availability, Choice, Form, Key, Kind, NumberRange, OnlyWith, Presence, Preset, RangeEnd, Section,
     SectionPresence,
 };
-pub use validated::{Case, Companion, ContactSolver, Engine, MeshSettings, Rail, ShakedownSettings};
+pub use validated::{
+    Case, Companion, ContactSolver, Engine, FieldOutput, MeshSettings, Rail, ShakedownSettings,
+};
 pub use write::init_text;

@@ -6,9 +6,10 @@ use crate::bulk::Boundary;
 use crate::contact::{self, Latin, Newton};
 use crate::crack::Crack;
 use crate::dislocation::{DislocationEngine, FaceResolution};
-use crate::field::StressField;
-use crate::growth::{Growth, GrowthProblem, GrowthState, RailBox};
+use crate::field::{HertzDisplacement, StressField};
+use crate::growth::{FieldSettings, Growth, GrowthProblem, GrowthState, RailBox};
 use crate::xfem::{EnrichmentRadius, MeshSettings, Outline, RailEnd, XfemEngine, XfemSettings};
+use std::num::NonZeroUsize;
 
 /// Elements along a crack, by default: with 60, histories of single cracks are within 0.6 % of the peak |K|, where 1 % is promised.
 const ELEMENTS_PER_CRACK: f64 = 60.0;
@@ -70,6 +71,16 @@ impl Case {
         XfemEngine::new(&self.cracks, self.steel, mesh, end, settings)
     }
 
+    /// The fields that this case wants; none where it wants none.
+    fn field_settings(&self) -> Option<FieldSettings> {
+        let every = NonZeroUsize::new(self.fields.every)?;
+        let mouth = self.cracks.cracks().first()?.points()[0].x;
+        let positions: Vec<f64> =
+            self.fields.over_a.iter().map(|over_a| mouth + over_a * self.contact.half_width).collect();
+        let displacement = HertzDisplacement::new(&self.contact, &self.steel);
+        (!positions.is_empty()).then_some(FieldSettings { positions, every, displacement })
+    }
+
     /// The run of this case: from `state` on, from its beginning where there is none.
     pub fn growth_run(&self, state: Option<GrowthState>) -> Growth {
         let engine: Box<dyn BodyEngine> = match self.engine {
@@ -94,6 +105,7 @@ impl Case {
             poisson: self.steel.poisson(),
             residual: residual.map(|profile| Box::new(profile) as Box<dyn StressField>),
             passages: self.passages,
+            fields: self.field_settings(),
             growth: self.growth,
             rail: RailBox { width: self.rail.width, depth: self.rail.depth, centre: self.rail.centre },
         };

@@ -118,6 +118,14 @@ fn key_schema(key: &Key) -> Value {
             let names: Vec<&str> = available(choices).map(|c| c.name).collect();
             schema.insert("enum".into(), names.into());
         }
+        Kind::Numbers { range, .. } => {
+            let mut number = Map::new();
+            number.insert("type".into(), "number".into());
+            insert_range(&mut number, range);
+            schema.insert("type".into(), "array".into());
+            schema.insert("maxItems".into(), Kind::MOST_NUMBERS.into());
+            schema.insert("items".into(), Value::Object(number));
+        }
         Kind::Points => {
             schema.insert("type".into(), "array".into());
             schema.insert("minItems".into(), 2.into());
@@ -132,6 +140,7 @@ fn key_schema(key: &Key) -> Value {
             Preset::Number(x) if x.is_finite() => schema.insert("default".into(), x.into()),
             Preset::Integer(n) => schema.insert("default".into(), n.into()),
             Preset::Text(text) => schema.insert("default".into(), text.into()),
+            Preset::Numbers(numbers) => schema.insert("default".into(), numbers.into()),
             Preset::Number(_) | Preset::Points(_) => None,
         };
     }

@@ -63,6 +63,13 @@ impl SectionValues {
         }
     }
 
+    pub fn numbers(&self, key: &str) -> Option<&[f64]> {
+        match &self.entry(key)?.value {
+            Value::Numbers(numbers) => Some(numbers),
+            _ => None,
+        }
+    }
+
     pub fn text(&self, key: &str) -> Option<&str> {
         match &self.entry(key)?.value {
             Value::Text(text) => Some(text),

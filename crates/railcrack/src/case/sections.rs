@@ -1,7 +1,7 @@
 //! Every section and key of the case file, once.
 
 use super::problem::{CONTACT, CRACK, PASSAGE, PLASTIC_STRESS, RAIL, RESIDUAL_STRESS, TOP};
-use super::settings::{GROWTH, MESH, SHAKEDOWN, SOLVER, TRAFFIC};
+use super::settings::{GROWTH, MESH, OUTPUT, SHAKEDOWN, SOLVER, TRAFFIC};
 use super::table::Section;
 
 /// The case file, in the order in which it is written.
@@ -18,4 +18,5 @@ pub const SECTIONS: &[Section] = &[
     MESH,
     SOLVER,
     TRAFFIC,
+    OUTPUT,
 ];

@@ -2,7 +2,7 @@
 
 use super::declare::{choice, closed, integer, key, length, now, number, positive};
 use super::table::{Availability, Kind, Presence, Preset, Section, SectionPresence};
-use Preset::{Integer, Number, Text};
+use Preset::{Integer, Number, Numbers, Text};
 
 pub(super) const SHAKEDOWN: Section = Section {
     name: "shakedown",
@@ -187,6 +187,29 @@ pub(super) const TRAFFIC: Section = Section {
         Presence::Required(Number(17.0)),
         "Load of one axle; one passage is one axle.",
     )],
+    forms: &[],
+    availability: Availability::Now,
+};
+
+pub(super) const OUTPUT: Section = Section {
+    name: "output",
+    doc: "Fields of displacement and stress around the cracks, by the finite-element engine.",
+    presence: SectionPresence::Defaulted,
+    keys: &[
+        key(
+            "fields_over_a",
+            Kind::Numbers { unit: "a", range: closed(-1e3, 1e3) },
+            Presence::Default(Numbers(&[-1.0, 0.0, 1.0])),
+            "Wheel positions, from the mouth of the first crack: of each, the nearest output position.",
+        ),
+        integer(
+            "fields_every",
+            0,
+            10_000,
+            25,
+            "Every how many growth steps, step 0 the first; 0 writes none.",
+        ),
+    ],
     forms: &[],
     availability: Availability::Now,
 };

@@ -92,6 +92,8 @@ pub enum Preset {
     Integer(u64),
     /// Text, a choice or a path.
     Text(&'static str),
+    /// Numbers.
+    Numbers(&'static [f64]),
     /// Points (x, y), mm.
     Points(&'static [[f64; 2]]),
 }
@@ -119,6 +121,13 @@ pub enum Kind {
     Choice(&'static [Choice]),
     /// A file, relative to the case file.
     Path,
+    /// Numbers `[x, …]`, any count up to [`Kind::MOST_NUMBERS`].
+    Numbers {
+        /// Their unit.
+        unit: &'static str,
+        /// What is accepted of each.
+        range: NumberRange,
+    },
     /// Points `[[x, y], …]` in mm.
     Points,
 }
@@ -215,6 +224,9 @@ pub(super) fn short(value: f64) -> String {
 }
 
 impl Kind {
+    /// The longest list of numbers.
+    pub const MOST_NUMBERS: usize = 100;
+
     /// What is accepted, to follow "must be".
     pub fn accepted(&self) -> String {
         match self {
@@ -227,6 +239,9 @@ impl Kind {
                 names.join(" or ")
             }
             Self::Path => "the name of a file".into(),
+            Self::Numbers { unit, range } => {
+                format!("a list of at most {} numbers in {range} {unit}", Self::MOST_NUMBERS)
+            }
             Self::Points => "a list of at least two points [x, y] in mm".into(),
         }
     }

@@ -39,6 +39,8 @@ pub struct Case {
     pub engine: Engine,
     /// What solves the contact of the crack faces.
     pub contact_solver: ContactSolver,
+    /// Fields that are written.
+    pub fields: FieldOutput,
     /// Load of one axle, t.
     pub axle_load: Option<f64>,
     /// Sections and values as written, defaults filled in.
@@ -84,6 +86,15 @@ pub struct MeshSettings {
     pub interface_spacing: Option<f64>,
     /// Elements along each crack in the dislocation engine; chosen by the number of cracks where none.
     pub interface_elements: Option<usize>,
+}
+
+/// Fields that are written.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FieldOutput {
+    /// Wheel positions x_c/a, from the mouth of the first crack.
+    pub over_a: Vec<f64>,
+    /// Every how many growth steps; 0 is never.
+    pub every: usize,
 }
 
 /// What computes the cracked rail.

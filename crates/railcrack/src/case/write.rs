@@ -70,6 +70,7 @@ fn init_line(section: &Section, key: &Key) -> String {
         Kind::Number { unit: "", range } => comment.push_str(&format!(" In {range}.")),
         Kind::Number { unit, range } => comment.push_str(&format!(" In {range} {unit}.")),
         Kind::Integer { min, max } => comment.push_str(&format!(" From {min} to {max}.")),
+        Kind::Numbers { unit, range } => comment.push_str(&format!(" Each in {range} {unit}.")),
         Kind::Text | Kind::Path | Kind::Points => (),
     }
     if other_form && let Some(first) = section.forms.first() {
@@ -97,6 +98,9 @@ pub(super) fn toml_value(value: &Value) -> String {
         Value::Number(x) => number(*x),
         Value::Integer(n) => n.to_string(),
         Value::Text(text) => quoted(text),
+        Value::Numbers(numbers) => {
+            format!("[{}]", numbers.iter().map(|x| number(*x)).collect::<Vec<_>>().join(", "))
+        }
         Value::Points(points) => list(points),
     }
 }

@@ -1,9 +1,9 @@
 //! The run: an iterator of growth steps that can be stored and taken up again.
 
 use super::{
-    CrackTip, GrowthSettings, PassageError, PassageSettings, PhaseTimes, RailBox, RailLoad, RunStop,
-    StabilisedPassage, StepRecord, StepState, TipDrive, TipRecord, TipStop, Warning, advance,
-    stabilised_passage,
+    CrackTip, FieldRecord, FieldSettings, GrowthSettings, PassageError, PassageSettings, PhaseTimes, RailBox,
+    RailLoad, RunStop, StabilisedPassage, StepRecord, StepState, TipDrive, TipRecord, TipStop, Warning,
+    advance, fields, stabilised_passage,
 };
 use crate::body::{BodyEngine, BodyError, CrackedBody};
 use crate::contact::{ContactSolver, FaceProblem};
@@ -110,6 +110,8 @@ pub struct GrowthProblem {
     pub residual: Option<Box<dyn StressField>>,
     /// The passages.
     pub passages: PassageSettings,
+    /// Fields to record; none where there are none to.
+    pub fields: Option<FieldSettings>,
     /// Growth law, increments, stops.
     pub growth: GrowthSettings,
     /// The rail.
@@ -157,6 +159,10 @@ impl Growth {
         let contact_s = started.elapsed().as_secs_f64();
 
         let started = Instant::now();
+        let fields = self.fields(body.as_ref(), &passage)?;
+        let body_s = body_s + started.elapsed().as_secs_f64();
+
+        let started = Instant::now();
         let mut tips = self.tip_records(&passage);
         for tip in &tips {
             warnings.extend(self.near_tie(tip));
@@ -183,6 +189,7 @@ impl Growth {
             cracks: self.state.cracks.clone(),
             passages: passage.passages,
             faces: passage.faces,
+            fields,
             load_cycles: self.state.load_cycles,
             dofs: body.dofs(),
             counts: passage.counts,
@@ -201,6 +208,28 @@ impl Growth {
         Ok(Some(record))
     }
 
+    fn load(&self) -> RailLoad<'_> {
+        RailLoad {
+            contact: self.problem.contact,
+            poisson: self.problem.poisson,
+            residual: self.problem.residual.as_deref(),
+        }
+    }
+
+    /// The fields of this step, where they are wanted.
+    fn fields(
+        &self,
+        body: &dyn CrackedBody,
+        passage: &StabilisedPassage,
+    ) -> Result<Option<FieldRecord>, GrowthError> {
+        let step = self.state.step;
+        let wanted = self.problem.fields.as_ref().filter(|fields| step.is_multiple_of(fields.every.get()));
+        let Some(settings) = wanted else { return Ok(None) };
+        let faces = FaceProblem::new(body, &self.problem.crack_friction);
+        fields::record_fields(&faces, self.load(), passage, settings)
+            .map_err(|source| GrowthError::Body { step, source })
+    }
+
     /// The passages, by the solver or, where it fails, by the other one.
     fn stabilise(
         &self,
@@ -210,11 +239,7 @@ impl Growth {
     ) -> Result<StabilisedPassage, GrowthError> {
         let step = self.state.step;
         let faces = FaceProblem::new(body, &self.problem.crack_friction);
-        let load = RailLoad {
-            contact: self.problem.contact,
-            poisson: self.problem.poisson,
-            residual: self.problem.residual.as_deref(),
-        };
+        let load = self.load();
         let settings = &self.problem.passages;
         let first = stabilised_passage(&faces, self.problem.solver.as_ref(), load, settings, watch);
         let result = match first {

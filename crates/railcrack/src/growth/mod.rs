@@ -2,6 +2,7 @@
 
 mod driver;
 mod face_load;
+mod fields;
 mod increments;
 mod passage;
 mod record;
@@ -9,6 +10,7 @@ mod stops;
 
 pub(crate) use driver::NEAR_TIE;
 pub use driver::{Growth, GrowthError, GrowthProblem, GrowthState, Unwatched, Watch};
+pub use fields::{FieldRecord, FieldSettings, FieldSnapshot};
 pub use increments::{Advance, StepState, TipAdvance, TipDrive, advance};
 pub use passage::{PassageError, PassageSettings, RailLoad, StabilisedPassage, stabilised_passage};
 pub use record::{

@@ -1,5 +1,6 @@
 //! What a growth step leaves behind.
 
+use super::FieldRecord;
 use crate::contact::FaceState;
 use crate::crack::{Crack, End};
 use crate::fatigue::{DirectionCriterion, ParisLaw};
@@ -168,7 +169,7 @@ pub struct SolverCounts {
 /// Wall time of the phases of one step, seconds.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct PhaseTimes {
-    /// The cracked body: C and S.
+    /// The cracked body: C and S, and its fields where they are wanted.
     pub body_s: f64,
     /// Loads on the faces and contact through all passages.
     pub contact_s: f64,
@@ -200,6 +201,8 @@ pub struct StepRecord {
     pub passages: Vec<PassageRecord>,
     /// The faces during the stabilised passage.
     pub faces: FaceRecord,
+    /// The fields around the cracks, where they are wanted and the engine has them.
+    pub fields: Option<FieldRecord>,
     /// Load cycles at the start of the step.
     pub load_cycles: f64,
     /// Number of displacement unknowns of the body.

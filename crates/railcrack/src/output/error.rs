@@ -1,5 +1,6 @@
 //! What can go wrong with a run folder.
 
+use super::vtu::VtuError;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
@@ -92,6 +93,9 @@ pub enum OutputError {
         /// The value.
         value: f64,
     },
+    /// A field that cannot be written.
+    #[error(transparent)]
+    Field(VtuError),
     /// The system refused.
     #[error("cannot {action} {}: {reason}", path.display())]
     Io {
@@ -102,6 +106,15 @@ pub enum OutputError {
         /// The system's reason.
         reason: std::io::Error,
     },
+}
+
+impl From<VtuError> for OutputError {
+    fn from(error: VtuError) -> Self {
+        match error {
+            VtuError::Io { action, path, reason } => Self::Io { action, path, reason },
+            other => Self::Field(other),
+        }
+    }
 }
 
 impl OutputError {

@@ -2,6 +2,7 @@
 
 use super::OutputError;
 use super::csv::{FACES_FILE, GROWTH_FILE, RESIDUAL_FILE, SIF_FILE};
+use super::fields::{FIELDS_FILE, FIELDS_FOLDER, is_field_file};
 use super::figures::{PLOT_FILES, PLOTS_FOLDER};
 use super::report::REPORT_FILE;
 use super::shakedown::{CYCLE_FILE, PASSES_FILE, PLASTIC_FILE, PROFILE_FILE, SHAKEDOWN_FILE};
@@ -29,7 +30,7 @@ const RUN_FILES: [&str; 15] = [
     PLASTIC_FILE,
     CYCLE_FILE,
     REPORT_FILE,
-    "fields.pvd",
+    FIELDS_FILE,
     "inputs/residual-stress.csv",
     "inputs/initial-residual.csv",
 ];
@@ -144,9 +145,28 @@ fn clear_results(folder: &Path) -> Result<(), OutputError> {
         remove(&plots.join(file))?;
         remove(&partial_of(&plots.join(file)))?;
     }
-    for emptied in [plots, folder.join(INPUTS_FOLDER)] {
+    let fields = folder.join(FIELDS_FOLDER);
+    clear_fields(&fields)?;
+    for emptied in [plots, fields, folder.join(INPUTS_FOLDER)] {
         // Refused where the user keeps files of his own in it, or where it does not exist: both are fine.
         let _ = fs::remove_dir(emptied);
+    }
+    Ok(())
+}
+
+/// Removes the field files of a run, also those that were being written.
+fn clear_fields(fields: &Path) -> Result<(), OutputError> {
+    let entries = match fs::read_dir(fields) {
+        Err(reason) if reason.kind() == ErrorKind::NotFound => return Ok(()),
+        entries => entries.map_err(OutputError::io("read", fields))?,
+    };
+    for entry in entries {
+        let name = entry.map_err(OutputError::io("read", fields))?.file_name();
+        let name = name.to_string_lossy();
+        let written = name.strip_suffix(&format!(".{PARTIAL}")).unwrap_or(&name);
+        if is_field_file(written) {
+            remove(&fields.join(name.as_ref()))?;
+        }
     }
     Ok(())
 }

@@ -7,6 +7,7 @@ mod checkpoint;
 mod compare;
 mod csv;
 mod error;
+mod fields;
 mod figures;
 mod folder;
 mod memory;

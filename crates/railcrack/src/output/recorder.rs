@@ -5,6 +5,7 @@ use super::csv::{
     CsvFile, FACES_FILE, GROWTH_FILE, RESIDUAL_FILE, Rows, SIF_FILE, SifScale, faces_header, faces_rows,
     growth_header, growth_rows, residual_table, sif_header, sif_rows,
 };
+use super::fields::{self, FIELDS_FILE};
 use super::folder::{self, CASE_FILE, CaseFiles, Durability, SUMMARY_FILE};
 use super::memory::peak_memory_mb;
 use super::story::Story;
@@ -137,13 +138,18 @@ impl Recorder {
     pub fn record(&mut self, record: &StepRecord, state: &GrowthState) -> Result<(), OutputError> {
         let begun = Instant::now();
         finite_summary(record)?;
-        self.append(record)?;
-        self.story.add(record);
         let durability = if record.stop.is_some() || self.synced.elapsed() >= SYNC_INTERVAL {
             Durability::Synced
         } else {
             Durability::Cached
         };
+        let fields = fields::write_fields(&self.folder, record, durability)?;
+        self.append(record)?;
+        self.story.add(record);
+        if !fields.is_empty() {
+            self.story.fields.extend(fields);
+            fields::write_collection(&self.folder.join(FIELDS_FILE), &self.story.fields, durability)?;
+        }
         if durability == Durability::Synced {
             // The tables before the checkpoint that counts on them.
             for table in [&self.sif, &self.growth, &self.faces] {

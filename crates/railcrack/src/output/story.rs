@@ -1,5 +1,6 @@
 //! What a run remembers of its finished steps beyond the tables.
 
+use super::fields::FieldFile;
 use crate::crack::Crack;
 use crate::growth::{PhaseTimes, RunStop, SolverCounts, StepRecord, TipRecord, Warning};
 use serde::{Deserialize, Serialize};
@@ -26,6 +27,8 @@ pub(crate) struct Story {
     pub cracks: Vec<Crack>,
     pub steps: Vec<StepDigest>,
     pub warnings: Vec<Warning>,
+    /// The field files.
+    pub fields: Vec<FieldFile>,
     /// Wall time of the finished steps, resumptions counted, seconds.
     pub wall_s: f64,
     /// Part of it that went into writing, seconds.

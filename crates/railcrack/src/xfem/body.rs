@@ -4,15 +4,18 @@ use super::basis::Elasticity;
 use super::border::Border;
 use super::columns::ColumnStore;
 use super::cuts::Cuts;
+use super::field::Inside;
 use super::interface::{Interface, Station};
 use super::sif::{SifContext, SifDomain, SifFunctional};
 use super::space::Space;
-use crate::body::{BodyTip, CrackedBody, FaceMesh, RailEnds};
+use crate::body::{BodyError, BodyFields, BodyTip, CrackedBody, FaceMesh, FieldLoad, RailEnds};
 use crate::bulk::{BlockCorrection, BulkError, BulkRail, CorrectionAtPoints};
 use crate::crack::CrackNetwork;
 use crate::linear::{LinearError, SparseColumn, SpdFactor, spd_inverse};
+use crate::load::HertzianContact;
 use crate::math::{Matrix, Stress, Vec2, dot};
 use crate::mesh::{MeshError, QuadMesh};
+use std::sync::Arc;
 use thiserror::Error;
 
 /// Cracks that the finite-element engine cannot represent.
@@ -75,7 +78,7 @@ impl Default for XfemSettings {
 /// The cracked rail: C, A, S at the face points.
 #[derive(Debug, Clone)]
 pub struct XfemBody {
-    faces: FaceMesh,
+    pub(super) inside: Inside,
     tips: Vec<BodyTip>,
     compliance: Matrix,
     stiffness: Matrix,
@@ -90,6 +93,7 @@ pub struct XfemBody {
 struct BlockEnds {
     points: usize,
     correction: CorrectionAtPoints,
+    contact: HertzianContact,
 }
 
 impl RailEnds for BlockEnds {
@@ -105,7 +109,7 @@ const REDUNDANT: f64 = 1e-13;
 impl XfemBody {
     /// The rail on `background` with `network` of cracks.
     pub fn new(
-        background: &BulkRail,
+        background: &Arc<BulkRail>,
         network: &CrackNetwork,
         settings: XfemSettings,
     ) -> Result<Self, XfemError> {
@@ -114,7 +118,7 @@ impl XfemBody {
 
     /// [`XfemBody::new`] with what was computed for other cracks on the same background.
     pub fn with_columns(
-        background: &BulkRail,
+        background: &Arc<BulkRail>,
         network: &CrackNetwork,
         settings: XfemSettings,
         columns: &mut ColumnStore,
@@ -134,13 +138,14 @@ impl XfemBody {
                 context.functionals(tip, domain)
             })
             .collect();
-        let (compliance, sif_influence) =
+        let Condensed { compliance, sif_influence, response } =
             condense(background, columns, &border, &cuts, &space, &interface, &functionals)?;
         let stiffness = spd_inverse(&compliance)?;
         let tips = cuts.tips.iter().map(|tip| BodyTip { crack: tip.crack, end: tip.end }).collect();
         let dofs = background.factor().order() + space.unknowns();
+        let rail = Arc::clone(background);
         Ok(Self {
-            faces: interface.faces,
+            inside: Inside { rail, cuts, space, interface, coupling: border.columns, response },
             tips,
             compliance,
             stiffness,
@@ -154,9 +159,14 @@ impl XfemBody {
 
 impl XfemBody {
     /// Adds what the ends of a block do to the stress under the wheel.
-    pub(super) fn add_ends(&mut self, correction: &BlockCorrection) -> Result<(), BulkError> {
-        let points: Vec<Vec2> = self.faces.samples.iter().map(|sample| sample.point).collect();
-        self.ends = Some(BlockEnds { points: points.len(), correction: correction.at(&points)? });
+    pub(super) fn add_ends(
+        &mut self,
+        correction: &BlockCorrection,
+        contact: &HertzianContact,
+    ) -> Result<(), BulkError> {
+        let points: Vec<Vec2> = self.faces().samples.iter().map(|sample| sample.point).collect();
+        self.ends =
+            Some(BlockEnds { points: points.len(), correction: correction.at(&points)?, contact: *contact });
         Ok(())
     }
 
@@ -215,6 +225,16 @@ fn element_size(mesh: &QuadMesh, at: Vec2) -> f64 {
     size.x.max(size.y)
 }
 
+/// The border without the unknowns of the mesh.
+struct Condensed {
+    /// C.
+    compliance: Matrix,
+    /// S.
+    sif_influence: Matrix,
+    /// B S_ee⁻¹: row of a nodal force, column of an enriched unknown.
+    response: Matrix,
+}
+
 /// C and S from the border: S_ee = K_ee − K_es K_ss⁻¹ K_se, C = B S_ee⁻¹ Bᵀ.
 fn condense(
     background: &BulkRail,
@@ -224,7 +244,7 @@ fn condense(
     space: &Space,
     interface: &Interface,
     functionals: &[SifFunctional],
-) -> Result<(Matrix, Matrix), XfemError> {
+) -> Result<Condensed, XfemError> {
     let sparse = |entries: &[(usize, f64)]| SparseColumn {
         entries: entries
             .iter()
@@ -281,7 +301,8 @@ fn condense(
         }
         influence
     };
-    Ok((compliance, sif_influence))
+    let response = Matrix::from_fn(2 * points, n, |i, j| solved[(i, j)] * scale[j]);
+    Ok(Condensed { compliance, sif_influence, response })
 }
 
 /// Rows x and y of each face point turned into slip and opening.
@@ -301,7 +322,7 @@ fn in_face_frames(b: &Matrix, faces: &FaceMesh) -> Matrix {
 
 impl CrackedBody for XfemBody {
     fn faces(&self) -> &FaceMesh {
-        &self.faces
+        &self.inside.interface.faces
     }
 
     fn tips(&self) -> &[BodyTip] {
@@ -326,6 +347,14 @@ impl CrackedBody for XfemBody {
 
     fn ends(&self) -> Option<&dyn RailEnds> {
         self.ends.as_ref().map(|ends| ends as &dyn RailEnds)
+    }
+
+    fn fields(&self, loads: &[FieldLoad]) -> Result<Option<BodyFields>, BodyError> {
+        let contact = self.ends.as_ref().map(|ends| &ends.contact);
+        match self.inside.fields(loads, contact) {
+            Ok(fields) => Ok(Some(fields)),
+            Err(reason) => Err(BodyError { reason: Box::new(reason) }),
+        }
     }
 
     fn remarks(&self) -> &[String] {

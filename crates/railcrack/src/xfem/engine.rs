@@ -9,6 +9,7 @@ use crate::crack::CrackNetwork;
 use crate::load::HertzianContact;
 use crate::material::IsotropicElastic;
 use std::ops::RangeInclusive;
+use std::sync::Arc;
 
 /// What the rail of the finite-element engine ends at.
 #[derive(Debug, Clone, PartialEq)]
@@ -86,7 +87,7 @@ pub struct XfemEngine {
     initial: Window,
     /// That of the mesh.
     window: Window,
-    background: Option<BulkRail>,
+    background: Option<Arc<BulkRail>>,
     columns: ColumnStore,
 }
 
@@ -140,11 +141,11 @@ impl XfemEngine {
     }
 
     /// The mesh for `network`, made and factored where it is not there yet.
-    pub fn background(&mut self, network: &CrackNetwork) -> Result<&BulkRail, XfemError> {
+    pub fn background(&mut self, network: &CrackNetwork) -> Result<&Arc<BulkRail>, XfemError> {
         let (window, _) = self.window_for(network);
         if window != self.window || self.background.is_none() {
             let mesh = window.mesh(self.end.outline(&window))?;
-            self.background = Some(BulkRail::new(mesh, &self.steel, self.end.boundary())?);
+            self.background = Some(Arc::new(BulkRail::new(mesh, &self.steel, self.end.boundary())?));
             self.columns = ColumnStore::default();
             self.window = window;
         }
@@ -157,7 +158,7 @@ impl XfemEngine {
         let mut body = XfemBody::with_columns(background, network, self.settings, &mut self.columns)?;
         if let RailEnd::Block { contact, positions, .. } = &self.end {
             let correction = BlockCorrection::new(background, contact, positions.clone())?;
-            body.add_ends(&correction)?;
+            body.add_ends(&correction, contact)?;
         }
         // Told by the crack alone, so that a run that is taken up here says the same.
         let (window, before) = self.window_for(network);

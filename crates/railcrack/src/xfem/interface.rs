@@ -1,6 +1,6 @@
 //! Face points of the finite-element engine, and what the faces see of the enriched functions.
 
-use super::cuts::Cuts;
+use super::cuts::{CrackPiece, Cuts};
 use crate::body::{FaceElement, FaceMesh, discretise};
 use crate::crack::{CrackNetwork, Walk};
 use crate::math::{Vec2, gauss_legendre, quantiles};
@@ -58,6 +58,33 @@ impl Interface {
     fn stations_of(&self, cuts: &Cuts) -> Vec<Station> {
         let rule = gauss_legendre(GAUSS);
         let mut stations = Vec::new();
+        self.common_pieces(cuts, |common| {
+            let walk = &self.walks[common.element.crack];
+            for &(t, weight) in &rule {
+                let g = common.g.0 + t * (common.g.1 - common.g.0);
+                let length = weight * (common.g.1 - common.g.0) * walk.ds(g);
+                let point = point_on(&cuts.pieces[common.piece], walk.s(g));
+                let (jumps, tractions) = shares(common.element, g);
+                stations.push(Station { piece: common.piece, point, length, jumps, tractions });
+            }
+        });
+        stations
+    }
+
+    /// The faces as straight lines between face points and the ends of the pieces.
+    pub(super) fn lines(&self, cuts: &Cuts) -> Vec<StraightLine> {
+        let mut lines = Vec::new();
+        self.common_pieces(cuts, |CommonPiece { element, piece, g }| {
+            let walk = &self.walks[element.crack];
+            let ends = [g.0, g.1].map(|g| point_on(&cuts.pieces[piece], walk.s(g)));
+            let tractions = [g.0, g.1].map(|g| shares(element, g).1);
+            lines.push(StraightLine { piece, ends, tractions });
+        });
+        lines
+    }
+
+    /// Visits what face elements and pieces of crack have in common, along the walks.
+    fn common_pieces<'a>(&'a self, cuts: &Cuts, mut visit: impl FnMut(CommonPiece<'a>)) {
         for (crack, walk) in self.walks.iter().enumerate() {
             let first = cuts.pieces.partition_point(|piece| piece.crack < crack);
             let last = cuts.pieces.partition_point(|piece| piece.crack <= crack);
@@ -75,21 +102,13 @@ impl Interface {
                             at(part.s.0.max(from), element.range.0, from),
                             at(part.s.1.min(to), element.range.1, to),
                         );
-                        for &(t, weight) in &rule {
-                            let g_at = g.0 + t * (g.1 - g.0);
-                            let length = weight * (g.1 - g.0) * walk.ds(g_at);
-                            let share = (walk.s(g_at) - part.s.0) / (part.s.1 - part.s.0);
-                            let point = part.ends.0 + (part.ends.1 - part.ends.0) * share.clamp(0.0, 1.0);
-                            let (jumps, tractions) = shares(element, g_at);
-                            stations.push(Station { piece, point, length, jumps, tractions });
-                        }
+                        visit(CommonPiece { element, piece, g });
                     }
                     piece += 1;
                 }
                 piece = piece.min(last).max(first + 1) - 1;
             }
         }
-        stations
     }
 
     /// G⁻¹ b with G_jk = ∫ λ_j ψ_k ds: nodal jumps from b_j = ∫ λ_j ⟦w⟧ ds, in place; `b[j]` may be any row of numbers.
@@ -131,6 +150,32 @@ impl Interface {
             }
         }
     }
+}
+
+/// What a face element and a piece of crack have in common.
+struct CommonPiece<'a> {
+    element: &'a FaceElement,
+    /// Index of the piece.
+    piece: usize,
+    /// Range of the parameter of the walk.
+    g: (f64, f64),
+}
+
+/// A straight part of the faces.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct StraightLine {
+    /// Index of the piece of crack.
+    pub piece: usize,
+    /// Ends along the walk, mm.
+    pub ends: [Vec2; 2],
+    /// (face point, λ) at each end.
+    pub tractions: [[(usize, f64); 2]; 2],
+}
+
+/// The point (mm) of a piece of crack at arc length `s` (mm).
+fn point_on(piece: &CrackPiece, s: f64) -> Vec2 {
+    let share = (s - piece.s.0) / (piece.s.1 - piece.s.0);
+    piece.ends.0 + (piece.ends.1 - piece.ends.0) * share.clamp(0.0, 1.0)
 }
 
 /// ψ and λ of a face element at g.

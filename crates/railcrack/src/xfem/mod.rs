@@ -7,6 +7,8 @@ mod border;
 mod columns;
 mod cuts;
 mod engine;
+mod field;
+mod field_grid;
 mod interface;
 mod path;
 mod quadrature;

@@ -3,14 +3,15 @@
 // Each test program uses a part of this.
 #![allow(dead_code)]
 
+use railcrack::body::{Face, FieldGrid, FieldLine};
 use railcrack::contact::{FaceState, FaceStatus};
 use railcrack::crack::{Crack, End};
 use railcrack::fracture::Sif;
 use railcrack::growth::{
-    CrackTip, FacePoint, FaceRecord, GrowthState, PassageRecord, PhaseTimes, RunStop, SolverCounts,
-    StepRecord, TipRecord, Warning,
+    CrackTip, FacePoint, FaceRecord, FieldRecord, FieldSnapshot, GrowthState, PassageRecord, PhaseTimes,
+    RunStop, SolverCounts, StepRecord, TipRecord, Warning,
 };
-use railcrack::math::Vec2;
+use railcrack::math::{Stress, Vec2};
 use railcrack::output::{CaseFiles, OutputError, Recorder, RunInfo};
 use std::path::{Path, PathBuf};
 
@@ -110,6 +111,7 @@ pub fn step(size: Size, step: usize) -> (StepRecord, GrowthState) {
         tips,
         passages: vec![passage(0), passage(1)],
         faces: faces(size, &now, &xc),
+        fields: step.is_multiple_of(2).then(|| fields(step)),
         load_cycles: cycles(step),
         dofs: 30_000 + step,
         counts: SolverCounts {
@@ -133,6 +135,27 @@ pub fn step(size: Size, step: usize) -> (StepRecord, GrowthState) {
         ended: record.stop,
     };
     (record, state)
+}
+
+/// One triangle and one line at two positions.
+fn fields(step: usize) -> FieldRecord {
+    let points = vec![Vec2::new(0.0, 0.0), Vec2::new(-1.0, -1.0), Vec2::new(1.0, -1.0)];
+    let line = FieldLine { face: Face::Plus, ends: [0, 2], tractions: [[(0, 1.0), (1, 0.0)]; 2] };
+    let grid = FieldGrid {
+        inside: points.clone(),
+        triangles: vec![[0, 1, 2]],
+        lines: vec![line],
+        quads: Vec::new(),
+        points,
+    };
+    let snapshot = |position: usize| FieldSnapshot {
+        position,
+        xc: -3.0,
+        displacement: vec![Vec2::new(1e-3 * step as f64, 0.1 * position as f64); 3],
+        stress: vec![Stress { xx: -100.0 / 3.0, ..Stress::ZERO }; 3],
+        traction: vec![Vec2::new(0.0, 5.0); 3],
+    };
+    FieldRecord { snapshots: vec![snapshot(10), snapshot(20)], grid }
 }
 
 fn near_ties(step: usize) -> Vec<Warning> {

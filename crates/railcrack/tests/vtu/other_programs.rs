@@ -55,18 +55,23 @@ fn check_sample(grid: &UnstructuredGrid, tolerance: f64, name: &str) {
     assert_eq!(grid.cell_array("material").unwrap().values, [0.0, 10.0, 20.0, 30.0, 40.0], "{name}");
 }
 
+/// What meshio finds in a file.
+pub(super) fn read_back(path: &Path) -> Value {
+    let python = std::env::var_os(PYTHON)
+        .unwrap_or_else(|| panic!("{PYTHON} must name a Python with meshio: .ci/run provides one"));
+    let output = Command::new(python).arg(verification().join("read_back.py")).arg(path).output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let mut read: Value = serde_json::from_slice(&output.stdout).unwrap();
+    read[0].take()
+}
+
 #[test]
 #[ignore = "extra: needs RAILCRACK_PYTHON, a Python with meshio; .ci/run provides it"]
 fn meshio_reads_what_we_write() {
-    let python = std::env::var_os(PYTHON)
-        .unwrap_or_else(|| panic!("{PYTHON} must name a Python with meshio: .ci/run provides one"));
     let path = scratch("meshio").join("grid.vtu");
     let grid = grid_of_every_shape();
     write_vtu(&path, &grid).unwrap();
-    let output = Command::new(python).arg(verification().join("read_back.py")).arg(&path).output().unwrap();
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    let read: Value = serde_json::from_slice(&output.stdout).unwrap();
-    let read = &read[0];
+    let read = read_back(&path);
 
     let points: Vec<Value> = grid.points.iter().map(|p| bits(&[p.x, p.y, 0.0])).collect();
     assert_eq!(read["points"], json!(points));

@@ -15,6 +15,8 @@ mod write;
 pub use array::Array;
 pub use error::{GridError, VtuError};
 pub use grid::{CellBlock, CellShape, UnstructuredGrid};
+pub(super) use pvd::write_pvd_durably;
 pub use pvd::{Snapshot, write_pvd};
 pub use read::read_vtu;
 pub use write::write_vtu;
+pub(super) use write::write_vtu_durably;

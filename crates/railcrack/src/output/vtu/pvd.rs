@@ -2,6 +2,7 @@
 
 use super::write::{escaped, put};
 use super::{GridError, VtuError};
+use crate::output::folder::Durability;
 use std::path::Path;
 
 /// A grid of a collection.
@@ -17,6 +18,15 @@ pub struct Snapshot {
 ///
 /// Errors: a time that is not finite; the system refuses.
 pub fn write_pvd(path: &Path, snapshots: &[Snapshot]) -> Result<(), VtuError> {
+    write_pvd_durably(path, snapshots, Durability::Cached)
+}
+
+/// [`write_pvd`] as durable as asked for.
+pub(in crate::output) fn write_pvd_durably(
+    path: &Path,
+    snapshots: &[Snapshot],
+    durability: Durability,
+) -> Result<(), VtuError> {
     if let Some(entry) = snapshots.iter().position(|snapshot| !snapshot.time.is_finite()) {
         let reason = GridError::NotFinite { name: "time".to_owned(), entry, value: snapshots[entry].time };
         return Err(VtuError::Grid { path: path.to_path_buf(), reason });
@@ -30,5 +40,5 @@ pub fn write_pvd(path: &Path, snapshots: &[Snapshot]) -> Result<(), VtuError> {
         text.push_str(&format!("<DataSet timestep=\"{time}\" part=\"0\" file=\"{file}\"/>\n"));
     }
     text.push_str("</Collection>\n</VTKFile>\n");
-    put(path, text.as_bytes())
+    put(path, text.as_bytes(), durability)
 }

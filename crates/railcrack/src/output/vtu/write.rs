@@ -12,13 +12,22 @@ use std::path::Path;
 ///
 /// Errors: the parts of the grid do not fit together; a number that is not finite; the system refuses.
 pub fn write_vtu(path: &Path, grid: &UnstructuredGrid) -> Result<(), VtuError> {
+    write_vtu_durably(path, grid, Durability::Cached)
+}
+
+/// [`write_vtu`] as durable as asked for.
+pub(in crate::output) fn write_vtu_durably(
+    path: &Path,
+    grid: &UnstructuredGrid,
+    durability: Durability,
+) -> Result<(), VtuError> {
     let text = vtu_text(grid).map_err(|reason| VtuError::Grid { path: path.to_path_buf(), reason })?;
-    put(path, &text)
+    put(path, &text, durability)
 }
 
 /// Puts a file in its place.
-pub(super) fn put(path: &Path, text: &[u8]) -> Result<(), VtuError> {
-    replace_file(path, text, Durability::Cached).map_err(|error| match error {
+pub(super) fn put(path: &Path, text: &[u8], durability: Durability) -> Result<(), VtuError> {
+    replace_file(path, text, durability).map_err(|error| match error {
         OutputError::Io { action, path, reason } => VtuError::Io { action, path, reason },
         other => {
             let (part, reason) = ("the file".to_owned(), other.to_string());

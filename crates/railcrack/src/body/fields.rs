@@ -1,0 +1,65 @@
+//! The field of a cracked body on cells around its cracks.
+
+use crate::math::{Stress, Vec2};
+
+/// Cells around the cracks. No cell crosses a crack: cells on both sides of one have points of their own, at the same places.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct FieldGrid {
+    /// Points, mm.
+    pub points: Vec<Vec2>,
+    /// Where the stress of each point is taken, mm: at the point, but where it is infinite there a little inside of the cell.
+    pub inside: Vec<Vec2>,
+    /// Quadratic rectangles: corners counter-clockwise, then the middles of the sides, the first between the first two corners.
+    pub quads: Vec<[usize; 8]>,
+    /// Triangles, counter-clockwise.
+    pub triangles: Vec<[usize; 3]>,
+    /// Pieces of the crack faces, each on one side.
+    pub lines: Vec<FieldLine>,
+}
+
+/// A straight piece of a crack face.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FieldLine {
+    /// Which face.
+    pub face: Face,
+    /// Points at its ends, along the walk.
+    pub ends: [usize; 2],
+    /// At each end, face points of the body with the shares of their tractions that make the traction there.
+    pub tractions: [[(usize, f64); 2]; 2],
+}
+
+/// A face of a crack; x2 points from − to +.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Face {
+    /// The one on the x2 side.
+    Plus,
+    /// The other one.
+    Minus,
+}
+
+/// What acts on a body whose field is wanted.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FieldLoad<'a> {
+    /// Nodal forces on the + faces, N/mm, 2p.
+    pub forces: &'a [f64],
+    /// Position x_c of the wheel (mm), for what the ends of the rail do.
+    pub xc: f64,
+}
+
+/// A field at the points of a [`FieldGrid`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct PointField {
+    /// Displacement at each point, mm.
+    pub displacement: Vec<Vec2>,
+    /// Stress at each point, MPa.
+    pub stress: Vec<Stress>,
+}
+
+/// The fields of a body under several loads.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BodyFields {
+    /// Where they are known.
+    pub grid: FieldGrid,
+    /// One field per load.
+    pub loads: Vec<PointField>,
+}

@@ -1,0 +1,112 @@
+//! Fields of a run as files of VTK, and the collection that lists them.
+
+use super::OutputError;
+use super::folder::Durability;
+use super::vtu::{
+    Array, CellBlock, CellShape, Snapshot, UnstructuredGrid, write_pvd_durably, write_vtu_durably,
+};
+use crate::body::{Face, FieldGrid};
+use crate::growth::{FieldSnapshot, StepRecord};
+use serde::{Deserialize, Serialize};
+use std::fs;
+use std::path::Path;
+
+/// Lists the field files.
+pub(crate) const FIELDS_FILE: &str = "fields.pvd";
+/// Folder of the field files.
+pub(crate) const FIELDS_FOLDER: &str = "fields";
+
+/// A field file of a run.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct FieldFile {
+    /// Its name in the run folder.
+    pub name: String,
+    /// Step, plus the share of the positions of its passage that lie before.
+    pub time: f64,
+}
+
+/// The name of the file of a step and a position, which counts from 1.
+fn name(step: usize, position: usize) -> String {
+    format!("step-{step:04}-position-{position:04}.vtu")
+}
+
+/// Whether a file of this name is one that a run writes.
+pub(crate) fn is_field_file(file: &str) -> bool {
+    let numbers = || {
+        let (step, position) = file.strip_prefix("step-")?.strip_suffix(".vtu")?.split_once("-position-")?;
+        Some((step.parse().ok()?, position.parse().ok()?))
+    };
+    numbers().is_some_and(|(step, position)| name(step, position) == file)
+}
+
+/// Writes the fields of a step, each to its file.
+///
+/// Errors: a number that is not finite; the system refuses.
+pub(crate) fn write_fields(
+    folder: &Path,
+    record: &StepRecord,
+    durability: Durability,
+) -> Result<Vec<FieldFile>, OutputError> {
+    let Some(fields) = &record.fields else { return Ok(Vec::new()) };
+    let directory = folder.join(FIELDS_FOLDER);
+    fs::create_dir_all(&directory).map_err(OutputError::io("create", &directory))?;
+    let positions = record.passages.last().map_or(1, |passage| passage.xc.len());
+    let write = |snapshot: &FieldSnapshot| {
+        let file = name(record.step, snapshot.position + 1);
+        write_vtu_durably(&directory.join(&file), &grid_of(&fields.grid, snapshot), durability)?;
+        let time = record.step as f64 + snapshot.position as f64 / positions as f64;
+        Ok(FieldFile { name: format!("{FIELDS_FOLDER}/{file}"), time })
+    };
+    fields.snapshots.iter().map(write).collect()
+}
+
+/// Writes the list of `files` to `path`.
+///
+/// Errors: the system refuses.
+pub(crate) fn write_collection(
+    path: &Path,
+    files: &[FieldFile],
+    durability: Durability,
+) -> Result<(), OutputError> {
+    let snapshots: Vec<Snapshot> =
+        files.iter().map(|file| Snapshot { time: file.time, file: file.name.clone() }).collect();
+    Ok(write_pvd_durably(path, &snapshots, durability)?)
+}
+
+/// Elements, pieces of elements, faces.
+fn grid_of(grid: &FieldGrid, field: &FieldSnapshot) -> UnstructuredGrid {
+    let block = |shape, connectivity: Vec<usize>| CellBlock { shape, connectivity };
+    let bulk = grid.quads.len() + grid.triangles.len();
+    let side = grid.lines.iter().map(|line| match line.face {
+        Face::Plus => 1.0,
+        Face::Minus => -1.0,
+    });
+    UnstructuredGrid {
+        points: grid.points.clone(),
+        cells: vec![
+            block(CellShape::QuadraticQuad, grid.quads.concat()),
+            block(CellShape::Triangle, grid.triangles.concat()),
+            block(CellShape::Line, grid.lines.iter().flat_map(|line| line.ends).collect()),
+        ],
+        point_data: vec![
+            Array::vectors("displacement_mm", &field.displacement),
+            Array::stresses("stress_mpa", &field.stress),
+            Array::vectors("traction", &field.traction),
+        ],
+        cell_data: vec![Array::scalars("face", std::iter::repeat_n(0.0, bulk).chain(side).collect())],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_names_that_a_run_writes_are_field_files() {
+        assert!(is_field_file(&name(0, 101)) && is_field_file(&name(12_345, 100_000)));
+        for other in ["mine.vtu", "step-1-position-1.vtu", "step-0001-position-0001.vtu.bak", "step-0001.vtu"]
+        {
+            assert!(!is_field_file(other), "{other}");
+        }
+    }
+}

@@ -1,0 +1,193 @@
+//! The field behind the face points.
+
+use super::basis::{CellBasis, Elasticity, Function};
+use super::body::XfemError;
+use super::cuts::{CellPlace, Cuts};
+use super::field_grid::Layout;
+use super::interface::Interface;
+use super::space::Space;
+use crate::body::{BodyFields, FieldLoad, PointField};
+use crate::bulk::{BlockCorrection, BulkRail};
+use crate::load::HertzianContact;
+use crate::math::{Matrix, Stress, Vec2};
+use crate::mesh::{CORNERS, Element, NODES, shape_functions};
+use rayon::prelude::*;
+use std::ops::Range;
+use std::sync::Arc;
+
+/// What the unknowns of a body follow from.
+#[derive(Debug, Clone)]
+pub(super) struct Inside {
+    pub rail: Arc<BulkRail>,
+    pub cuts: Cuts,
+    pub space: Space,
+    pub interface: Interface,
+    /// K_se: per enriched unknown, (unknown of the mesh, value).
+    pub coupling: Vec<Vec<(usize, f64)>>,
+    /// B S_ee⁻¹: row of a nodal force, column of an enriched unknown.
+    pub response: Matrix,
+}
+
+/// Distance (over the length of the longest crack) from the box of the cracks up to which fields are given.
+const MARGIN: f64 = 0.25;
+
+/// The unknowns under one load.
+struct Unknowns {
+    /// Displacement of the nodes of the mesh, mm.
+    nodes: Vec<Vec2>,
+    enriched: Vec<f64>,
+}
+
+impl Inside {
+    /// The fields under `loads`, and under what the ends of a block do to the stress under the `wheel`.
+    pub(super) fn fields(
+        &self,
+        loads: &[FieldLoad],
+        wheel: Option<&HertzianContact>,
+    ) -> Result<BodyFields, XfemError> {
+        let lengths = self.cuts.paths.iter().map(|path| path.s[path.segments()]);
+        self.fields_within(MARGIN * lengths.fold(0.0, f64::max), loads, wheel)
+    }
+
+    /// [`Inside::fields`] up to `margin` (mm) from the box of the cracks.
+    pub(super) fn fields_within(
+        &self,
+        margin: f64,
+        loads: &[FieldLoad],
+        wheel: Option<&HertzianContact>,
+    ) -> Result<BodyFields, XfemError> {
+        let layout = Layout::new(self.rail.mesh(), &self.cuts, &self.interface, margin);
+        let fields = loads
+            .iter()
+            .map(|load| Ok(self.on(&layout, &self.unknowns(load, wheel)?)))
+            .collect::<Result<_, XfemError>>()?;
+        Ok(BodyFields { grid: layout.grid, loads: fields })
+    }
+
+    /// u_e = S_ee⁻¹ Bᵀ f and u_s = −K_ss⁻¹ K_se u_e.
+    fn unknowns(&self, load: &FieldLoad, wheel: Option<&HertzianContact>) -> Result<Unknowns, XfemError> {
+        let mut enriched = vec![0.0; self.coupling.len()];
+        for (row, force) in load.forces.iter().enumerate() {
+            enriched.iter_mut().zip(self.response.row(row)).for_each(|(sum, value)| *sum += force * value);
+        }
+        let mut standard = vec![0.0; self.rail.factor().order()];
+        for (column, value) in self.coupling.iter().zip(&enriched) {
+            for &(unknown, entry) in column {
+                if let Some(free) = self.rail.unknowns(unknown / 2)[unknown % 2] {
+                    standard[free] -= entry * value;
+                }
+            }
+        }
+        self.rail.factor().solve(&mut standard)?;
+        let of_node = |node: usize| {
+            let [x, y] = self.rail.unknowns(node).map(|unknown| unknown.map_or(0.0, |free| standard[free]));
+            Vec2::new(x, y)
+        };
+        let mut nodes: Vec<Vec2> = (0..self.rail.mesh().node_count()).map(of_node).collect();
+        if let Some(contact) = wheel {
+            // At one position nothing is interpolated: one solution.
+            let ends = BlockCorrection::new(&self.rail, contact, load.xc..=load.xc)?;
+            let displacements = ends.displacements(load.xc)?;
+            nodes.iter_mut().zip(displacements).for_each(|(node, u)| *node = *node + u);
+        }
+        Ok(Unknowns { nodes, enriched })
+    }
+
+    fn on(&self, layout: &Layout, unknowns: &Unknowns) -> PointField {
+        let points = layout.grid.points.len();
+        let elasticity = Elasticity::new(*self.rail.steel());
+        let mut field =
+            PointField { displacement: vec![Vec2::default(); points], stress: vec![Stress::ZERO; points] };
+        let mut elements = vec![0.0; layout.nodes.len()];
+        for (&e, places) in layout.whole.iter().zip(&layout.grid.quads) {
+            let element = self.rail.mesh().element(e);
+            let stresses = nodal_stresses(&element, &unknowns.nodes, &elasticity);
+            for (&place, stress) in places.iter().zip(stresses) {
+                field.stress[place] = field.stress[place] + stress;
+                elements[place] += 1.0;
+            }
+        }
+        for (&node, &place) in &layout.nodes {
+            field.displacement[place] = unknowns.nodes[node];
+            field.stress[place] = field.stress[place] * (1.0 / elements[place]);
+        }
+        let of_cell = |(place, points): &(CellPlace, Range<usize>)| {
+            self.in_cell(*place, points.clone(), layout, unknowns, &elasticity)
+        };
+        let cells: Vec<Vec<(Vec2, Stress)>> = layout.cells.par_iter().map(of_cell).collect();
+        for ((_, points), values) in layout.cells.iter().zip(cells) {
+            for (point, (displacement, stress)) in points.clone().zip(values) {
+                field.displacement[point] = displacement;
+                field.stress[point] = stress;
+            }
+        }
+        field
+    }
+
+    /// Displacement and stress at the `points` of a cell, by all its functions.
+    fn in_cell(
+        &self,
+        place: CellPlace,
+        points: Range<usize>,
+        layout: &Layout,
+        unknowns: &Unknowns,
+        elasticity: &Elasticity,
+    ) -> Vec<(Vec2, Stress)> {
+        let cut = &self.cuts.elements[&place.element];
+        let basis = CellBasis::new(&self.cuts, &self.space, cut, place, &elasticity.steel);
+        let values: Vec<f64> = basis
+            .targets
+            .iter()
+            .map(|target| {
+                let standard = target.standard.map_or(0.0, |unknown| {
+                    let node = unknowns.nodes[unknown / 2];
+                    if unknown.is_multiple_of(2) { node.x } else { node.y }
+                });
+                standard + target.enriched.map_or(0.0, |unknown| unknowns.enriched[unknown])
+            })
+            .collect();
+        let mut functions: Vec<Function> = Vec::new();
+        points
+            .map(|point| {
+                basis.at(layout.grid.points[point], &mut functions);
+                let displacement =
+                    functions.iter().zip(&values).fold(Vec2::default(), |sum, (f, v)| sum + f.value * *v);
+                basis.at(layout.grid.inside[point], &mut functions);
+                let mut strain = [0.0; 3];
+                for (function, value) in functions.iter().zip(&values) {
+                    strain.iter_mut().zip(function.strain()).for_each(|(sum, part)| *sum += value * part);
+                }
+                (displacement, elasticity.full_stress(strain))
+            })
+            .collect()
+    }
+}
+
+/// The stress (MPa) at the nodes of an element without enrichment: that at its 2 × 2 Gauss points, where it converges faster than
+/// elsewhere (Barlow, Int. J. Numer. Meth. Engng 10, 1976), continued bilinearly.
+fn nodal_stresses(element: &Element, nodes: &[Vec2], elasticity: &Elasticity) -> [Stress; NODES] {
+    let gauss = 1.0 / 3.0f64.sqrt();
+    let size = element.size();
+    let at_gauss = CORNERS.map(|[a, b]| {
+        let shapes = shape_functions(a * gauss, b * gauss);
+        let mut strain = [0.0; 3];
+        for (node, [_, d_xi, d_eta]) in element.nodes.into_iter().zip(shapes) {
+            let (u, dx, dy) = (nodes[node], d_xi * 2.0 / size.x, d_eta * 2.0 / size.y);
+            strain[0] += dx * u.x;
+            strain[1] += dy * u.y;
+            strain[2] += dy * u.x + dx * u.y;
+        }
+        elasticity.full_stress(strain)
+    });
+    let middles = [[0.0, -1.0], [1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]];
+    std::array::from_fn(|k| {
+        let [xi, eta] = if k < CORNERS.len() { CORNERS[k] } else { middles[k - CORNERS.len()] };
+        CORNERS.iter().zip(&at_gauss).fold(Stress::ZERO, |sum, ([a, b], stress)| {
+            sum + *stress * (0.25 * (1.0 + a * xi / gauss) * (1.0 + b * eta / gauss))
+        })
+    })
+}
+
+#[cfg(test)]
+#[path = "field_tests.rs"]
+mod tests;
