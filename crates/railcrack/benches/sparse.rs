@@ -134,7 +134,7 @@ fn block_correction(bencher: Bencher) {
 #[divan::bench(sample_count = SAMPLES, sample_size = 1)]
 fn correction_at_points(bencher: Bencher) {
     let rail = rail(block_mesh());
-    let correction = BlockCorrection::new(&rail, &CONTACT, -40.5..=40.5).unwrap();
+    let correction = BlockCorrection::new(&Arc::new(rail.clone()), &CONTACT, -40.5..=40.5).unwrap();
     bencher.bench(|| correction.at(black_box(&face_points())).unwrap());
 }
 
@@ -142,7 +142,7 @@ fn correction_at_points(bencher: Bencher) {
 #[divan::bench]
 fn correction_for_one_position(bencher: Bencher) {
     let rail = rail(block_mesh());
-    let correction = BlockCorrection::new(&rail, &CONTACT, -40.5..=40.5).unwrap();
+    let correction = BlockCorrection::new(&Arc::new(rail.clone()), &CONTACT, -40.5..=40.5).unwrap();
     let points = face_points();
     let there = correction.at(&points).unwrap();
     bencher.bench(|| {

@@ -9,6 +9,7 @@ use crate::field::{HertzDisplacement, HertzField};
 use crate::load::HertzianContact;
 use crate::math::{Stress, Vec2};
 use std::ops::RangeInclusive;
+use std::sync::Arc;
 
 /// The field that, added to that of the half-plane under the wheel, gives the field of the block: it takes the tractions of the
 /// half-plane from the free ends of the block and its displacements from the held ones.
@@ -17,8 +18,8 @@ use std::ops::RangeInclusive;
 /// the ends, which are analytic in x_c: it is solved at Chebyshev points and interpolated between them, to [`BlockCorrection::TOLERANCE`].
 /// Nothing is solved per wheel position.
 #[derive(Debug, Clone)]
-pub struct BlockCorrection<'a> {
-    rail: &'a BulkRail,
+pub struct BlockCorrection {
+    rail: Arc<BulkRail>,
     range: RangeInclusive<f64>,
     positions: Vec<f64>,
     /// Position by position, node by node.
@@ -48,7 +49,7 @@ impl ElasticField for Under {
     }
 }
 
-impl<'a> BlockCorrection<'a> {
+impl BlockCorrection {
     /// Error of the interpolation between wheel positions, relative to the largest value of the correction: far below that of the mesh.
     pub const TOLERANCE: f64 = 1e-8;
 
@@ -60,7 +61,7 @@ impl<'a> BlockCorrection<'a> {
     /// Errors: a half-plane; a range that is empty or not finite; a contact that leaves the block or comes so close to one of its sides
     /// that the field is no longer smooth.
     pub fn new(
-        rail: &'a BulkRail,
+        rail: &Arc<BulkRail>,
         contact: &HertzianContact,
         range: RangeInclusive<f64>,
     ) -> Result<Self, BulkError> {
@@ -82,7 +83,7 @@ impl<'a> BlockCorrection<'a> {
         let fields: Vec<Under> = positions.iter().map(under).collect();
         let fields: Vec<&dyn ElasticField> = fields.iter().map(|field| field as _).collect();
         let displacements = rail.cancel(&fields)?;
-        Ok(Self { rail, range, positions, displacements })
+        Ok(Self { rail: Arc::clone(rail), range, positions, displacements })
     }
 
     /// Wheel positions at which the correction was solved, mm.
@@ -106,7 +107,7 @@ impl<'a> BlockCorrection<'a> {
     ///
     /// Errors: a point outside of the mesh.
     pub fn at(&self, points: &[Vec2]) -> Result<CorrectionAtPoints, BulkError> {
-        let stress = StressAtPoints::new(self.rail, points)?;
+        let stress = StressAtPoints::new(&self.rail, points)?;
         let by_position: Vec<Vec<Stress>> = self.displacements.iter().map(|u| stress.stress(u)).collect();
         let of_point = |k: usize| by_position.iter().map(move |stresses| stresses[k]);
         Ok(CorrectionAtPoints {

@@ -58,7 +58,7 @@ impl Elasticity {
 }
 
 /// The functions that live in one cell: two per node of the element, of the mesh and, with the same values, of the part of
-/// its support; then two per corner with the functions of a tip.
+/// its support; then two per node with the functions of a tip or kink.
 pub(super) struct CellBasis<'a> {
     element: Element,
     tips: Vec<TipBasis<'a>>,
@@ -67,7 +67,7 @@ pub(super) struct CellBasis<'a> {
 
 struct TipBasis<'a> {
     path: &'a TipPath,
-    corners: [Option<usize>; NODES],
+    nodes: [Option<usize>; NODES],
     /// A point of the cell and its angle at the tip: the sheet of the cell.
     sheet: (Vec2, f64),
     modes: [WilliamsField; 2],
@@ -95,15 +95,15 @@ impl<'a> CellBasis<'a> {
         }
         let polygon = cut.arrangement.polygon(place.cell);
         let mut tips = Vec::new();
-        for &(tip, corners) in space.tips_in(place.element) {
+        for &(tip, nodes) in space.tips_in(place.element) {
             let path = &cuts.poles[tip];
-            for enrichment in corners.into_iter().flatten() {
+            for enrichment in nodes.into_iter().flatten() {
                 for mode in 0..2 {
                     targets.push(Target { standard: None, enriched: Some(2 * enrichment + mode) });
                 }
             }
             let modes = MODES.map(|mode| WilliamsField::of(mode, steel));
-            tips.push(TipBasis { path, corners, sheet: path.sheet(&polygon), modes });
+            tips.push(TipBasis { path, nodes, sheet: path.sheet(&polygon), modes });
         }
         Self { element: cut.element, tips, targets }
     }
@@ -124,8 +124,7 @@ impl<'a> CellBasis<'a> {
         for tip in &self.tips {
             let fields = tip.fields(point);
             let shapes = shape_functions(xi, eta);
-            for (_, [n, d_xi, d_eta]) in tip.corners.iter().zip(shapes).filter(|(corner, _)| corner.is_some())
-            {
+            for (_, [n, d_xi, d_eta]) in tip.nodes.iter().zip(shapes).filter(|(node, _)| node.is_some()) {
                 let (dx, dy) = (d_xi * slopes.0, d_eta * slopes.1);
                 for field in &fields {
                     functions.push(Function {

@@ -45,7 +45,7 @@ pub enum XfemError {
 /// Resolution around the tips and along the faces. Numbers without unit count elements at the tip.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct XfemSettings {
-    /// Corner nodes within it carry √r functions.
+    /// Nodes within it carry √r functions.
     pub enrichment: EnrichmentRadius,
     /// The weight of the domain of integration of the SIFs is 1 up to here.
     pub domain_inner: f64,

@@ -89,6 +89,8 @@ pub struct XfemEngine {
     window: Window,
     background: Option<Arc<BulkRail>>,
     columns: ColumnStore,
+    /// Of a block: what its ends do, for all positions of the wheel.
+    correction: Option<BlockCorrection>,
 }
 
 impl XfemEngine {
@@ -109,6 +111,7 @@ impl XfemEngine {
             window,
             background: None,
             columns: ColumnStore::default(),
+            correction: None,
         }
     }
 
@@ -145,7 +148,14 @@ impl XfemEngine {
         let (window, _) = self.window_for(network);
         if window != self.window || self.background.is_none() {
             let mesh = window.mesh(self.end.outline(&window))?;
-            self.background = Some(Arc::new(BulkRail::new(mesh, &self.steel, self.end.boundary())?));
+            let rail = Arc::new(BulkRail::new(mesh, &self.steel, self.end.boundary())?);
+            self.correction = match &self.end {
+                RailEnd::HalfPlane { .. } => None,
+                RailEnd::Block { contact, positions, .. } => {
+                    Some(BlockCorrection::new(&rail, contact, positions.clone())?)
+                }
+            };
+            self.background = Some(rail);
             self.columns = ColumnStore::default();
             self.window = window;
         }
@@ -156,9 +166,8 @@ impl XfemEngine {
         self.background(network)?;
         let background = self.background.as_ref().expect("made above");
         let mut body = XfemBody::with_columns(background, network, self.settings, &mut self.columns)?;
-        if let RailEnd::Block { contact, positions, .. } = &self.end {
-            let correction = BlockCorrection::new(background, contact, positions.clone())?;
-            body.add_ends(&correction, contact)?;
+        if let (RailEnd::Block { contact, .. }, Some(correction)) = (&self.end, &self.correction) {
+            body.add_ends(correction, contact)?;
         }
         // Told by the crack alone, so that a run that is taken up here says the same.
         let (window, before) = self.window_for(network);

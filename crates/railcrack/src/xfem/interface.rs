@@ -15,6 +15,9 @@ pub(super) struct Interface {
     walks: Vec<Walk>,
 }
 
+/// The face points at the ends of an element, and what each counts.
+type Shares = [(usize, f64); 2];
+
 /// A quadrature point of the faces. Jumps are ⟦w⟧ = Σ ψ_j w_j with ψ linear in g and zero at a tip; tractions are Σ λ_j τ_j with
 /// λ = ψ but for the element at a tip, where the traction stays what it is at its other end.
 #[derive(Debug, Clone, Copy)]
@@ -25,9 +28,9 @@ pub(super) struct Station {
     /// Length of face, mm.
     pub length: f64,
     /// (face point, ψ).
-    pub jumps: [(usize, f64); 2],
+    pub jumps: Shares,
     /// (face point, λ).
-    pub tractions: [(usize, f64); 2],
+    pub tractions: Shares,
 }
 
 /// Distance between face points, over the length of crack in an element: quadratic jumps carry two points per element, and
@@ -169,7 +172,7 @@ pub(super) struct StraightLine {
     /// Ends along the walk, mm.
     pub ends: [Vec2; 2],
     /// (face point, λ) at each end.
-    pub tractions: [[(usize, f64); 2]; 2],
+    pub tractions: [Shares; 2],
 }
 
 /// The point (mm) of a piece of crack at arc length `s` (mm).
@@ -179,7 +182,7 @@ fn point_on(piece: &CrackPiece, s: f64) -> Vec2 {
 }
 
 /// ψ and λ of a face element at g.
-fn shares(element: &FaceElement, g: f64) -> ([(usize, f64); 2], [(usize, f64); 2]) {
+fn shares(element: &FaceElement, g: f64) -> (Shares, Shares) {
     let share = (g - element.range.0) / (element.range.1 - element.range.0);
     let ends = [(element.ends[0], 1.0 - share), (element.ends[1], share)];
     let jumps = ends.map(|(point, psi)| (point.unwrap_or(0), point.map_or(0.0, |_| psi)));

@@ -15,14 +15,17 @@ pub(super) enum Enrichment {
         /// Regions (element, region) of the part.
         regions: Vec<(usize, usize)>,
     },
-    /// The bilinear shape function of a corner node times the displacement field of K_I and K_II = 1 MPa √mm at a tip.
+    /// The shape function of a node times the displacement field of K_I and K_II = 1 MPa √mm at a tip, or at a kink as if it were one.
     Tip {
-        /// Index of the tip.
+        /// Index of the tip or kink.
         tip: usize,
         /// The node.
         node: usize,
     },
 }
+
+/// A tip or kink, and the enrichment that each node of an element carries for it.
+type TipFunctions = (usize, [Option<usize>; NODES]);
 
 /// The enrichments of a mesh with cracks. Enrichment i has the unknowns 2 i and 2 i + 1.
 #[derive(Debug, Clone)]
@@ -30,14 +33,14 @@ pub(super) struct Space {
     pub enrichments: Vec<Enrichment>,
     /// (element, region, local node) → enrichment.
     parts: BTreeMap<(usize, usize), [Option<usize>; NODES]>,
-    /// element → (tip, enrichments of the four corners).
-    tips: BTreeMap<usize, Vec<(usize, [Option<usize>; NODES])>>,
+    /// element → (tip, enrichments of the nodes).
+    tips: BTreeMap<usize, Vec<TipFunctions>>,
     /// Elements with an enrichment, in increasing order.
     pub elements: Vec<usize>,
 }
 
 impl Space {
-    /// The space of `cuts` with √r functions at the corner nodes within `radius[tip]` (mm) of each tip and of the elements
+    /// The space of `cuts` with √r functions at the nodes within `radius[tip]` (mm) of each tip and of the elements
     /// that hold it. Elements that need cells are added to the cuts.
     pub(super) fn new(mesh: &QuadMesh, cuts: &mut Cuts, radius: &[f64]) -> Self {
         let mut enrichments = Vec::new();
@@ -52,7 +55,7 @@ impl Space {
                 enrichments.push(Enrichment::Part { node, regions });
             }
         }
-        let mut tips: BTreeMap<usize, Vec<(usize, [Option<usize>; NODES])>> = BTreeMap::new();
+        let mut tips: BTreeMap<usize, Vec<TipFunctions>> = BTreeMap::new();
         for (tip, &radius) in radius.iter().enumerate() {
             for node in tip_nodes(mesh, cuts, tip, radius) {
                 for e in mesh.elements_of(node) {
@@ -86,13 +89,13 @@ impl Space {
         self.parts.get(&(place.element, cuts.region(place))).copied().unwrap_or([None; NODES])
     }
 
-    /// Per tip with functions in an element, the enrichments of its corners.
-    pub(super) fn tips_in(&self, element: usize) -> &[(usize, [Option<usize>; NODES])] {
+    /// Per tip with functions in an element, the enrichments of its nodes.
+    pub(super) fn tips_in(&self, element: usize) -> &[TipFunctions] {
         self.tips.get(&element).map_or(&[], Vec::as_slice)
     }
 }
 
-/// The corner nodes that carry the functions of a tip.
+/// The nodes that carry the functions of a tip or kink.
 fn tip_nodes(mesh: &QuadMesh, cuts: &Cuts, tip: usize, radius: f64) -> BTreeSet<usize> {
     let at = cuts.poles[tip].position();
     let mut nodes = BTreeSet::new();
