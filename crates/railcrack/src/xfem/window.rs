@@ -1,6 +1,6 @@
 //! Where the mesh is fine.
 
-use crate::crack::CrackNetwork;
+use crate::crack::{Crack, CrackNetwork, End};
 use crate::math::Vec2;
 use crate::mesh::{MeshError, QuadMesh};
 
@@ -11,6 +11,24 @@ pub struct MeshSettings {
     pub element_size: f64,
     /// Length of the cracks at the end over that at the beginning, as far as the window shall reach.
     pub expected_growth: f64,
+}
+
+/// Elements along the shortest crack, by default.
+const ELEMENTS_PER_CRACK: f64 = 60.0;
+/// Elements along the segment that ends at a tip, at least, by default.
+const ELEMENTS_PER_TIP_SEGMENT: f64 = 7.0;
+
+/// Size (mm) of the elements at the cracks when none is asked for: a sixtieth of the shortest crack, and a seventh of the shortest
+/// segment that ends at a tip, which the domain of the SIFs shall not reach far beyond.
+pub fn default_element_size(network: &CrackNetwork) -> f64 {
+    let wanted = |crack: &Crack| {
+        let tip_segment = |end| {
+            let (from, to) = crack.segment(if end == End::First { 0 } else { crack.segment_count() - 1 });
+            (to - from).length() / ELEMENTS_PER_TIP_SEGMENT
+        };
+        crack.tips().into_iter().map(tip_segment).fold(crack.length() / ELEMENTS_PER_CRACK, f64::min)
+    };
+    network.cracks().iter().map(wanted).fold(f64::INFINITY, f64::min)
 }
 
 /// The rail that the mesh fills.

@@ -5,9 +5,11 @@
 
 mod passage;
 mod table;
+mod xfem;
 
-pub use passage::{Rolling, StepControl};
-pub use table::{History, column, histories, rows};
+pub use passage::{Rolling, RollingEngine, StepControl};
+pub use table::{History, column, histories, rows, table_histories};
+pub use xfem::{Meshed, condition, misfit, open_xfem_sifs, sifs_under};
 
 use railcrack::body::CrackedBody;
 use railcrack::crack::{Crack, CrackNetwork};
