@@ -1,8 +1,10 @@
 //! The finite-element engine.
 
+mod clamped_block;
 mod convergence;
 mod edge_crack;
 mod histories;
 mod random_cracks;
+mod shifted_mesh;
 mod sif_domain;
 mod slant_crack;
