@@ -20,3 +20,6 @@ pub use columns::ColumnStore;
 pub use engine::{RailEnd, XfemEngine, XfemSize};
 pub use sif::SifDomain;
 pub use window::{MeshSettings, Outline, Window, default_element_size};
+
+#[cfg(test)]
+mod patch_tests;

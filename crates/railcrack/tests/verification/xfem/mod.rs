@@ -3,8 +3,10 @@
 mod clamped_block;
 mod convergence;
 mod edge_crack;
+mod engines;
 mod histories;
 mod random_cracks;
 mod shifted_mesh;
 mod sif_domain;
 mod slant_crack;
+mod symmetry;
