@@ -53,7 +53,8 @@ impl Dense {
             let block = stiffness.matrix(element.size());
             for i in 0..16 {
                 for j in 0..16 {
-                    matrix[(2 * element.nodes[i / 2] + i % 2, 2 * element.nodes[j / 2] + j % 2)] += block[(i, j)];
+                    matrix[(2 * element.nodes[i / 2] + i % 2, 2 * element.nodes[j / 2] + j % 2)] +=
+                        block[(i, j)];
                 }
             }
         }
@@ -97,9 +98,12 @@ impl Dense {
     fn solve(&self, forces: &[f64], held: impl Fn(usize) -> bool) -> Vec<f64> {
         let n = forces.len();
         // Functions without stiffness, and those that the others repeat, get no say.
-        let scale: Vec<f64> = (0..n)
-            .map(|i| if held(i) || self.matrix[(i, i)] <= 0.0 { 0.0 } else { 1.0 / self.matrix[(i, i)].sqrt() })
-            .collect();
+        let scale: Vec<f64> =
+            (0..n)
+                .map(|i| {
+                    if held(i) || self.matrix[(i, i)] <= 0.0 { 0.0 } else { 1.0 / self.matrix[(i, i)].sqrt() }
+                })
+                .collect();
         let scaled = Matrix::from_fn(n, n, |i, j| {
             let own = if scale[i] > 0.0 { 1e-14 } else { 1.0 };
             self.matrix[(i, j)] * scale[i] * scale[j] + if i == j { own } else { 0.0 }
@@ -186,9 +190,8 @@ fn superposition_of_a_discrete_field() {
     let rail = BulkRail::new(mesh.clone(), &steel(), boundary).unwrap();
     let (standard, n) = (dense.standard, dense.matrix.rows());
     // Tension and shear on the right side, where no function of the crack reaches.
-    let forces = dense.outline(|_, normal, _, _| {
-        if normal.x > 0.0 { Vec2::new(50.0, 30.0) } else { Vec2::default() }
-    });
+    let forces =
+        dense.outline(|_, normal, _, _| if normal.x > 0.0 { Vec2::new(50.0, 30.0) } else { Vec2::default() });
     assert!(forces[standard..].iter().all(|f| *f == 0.0));
     let held = |i: usize| i < standard && rail.unknowns(i / 2)[i % 2].is_none();
     let at_once = dense.solve(&forces, held);

@@ -9,7 +9,7 @@ mod xfem;
 
 pub use passage::{Rolling, RollingEngine, StepControl};
 pub use table::{History, column, histories, rows, table_histories};
-pub use xfem::{Meshed, condition, misfit, open_xfem_sifs, sifs_under};
+pub use xfem::{Meshed, condition, misfit, sifs_under};
 
 use railcrack::body::CrackedBody;
 use railcrack::crack::{Crack, CrackNetwork};

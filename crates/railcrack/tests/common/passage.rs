@@ -76,11 +76,7 @@ impl Rolling<'_> {
 
     /// The wheel.
     pub fn contact(&self) -> HertzianContact {
-        HertzianContact {
-            peak_pressure: 845.0,
-            half_width: Self::HALF_WIDTH,
-            friction: self.wheel_friction,
-        }
+        HertzianContact { peak_pressure: 845.0, half_width: Self::HALF_WIDTH, friction: self.wheel_friction }
     }
 
     /// The cracked rail.

@@ -54,8 +54,7 @@ impl Meshed {
     /// The engine with a mesh for `cracks`.
     pub fn engine(&self, cracks: &[Crack]) -> XfemEngine {
         let network = CrackNetwork::new(cracks.to_vec()).unwrap();
-        let mesh =
-            MeshSettings { element_size: self.size(cracks), expected_growth: self.expected_growth };
+        let mesh = MeshSettings { element_size: self.size(cracks), expected_growth: self.expected_growth };
         XfemEngine::new(&network, steel(), mesh, self.end.clone(), self.settings)
     }
 
@@ -80,11 +79,6 @@ impl Meshed {
 /// K_I and K_II (MPa √mm) per tip of an open cracked rail under the stress of the uncracked one.
 pub fn sifs_under(body: &dyn CrackedBody, stress: impl Fn(Vec2) -> Stress) -> Vec<f64> {
     body.sif_influence().times(&body.faces().nodal_forces(stress))
-}
-
-/// [`sifs_under`] of `cracks` at the defaults.
-pub fn open_xfem_sifs(cracks: &[Crack], stress: impl Fn(Vec2) -> Stress) -> Vec<f64> {
-    sifs_under(Meshed::default().body(cracks).as_ref(), stress)
 }
 
 /// The condition number of a symmetric positive definite matrix scaled to a unit diagonal, by power iteration on it and on its

@@ -21,7 +21,9 @@ fn tractions() -> [(&'static str, fn(Vec2) -> Stress); 3] {
 /// Parameter g of the walk and slip and opening at the face points of a crack, with the tip.
 fn jumps(body: &dyn CrackedBody, walk: &Walk, forces: &[f64]) -> Vec<(f64, [f64; 2])> {
     let jumps = body.compliance().times(forces);
-    let at = |(j, point): (usize, &railcrack::body::MeshPoint)| (walk.g(point.s), [jumps[2 * j], jumps[2 * j + 1]]);
+    let at = |(j, point): (usize, &railcrack::body::MeshPoint)| {
+        (walk.g(point.s), [jumps[2 * j], jumps[2 * j + 1]])
+    };
     let mut all: Vec<(f64, [f64; 2])> = body.faces().points.iter().enumerate().map(at).collect();
     all.push((walk.range().1, [0.0; 2]));
     all
@@ -41,8 +43,7 @@ fn compare(name: &str, crack: Crack) {
     let walk = Walk::new(&CrackNetwork::from(crack).cracks()[0]);
     for (load, stress) in tractions() {
         let forces = [meshed.faces(), dislocated.faces()].map(|faces| faces.nodal_forces(stress));
-        let (own, other) =
-            (jumps(meshed.as_ref(), &walk, &forces[0]), jumps(&dislocated, &walk, &forces[1]));
+        let (own, other) = (jumps(meshed.as_ref(), &walk, &forces[0]), jumps(&dislocated, &walk, &forces[1]));
         let peak = largest(other.iter().flat_map(|jump| jump.1));
         let jump = largest(own.iter().flat_map(|&(g, w)| {
             let want = interpolated(&other, g);

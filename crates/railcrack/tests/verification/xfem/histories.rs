@@ -1,6 +1,6 @@
 //! SIF histories under the passing wheel against independent collocation codes, at the defaults users get.
 
-use crate::common::{Rolling, histories, largest, misfit, surface_crack};
+use crate::common::{Meshed, Rolling, RollingEngine, histories, largest, misfit, surface_crack};
 use railcrack::contact::FaceStatus;
 use railcrack::crack::{Crack, End};
 use railcrack::field::DepthProfile;
@@ -52,14 +52,23 @@ fn agrees(file: &str, rolling: &Rolling, allowed: f64) {
     assert!(overlap < OVERLAP, "{file}: faces overlap by {overlap:.1e} of the largest opening");
 }
 
+/// As a run that computes the initial cracks only: a mesh without room for growth.
+fn rolling(cracks: Vec<Crack>, crack_friction: f64, wheel_friction: f64) -> Rolling<'static> {
+    let engine = RollingEngine::Xfem(Meshed::still());
+    Rolling { engine, ..Rolling::over(cracks, crack_friction, wheel_friction) }
+}
+
 fn straight(degrees: f64, crack_friction: f64, wheel_friction: f64) -> Rolling<'static> {
-    Rolling::meshed(vec![surface_crack(0.0, 6.0, degrees)], crack_friction, wheel_friction)
+    rolling(vec![surface_crack(0.0, 6.0, degrees)], crack_friction, wheel_friction)
 }
 
 #[test]
 fn reference_cases() {
-    agrees("table1", &straight(15.0, 0.5, 0.025), PROMISED);
-    agrees("fig13", &straight(15.0, 0.1, 0.4), PROMISED);
+    let crack = || vec![surface_crack(0.0, 6.0, 15.0)];
+    // With room for 25 increments of 4 %.
+    agrees("table1", &Rolling::meshed(crack(), 0.5, 0.025), PROMISED);
+    agrees("table1", &rolling(crack(), 0.5, 0.025), PROMISED);
+    agrees("fig13", &rolling(crack(), 0.1, 0.4), PROMISED);
 }
 
 #[test]
@@ -94,14 +103,14 @@ fn kinked(degrees: f64, kink: f64, beta: f64) -> Crack {
 #[test]
 fn kinks_of_a_third_of_the_crack() {
     for (file, beta) in [("kink15_4_2_b+30", 30.0), ("kink15_4_2_b-30", -30.0), ("kink15_4_2_b-60", -60.0)] {
-        agrees(file, &Rolling::meshed(vec![kinked(15.0, 2.0, beta)], 0.5, 0.1), PROMISED_OF_KINKS);
+        agrees(file, &rolling(vec![kinked(15.0, 2.0, beta)], 0.5, 0.1), PROMISED_OF_KINKS);
     }
 }
 
 #[test]
 fn short_kinks() {
     for (file, beta) in [("kink30_4_0.3_b+60", 60.0), ("kink30_4_0.3_b-60", -60.0)] {
-        agrees(file, &Rolling::meshed(vec![kinked(30.0, 0.3, beta)], 0.5, 0.1), PROMISED_OF_KINKS);
+        agrees(file, &rolling(vec![kinked(30.0, 0.3, beta)], 0.5, 0.1), PROMISED_OF_KINKS);
     }
 }
 
@@ -119,14 +128,14 @@ fn residual_profile() {
         (20.0, 0.0),
     ];
     let profile = DepthProfile::new(by_depth.map(|(depth, xx)| (depth, xx, 0.0)).to_vec()).unwrap();
-    let mut rolling = straight(15.0, 0.5, 0.025);
-    rolling.residual = Some(&profile);
-    agrees("table1_res", &rolling, PROMISED);
+    let mut straight = straight(15.0, 0.5, 0.025);
+    straight.residual = Some(&profile);
+    agrees("table1_res", &straight, PROMISED);
 }
 
 #[test]
 fn pair() {
     let cracks = || vec![surface_crack(0.0, 6.0, 15.0), surface_crack(-1.0, 6.0, 165.0)];
-    agrees("pair_c0.01", &Rolling::meshed(cracks(), 0.01, 0.025), PROMISED_OF_KINKS);
-    agrees("pair_c0.5", &Rolling::meshed(cracks(), 0.5, 0.025), PROMISED_OF_KINKS);
+    agrees("pair_c0.01", &rolling(cracks(), 0.01, 0.025), PROMISED_OF_KINKS);
+    agrees("pair_c0.5", &rolling(cracks(), 0.5, 0.025), PROMISED_OF_KINKS);
 }

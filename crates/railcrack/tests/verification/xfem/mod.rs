@@ -1,6 +1,7 @@
 //! The finite-element engine.
 
 mod clamped_block;
+mod contact_pressure;
 mod convergence;
 mod edge_crack;
 mod engines;

@@ -41,7 +41,8 @@ fn sifs(crack: &Crack, at: Vec2, shift: Vec2, stress: Stress) -> Vec<f64> {
     let window = Window::new(&network, MeshSettings { element_size: size, expected_growth: 1.0 });
     let mesh = window.mesh(Outline { left: -1000.0, right: 1000.0, depth: 1000.0 }).unwrap();
     let x = moved(mesh.x_lines(), at.x, shift.x * size);
-    let y = if at.y == 0.0 { mesh.y_lines().to_vec() } else { stretched(mesh.y_lines(), at.y, shift.y * size) };
+    let y =
+        if at.y == 0.0 { mesh.y_lines().to_vec() } else { stretched(mesh.y_lines(), at.y, shift.y * size) };
     let rail = BulkRail::new(QuadMesh::new(x, y).unwrap(), &steel(), Boundary::HalfPlane).unwrap();
     sifs_under(&XfemBody::new(&rail, &network, XfemSettings::default()).unwrap(), |_| stress)
 }
@@ -69,5 +70,10 @@ fn by_fractions_of_an_element() {
     let kinked = surface_crack(0.0, 4.0, 15.0).extended(End::Last, 2.0, -1.0).unwrap();
     spread("kinked, at the kink", &kinked, kinked.points()[1], TENSION);
     let buried = buried_crack(Vec2::new(0.0, -20.0), 3.0, 0.0);
-    spread("buried along a line, at a tip", &buried, buried.tip(End::First), Stress { yy: 1.0, ..Stress::ZERO });
+    spread(
+        "buried along a line, at a tip",
+        &buried,
+        buried.tip(End::First),
+        Stress { yy: 1.0, ..Stress::ZERO },
+    );
 }

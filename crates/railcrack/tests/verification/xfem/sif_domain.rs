@@ -1,6 +1,6 @@
 //! Stress intensity factors do not depend on the domain of integration.
 
-use crate::common::{Meshed, Rolling, TENSION, close, largest, sifs_under, surface_crack, Of};
+use crate::common::{Meshed, Of, Rolling, TENSION, close, largest, sifs_under, surface_crack};
 use railcrack::body::CrackedBody;
 use railcrack::contact::{FaceProblem, Newton};
 use railcrack::crack::{Crack, End};
@@ -36,10 +36,10 @@ fn kinked(length: f64, kink: f64, beta: f64) -> Crack {
 fn cracks() -> Vec<(&'static str, Crack, Meshed)> {
     let three_elements = Meshed { element_size: Some(0.1), ..Meshed::still() };
     vec![
-        ("straight, 15°", surface_crack(0.0, 6.0, 15.0), Meshed::default()),
-        ("straight, 90°", surface_crack(0.0, 6.0, 90.0), Meshed::default()),
-        ("kink of −30°", kinked(4.0, 2.0, -30.0), Meshed::default()),
-        ("kink of −60°", kinked(4.0, 2.0, -60.0), Meshed::default()),
+        ("straight, 15°", surface_crack(0.0, 6.0, 15.0), Meshed::still()),
+        ("straight, 90°", surface_crack(0.0, 6.0, 90.0), Meshed::still()),
+        ("kink of −30°", kinked(4.0, 2.0, -30.0), Meshed::still()),
+        ("kink of −60°", kinked(4.0, 2.0, -60.0), Meshed::still()),
         ("kink of −30°, three elements", kinked(5.7, 0.3, -30.0), three_elements.clone()),
         ("kink of −60°, three elements", kinked(5.7, 0.3, -60.0), three_elements.clone()),
         ("kink of +30°, three elements", kinked(5.7, 0.3, 30.0), three_elements),

@@ -1,6 +1,8 @@
 //! Mirrored cracks, cracks far apart, threads, and bodies made after others.
 
-use crate::common::{Absolute, Meshed, Of, Rolling, TENSION, close, largest, sifs_under, steel, surface_crack};
+use crate::common::{
+    Absolute, Meshed, Of, Rolling, TENSION, close, largest, sifs_under, steel, surface_crack,
+};
 use railcrack::body::{BodyEngine, CrackedBody};
 use railcrack::bulk::{Boundary, BulkRail};
 use railcrack::crack::{Crack, CrackNetwork, End};
