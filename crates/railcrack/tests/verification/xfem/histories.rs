@@ -35,7 +35,7 @@ fn opening_mode_of_closed_tips(result: &StabilisedPassage) -> f64 {
 fn overlap(result: &StabilisedPassage) -> f64 {
     let openings = || result.faces.states.iter().flatten().map(|state| state.opening);
     let (low, high) = openings().fold((0.0f64, 0.0f64), |(low, high), w| (low.min(w), high.max(w)));
-    if high > 0.0 { -low / high } else { 0.0 }
+    if high > 0.0 { low.abs() / high } else { 0.0 }
 }
 
 #[track_caller]
