@@ -45,7 +45,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (mesh_ms, mesh) = timed(|| window.mesh(outline));
     let mesh = mesh?;
     let (rail_ms, rail) = timed(|| BulkRail::new(mesh.clone(), &steel, Boundary::HalfPlane));
-    let rail = rail?;
+    let rail = Arc::new(rail?);
     let order = mesh.nested_dissection().into_iter().flat_map(|node| rail.unknowns(node)).flatten().collect();
     let (analysis_ms, analysis) =
         timed(|| SparseCholesky::analyse(Arc::clone(rail.matrix().pattern()), order));

@@ -127,6 +127,7 @@ fn bulk_rail(bencher: Bencher) {
 #[divan::bench(sample_count = SAMPLES, sample_size = 1)]
 fn block_correction(bencher: Bencher) {
     let rail = rail(block_mesh());
+    let rail = Arc::new(rail);
     bencher.bench(|| BlockCorrection::new(black_box(&rail), &CONTACT, -40.5..=40.5).unwrap());
 }
 

@@ -4,19 +4,14 @@ use super::validated::{Case, ContactSolver, Engine};
 use crate::body::BodyEngine;
 use crate::bulk::Boundary;
 use crate::contact::{self, Latin, Newton};
-use crate::crack::Crack;
 use crate::dislocation::{DislocationEngine, FaceResolution};
 use crate::field::{HertzDisplacement, StressField};
 use crate::growth::{FieldSettings, Growth, GrowthProblem, GrowthState, RailBox};
-use crate::xfem::{EnrichmentRadius, MeshSettings, Outline, RailEnd, XfemEngine, XfemSettings};
+use crate::xfem::{
+    EnrichmentRadius, MeshSettings, Outline, RailEnd, XfemEngine, XfemSettings, default_element_size,
+};
 use std::num::NonZeroUsize;
 
-/// Elements along a crack, by default: with 60, histories of single cracks are within 0.6 % of the peak |K|, where 1 % is promised.
-const ELEMENTS_PER_CRACK: f64 = 60.0;
-/// Elements along each crack of a network of more than three, by default.
-const ELEMENTS_PER_CRACK_OF_MANY: f64 = 30.0;
-/// Elements along the segment that ends at a tip, at least, by default.
-const ELEMENTS_PER_TIP_SEGMENT: f64 = 7.0;
 /// Growth of the length that the window makes room for, at most: a crack that grows on has it enlarged.
 const LARGEST_WINDOW: f64 = 3.0;
 
@@ -31,18 +26,8 @@ impl Case {
 
     /// The finite-element engine, with a mesh for the cracks at the beginning and their growth.
     pub fn xfem_engine(&self) -> XfemEngine {
-        let cracks = self.cracks.cracks();
-        let per_crack = if cracks.len() > 3 { ELEMENTS_PER_CRACK_OF_MANY } else { ELEMENTS_PER_CRACK };
-        let wanted = |crack: &Crack| {
-            let points = crack.points();
-            let last = (points[points.len() - 1] - points[points.len() - 2]).length();
-            (crack.length() / per_crack).min(last / ELEMENTS_PER_TIP_SEGMENT)
-        };
         let mesh = MeshSettings {
-            element_size: self
-                .mesh
-                .element_size
-                .unwrap_or_else(|| cracks.iter().map(wanted).fold(f64::INFINITY, f64::min)),
+            element_size: self.mesh.element_size.unwrap_or_else(|| default_element_size(&self.cracks)),
             expected_growth: (1.0 + self.growth.increment).powf(self.growth.steps as f64).min(LARGEST_WINDOW),
         };
         let defaults = XfemSettings::default();

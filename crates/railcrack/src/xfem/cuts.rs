@@ -114,6 +114,19 @@ impl Cuts {
                 }
             }
         }
+        // A segment ends at a kink also in an element that the next one leaves at once.
+        for (crack, path) in paths.iter().enumerate() {
+            for i in 1..path.segments() {
+                for e in elements_at(mesh, path.points[i]) {
+                    let Some(list) = held.get_mut(&e) else { continue };
+                    let both = [(crack, i - 1), (crack, i)];
+                    if both.iter().any(|segment| list.contains(segment)) {
+                        list.retain(|segment| !both.contains(segment));
+                        list.extend(both);
+                    }
+                }
+            }
+        }
         for tip in &tips {
             for e in elements_at(mesh, tip.position()) {
                 let segment = match tip.end {

@@ -70,7 +70,8 @@ impl Space {
                 enrichments.push(Enrichment::Tip { tip, node });
             }
         }
-        for &e in tips.keys() {
+        // A crack through a node touches two of its elements in that point alone, and still parts their functions.
+        for e in parts.keys().map(|&(e, _)| e).chain(tips.keys().copied()) {
             cuts.include(mesh, e);
         }
         let mut elements: Vec<usize> = parts.keys().map(|&(e, _)| e).chain(tips.keys().copied()).collect();

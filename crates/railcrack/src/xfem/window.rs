@@ -1,6 +1,6 @@
 //! Where the mesh is fine.
 
-use crate::crack::{CrackNetwork, End};
+use crate::crack::{Crack, CrackNetwork, End};
 use crate::math::Vec2;
 use crate::mesh::{MeshError, QuadMesh};
 
@@ -11,6 +11,44 @@ pub struct MeshSettings {
     pub element_size: f64,
     /// Length of the cracks at the end over that at the beginning, as far as the window shall reach.
     pub expected_growth: f64,
+}
+
+/// Elements along a crack, by default: with 60, histories of single cracks are within 0.6 % of the peak |K|, where 1 % is promised.
+const ELEMENTS_PER_CRACK: f64 = 60.0;
+/// Elements along each crack of a network of more than [`FEW`], by default.
+const ELEMENTS_PER_CRACK_OF_MANY: f64 = 30.0;
+/// Cracks that are resolved like single ones.
+const FEW: usize = 3;
+/// Elements along the part of a crack between a tip and the last turn before it, at least, by default.
+const ELEMENTS_PER_TIP_SEGMENT: f64 = 7.0;
+/// Turns below this angle (radians) do not end that part.
+const TURN: f64 = 0.1;
+/// Elements along a crack at most, by default: a shorter last part has fewer.
+const MOST_ELEMENTS_PER_CRACK: f64 = 250.0;
+
+/// Size (mm) of the elements at the cracks when none is asked for: a sixtieth of the shortest crack (a thirtieth in a network of more than
+/// three), and a seventh of the shortest part that ends at a tip, which the domain of the SIFs shall not reach far beyond.
+pub fn default_element_size(network: &CrackNetwork) -> f64 {
+    let cracks = network.cracks();
+    let per_crack = if cracks.len() > FEW { ELEMENTS_PER_CRACK_OF_MANY } else { ELEMENTS_PER_CRACK };
+    let wanted = |crack: &Crack| {
+        let length = crack.length();
+        let parts = crack.tips().into_iter().map(|end| tip_part(crack, end) / ELEMENTS_PER_TIP_SEGMENT);
+        parts.fold(length / per_crack, f64::min).max(length / MOST_ELEMENTS_PER_CRACK)
+    };
+    cracks.iter().map(wanted).fold(f64::INFINITY, f64::min)
+}
+
+/// Length (mm) of the crack from the tip `end` back to the first turn.
+fn tip_part(crack: &Crack, end: End) -> f64 {
+    let mut points = crack.points().to_vec();
+    if end == End::Last {
+        points.reverse();
+    }
+    let along: Vec<Vec2> = points.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    let straight = |pair: &[Vec2]| pair[0].cross(pair[1]).atan2(pair[0].dot(pair[1])).abs() <= TURN;
+    let turns = along.windows(2).take_while(|pair| straight(pair)).count();
+    along[..=turns].iter().map(|part| part.length()).sum()
 }
 
 /// The rail that the mesh fills.

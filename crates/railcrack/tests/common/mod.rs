@@ -6,10 +6,12 @@
 mod ledger;
 mod passage;
 mod table;
+mod xfem;
 
 pub use ledger::measured;
-pub use passage::{Rolling, StepControl};
-pub use table::{History, column, histories, rows};
+pub use passage::{Rolling, RollingEngine, StepControl};
+pub use table::{History, column, histories, rows, table_histories};
+pub use xfem::{Meshed, condition, misfit, sifs_under};
 
 use railcrack::body::CrackedBody;
 use railcrack::crack::{Crack, CrackNetwork};

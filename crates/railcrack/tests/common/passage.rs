@@ -1,6 +1,7 @@
 //! Passages of the wheel over cracks, with the defaults users get.
 
-use super::body;
+use super::{Meshed, body};
+use railcrack::body::CrackedBody;
 use railcrack::contact::{ContactSolver, FaceProblem, Newton};
 use railcrack::crack::{Crack, CrackNetwork};
 use railcrack::dislocation::FaceResolution;
@@ -22,6 +23,15 @@ impl Default for StepControl {
     }
 }
 
+/// What computes the cracked rail.
+#[derive(Debug, Clone)]
+pub enum RollingEngine {
+    /// Dislocations, [`Rolling::elements`] along each crack.
+    Dislocation,
+    /// Finite elements.
+    Xfem(Meshed),
+}
+
 /// Cracks under the wheel of the reference case: 845 MPa, a = 6.75 mm, from −6 a to 6 a.
 #[derive(Clone)]
 pub struct Rolling<'a> {
@@ -31,6 +41,7 @@ pub struct Rolling<'a> {
     pub wheel_friction: f64,
     pub residual: Option<&'a dyn StressField>,
     pub elements: usize,
+    pub engine: RollingEngine,
     pub steps: StepControl,
     /// +1 towards +x, −1 towards −x.
     pub travel: f64,
@@ -53,7 +64,27 @@ impl Rolling<'_> {
     pub fn over(cracks: Vec<Crack>, crack_friction: f64, wheel_friction: f64) -> Self {
         let elements = FaceResolution::for_cracks(cracks.len()).elements;
         let steps = StepControl::default();
-        Self { cracks, crack_friction, wheel_friction, residual: None, elements, steps, travel: 1.0 }
+        let engine = RollingEngine::Dislocation;
+        Self { cracks, crack_friction, wheel_friction, residual: None, elements, engine, steps, travel: 1.0 }
+    }
+
+    /// [`Rolling::over`] with finite elements at their defaults.
+    pub fn meshed(cracks: Vec<Crack>, crack_friction: f64, wheel_friction: f64) -> Self {
+        let engine = RollingEngine::Xfem(Meshed::default());
+        Self { engine, ..Self::over(cracks, crack_friction, wheel_friction) }
+    }
+
+    /// The wheel.
+    pub fn contact(&self) -> HertzianContact {
+        HertzianContact { peak_pressure: 845.0, half_width: Self::HALF_WIDTH, friction: self.wheel_friction }
+    }
+
+    /// The cracked rail.
+    pub fn body(&self) -> Box<dyn CrackedBody> {
+        match &self.engine {
+            RollingEngine::Dislocation => Box::new(body(&self.cracks, self.elements)),
+            RollingEngine::Xfem(meshed) => meshed.body(&self.cracks),
+        }
     }
 
     /// The passage by the default solver.
@@ -62,8 +93,8 @@ impl Rolling<'_> {
     }
 
     pub fn solve_by(&self, solver: &dyn ContactSolver) -> StabilisedPassage {
-        let body = body(&self.cracks, self.elements);
-        let problem = FaceProblem::new(&body, &vec![self.crack_friction; self.cracks.len()]);
+        let body = self.body();
+        let problem = FaceProblem::new(body.as_ref(), &vec![self.crack_friction; self.cracks.len()]);
         self.on(&problem, solver)
     }
 
@@ -79,12 +110,7 @@ impl Rolling<'_> {
             passage_tolerance: 1e-3,
             step_tolerance: self.steps.tolerance,
         };
-        let contact = HertzianContact {
-            peak_pressure: 845.0,
-            half_width: Self::HALF_WIDTH,
-            friction: self.wheel_friction,
-        };
-        let load = RailLoad { contact, poisson: 0.3, residual: self.residual };
+        let load = RailLoad { contact: self.contact(), poisson: 0.3, residual: self.residual };
         stabilised_passage(problem, solver, load, &settings, &Unwatched).unwrap()
     }
 }

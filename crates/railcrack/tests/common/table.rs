@@ -28,7 +28,12 @@ pub struct History {
 
 /// The histories of all cracks in a file of `half-plane-histories`, in order.
 pub fn histories(name: &str) -> Vec<History> {
-    let table = rows(&format!("half-plane-histories/{name}.csv"));
+    table_histories(&format!("half-plane-histories/{name}.csv"))
+}
+
+/// The histories of all cracks in a file below `verification/`, in order.
+pub fn table_histories(file: &str) -> Vec<History> {
+    let table = rows(file);
     let (xc, k1, k2) =
         (column(&table, "xc_over_a"), column(&table, "ki_mpa_sqrt_m"), column(&table, "kii_mpa_sqrt_m"));
     let cracks =

@@ -29,7 +29,7 @@ fn bends(points: &[FacePoint], states: &[FaceState]) -> Vec<Option<f64>> {
 
 /// Over all positions and over the peak pressure: the largest bend, and the largest amplitude of neighbouring bends of
 /// opposite sign, which is what an oscillation is and a slope or a curvature is not.
-fn roughness(faces: &FaceRecord) -> (f64, f64) {
+pub fn roughness(faces: &FaceRecord) -> (f64, f64) {
     let peak = largest(faces.states.iter().flatten().map(|state| state.s22));
     let (mut bend, mut oscillation) = (0.0f64, 0.0f64);
     for states in &faces.states {

@@ -1,35 +1,13 @@
 //! SIF histories under the passing wheel against independent collocation codes, at the defaults users get.
 
-use crate::common::{History, Rolling, histories, surface_crack};
+use crate::common::{Rolling, histories, misfit, surface_crack};
 use railcrack::crack::End;
 use railcrack::field::DepthProfile;
-use railcrack::growth::StabilisedPassage;
 
 /// What users are promised of the dislocation engine, over the largest |K| of the case.
 const PROMISED: f64 = 0.005;
 /// The same for networks.
 const PROMISED_IN_NETWORKS: f64 = 0.02;
-
-/// The largest difference of K at any position and crack, over the peak of the reference, and where.
-fn misfit(result: &StabilisedPassage, reference: &[History]) -> (f64, String) {
-    let passage = &result.passages[result.passages.len() - 1];
-    let all = || reference.iter().flat_map(|h| &h.sifs);
-    let peak = all().fold(0.0f64, |m, k| m.max(k.k1.abs()).max(k.k2.abs()));
-    let mut worst = (0.0, String::new());
-    for (crack, history) in reference.iter().enumerate() {
-        assert_eq!(history.sifs.len(), passage.sifs[crack].len());
-        for (i, (want, got)) in history.sifs.iter().zip(&passage.sifs[crack]).enumerate() {
-            for (name, want, got) in [("K_I", want.k1, got.k1), ("K_II", want.k2, got.k2)] {
-                let error = (got - want).abs() / peak;
-                if error > worst.0 {
-                    let xc = history.xc_over_a[i];
-                    worst = (error, format!("{name} of crack {} at x_c/a {xc:.2}", crack + 1));
-                }
-            }
-        }
-    }
-    worst
-}
 
 #[track_caller]
 fn agrees(file: &str, rolling: &Rolling, allowed: f64) {

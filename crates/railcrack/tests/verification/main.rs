@@ -1,4 +1,4 @@
-//! The dislocation engine, the contact of the faces and passages of the wheel against closed forms, against independent
+//! Both engines, the contact of the faces and passages of the wheel against closed forms, against independent
 //! computations and against themselves.
 
 #[path = "../common/mod.rs"]
@@ -20,3 +20,4 @@ mod slant_crack;
 mod step_tolerance;
 mod symmetric_cracks;
 mod threads;
+mod xfem;

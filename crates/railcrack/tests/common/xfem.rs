@@ -1,0 +1,136 @@
+//! Cracked rails by the finite-element engine, at the defaults users get.
+
+use super::{History, steel};
+use railcrack::body::{BodyEngine, CrackedBody};
+use railcrack::bulk::BulkRail;
+use railcrack::crack::{Crack, CrackNetwork};
+use railcrack::growth::StabilisedPassage;
+use railcrack::linear::SpdFactor;
+use railcrack::math::{Matrix, Stress, Vec2};
+use railcrack::xfem::{
+    ColumnStore, MeshSettings, RailEnd, XfemBody, XfemEngine, XfemSettings, default_element_size,
+};
+
+/// How the rail is meshed.
+#[derive(Debug, Clone)]
+pub struct Meshed {
+    /// Size of the elements, mm; none for the default.
+    pub element_size: Option<f64>,
+    /// Final over initial length that the window makes room for.
+    pub expected_growth: f64,
+    pub settings: XfemSettings,
+    pub end: RailEnd,
+}
+
+impl Default for Meshed {
+    /// As a case file that says nothing: room for 25 increments of 4 %.
+    fn default() -> Self {
+        Self {
+            element_size: None,
+            expected_growth: 1.04f64.powi(25),
+            settings: XfemSettings::default(),
+            end: RailEnd::HalfPlane { centre: 0.0 },
+        }
+    }
+}
+
+impl Meshed {
+    /// Without room for growth.
+    pub fn still() -> Self {
+        Self { expected_growth: 1.0, ..Self::default() }
+    }
+
+    /// Elements of `size` (mm) without room for growth.
+    pub fn of_size(size: f64) -> Self {
+        Self { element_size: Some(size), ..Self::still() }
+    }
+
+    /// The size of the elements for `cracks`, mm.
+    pub fn size(&self, cracks: &[Crack]) -> f64 {
+        let network = CrackNetwork::new(cracks.to_vec()).unwrap();
+        self.element_size.unwrap_or_else(|| default_element_size(&network))
+    }
+
+    /// The engine with a mesh for `cracks`.
+    pub fn engine(&self, cracks: &[Crack]) -> XfemEngine {
+        let network = CrackNetwork::new(cracks.to_vec()).unwrap();
+        let mesh = MeshSettings { element_size: self.size(cracks), expected_growth: self.expected_growth };
+        XfemEngine::new(&network, steel(), mesh, self.end.clone(), self.settings)
+    }
+
+    pub fn body(&self, cracks: &[Crack]) -> Box<dyn CrackedBody> {
+        self.engine(cracks).body(&CrackNetwork::new(cracks.to_vec()).unwrap()).unwrap()
+    }
+
+    /// `look` at the uncracked rail and what turns settings into bodies on it.
+    pub fn with_bodies<T>(
+        &self,
+        cracks: &[Crack],
+        look: impl FnOnce(&BulkRail, &mut dyn FnMut(XfemSettings) -> XfemBody) -> T,
+    ) -> T {
+        let network = CrackNetwork::new(cracks.to_vec()).unwrap();
+        let mut engine = self.engine(cracks);
+        let rail = engine.background(&network).unwrap();
+        let mut columns = ColumnStore::default();
+        look(rail, &mut |settings| XfemBody::with_columns(rail, &network, settings, &mut columns).unwrap())
+    }
+}
+
+/// K_I and K_II (MPa √mm) per tip of an open cracked rail under the stress of the uncracked one.
+pub fn sifs_under(body: &dyn CrackedBody, stress: impl Fn(Vec2) -> Stress) -> Vec<f64> {
+    body.sif_influence().times(&body.faces().nodal_forces(stress))
+}
+
+/// The condition number of a symmetric positive definite matrix scaled to a unit diagonal, by power iteration on it and on its
+/// inverse; none where it is not symmetric to the last bit or not positive definite.
+pub fn condition(matrix: &Matrix) -> Option<f64> {
+    let n = matrix.rows();
+    let symmetric = (0..n).all(|i| (0..i).all(|j| matrix[(i, j)] == matrix[(j, i)]));
+    if !symmetric || (0..n).any(|i| matrix[(i, i)].is_nan() || matrix[(i, i)] <= 0.0) {
+        return None;
+    }
+    let scaled = Matrix::from_fn(n, n, |i, j| matrix[(i, j)] / (matrix[(i, i)] * matrix[(j, j)]).sqrt());
+    let inverse = SpdFactor::new(&scaled).ok()?.inverse();
+    Some(largest_eigenvalue(&scaled) * largest_eigenvalue(&inverse))
+}
+
+/// Steps of the power iteration: its value is from below, and within per cents.
+const POWER_STEPS: usize = 40;
+
+fn largest_eigenvalue(matrix: &Matrix) -> f64 {
+    let mut vector: Vec<f64> = (0..matrix.rows()).map(|i| 1.0 + 0.5 * (7.3 * i as f64).sin()).collect();
+    let mut value = 0.0;
+    for _ in 0..POWER_STEPS {
+        let size = dot(&vector, &vector).sqrt();
+        vector.iter_mut().for_each(|v| *v /= size);
+        let image = matrix.times(&vector);
+        value = dot(&vector, &image);
+        vector = image;
+    }
+    value
+}
+
+/// The largest difference of K at any position and crack, over the peak of the reference, and where.
+pub fn misfit(result: &StabilisedPassage, reference: &[History]) -> (f64, String) {
+    let passage = &result.passages[result.passages.len() - 1];
+    let all = || reference.iter().flat_map(|h| &h.sifs);
+    let peak = all().fold(0.0f64, |m, k| m.max(k.k1.abs()).max(k.k2.abs()));
+    let mut worst = (0.0, String::new());
+    for (crack, history) in reference.iter().enumerate() {
+        assert_eq!(history.sifs.len(), passage.sifs[crack].len());
+        for (i, (want, got)) in history.sifs.iter().zip(&passage.sifs[crack]).enumerate() {
+            for (name, want, got) in [("K_I", want.k1, got.k1), ("K_II", want.k2, got.k2)] {
+                let error = (got - want).abs() / peak;
+                if error > worst.0 {
+                    let xc = history.xc_over_a[i];
+                    worst = (error, format!("{name} of crack {} at x_c/a {xc:.2}", crack + 1));
+                }
+            }
+        }
+    }
+    worst
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}

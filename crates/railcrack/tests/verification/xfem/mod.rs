@@ -1,0 +1,13 @@
+//! The finite-element engine.
+
+mod clamped_block;
+mod contact_pressure;
+mod convergence;
+mod edge_crack;
+mod engines;
+mod histories;
+mod random_cracks;
+mod shifted_mesh;
+mod sif_domain;
+mod slant_crack;
+mod symmetry;
