@@ -5,11 +5,13 @@
 
 mod ledger;
 mod passage;
+mod requirements;
 mod table;
 mod xfem;
 
-pub use ledger::measured;
+pub use ledger::{measured, measured_as, measured_order};
 pub use passage::{Rolling, RollingEngine, StepControl};
+pub use requirements::REQUIREMENTS;
 pub use table::{History, column, histories, rows, table_histories};
 pub use xfem::{Meshed, condition, misfit, sifs_under};
 

@@ -1,6 +1,6 @@
 //! SIF histories under the passing wheel against independent collocation codes, at the defaults users get.
 
-use crate::common::{Rolling, histories, misfit, surface_crack};
+use crate::common::{Rolling, histories, measured, misfit, surface_crack};
 use railcrack::crack::End;
 use railcrack::field::DepthProfile;
 
@@ -13,6 +13,7 @@ const PROMISED_IN_NETWORKS: f64 = 0.02;
 fn agrees(file: &str, rolling: &Rolling, allowed: f64) {
     let (error, place) = misfit(&rolling.solve(), &histories(file));
     println!("{file}: {:.3} % of the peak, {place}", 100.0 * error);
+    measured(error, allowed, "promised to users, of the peak");
     assert!(error < allowed, "{file}: {:.3} % of the peak, {place}", 100.0 * error);
 }
 

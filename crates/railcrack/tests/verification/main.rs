@@ -16,6 +16,7 @@ mod kinked_crack;
 mod latin_and_newton;
 mod law_of_the_faces;
 mod mirror;
+mod page;
 mod slant_crack;
 mod step_tolerance;
 mod symmetric_cracks;

@@ -1,6 +1,6 @@
 //! The paper's block with its bottom clamped against a conforming mesh of quadratic elements.
 
-use crate::common::{Meshed, Rolling, RollingEngine, misfit, surface_crack, table_histories};
+use crate::common::{Meshed, Rolling, RollingEngine, measured, misfit, surface_crack, table_histories};
 use railcrack::bulk::{BottomSupport, SideSupport};
 use railcrack::xfem::{Outline, RailEnd};
 
@@ -21,5 +21,6 @@ fn table1() {
     rolling.engine = RollingEngine::Xfem(Meshed { end, ..Meshed::default() });
     let (error, place) = misfit(&rolling.solve(), &table_histories("clamped-block/table1.csv"));
     println!("{:.3} % of the peak, {place}", 100.0 * error);
+    measured(error, PROMISED, "1.5 % of the peak: the reference is itself 0.5 % low");
     assert!(error < PROMISED, "{:.3} % of the peak, {place}", 100.0 * error);
 }

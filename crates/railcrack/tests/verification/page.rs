@@ -1,0 +1,24 @@
+//! The page docs/verification.md lists what the tests hold.
+
+use crate::common::REQUIREMENTS;
+use std::path::Path;
+
+#[test]
+fn lists_every_requirement() {
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/verification.md");
+    let page = std::fs::read_to_string(page).unwrap();
+    let rows: Vec<&str> = page.lines().filter(|line| line.starts_with("| ")).collect();
+    for requirement in REQUIREMENTS {
+        let row = rows.iter().find(|row| {
+            row.contains(&requirement.says.replace('|', "\\|")) && row.contains(requirement.test)
+        });
+        assert!(
+            row.is_some(),
+            "`{}` of {} is not on the page: see CONTRIBUTING.md",
+            requirement.says,
+            requirement.test
+        );
+    }
+    // A heading, and nothing that no test holds.
+    assert_eq!(rows.len(), REQUIREMENTS.len() + 1, "rows of the page");
+}
