@@ -1,11 +1,10 @@
 //! The LATIN method condensed to the faces.
 
-use super::anderson::Anderson;
 use super::{
     ContactSolver, FaceProblem, FaceResponse, FaceSolution, LoadStep, NotConverged, PointStatus, StepSolver,
 };
 use crate::linear::spd_inverse;
-use crate::math::{Matrix, dot};
+use crate::math::{Anderson, Matrix, dot};
 
 /// The LATIN method of Trollé et al. 2014 (eqs 17 and 25) with the displacements condensed to the faces.
 ///

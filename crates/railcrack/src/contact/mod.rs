@@ -1,7 +1,6 @@
 //! Unilateral contact with Coulomb friction on the crack faces.
 
 mod active_inverse;
-mod anderson;
 mod forecast;
 mod latin;
 mod law;

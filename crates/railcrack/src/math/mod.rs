@@ -1,5 +1,6 @@
 //! Vectors, plane-strain stress tensors, dense matrices, quadrature rules, exact orientation, enclosing balls.
 
+mod anderson;
 mod ball;
 mod grading;
 mod kernels;
@@ -10,6 +11,7 @@ mod stress;
 mod units;
 mod vector;
 
+pub(crate) use anderson::Anderson;
 pub use ball::{Ball, smallest_ball};
 pub use grading::quantiles;
 pub(crate) use kernels::{axpy, axpy_two, dot};

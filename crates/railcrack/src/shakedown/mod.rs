@@ -1,6 +1,5 @@
 //! Plasticity under repeated passages: the stabilised state of a rolled rail, and what it bears without.
 
-mod anderson;
 mod bounds;
 mod cycle;
 mod eigenstress;

@@ -1,8 +1,8 @@
 //! One passage in the frame of the load.
 
-use super::anderson::Anderson;
 use super::eigenstress::{Columns, Eigenstress};
 use super::streamline::FlowLaw;
+use crate::math::Anderson;
 use std::ops::Range;
 
 /// The steady state of one passage: stress and plastic strain around the load, which do not change as it moves on.
@@ -86,7 +86,9 @@ impl SteadyProblem {
             let part = |field: &Columns| -> Vec<f64> {
                 field.iter().flat_map(|component| &component[window.clone()]).copied().collect()
             };
-            let next = anderson.next(&part(&strain), &part(&image));
+            let mut next = part(&strain);
+            let residual: Vec<f64> = part(&image).iter().zip(&next).map(|(g, x)| g - x).collect();
+            anderson.advance(&mut next, &residual);
             for (c, values) in next.chunks_exact(window.len()).enumerate() {
                 strain[c][window.clone()].copy_from_slice(values);
                 strain[c][window.end..].copy_from_slice(&image[c][window.end..]);

@@ -1,25 +1,24 @@
 //! Extrapolation of fixed-point iterations.
 
-use crate::math::dot;
+use super::dot;
 
 /// Anderson acceleration (Anderson 1965; Walker & Ni 2011, type II): the combination of the last iterates whose
 /// residuals cancel best.
-pub(super) struct Anderson {
+pub(crate) struct Anderson {
     depth: usize,
     /// Differences of residuals and of iterates + residuals between consecutive iterations.
     residual_steps: Vec<Vec<f64>>,
     image_steps: Vec<Vec<f64>>,
-    /// Scalar products of the residual differences.
     last: Option<(Vec<f64>, Vec<f64>)>,
 }
 
 impl Anderson {
-    pub(super) fn new(depth: usize) -> Self {
+    pub(crate) fn new(depth: usize) -> Self {
         Self { depth, residual_steps: Vec::new(), image_steps: Vec::new(), last: None }
     }
 
     /// Replaces the iterate x, whose residual is g(x) − x, by the next one.
-    pub(super) fn advance(&mut self, iterate: &mut [f64], residual: &[f64]) {
+    pub(crate) fn advance(&mut self, iterate: &mut [f64], residual: &[f64]) {
         let image: Vec<f64> = iterate.iter().zip(residual).map(|(x, r)| x + r).collect();
         if self.depth == 0 {
             iterate.copy_from_slice(&image);
