@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 const NOTHING: f64 = 1e-12;
 
 /// Kinks above this angle (radians) stop the slip of the faces that meet there: jumps go like √r.
-const SHARP_KINK: f64 = 0.35;
+pub(super) const SHARP_KINK: f64 = 0.35;
 
 /// One element with its cells.
 #[derive(Debug, Clone)]

@@ -1,6 +1,6 @@
 //! Face points of the finite-element engine, and what the faces see of the enriched functions.
 
-use super::cuts::{CrackPiece, Cuts};
+use super::cuts::{CrackPiece, Cuts, SHARP_KINK};
 use crate::body::{FaceElement, FaceMesh, discretise};
 use crate::crack::{CrackNetwork, Walk};
 use crate::math::{Vec2, gauss_legendre, quantiles};
@@ -40,6 +40,8 @@ const SPACING: f64 = 1.0;
 const TIP_STEP: f64 = 1.0 / 3.0;
 /// Length of the element across a kink, over the regular one.
 const KINK_SPACING: f64 = 0.15;
+/// The same for kinks without √r functions.
+const SMALL_KINK_SPACING: f64 = 0.5;
 /// Growth of the distance of face points away from a kink: length per distance.
 const KINK_GRADING: f64 = 0.5;
 /// Kinks below this angle (radians) are smooth for the jump.
@@ -215,7 +217,9 @@ fn nodes(mesh: &QuadMesh, walk: &Walk, spacing: Option<f64>) -> Vec<f64> {
         .map(|i| {
             let before = walk.from_first(i) - walk.from_first(i - 1);
             let after = walk.from_first(i + 1) - walk.from_first(i);
-            (walk.from_first(i), (KINK_SPACING * chord(vertices[i])).min(0.5 * before.min(after)))
+            // Points crowd only where the jump has the functions to follow them.
+            let spacing = if walk.turn(i) > SHARP_KINK { KINK_SPACING } else { SMALL_KINK_SPACING };
+            (walk.from_first(i), (spacing * chord(vertices[i])).min(0.5 * before.min(after)))
         })
         .collect();
     let density = |g: f64| {

@@ -22,7 +22,7 @@ const FEW: usize = 3;
 /// Elements along the part of a crack between a tip and the last turn before it, at least, by default.
 const ELEMENTS_PER_TIP_SEGMENT: f64 = 7.0;
 /// Turns below this angle (radians) do not end that part.
-const TURN: f64 = 0.1;
+const TURN: f64 = 0.05;
 /// Elements along a crack at most, by default: a shorter last part has fewer.
 const MOST_ELEMENTS_PER_CRACK: f64 = 250.0;
 

@@ -110,9 +110,9 @@ const MIN_DEPTH: f64 = 0.8;
 const CRACKS: usize = 1000;
 /// Difference of K between the engines, over |K|, with a twentieth of the crack per element.
 const ERROR: f64 = 5e-3;
-/// Condition number of C scaled to a unit diagonal: 7e3 without kinks, 3e5 at kinks of a few degrees, which draw face points together
-/// and have no √r functions to go with them.
-const CONDITION: f64 = 1e6;
+/// Condition number of C scaled to a unit diagonal: 7e3 without kinks, 1e4 with them. Twenty times that would show face points that draw
+/// together where no function can follow.
+const CONDITION: f64 = 1e5;
 
 /// Opens cracks of every direction.
 const STRESS: Stress = Stress { xx: 1.0, yy: 0.8, ..Stress::ZERO };
@@ -163,7 +163,7 @@ fn agree_with_dislocations() {
     );
     println!("largest error {:?}, condition {:?}", outcomes[0].crack.points(), worst.crack.points());
     close(outcomes[0].error, 0.0, Of(ERROR, 1.0), "a twentieth of the crack per element");
-    measured_as("condition", worst.condition, CONDITION, "ten digits remain");
+    measured_as("condition", worst.condition, CONDITION, "ten times what was measured; eleven digits remain");
     assert!(worst.condition < CONDITION, "condition number {:.1e}", worst.condition);
 }
 
