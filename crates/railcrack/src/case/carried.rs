@@ -126,7 +126,7 @@ impl Case {
         let mut projection = None;
         if let Some(plastic) = plastic {
             let rail = Arc::clone(engine.background(&self.cracks)?);
-            let balanced = BalancedStress::new(&rail, plastic)?;
+            let balanced = BalancedStress::new(&rail, |point| plastic.plastic_stress(point))?;
             depths.extend(balanced.depths().iter().filter(|depth| **depth <= self.rail.depth));
             let part = RailPart {
                 centre: self.rail.centre,
@@ -183,7 +183,7 @@ impl Case {
         };
         let boundary = Boundary::Block { bottom, sides: SideSupport::Rollers };
         let rollers = BulkRail::new(rail.mesh().clone(), rail.steel(), boundary)?;
-        let held = BalancedStress::new(&rollers, plastic)?;
+        let held = BalancedStress::new(&rollers, |point| plastic.plastic_stress(point))?;
         Ok(largest(balanced.depths().iter().map(|&depth| {
             let point = Vec2::new(self.rail.centre, -depth);
             let (held, free) = (held.stress(point).xx, balanced.stress(point).xx);

@@ -40,12 +40,9 @@ pub struct ProjectionLoss {
 const RULE: usize = 3;
 
 /// Values of the plastic stress at the nodes of the elements.
-fn at_nodes(rail: &BulkRail, plastic: &PlasticField) -> Vec<Stress> {
+fn at_nodes(rail: &BulkRail, plastic: impl Fn(Vec2) -> Stress + Sync) -> Vec<Stress> {
     let mesh = rail.mesh();
-    (0..mesh.node_count())
-        .into_par_iter()
-        .map(|node| plastic.plastic_stress(mesh.node_position(node)))
-        .collect()
+    (0..mesh.node_count()).into_par_iter().map(|node| plastic(mesh.node_position(node))).collect()
 }
 
 /// The plastic stress at (ξ, η) of an element.
@@ -54,10 +51,10 @@ fn interpolated(element: &Element, nodal: &[Stress], shapes: &[[f64; 3]; NODES])
 }
 
 impl BalancedStress {
-    /// Balances `plastic` on `rail`.
+    /// Balances `plastic`, the plastic stress (MPa) at a point (mm), on `rail`.
     ///
     /// Errors: linear algebra.
-    pub fn new(rail: &BulkRail, plastic: &PlasticField) -> Result<Self, BulkError> {
+    pub fn new(rail: &BulkRail, plastic: impl Fn(Vec2) -> Stress + Sync) -> Result<Self, BulkError> {
         let nodal = at_nodes(rail, plastic);
         let mut forces = generalised_forces(rail, &nodal);
         rail.factor().solve(&mut forces)?;
@@ -138,7 +135,7 @@ fn generalised_forces(rail: &BulkRail, nodal: &[Stress]) -> Vec<f64> {
 /// and above `depth` (mm).
 pub fn projection_loss(rail: &BulkRail, plastic: &PlasticField, part: RailPart) -> ProjectionLoss {
     let mesh = rail.mesh();
-    let nodal = at_nodes(rail, plastic);
+    let nodal = at_nodes(rail, |point| plastic.plastic_stress(point));
     let rule = gauss_legendre(RULE);
     let (mut given, mut projected, mut difference) = (0.0, 0.0, 0.0);
     for e in 0..mesh.element_count() {

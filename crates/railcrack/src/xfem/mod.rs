@@ -25,3 +25,5 @@ pub use window::{Layers, MeshSettings, Outline, Window, default_element_size};
 
 #[cfg(test)]
 mod patch_tests;
+#[cfg(test)]
+mod plastic_tests;
