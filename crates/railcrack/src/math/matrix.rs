@@ -43,6 +43,15 @@ impl Matrix {
         &mut self.entries[i * self.columns..(i + 1) * self.columns]
     }
 
+    /// Two different rows, the first to read and the second to write.
+    pub(crate) fn row_pair(&mut self, read: usize, write: usize) -> (&[f64], &mut [f64]) {
+        let columns = self.columns;
+        let (before, after) = self.entries.split_at_mut(read.max(write) * columns);
+        let lower = &mut before[read.min(write) * columns..][..columns];
+        let upper = &mut after[..columns];
+        if read < write { (lower, upper) } else { (upper, lower) }
+    }
+
     /// The product with a column vector of `columns` entries.
     pub fn times(&self, vector: &[f64]) -> Vec<f64> {
         (0..self.rows).map(|i| dot(self.row(i), vector)).collect()
