@@ -1,7 +1,7 @@
 //! Jumps along the cracks that are linear in the parameter g of their walk.
 
 use super::{FaceMesh, FaceSample, MeshPoint};
-use crate::crack::Walk;
+use crate::crack::{End, Walk};
 use crate::math::{Vec2, gauss_legendre};
 
 /// A straight part of an element: between two nodes or kinks.
@@ -38,7 +38,8 @@ pub fn discretise(walks: &[Walk], nodes: &[Vec<f64>]) -> (Vec<FaceElement>, Face
     for (crack, (walk, nodes)) in walks.iter().zip(nodes).enumerate() {
         let vertices = walk.vertices();
         let last = nodes.len() - 1;
-        let has_point = |i: usize| i != last && (i != 0 || walk.is_surface_breaking());
+        let has_point =
+            |i: usize| !(i == 0 && walk.has_tip(End::First) || i == last && walk.has_tip(End::Last));
         let mut previous = None;
         for (i, &g) in nodes.iter().enumerate() {
             let point = has_point(i).then(|| {

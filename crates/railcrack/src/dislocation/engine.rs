@@ -35,7 +35,7 @@ impl DislocationBody {
         steel: &IsotropicElastic,
         resolution: FaceResolution,
     ) -> Result<Self, DislocationError> {
-        let walks: Vec<Walk> = network.cracks().iter().map(Walk::new).collect();
+        let walks = network.walks();
         let nodes = nodes(network, &walks, resolution);
         let (elements, faces) = discretise(&walks, &nodes);
         let modulus = steel.plane_strain_modulus();
@@ -68,9 +68,8 @@ impl DislocationBody {
 
 /// Number of face points of `network` at `resolution`.
 pub fn face_points(network: &CrackNetwork, resolution: FaceResolution) -> usize {
-    let walks: Vec<Walk> = network.cracks().iter().map(Walk::new).collect();
-    let tips: usize = network.cracks().iter().map(|crack| crack.tips().len()).sum();
-    nodes(network, &walks, resolution).iter().map(Vec::len).sum::<usize>() - tips
+    let walks = network.walks();
+    nodes(network, &walks, resolution).iter().map(Vec::len).sum::<usize>() - network.tips().len()
 }
 
 fn nodes(network: &CrackNetwork, walks: &[Walk], resolution: FaceResolution) -> Vec<Vec<f64>> {
