@@ -33,6 +33,15 @@ pub enum XfemError {
         /// Its length, mm.
         length: f64,
     },
+    /// Cracks that meet.
+    #[error(
+        "{junctions} junction(s) between cracks: the finite-element engine cannot represent cracks that meet; use the \
+         dislocation engine (engine = \"dislocation\")"
+    )]
+    Junctions {
+        /// How many.
+        junctions: usize,
+    },
     /// Grid lines that make no mesh.
     #[error("the mesh cannot be made: {0}")]
     Mesh(#[from] MeshError),
@@ -199,6 +208,9 @@ impl Discretisation {
         network: &CrackNetwork,
         settings: &XfemSettings,
     ) -> Result<Self, XfemError> {
+        if !network.junctions().is_empty() {
+            return Err(XfemError::Junctions { junctions: network.junctions().len() });
+        }
         let mut cuts = Cuts::new(mesh, network);
         let sizes: Vec<f64> = cuts.tips.iter().map(|tip| element_size(mesh, tip.position())).collect();
         let radius: Vec<f64> = cuts
