@@ -1,17 +1,11 @@
 //! The trait that both engines implement.
 
 use super::{BodyError, BodyFields, FieldLoad};
-use crate::crack::End;
+use crate::crack::CrackEnd;
 use crate::math::{Matrix, Stress, Vec2};
 
-/// A tip as the body knows it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BodyTip {
-    /// Index of its crack in the network, from 0.
-    pub crack: usize,
-    /// Which end of the crack.
-    pub end: End,
-}
+/// A tip as the body knows it: an end of a crack that is neither a mouth nor at a junction.
+pub type BodyTip = CrackEnd;
 
 /// A face point: where the law of the faces holds.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,7 +1,7 @@
 //! Jumps along the cracks that are linear in the parameter g of their walk.
 
 use super::{FaceMesh, FaceSample, MeshPoint};
-use crate::crack::Walk;
+use crate::crack::{End, Walk};
 use crate::math::{Vec2, gauss_legendre};
 
 /// A straight part of an element: between two nodes or kinks.
@@ -31,18 +31,20 @@ pub struct FaceElement {
 }
 
 /// The elements of all cracks and their face points: every node but the tips. `nodes` are the values of g, ends included,
-/// for each walk.
+/// for each walk; a value that is there twice is a vertex at which the jump may change abruptly, with a face point on each side.
 pub fn discretise(walks: &[Walk], nodes: &[Vec<f64>]) -> (Vec<FaceElement>, FaceMesh) {
     let mut elements = Vec::new();
     let mut faces = FaceMesh::default();
     for (crack, (walk, nodes)) in walks.iter().zip(nodes).enumerate() {
         let vertices = walk.vertices();
         let last = nodes.len() - 1;
-        let has_point = |i: usize| i != last && (i != 0 || walk.is_surface_breaking());
+        let has_point =
+            |i: usize| !(i == 0 && walk.has_tip(End::First) || i == last && walk.has_tip(End::Last));
         let mut previous = None;
         for (i, &g) in nodes.iter().enumerate() {
+            let breaks = i > 0 && nodes[i - 1] == g;
             let point = has_point(i).then(|| {
-                let segment = walk.segment_at(g, &vertices);
+                let segment = walk.segment_at(g, &vertices) + usize::from(breaks);
                 let tangent = walk.tangent(segment);
                 // The mouth is where the crack says, free of round-off.
                 let (s, position) =
@@ -50,7 +52,7 @@ pub fn discretise(walks: &[Walk], nodes: &[Vec<f64>]) -> (Vec<FaceElement>, Face
                 faces.points.push(MeshPoint { crack, segment, s, position, tangent, weight: 0.0 });
                 faces.points.len() - 1
             });
-            if i > 0 {
+            if i > 0 && !breaks {
                 let range = (nodes[i - 1], g);
                 let pieces = pieces(walk, crack, range, &vertices);
                 elements.push(FaceElement { crack, range, ends: [previous, point], pieces });

@@ -28,7 +28,7 @@ const BASE: usize = 20 << 20;
 impl Case {
     /// The size of the run.
     pub fn size(&self) -> RunSize {
-        let tips = self.cracks.cracks().iter().map(|c| c.tips().len()).sum();
+        let tips = self.cracks.tips().len();
         let (face_points, displacements, factor) = match self.engine {
             Engine::Dislocation => (dislocation::face_points(&self.cracks, self.face_resolution()), 0, 0),
             Engine::Xfem => match self.xfem_engine().size(&self.cracks) {

@@ -1,6 +1,7 @@
 //! Unilateral contact with Coulomb friction on the crack faces.
 
 mod active_inverse;
+mod bordered;
 mod forecast;
 mod latin;
 mod law;

@@ -1,7 +1,7 @@
 //! Several cracks in one rail.
 
-use super::Crack;
-use crate::math::segments_touch;
+use super::meeting::meet_elsewhere;
+use super::{Crack, CrackEnd, End, EndKind, Junction, JunctionPoint, Passing, Walk};
 use thiserror::Error;
 
 /// Cracks that cannot stand side by side.
@@ -18,37 +18,123 @@ pub enum NetworkError {
         /// Number of another, from 1.
         second: usize,
     },
+    /// A junction of a crack that is not there, of a mouth, of a crack with itself, or of an end that has one already.
+    #[error(
+        "junction {number}: the {end:?} end of crack {crack} cannot join crack {onto}; a junction takes an end below the surface, \
+         once, onto another of the {cracks} cracks"
+    )]
+    Junction {
+        /// Number of the junction, from 1.
+        number: usize,
+        /// Number of the joining crack, from 1.
+        crack: usize,
+        /// Its end.
+        end: End,
+        /// Number of the receiving crack, from 1.
+        onto: usize,
+        /// How many cracks there are.
+        cracks: usize,
+    },
+    /// A junction whose receiving crack has no vertex there.
+    #[error("junction {number}: crack {onto} has no vertex at ({x}, {y}) mm, where the other crack ends")]
+    NoVertex {
+        /// Number of the junction, from 1.
+        number: usize,
+        /// Number of the receiving crack, from 1.
+        onto: usize,
+        /// Abscissa of the joining end, mm.
+        x: f64,
+        /// Its ordinate, mm.
+        y: f64,
+    },
+    /// Cracks, or cracks and the running surface, that enclose a piece of the rail.
+    #[error("junction {number} closes a loop: a piece of the rail is detached, which nothing holds in place")]
+    Detached {
+        /// Number of the junction that closes the loop, from 1.
+        number: usize,
+    },
 }
 
-/// Cracks that do not meet, in the order in which they were given.
+/// Cracks in the order in which they were given. They meet at declared junctions only.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CrackNetwork {
     cracks: Vec<Crack>,
+    junctions: Vec<Junction>,
+    points: Vec<JunctionPoint>,
 }
 
 impl CrackNetwork {
     /// A network of `cracks`, at least one, none meeting another.
     pub fn new(cracks: Vec<Crack>) -> Result<Self, NetworkError> {
+        Self::joined(cracks, Vec::new())
+    }
+
+    /// A network of `cracks`, at least one, that meet at `junctions` and nowhere else. No piece of the rail may be cut off.
+    pub fn joined(cracks: Vec<Crack>, junctions: Vec<Junction>) -> Result<Self, NetworkError> {
         if cracks.is_empty() {
             return Err(NetworkError::Empty);
         }
+        for (i, junction) in junctions.iter().enumerate() {
+            check(&cracks, &junctions[..i], junction)?;
+        }
+        closed_loop(&cracks, &junctions)?;
+        let points = junction_points(&cracks, &junctions);
         for (i, one) in cracks.iter().enumerate() {
             for (j, other) in cracks.iter().enumerate().skip(i + 1) {
-                let meet = one
-                    .points()
-                    .windows(2)
-                    .any(|p| other.points().windows(2).any(|q| segments_touch(p[0], p[1], q[0], q[1])));
-                if meet {
+                let shared = points.iter().find(|point| point.holds(i) && point.holds(j));
+                if meet_elsewhere(one, other, shared.map(|point| point.position)) {
                     return Err(NetworkError::Meeting { first: i + 1, second: j + 1 });
                 }
             }
         }
-        Ok(Self { cracks })
+        Ok(Self { cracks, junctions, points })
     }
 
     /// The cracks, in order.
     pub fn cracks(&self) -> &[Crack] {
         &self.cracks
+    }
+
+    /// The junctions, in order.
+    pub fn junctions(&self) -> &[Junction] {
+        &self.junctions
+    }
+
+    /// The points at which cracks meet, in order of the first junction there.
+    pub fn junction_points(&self) -> &[JunctionPoint] {
+        &self.points
+    }
+
+    /// What `end` is.
+    pub fn end_kind(&self, end: CrackEnd) -> EndKind {
+        if end.end == End::First && self.cracks[end.crack].is_surface_breaking() {
+            EndKind::Mouth
+        } else if self.points.iter().any(|point| point.ends.contains(&end)) {
+            EndKind::Junction
+        } else {
+            EndKind::Tip
+        }
+    }
+
+    /// The ends of crack `crack` (from 0) that are tips, first before last.
+    pub fn tips_of(&self, crack: usize) -> Vec<End> {
+        let is_tip = |end: &End| self.end_kind(CrackEnd { crack, end: *end }) == EndKind::Tip;
+        [End::First, End::Last].into_iter().filter(is_tip).collect()
+    }
+
+    /// All tips, in order of crack and end: neither mouths nor ends at junctions.
+    pub fn tips(&self) -> Vec<CrackEnd> {
+        let of_crack = |crack| self.tips_of(crack).into_iter().map(move |end| CrackEnd { crack, end });
+        (0..self.cracks.len()).flat_map(of_crack).collect()
+    }
+
+    /// The walk along each crack, with the square-root parameter at its tips.
+    pub fn walks(&self) -> Vec<Walk> {
+        self.cracks
+            .iter()
+            .enumerate()
+            .map(|(crack, one)| Walk::with_tips(one, &self.tips_of(crack)))
+            .collect()
     }
 
     /// Abscissa of the leftmost mouth, mm; of the leftmost point where no crack breaks the surface.
@@ -73,6 +159,80 @@ impl CrackNetwork {
 
 impl From<Crack> for CrackNetwork {
     fn from(crack: Crack) -> Self {
-        Self { cracks: vec![crack] }
+        Self { cracks: vec![crack], junctions: Vec::new(), points: Vec::new() }
     }
 }
+
+/// Whether `junction` can be, beside those `before` it.
+fn check(cracks: &[Crack], before: &[Junction], junction: &Junction) -> Result<(), NetworkError> {
+    let Junction { joining, onto } = *junction;
+    let number = before.len() + 1;
+    let possible = joining.crack < cracks.len()
+        && onto < cracks.len()
+        && onto != joining.crack
+        && cracks[joining.crack].tips().contains(&joining.end)
+        && before.iter().all(|other| other.joining != joining);
+    if !possible {
+        let (crack, end) = (joining.crack + 1, joining.end);
+        return Err(NetworkError::Junction { number, crack, end, onto: onto + 1, cracks: cracks.len() });
+    }
+    let at = cracks[joining.crack].tip(joining.end);
+    match cracks[onto].vertex_at(at) {
+        Some(_) => Ok(()),
+        None => Err(NetworkError::NoVertex { number, onto: onto + 1, x: at.x, y: at.y }),
+    }
+}
+
+/// Refuses the junction by which cracks that are connected already, the running surface counting as a crack, are connected
+/// once more.
+fn closed_loop(cracks: &[Crack], junctions: &[Junction]) -> Result<(), NetworkError> {
+    // Every crack knows the lowest member of its connected part; the surface comes before them.
+    const SURFACE: usize = 0;
+    let part = |(i, crack): (usize, &Crack)| if crack.is_surface_breaking() { SURFACE } else { i + 1 };
+    let mut parts: Vec<usize> = cracks.iter().enumerate().map(part).collect();
+    for (i, junction) in junctions.iter().enumerate() {
+        let (one, other) = (parts[junction.joining.crack], parts[junction.onto]);
+        if one == other {
+            return Err(NetworkError::Detached { number: i + 1 });
+        }
+        for part in &mut parts {
+            if *part == one.max(other) {
+                *part = one.min(other);
+            }
+        }
+    }
+    Ok(())
+}
+
+fn junction_points(cracks: &[Crack], junctions: &[Junction]) -> Vec<JunctionPoint> {
+    let mut points: Vec<JunctionPoint> = Vec::new();
+    for junction in junctions {
+        let at = cracks[junction.joining.crack].tip(junction.joining.end);
+        let index = points.iter().position(|point| point.position == at).unwrap_or_else(|| {
+            points.push(JunctionPoint::at(at));
+            points.len() - 1
+        });
+        let point = &mut points[index];
+        point.ends.push(junction.joining);
+        let receiving = &cracks[junction.onto];
+        let vertex = receiving.vertex_at(at).expect("checked");
+        let crack = junction.onto;
+        if vertex == 0 {
+            point.ends.push(CrackEnd { crack, end: End::First });
+        } else if vertex == receiving.segment_count() {
+            point.ends.push(CrackEnd { crack, end: End::Last });
+        } else {
+            let s = Walk::new(receiving).from_first(vertex);
+            point.through = Some(Passing { crack, vertex, s });
+        }
+    }
+    for point in &mut points {
+        point.ends.sort_by_key(|end| (end.crack, end.end == End::Last));
+        point.ends.dedup();
+    }
+    points
+}
+
+#[cfg(test)]
+#[path = "network_tests.rs"]
+mod tests;

@@ -63,10 +63,10 @@ pub enum CrackError {
     },
 }
 
-/// An end of a crack that is a tip.
+/// An end of a crack.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum End {
-    /// The first point (buried cracks only).
+    /// The first point.
     First,
     /// The last point.
     Last,
@@ -153,7 +153,8 @@ impl Crack {
         self.points[0].y == 0.0
     }
 
-    /// The tips: the last point, preceded by the first one in a buried crack.
+    /// The ends below the surface: the last point, preceded by the first one in a buried crack. They are tips but where the crack joins
+    /// another one, which the network knows ([`super::CrackNetwork::tips`]).
     pub fn tips(&self) -> Vec<End> {
         if self.is_surface_breaking() { vec![End::Last] } else { vec![End::First, End::Last] }
     }

@@ -1,12 +1,13 @@
 //! The walk along one crack: arc length, and the square-root parameter of its tips.
 
-use super::Crack;
+use super::{Crack, End};
 use crate::math::Vec2;
 
-/// A crack walked in the parameter g in which a jump that vanishes like √r at a tip is linear.
+/// A crack walked in the parameter g in which a jump that vanishes like √r at a tip is linear; at a mouth and at a junction, where
+/// the jump does not vanish, g is a length or its root away from a tip.
 ///
-/// Surface crack of length L: s = L − g², g from −√L at the mouth to 0 at the tip. Buried crack: s = L sin²(g/2), g
-/// from 0 at the first tip to π at the last.
+/// Crack of length L with a tip at the last point only: s = L − g², g from −√L to 0. Tip at the first point only: s = g², g
+/// from 0 to √L. Tips at both: s = L sin²(g/2), g from 0 to π. No tip: s = g.
 #[derive(Debug, Clone)]
 pub struct Walk {
     points: Vec<Vec2>,
@@ -16,11 +17,25 @@ pub struct Walk {
     /// Arc length from the last point, for each point: exact near the tip.
     from_last: Vec<f64>,
     surface_breaking: bool,
+    tips: Tips,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Tips {
+    None,
+    First,
+    Last,
+    Both,
 }
 
 impl Walk {
-    /// The walk along `crack`.
+    /// The walk along `crack`, which meets no other: every end below the surface is a tip.
     pub fn new(crack: &Crack) -> Self {
+        Self::with_tips(crack, &crack.tips())
+    }
+
+    /// The walk along `crack`, whose tips are `tips`.
+    pub fn with_tips(crack: &Crack, tips: &[End]) -> Self {
         let points = crack.points().to_vec();
         let lengths: Vec<f64> = points.windows(2).map(|p| (p[1] - p[0]).length()).collect();
         let tangents = points.windows(2).map(|p| (p[1] - p[0]).normalised()).collect();
@@ -33,7 +48,13 @@ impl Walk {
             from_last.push(from_last[from_last.len() - 1] + length);
         }
         from_last.reverse();
-        Self { points, tangents, from_first, from_last, surface_breaking: crack.is_surface_breaking() }
+        let tips = match (tips.contains(&End::First), tips.contains(&End::Last)) {
+            (false, false) => Tips::None,
+            (true, false) => Tips::First,
+            (false, true) => Tips::Last,
+            (true, true) => Tips::Both,
+        };
+        Self { points, tangents, from_first, from_last, surface_breaking: crack.is_surface_breaking(), tips }
     }
 
     /// Whether the first point is a mouth.
@@ -41,9 +62,22 @@ impl Walk {
         self.surface_breaking
     }
 
+    /// Whether `end` is a tip.
+    pub fn has_tip(&self, end: End) -> bool {
+        match end {
+            End::First => matches!(self.tips, Tips::First | Tips::Both),
+            End::Last => matches!(self.tips, Tips::Last | Tips::Both),
+        }
+    }
+
     /// The first point, mm.
     pub fn first_point(&self) -> Vec2 {
         self.points[0]
+    }
+
+    /// The last point, mm.
+    pub fn last_point(&self) -> Vec2 {
+        self.points[self.points.len() - 1]
     }
 
     /// Length, mm.
@@ -53,30 +87,46 @@ impl Walk {
 
     /// The range of g.
     pub fn range(&self) -> (f64, f64) {
-        if self.surface_breaking { (-self.length().sqrt(), 0.0) } else { (0.0, std::f64::consts::PI) }
+        match self.tips {
+            Tips::None => (0.0, self.length()),
+            Tips::First => (0.0, self.length().sqrt()),
+            Tips::Last => (-self.length().sqrt(), 0.0),
+            Tips::Both => (0.0, std::f64::consts::PI),
+        }
     }
 
     /// dg/d√r at a tip.
     pub fn root_slope(&self) -> f64 {
-        if self.surface_breaking { 1.0 } else { 2.0 / self.length().sqrt() }
+        if self.tips == Tips::Both { 2.0 / self.length().sqrt() } else { 1.0 }
     }
 
     /// Arc length (mm) from the first point.
     pub fn s(&self, g: f64) -> f64 {
-        if self.surface_breaking { self.length() - g * g } else { self.length() * (0.5 * g).sin().powi(2) }
+        match self.tips {
+            Tips::None => g,
+            Tips::First => g * g,
+            Tips::Last => self.length() - g * g,
+            Tips::Both => self.length() * (0.5 * g).sin().powi(2),
+        }
     }
 
     /// ds/dg, not negative.
     pub fn ds(&self, g: f64) -> f64 {
-        if self.surface_breaking { -2.0 * g } else { 0.5 * self.length() * g.sin() }
+        match self.tips {
+            Tips::None => 1.0,
+            Tips::First => 2.0 * g,
+            Tips::Last => -2.0 * g,
+            Tips::Both => 0.5 * self.length() * g.sin(),
+        }
     }
 
     /// The parameter at arc length `s` from the first point.
     pub fn g(&self, s: f64) -> f64 {
-        if self.surface_breaking {
-            -(self.length() - s).max(0.0).sqrt()
-        } else {
-            2.0 * (s / self.length()).clamp(0.0, 1.0).sqrt().asin()
+        match self.tips {
+            Tips::None => s,
+            Tips::First => s.max(0.0).sqrt(),
+            Tips::Last => -(self.length() - s).max(0.0).sqrt(),
+            Tips::Both => 2.0 * (s / self.length()).clamp(0.0, 1.0).sqrt().asin(),
         }
     }
 
@@ -93,7 +143,7 @@ impl Walk {
             .map(|i| match i {
                 0 => start,
                 i if i == n - 1 => end,
-                i if self.surface_breaking => -self.from_last[i].sqrt(),
+                i if self.tips == Tips::Last => -self.from_last[i].sqrt(),
                 i => self.g(self.from_first[i]),
             })
             .collect()
@@ -102,13 +152,12 @@ impl Walk {
     /// The point at `g`, which lies on `segment`.
     pub fn position(&self, segment: usize, g: f64) -> Vec2 {
         let tangent = self.tangents[segment];
-        if self.surface_breaking {
-            self.points[segment + 1] - tangent * (g * g - self.from_last[segment + 1])
-        } else if g < 0.5 * std::f64::consts::PI {
-            self.points[segment] + tangent * (self.s(g) - self.from_first[segment])
-        } else {
-            let r = self.length() * (0.5 * g).cos().powi(2);
-            self.points[segment + 1] - tangent * (r - self.from_last[segment + 1])
+        let ahead = |s: f64| self.points[segment] + tangent * (s - self.from_first[segment]);
+        let back = |r: f64| self.points[segment + 1] - tangent * (r - self.from_last[segment + 1]);
+        match self.tips {
+            Tips::Last => back(g * g),
+            Tips::Both if g >= 0.5 * std::f64::consts::PI => back(self.length() * (0.5 * g).cos().powi(2)),
+            Tips::None | Tips::First | Tips::Both => ahead(self.s(g)),
         }
     }
 

@@ -1,17 +1,25 @@
 //! The elastic energy of jumps that are linear in g between the nodes.
 
 use super::integrals::{Rules, pair_integral};
+use super::junctions::Ties;
 use super::kernel::Interaction;
 use crate::body::{FaceElement, FaceMesh};
 use crate::crack::Walk;
 use crate::math::Matrix;
 use rayon::prelude::*;
 
-/// A: the energy ½ wᵀ A w of the nodal jumps w (slip and opening, mm), N/mm per mm, for E′ = `modulus` MPa.
+/// A: the energy ½ wᵀ A w of the jumps w (slip and opening, mm) at the points of `faces`, N/mm per mm, for E′ = `modulus` MPa. The ends of
+/// `elements` are nodes that follow these points by `ties`.
 ///
 /// A_jk = E′/(8π) ∬ φ_j′ E(z, z′) φ_k′ dg dg′ with the hat functions φ: weakly singular because jumps are continuous
 /// and dislocations on the surface do nothing, so that the mouth needs no care.
-pub(super) fn stiffness(walks: &[Walk], elements: &[FaceElement], faces: &FaceMesh, modulus: f64) -> Matrix {
+pub(super) fn stiffness(
+    walks: &[Walk],
+    elements: &[FaceElement],
+    ties: &Ties,
+    faces: &FaceMesh,
+    modulus: f64,
+) -> Matrix {
     let rules = Rules::new();
     let blocks: Vec<Vec<Interaction>> = (0..elements.len())
         .into_par_iter()
@@ -19,11 +27,12 @@ pub(super) fn stiffness(walks: &[Walk], elements: &[FaceElement], faces: &FaceMe
         .collect();
     let points = faces.points.len();
     let mut global = Matrix::zeros(2 * points, 2 * points);
+    let slopes: Vec<Vec<(usize, f64)>> = elements.iter().map(|element| slope(element, ties)).collect();
     for (i, row) in blocks.iter().enumerate() {
         for (j, block) in row.iter().enumerate() {
-            scatter(&mut global, &elements[i], &elements[j], *block);
+            scatter(&mut global, &slopes[i], &slopes[j], *block);
             if i != j {
-                scatter(&mut global, &elements[j], &elements[i], [block[0], block[2], block[1], block[3]]);
+                scatter(&mut global, &slopes[j], &slopes[i], [block[0], block[2], block[1], block[3]]);
             }
         }
     }
@@ -45,14 +54,26 @@ fn element_integral(walks: &[Walk], a: &FaceElement, b: &FaceElement, rules: &Ru
     sum.map(|e| e * slopes)
 }
 
-fn scatter(global: &mut Matrix, a: &FaceElement, b: &FaceElement, block: Interaction) {
-    for (p, sign_p) in a.ends.iter().zip([-1.0, 1.0]) {
-        for (q, sign_q) in b.ends.iter().zip([-1.0, 1.0]) {
-            if let (Some(p), Some(q)) = (p, q) {
-                let sign = sign_p * sign_q;
-                for k in 0..4 {
-                    global[(2 * p + k / 2, 2 * q + k % 2)] += sign * block[k];
-                }
+/// The face points that the change of the jump along `element` depends on, with their factors.
+fn slope(element: &FaceElement, ties: &Ties) -> Vec<(usize, f64)> {
+    let mut slope: Vec<(usize, f64)> = Vec::new();
+    for (node, sign) in element.ends.iter().zip([-1.0, 1.0]) {
+        for &(point, factor) in node.map_or(&[][..], |node| ties.of(node)) {
+            match slope.iter_mut().find(|entry| entry.0 == point) {
+                Some(entry) => entry.1 += sign * factor,
+                None => slope.push((point, sign * factor)),
+            }
+        }
+    }
+    slope.retain(|entry| entry.1 != 0.0);
+    slope
+}
+
+fn scatter(global: &mut Matrix, a: &[(usize, f64)], b: &[(usize, f64)], block: Interaction) {
+    for &(p, factor_p) in a {
+        for &(q, factor_q) in b {
+            for k in 0..4 {
+                global[(2 * p + k / 2, 2 * q + k % 2)] += factor_p * factor_q * block[k];
             }
         }
     }

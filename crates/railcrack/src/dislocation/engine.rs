@@ -1,6 +1,7 @@
 //! The cracked half-plane as two matrices.
 
 use super::assembly::stiffness;
+use super::junctions::{Core, Ties, cores};
 use super::nodes::{self, FaceResolution};
 use crate::body::{BodyEngine, BodyError, BodyTip, CrackedBody, FaceMesh, discretise};
 use crate::crack::{CrackNetwork, End, Walk, point_to_segment};
@@ -35,31 +36,32 @@ impl DislocationBody {
         steel: &IsotropicElastic,
         resolution: FaceResolution,
     ) -> Result<Self, DislocationError> {
-        let walks: Vec<Walk> = network.cracks().iter().map(Walk::new).collect();
-        let nodes = nodes(network, &walks, resolution);
-        let (elements, faces) = discretise(&walks, &nodes);
+        let walks = network.walks();
+        let cores = cores(network, &walks, |crack, g| nodes::regular_element(&walks[crack], resolution, g));
+        let nodes = nodes(network, &walks, &cores, resolution);
+        let (elements, all) = discretise(&walks, &nodes);
+        let (ties, faces) = Ties::new(&cores, &walks, &elements, &all);
         let modulus = steel.plane_strain_modulus();
-        let stiffness = stiffness(&walks, &elements, &faces, modulus);
+        let stiffness = stiffness(&walks, &elements, &ties, &faces, modulus);
         let compliance = spd_inverse(&stiffness)?;
         let mut tips = Vec::new();
         let mut rows = Vec::new();
-        for (crack, one) in network.cracks().iter().enumerate() {
-            for end in one.tips() {
-                tips.push(BodyTip { crack, end });
-                let mut own = elements.iter().filter(|e| e.crack == crack);
-                let (element, point) = match end {
-                    End::First => own.next().map(|e| (e, e.ends[1])),
-                    End::Last => own.next_back().map(|e| (e, e.ends[0])),
-                }
-                .and_then(|(e, p)| p.map(|p| (e, p)))
-                .expect("a crack has at least four elements");
-                // ⟦w⟧ = W √r / √r_1 on the tip element, and ⟦w⟧ = (8 K / E′) √(r / 2π).
-                let root = walks[crack].root_slope() / (element.range.1 - element.range.0);
-                let factor = modulus * std::f64::consts::TAU.sqrt() / 8.0 * root;
-                for row in [2 * point + 1, 2 * point] {
-                    rows.push(compliance.row(row).iter().map(|c| c * factor).collect::<Vec<f64>>());
-                }
+        for tip in network.tips() {
+            let mut own = elements.iter().filter(|e| e.crack == tip.crack);
+            let (element, node) = match tip.end {
+                End::First => own.next().map(|e| (e, e.ends[1])),
+                End::Last => own.next_back().map(|e| (e, e.ends[0])),
             }
+            .and_then(|(e, p)| p.map(|p| (e, p)))
+            .expect("a crack has at least four elements");
+            let point = ties.of(node)[0].0;
+            // ⟦w⟧ = W √r / √r_1 on the tip element, and ⟦w⟧ = (8 K / E′) √(r / 2π).
+            let root = walks[tip.crack].root_slope() / (element.range.1 - element.range.0);
+            let factor = modulus * std::f64::consts::TAU.sqrt() / 8.0 * root;
+            for row in [2 * point + 1, 2 * point] {
+                rows.push(compliance.row(row).iter().map(|c| c * factor).collect::<Vec<f64>>());
+            }
+            tips.push(tip);
         }
         let sif_influence = Matrix::from_fn(rows.len(), compliance.columns(), |i, j| rows[i][j]);
         Ok(Self { faces, tips, stiffness, compliance, sif_influence })
@@ -68,14 +70,23 @@ impl DislocationBody {
 
 /// Number of face points of `network` at `resolution`.
 pub fn face_points(network: &CrackNetwork, resolution: FaceResolution) -> usize {
-    let walks: Vec<Walk> = network.cracks().iter().map(Walk::new).collect();
-    let tips: usize = network.cracks().iter().map(|crack| crack.tips().len()).sum();
-    nodes(network, &walks, resolution).iter().map(Vec::len).sum::<usize>() - tips
+    let walks = network.walks();
+    let cores = cores(network, &walks, |crack, g| nodes::regular_element(&walks[crack], resolution, g));
+    let nodes = nodes(network, &walks, &cores, resolution).iter().map(Vec::len).sum::<usize>();
+    let following: usize = cores.iter().map(|core| 2 * core.arms.len()).sum();
+    nodes - network.tips().len() - following
 }
 
-fn nodes(network: &CrackNetwork, walks: &[Walk], resolution: FaceResolution) -> Vec<Vec<f64>> {
-    let of_walk =
-        |(i, walk): (usize, &Walk)| nodes::nodes(walk, resolution, |point| clearance(network, i, point));
+fn nodes(
+    network: &CrackNetwork,
+    walks: &[Walk],
+    cores: &[Core],
+    resolution: FaceResolution,
+) -> Vec<Vec<f64>> {
+    let of_walk = |(i, walk): (usize, &Walk)| {
+        let core_at = |vertex| cores.iter().find(|core| core.is_at(i, vertex));
+        nodes::nodes(walk, resolution, core_at, |point| clearance(network, i, point))
+    };
     walks.iter().enumerate().map(of_walk).collect()
 }
 

@@ -2,7 +2,7 @@
 
 use super::kernel::{Interaction, collinear_constant, image_interaction, interaction};
 use crate::body::FacePiece as Piece;
-use crate::crack::{Walk, point_to_segment};
+use crate::crack::{End, Walk, point_to_segment};
 use crate::math::{Vec2, gauss_legendre};
 
 /// Gauss rules on [0, 1] by number of points.
@@ -127,14 +127,16 @@ fn samples<'a>(
 
 /// ∬ log|s − s′| dg dg′ on one straight segment.
 ///
-/// Surface crack: s − s′ = (g′ − g)(g′ + g). Buried crack: s − s′ = L sin((g + g′)/2) sin((g − g′)/2), where the
+/// No tip: s − s′ = g − g′. One tip: |s − s′| = |g′ − g| |g′ + g|. Two tips: s − s′ = L sin((g + g′)/2) sin((g − g′)/2), where the
 /// logarithms of the zeros at g = g′, at g = g′ = 0 and at g = g′ = π are split off. Those are integrated exactly.
 fn log_integral(walk: &Walk, a: (f64, f64), b: (f64, f64), rules: &Rules) -> f64 {
     let mirrored = (-b.1, -b.0);
-    let sum = log_difference(a, b) + log_difference(a, mirrored);
-    if walk.is_surface_breaking() {
-        return sum;
+    match (walk.has_tip(End::First), walk.has_tip(End::Last)) {
+        (false, false) => return log_difference(a, b),
+        (true, false) | (false, true) => return log_difference(a, b) + log_difference(a, mirrored),
+        (true, true) => {}
     }
+    let sum = log_difference(a, b) + log_difference(a, mirrored);
     let turn = std::f64::consts::TAU;
     let beyond = (turn - b.1, turn - b.0);
     let smooth = |x: f64| if x.abs() < 1e-4 { -x * x / 24.0 } else { (2.0 * (0.5 * x).sin() / x).abs().ln() };

@@ -3,6 +3,7 @@
 mod assembly;
 mod engine;
 mod integrals;
+mod junctions;
 mod kernel;
 mod nodes;
 

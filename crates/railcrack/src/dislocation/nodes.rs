@@ -1,6 +1,7 @@
 //! The nodes of the jumps along one crack.
 
-use crate::crack::Walk;
+use super::junctions::Core;
+use crate::crack::{End, Walk};
 use crate::math::{Vec2, quantiles};
 
 /// How finely the faces are resolved.
@@ -24,72 +25,109 @@ impl Default for FaceResolution {
     }
 }
 
-/// Nodes in g, ends included: evenly spaced in g, closer at kinks, where the jump has a corner singularity, and
+/// Length (mm) of the elements of `walk` at `g` away from everything that needs shorter ones.
+pub(super) fn regular_element(walk: &Walk, resolution: FaceResolution, g: f64) -> f64 {
+    walk.ds(g) / base_density(walk, resolution)
+}
+
+/// Elements per g.
+fn base_density(walk: &Walk, resolution: FaceResolution) -> f64 {
+    let (start, end) = walk.range();
+    resolution.elements.max(4) as f64 / (end - start)
+}
+
+/// A place with nodes of its own, which are shorter around it.
+struct Place {
+    /// Arc length, mm.
+    s: f64,
+    /// Length of an element there, mm.
+    element: f64,
+    /// The nodes, in order.
+    nodes: Vec<f64>,
+}
+
+/// Nodes in g, ends included: evenly spaced in g, closer at kinks, where the jump has a corner singularity, at junctions, and
 /// where `clearance` (mm, distance at a point to the nearest other crack) is small. A kink that matters lies
-/// inside a short element, so that every node has one tangent.
-pub(super) fn nodes(walk: &Walk, resolution: FaceResolution, clearance: impl Fn(Vec2) -> f64) -> Vec<f64> {
+/// inside a short element, so that every node has one tangent. Where there is a core at a point of the crack
+/// (`core_at`, by the index of the point), its edge, its inner edge and the junction on each side are nodes.
+pub(super) fn nodes<'a>(
+    walk: &Walk,
+    resolution: FaceResolution,
+    core_at: impl Fn(usize) -> Option<&'a Core>,
+    clearance: impl Fn(Vec2) -> f64,
+) -> Vec<f64> {
     let (start, end) = walk.range();
     let vertices = walk.vertices();
     let segments = walk.segments();
-    let base = resolution.elements.max(4) as f64 / (end - start);
+    let base = base_density(walk, resolution);
     let coarseness = FaceResolution::default().elements as f64 / resolution.elements.max(4) as f64;
-    // (s of the kink, length of the element across it)
-    let kinks: Vec<(f64, f64)> = (1..segments)
-        .filter_map(|i| {
-            let angle = walk.turn(i);
-            let g = vertices[i];
-            let element = walk.ds(g) / base;
-            (angle > SMALL_KINK).then(|| {
-                let neighbours = walk.from_first(i) - walk.from_first(i - 1);
-                let neighbours = neighbours.min(walk.from_first(i + 1) - walk.from_first(i));
-                let across = element * (KINK_ELEMENT / angle).min(0.5);
-                (walk.from_first(i), across.min(0.2 * neighbours))
-            })
-        })
-        .collect();
+    let place = |i: usize| match core_at(i) {
+        Some(core) => Some(core_place(walk, vertices[i], i, core)),
+        None if i == 0 || i == segments => {
+            Some(Place { s: walk.from_first(i), element: f64::INFINITY, nodes: vec![vertices[i]] })
+        }
+        None => kink_place(walk, i, regular_element(walk, resolution, vertices[i])),
+    };
+    let places: Vec<Place> = (0..=segments).filter_map(place).collect();
     let last_segment = [end - vertices[segments - 1], vertices[1] - start];
     let density = |g: f64, segment: usize| {
         let s = walk.s(g);
         let ds = walk.ds(g);
         let mut density = base;
-        for &(at, across) in &kinks {
-            density = density.max(ds / (across + KINK_GRADING * (s - at).abs()));
+        for place in &places {
+            density = density.max(ds / (place.element + GRADING * (s - place.s).abs()));
         }
         density = density.max(ds / (NEIGHBOUR_SHARE * clearance(walk.position(segment, g))));
         if walk.is_surface_breaking() {
             density = density.max(ds / (coarseness * (MOUTH_ELEMENT * walk.length() + MOUTH_GRADING * s)));
         }
-        if segment == segments - 1 {
+        if segment == segments - 1 && walk.has_tip(End::Last) {
             density = density.max(TIP_ELEMENTS / coarseness / last_segment[0]);
         }
-        if segment == 0 && !walk.is_surface_breaking() {
+        if segment == 0 && walk.has_tip(End::First) {
             density = density.max(TIP_ELEMENTS / coarseness / last_segment[1]);
         }
         density
     };
-    let mut fixed = vec![start];
-    for &(at, across) in &kinks {
-        fixed.push(walk.g(at - 0.5 * across));
-        fixed.push(walk.g(at + 0.5 * across));
-    }
-    fixed.push(end);
-    let mut nodes = vec![start];
-    for (k, pair) in fixed.windows(2).enumerate() {
-        let (a, b) = (pair[0], pair[1]);
-        if k % 2 == 0 {
-            nodes.extend(quantiles(a, b, |g| density(g, walk.segment_at(g, &vertices))));
-        }
-        nodes.push(b);
+    let mut nodes = places[0].nodes.clone();
+    for next in &places[1..] {
+        let (a, b) = (nodes[nodes.len() - 1], next.nodes[0]);
+        nodes.extend(quantiles(a, b, |g| density(g, walk.segment_at(g, &vertices))));
+        nodes.extend(&next.nodes);
     }
     nodes
+}
+
+/// The element across the kink at point `i`, where elements away from it are `element` (mm) long; none at a slight kink.
+fn kink_place(walk: &Walk, i: usize, element: f64) -> Option<Place> {
+    let angle = walk.turn(i);
+    (angle > SMALL_KINK).then(|| {
+        let s = walk.from_first(i);
+        let neighbours = (s - walk.from_first(i - 1)).min(walk.from_first(i + 1) - s);
+        let across = (element * (KINK_ELEMENT / angle).min(0.5)).min(0.2 * neighbours);
+        Place { s, element: across, nodes: vec![walk.g(s - 0.5 * across), walk.g(s + 0.5 * across)] }
+    })
+}
+
+/// The nodes of `core` at point `i`, whose parameter is `g`.
+fn core_place(walk: &Walk, g: f64, i: usize, core: &Core) -> Place {
+    let s = walk.from_first(i);
+    let mut nodes = Vec::new();
+    if i > 0 {
+        nodes.extend([walk.g(s - core.radius), walk.g(s - core.inner()), g]);
+    }
+    if i < walk.segments() {
+        nodes.extend([g, walk.g(s + core.inner()), walk.g(s + core.radius)]);
+    }
+    Place { s, element: core.radius, nodes }
 }
 
 /// Kinks below this angle (radians) are smooth for the jump: their corner exponent is within 1e-3 of one.
 const SMALL_KINK: f64 = 0.05;
 /// The element across a kink is this over the angle (radians), times the regular element.
 const KINK_ELEMENT: f64 = 0.03;
-/// Growth of elements away from a kink: length per distance.
-const KINK_GRADING: f64 = 0.5;
+/// Growth of elements away from a kink or a junction: length per distance.
+const GRADING: f64 = 0.5;
 /// Element at the mouth, over the length of the crack, at the default resolution. The edge of the wheel contact passes over the mouth, and the stress
 /// there varies over its distance from the surface; mouths without this grading cost 1 % of the peak K.
 const MOUTH_ELEMENT: f64 = 0.0017;

@@ -16,6 +16,11 @@ pub struct ColumnStore {
 }
 
 impl ColumnStore {
+    /// Forgets everything.
+    pub(super) fn clear(&mut self) {
+        *self = Self::default();
+    }
+
     /// b_iᵀ K⁻¹ b_j of all `columns`, symmetric. Keeps them for the next call and forgets all others.
     pub(super) fn products(
         &mut self,

@@ -3,7 +3,7 @@
 use super::cuts::{CrackPiece, Cuts, SHARP_KINK};
 use crate::body::{FaceElement, FaceMesh, discretise};
 use crate::crack::{CrackNetwork, Walk};
-use crate::math::{Vec2, gauss_legendre, quantiles};
+use crate::math::{Matrix, Vec2, axpy, gauss_legendre, quantiles};
 use crate::mesh::QuadMesh;
 
 /// The face points of a network, with quadrature points that know the cells at both faces.
@@ -116,11 +116,10 @@ impl Interface {
         }
     }
 
-    /// G⁻¹ b with G_jk = ∫ λ_j ψ_k ds: nodal jumps from b_j = ∫ λ_j ⟦w⟧ ds, in place; `b[j]` may be any row of numbers.
-    pub(super) fn nodal_jumps(&self, b: &mut crate::math::Matrix) {
-        let points = self.faces.points.len();
-        // Tridiagonal: below, on and above the diagonal.
-        let mut bands = vec![[0.0; 3]; points];
+    /// G with G_jk = ∫ λ_j ψ_k ds and the frames of the faces.
+    pub(super) fn duality(&self) -> Duality {
+        let points = &self.faces.points;
+        let mut bands = vec![[0.0; 3]; points.len()];
         for station in &self.stations {
             for (j, lambda) in station.tractions {
                 for (k, psi) in station.jumps {
@@ -130,30 +129,81 @@ impl Interface {
                 }
             }
         }
-        let columns = b.columns();
+        for i in 1..points.len() {
+            bands[i][0] /= bands[i - 1][1];
+            bands[i][1] -= bands[i][0] * bands[i - 1][2];
+        }
+        Duality { bands, tangents: points.iter().map(|point| point.tangent).collect() }
+    }
+}
+
+/// What turns integrals over the faces into jumps at face points, and nodal forces there into tractions.
+#[derive(Debug, Clone)]
+pub(super) struct Duality {
+    /// The factors of the tridiagonal G: of each row the entry of the lower one, the pivot, and the entry beside it.
+    bands: Vec<[f64; 3]>,
+    /// x1 of each face point.
+    tangents: Vec<Vec2>,
+}
+
+impl Duality {
+    /// G⁻¹ b in the frames of the faces: slip and opening at the face points from b_j = ∫ λ_j ⟦w⟧ ds along x and y. `b[j]` may be any
+    /// row of numbers.
+    pub(super) fn nodal_jumps(&self, mut b: Matrix) -> Matrix {
+        let points = self.bands.len();
         for i in 1..points {
-            let factor = bands[i][0] / bands[i - 1][1];
+            let factor = self.bands[i][0];
             if factor != 0.0 {
-                bands[i][1] -= factor * bands[i - 1][2];
                 for axis in 0..2 {
-                    let above = b.row(2 * (i - 1) + axis).to_vec();
-                    let row = b.row_mut(2 * i + axis);
-                    for c in 0..columns {
-                        row[c] -= factor * above[c];
-                    }
+                    let (above, row) = b.row_pair(2 * (i - 1) + axis, 2 * i + axis);
+                    axpy(-factor, above, row);
                 }
             }
         }
         for i in (0..points).rev() {
             for axis in 0..2 {
-                let below = (i + 1 < points).then(|| b.row(2 * (i + 1) + axis).to_vec());
-                let row = b.row_mut(2 * i + axis);
-                for c in 0..columns {
-                    let known = below.as_ref().map_or(0.0, |below| bands[i][2] * below[c]);
-                    row[c] = (row[c] - known) / bands[i][1];
+                if i + 1 < points && self.bands[i][2] != 0.0 {
+                    let (below, row) = b.row_pair(2 * (i + 1) + axis, 2 * i + axis);
+                    axpy(-self.bands[i][2], below, row);
                 }
+                let pivot = self.bands[i][1];
+                b.row_mut(2 * i + axis).iter_mut().for_each(|value| *value /= pivot);
             }
         }
+        for (i, x1) in self.tangents.iter().enumerate() {
+            let x2 = x1.left();
+            let (x, y) = b.row_pair(2 * i, 2 * i + 1);
+            // Row y is written last: both rows are read.
+            let turned: Vec<f64> = x.iter().zip(&*y).map(|(x, y)| x1.x * x + x1.y * y).collect();
+            y.iter_mut().zip(x).for_each(|(y, x)| *y = x2.x * x + x2.y * *y);
+            b.row_mut(2 * i).copy_from_slice(&turned);
+        }
+        b
+    }
+
+    /// The coefficients τ_j (x and y, MPa) of the tractions Σ λ_j τ_j that nodal `forces` (N/mm, in the frames of the faces) are: the
+    /// transpose of [`Duality::nodal_jumps`].
+    pub(super) fn tractions(&self, forces: &[f64]) -> Vec<f64> {
+        let points = self.bands.len();
+        let mut tractions = vec![0.0; 2 * points];
+        for (i, x1) in self.tangents.iter().enumerate() {
+            let force = *x1 * forces[2 * i] + x1.left() * forces[2 * i + 1];
+            [tractions[2 * i], tractions[2 * i + 1]] = [force.x, force.y];
+        }
+        for i in 0..points {
+            for axis in 0..2 {
+                if i > 0 {
+                    tractions[2 * i + axis] -= self.bands[i - 1][2] * tractions[2 * (i - 1) + axis];
+                }
+                tractions[2 * i + axis] /= self.bands[i][1];
+            }
+        }
+        for i in (0..points.saturating_sub(1)).rev() {
+            for axis in 0..2 {
+                tractions[2 * i + axis] -= self.bands[i + 1][0] * tractions[2 * (i + 1) + axis];
+            }
+        }
+        tractions
     }
 }
 

@@ -5,6 +5,7 @@ mod basis;
 mod body;
 mod border;
 mod columns;
+mod condense;
 mod cuts;
 mod engine;
 mod field;

@@ -16,7 +16,7 @@ pub use table::{History, column, histories, rows, table_histories};
 pub use xfem::{Meshed, condition, misfit, sifs_under};
 
 use railcrack::body::CrackedBody;
-use railcrack::crack::{Crack, CrackNetwork};
+use railcrack::crack::{Crack, CrackEnd, CrackNetwork, End, Junction};
 use railcrack::dislocation::{DislocationBody, FaceResolution};
 use railcrack::material::IsotropicElastic;
 use railcrack::math::{Stress, Vec2};
@@ -69,10 +69,30 @@ pub fn body(cracks: &[Crack], elements: usize) -> DislocationBody {
     DislocationBody::new(&network, &steel(), FaceResolution { elements }).unwrap()
 }
 
+/// A crack through `points` (mm).
+pub fn polyline(points: &[(f64, f64)]) -> Crack {
+    Crack::polyline(points.iter().map(|&(x, y)| Vec2::new(x, y)).collect()).unwrap()
+}
+
+/// The end `end` of crack `crack` joins crack `onto`, counted from 0.
+pub fn junction(crack: usize, end: End, onto: usize) -> Junction {
+    Junction { joining: CrackEnd { crack, end }, onto }
+}
+
+/// The body with `cracks` that meet at `junctions`, `elements` along each crack.
+pub fn joined_body(cracks: &[Crack], junctions: &[Junction], elements: usize) -> DislocationBody {
+    let network = CrackNetwork::joined(cracks.to_vec(), junctions.to_vec()).unwrap();
+    DislocationBody::new(&network, &steel(), FaceResolution { elements }).unwrap()
+}
+
+/// K_I and K_II (MPa √mm) per tip of an open body under the stress of the uncracked rail.
+pub fn sifs_of(body: &dyn CrackedBody, stress: impl Fn(Vec2) -> Stress) -> Vec<f64> {
+    body.sif_influence().times(&body.faces().nodal_forces(stress))
+}
+
 /// K_I and K_II (MPa √mm) per tip of open `cracks` under the stress of the uncracked rail.
 pub fn open_sifs(cracks: &[Crack], elements: usize, stress: impl Fn(Vec2) -> Stress) -> Vec<f64> {
-    let body = body(cracks, elements);
-    body.sif_influence().times(&body.faces().nodal_forces(stress))
+    sifs_of(&body(cracks, elements), stress)
 }
 
 /// σ_xx = 1 MPa.

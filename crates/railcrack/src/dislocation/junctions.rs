@@ -1,0 +1,211 @@
+//! Where cracks meet: no Burgers vector is left over.
+//!
+//! With the jumps w_k of the arms that end at a junction, those walked towards it counted positive and those walked away from
+//! it negative (σ_k = ±1), the displacement is single-valued around the junction if Σ σ_k w_k = 0: only then is the energy
+//! finite. n arms have n laws of contact but n − 1 free jumps at the junction, so no set of face points at the junction itself can be dual to
+//! them. The last face point of each arm lies at the edge of a small core instead, and the jump in the core follows from
+//! these: constant up to a tenth of its radius, from there linear to p_k = w_k − σ_k (Σ σ_j w_j)/n at the junction, the nearest jumps that
+//! leave nothing over.
+
+use crate::body::{FaceElement, FaceMesh, FaceSample, MeshPoint};
+use crate::crack::{CrackNetwork, End, Walk};
+
+/// Part of the radius of a core over which the jumps of the arms are brought together. The law of the faces at the edge of the
+/// core sees a sixth of this of the tractions of the other arms.
+const INNER: f64 = 0.1;
+/// Radius of a core over the regular element there, at most.
+const CORE: f64 = 0.03;
+/// Radius of a core over the distance to the next vertex, at most.
+const VERTEX_SHARE: f64 = 0.2;
+
+/// An arm of a junction: one crack on one side of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Arm {
+    /// Index of the crack, from 0.
+    pub crack: usize,
+    /// Index of the junction among the points of the crack, from 0.
+    pub vertex: usize,
+    /// Whether the walk of the crack goes towards the junction.
+    pub way: Way,
+}
+
+/// How the walk of an arm runs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Way {
+    /// Towards the junction.
+    In,
+    /// Away from it.
+    Out,
+}
+
+impl Way {
+    fn sign(self) -> f64 {
+        match self {
+            Self::In => 1.0,
+            Self::Out => -1.0,
+        }
+    }
+}
+
+/// A junction with the neighbourhood in which jumps follow from those at its edge.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Core {
+    /// Arc length from the junction to the last face point of each arm, mm.
+    pub radius: f64,
+    /// The arms.
+    pub arms: Vec<Arm>,
+}
+
+impl Core {
+    /// Arc length from the junction to where the jumps begin to change, mm.
+    pub fn inner(&self) -> f64 {
+        INNER * self.radius
+    }
+
+    /// Whether this core lies on `crack` at its point `vertex`.
+    pub fn is_at(&self, crack: usize, vertex: usize) -> bool {
+        self.arms.iter().any(|arm| arm.crack == crack && arm.vertex == vertex)
+    }
+}
+
+/// The cores of all junctions, where elements away from them are `element(crack, g)` (mm) long.
+pub(super) fn cores(
+    network: &CrackNetwork,
+    walks: &[Walk],
+    element: impl Fn(usize, f64) -> f64,
+) -> Vec<Core> {
+    let core = |point: &crate::crack::JunctionPoint| {
+        let mut arms = Vec::new();
+        for end in &point.ends {
+            let (vertex, way) = match end.end {
+                End::First => (0, Way::Out),
+                End::Last => (walks[end.crack].segments(), Way::In),
+            };
+            arms.push(Arm { crack: end.crack, vertex, way });
+        }
+        if let Some(passing) = point.through {
+            let arm = |way| Arm { crack: passing.crack, vertex: passing.vertex, way };
+            arms.extend([arm(Way::In), arm(Way::Out)]);
+        }
+        let largest = |arm: &Arm| {
+            let walk = &walks[arm.crack];
+            let next = match arm.way {
+                Way::In => arm.vertex - 1,
+                Way::Out => arm.vertex + 1,
+            };
+            let segment = (walk.from_first(arm.vertex) - walk.from_first(next)).abs();
+            (CORE * element(arm.crack, walk.vertices()[arm.vertex])).min(VERTEX_SHARE * segment)
+        };
+        let radius = arms.iter().map(largest).fold(f64::INFINITY, f64::min);
+        Core { radius, arms }
+    };
+    network.junction_points().iter().map(core).collect()
+}
+
+/// Nodal jumps of a mesh that knows no junctions in terms of free ones.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Ties {
+    /// For each node the face points that it follows, with their factors, which act on jumps in the common frame.
+    follows: Vec<Vec<(usize, f64)>>,
+    /// For each node the face point of its own arm.
+    own: Vec<usize>,
+}
+
+impl Ties {
+    /// The face points that node `node` follows, with their factors.
+    pub fn of(&self, node: usize) -> &[(usize, f64)] {
+        &self.follows[node]
+    }
+
+    /// The ties of `cores` between the nodes of `elements`, which are the points of `faces`; and the points that are left, to
+    /// which the others hand on their tractions.
+    pub fn new(
+        cores: &[Core],
+        walks: &[Walk],
+        elements: &[FaceElement],
+        faces: &FaceMesh,
+    ) -> (Self, FaceMesh) {
+        let count = faces.points.len();
+        let mut follows: Vec<Vec<(usize, f64)>> = (0..count).map(|i| vec![(i, 1.0)]).collect();
+        let mut own: Vec<usize> = (0..count).collect();
+        for core in cores {
+            let nodes: Vec<ArmNodes> =
+                core.arms.iter().map(|arm| ArmNodes::of(arm, walks, elements)).collect();
+            let share = 1.0 / core.arms.len() as f64;
+            for (arm, &ArmNodes { edge, inner, junction }) in core.arms.iter().zip(&nodes) {
+                follows[inner] = vec![(edge, 1.0)];
+                let factor = |(other, nodes): (&Arm, &ArmNodes)| {
+                    let own = if other == arm { 1.0 } else { 0.0 };
+                    (nodes.edge, own - arm.way.sign() * other.way.sign() * share)
+                };
+                follows[junction] = core.arms.iter().zip(&nodes).map(factor).collect();
+                own[inner] = edge;
+                own[junction] = edge;
+            }
+        }
+        let free: Vec<usize> = (0..count).filter(|&i| own[i] == i).collect();
+        let number = |old: usize| free.binary_search(&old).expect("a free point");
+        for (node, _) in follows.iter_mut().flatten() {
+            *node = number(*node);
+        }
+        for node in &mut own {
+            *node = number(*node);
+        }
+        let ties = Self { follows, own };
+        let points = free.iter().map(|&i| MeshPoint { weight: 0.0, ..faces.points[i] }).collect();
+        let reduced = ties.reduced(points, faces);
+        (ties, reduced)
+    }
+
+    fn reduced(&self, mut points: Vec<MeshPoint>, faces: &FaceMesh) -> FaceMesh {
+        // The length of a point is that of its own arm: what arms lend each other has other directions.
+        for (&own, point) in self.own.iter().zip(&faces.points) {
+            points[own].weight += point.weight;
+        }
+        let mut samples = Vec::new();
+        for sample in &faces.samples {
+            let mut shares: Vec<(usize, f64)> = Vec::new();
+            for (node, length) in sample.shares.into_iter().filter(|(_, length)| *length != 0.0) {
+                for &(point, factor) in self.of(node) {
+                    match shares.iter_mut().find(|share| share.0 == point) {
+                        Some(share) => share.1 += factor * length,
+                        None => shares.push((point, factor * length)),
+                    }
+                }
+            }
+            // A sample has two shares: more of them make another sample at the same place.
+            for pair in shares.chunks(2) {
+                let shares = [pair[0], pair.get(1).copied().unwrap_or((0, 0.0))];
+                samples.push(FaceSample { shares, ..*sample });
+            }
+        }
+        FaceMesh { points, samples }
+    }
+}
+
+/// The nodes of one arm in a core: at its edge, where the jump begins to change, and at the junction.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct ArmNodes {
+    edge: usize,
+    inner: usize,
+    junction: usize,
+}
+
+impl ArmNodes {
+    fn of(arm: &Arm, walks: &[Walk], elements: &[FaceElement]) -> Self {
+        let g = walks[arm.crack].vertices()[arm.vertex];
+        let own: Vec<&FaceElement> = elements.iter().filter(|element| element.crack == arm.crack).collect();
+        let (nearest, next, near, far) = match arm.way {
+            Way::In => {
+                let after = own.partition_point(|element| element.range.1 <= g);
+                (own[after - 1], own[after - 2], 1, 0)
+            }
+            Way::Out => {
+                let before = own.partition_point(|element| element.range.0 < g);
+                (own[before], own[before + 1], 0, 1)
+            }
+        };
+        let node = |element: &FaceElement, end: usize| element.ends[end].expect("a core holds no tip");
+        Self { edge: node(next, far), inner: node(nearest, far), junction: node(nearest, near) }
+    }
+}
