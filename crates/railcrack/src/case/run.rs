@@ -94,7 +94,7 @@ impl Case {
             growth: self.growth,
             rail: RailBox { width: self.rail.width, depth: self.rail.depth, centre: self.rail.centre },
         };
-        let state = state.unwrap_or_else(|| GrowthState::initial(self.cracks.cracks().to_vec()));
+        let state = state.unwrap_or_else(|| GrowthState::initial(&self.cracks));
         Growth::new(problem, state)
     }
 }

@@ -31,7 +31,7 @@ pub use recorder::{Recorder, RunInfo};
 pub use shakedown::{
     Extent, PASSES_COLUMNS, PROFILE_COLUMNS, ShakedownRecorder, ShakedownResults, ShakedownSummary,
 };
-pub use summary::{CrackSummary, PhaseSeconds, Summary, TipSummary};
+pub use summary::{CrackSummary, JunctionSummary, PhaseSeconds, PieceSummary, Summary, TipSummary};
 
 /// Version of the program that writes the files.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
