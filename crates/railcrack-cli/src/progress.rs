@@ -1,7 +1,7 @@
 //! How far a run is: a bar on a terminal, a line per step elsewhere.
 
 use indicatif::{ProgressBar, ProgressStyle};
-use railcrack::growth::{StepRecord, TipRecord};
+use railcrack::growth::{StepRecord, TipRecord, TipStop};
 use std::io::{IsTerminal, Write};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
@@ -59,6 +59,9 @@ impl Progress {
         for warning in &record.warnings {
             self.say(&format!("warning, step {}, {}: {}", warning.step, warning.kind, warning.text));
         }
+        for event in events(record) {
+            self.say(&format!("step {}: {event}", record.step));
+        }
         match &self.display {
             Display::Bar(bar) => {
                 let next = (record.step + 1).min(self.increments);
@@ -115,6 +118,20 @@ fn bar(increments: usize, first: usize) -> ProgressBar {
     // Time left follows from the pace since now, not from steps that were done before.
     bar.reset_eta();
     bar
+}
+
+/// Cracks that join others in this step, and pieces that it encloses.
+fn events(record: &StepRecord) -> Vec<String> {
+    let joins = |tip: &&TipRecord| tip.stop == Some(TipStop::MeetsCrack) && tip.increment > 0.0;
+    let joined = record
+        .tips
+        .iter()
+        .filter(joins)
+        .map(|tip| format!("crack {} tip {} joins a crack", tip.tip.crack + 1, tip.tip.tip + 1));
+    let enclosed = record.pieces.iter().map(|piece| {
+        format!("{} at crack {}, {:.3} mm\u{b2}", piece.kind.name(), piece.crack + 1, piece.area)
+    });
+    joined.chain(enclosed).collect()
 }
 
 /// Length and rate of the fastest tip.

@@ -234,6 +234,19 @@ pub fn result_text(finished: &Finished) -> String {
             tip.crack, tip.tip, tip.x_mm, tip.y_mm, tip.length_mm
         ));
     }
+    for junction in &summary.junctions {
+        let (x, y) = (junction.x_mm, junction.y_mm);
+        text.push_str(&format!(
+            "crack {} has joined crack {} at ({x:.3}, {y:.3}) mm\n",
+            junction.crack, junction.onto
+        ));
+    }
+    for piece in &summary.pieces {
+        text.push_str(&format!(
+            "{} at crack {} in step {}: {:.3} mm\u{b2}\n",
+            piece.kind, piece.crack, piece.step, piece.area_mm2
+        ));
+    }
     match summary.warnings.len() {
         0 => {}
         1 => text.push_str("1 warning, see summary.json\n"),

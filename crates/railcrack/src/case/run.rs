@@ -128,7 +128,7 @@ impl PreparedRun<'_> {
             growth: case.growth,
             rail: RailBox { width: case.rail.width, depth: case.rail.depth, centre: case.rail.centre },
         };
-        let state = state.unwrap_or_else(|| GrowthState::initial(case.cracks.cracks().to_vec()));
+        let state = state.unwrap_or_else(|| GrowthState::initial(&case.cracks));
         Growth::new(problem, state)
     }
 }

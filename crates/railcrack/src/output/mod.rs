@@ -33,7 +33,7 @@ pub use shakedown::{
     Extent, PASSES_COLUMNS, PLASTIC_FILE, PROFILE_COLUMNS, SHAKEDOWN_FILE, ShakedownRecorder,
     ShakedownResults, ShakedownSummary,
 };
-pub use summary::{CrackSummary, PhaseSeconds, Summary, TipSummary};
+pub use summary::{CrackSummary, JunctionSummary, PhaseSeconds, PieceSummary, Summary, TipSummary};
 
 /// Version of the program that writes the files.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
