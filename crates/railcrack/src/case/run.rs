@@ -1,5 +1,6 @@
 //! A case made into a run.
 
+use super::shared::SharedRail;
 use super::validated::{Case, ContactSolver, Engine};
 use crate::body::BodyEngine;
 use crate::bulk::Boundary;
@@ -68,8 +69,15 @@ impl Case {
 
     /// The run of this case: from `state` on, from its beginning where there is none.
     pub fn growth_run(&self, state: Option<GrowthState>) -> Growth {
+        self.growth_run_sharing(state, None)
+    }
+
+    /// [`Case::growth_run`], with what another run computed already: the results are the same bits, sooner.
+    pub fn growth_run_sharing(&self, state: Option<GrowthState>, shared: Option<&SharedRail>) -> Growth {
         let engine: Box<dyn BodyEngine> = match self.engine {
-            Engine::Xfem => Box::new(self.xfem_engine()),
+            Engine::Xfem => {
+                Box::new(shared.map_or_else(|| self.xfem_engine(), |shared| shared.engine_of(self)))
+            }
             Engine::Dislocation => {
                 Box::new(DislocationEngine { steel: self.steel, resolution: self.face_resolution() })
             }
