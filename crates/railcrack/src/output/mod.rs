@@ -16,6 +16,7 @@ mod recorder;
 mod report;
 mod shakedown;
 mod story;
+mod study;
 mod summary;
 pub mod vtu;
 
@@ -30,6 +31,10 @@ pub use folder::{CaseFiles, Existing};
 pub use recorder::{Recorder, RunInfo};
 pub use shakedown::{
     Extent, PASSES_COLUMNS, PROFILE_COLUMNS, ShakedownRecorder, ShakedownResults, ShakedownSummary,
+};
+pub use study::{
+    Entry, Outcome, PlannedRun, RunEnd, RunState, STUDY_COLUMNS, StudyAxis, StudyFolder, StudyKey, StudyPlan,
+    StudyResults, StudyRow, TIMES_COLUMNS,
 };
 pub use summary::{CrackSummary, PhaseSeconds, Summary, TipSummary};
 
