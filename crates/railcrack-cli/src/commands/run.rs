@@ -85,7 +85,7 @@ pub fn compute(arguments: &RunArguments, interruption: &Interruption) -> Result<
 }
 
 /// The residual stress that the rail carries, at the depths of its profile.
-fn residual_rows(case: &Case) -> Vec<ResidualRow> {
+pub fn residual_rows(case: &Case) -> Vec<ResidualRow> {
     let Some(file) = &case.residual_stress else { return Vec::new() };
     let profile = file.profile();
     let at = |depth: f64| ResidualRow { depth, stress: profile.stress(Vec2::new(case.rail.centre, -depth)) };
@@ -104,7 +104,8 @@ pub struct Job {
 }
 
 impl Job {
-    fn of(case: &Case) -> Self {
+    /// The run of `case`.
+    pub fn of(case: &Case) -> Self {
         Self {
             case: case_files(case),
             info: RunInfo {
