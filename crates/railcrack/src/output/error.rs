@@ -37,6 +37,34 @@ pub enum OutputError {
         /// A file of it that is there.
         file: &'static str,
     },
+    /// The folder already holds a study, and nobody allowed to go on with it or to replace it.
+    #[error(
+        "{} already holds a study ({file}): go on with it with --resume, replace it with --force, or choose another folder with --out",
+        folder.display()
+    )]
+    HoldsStudy {
+        /// The folder.
+        folder: PathBuf,
+        /// A file of it that is there.
+        file: String,
+    },
+    /// There is no study to go on with.
+    #[error("{} holds no study to resume: start one without --resume, or name its folder with --out", folder.display())]
+    NoStudy {
+        /// The folder.
+        folder: PathBuf,
+    },
+    /// The study is not the one that the folder holds.
+    #[error(
+        "the study in {} is another one ({difference}): use the study and options it was begun with, replace it with --force, or choose another folder with --out",
+        folder.display()
+    )]
+    StudyChanged {
+        /// The folder.
+        folder: PathBuf,
+        /// What differs first.
+        difference: String,
+    },
     /// There is no run to take up again.
     #[error("{} holds no run to resume: start one without --resume, or name its folder with --out", folder.display())]
     NoRun {

@@ -108,6 +108,20 @@ impl Recorder {
         Ok((recorder, Some(checkpoint.state)))
     }
 
+    /// Whether the run in `folder`, if there is one, computes `case`.
+    ///
+    /// Errors: it computes another one; the system refuses.
+    pub fn check_case(folder: &Path, case: &CaseFiles) -> Result<(), OutputError> {
+        let Some(stored) = folder::stored_case(folder)? else { return Ok(()) };
+        same_text(folder, CASE_FILE, &stored, &case.toml)?;
+        for (name, text) in &case.companions {
+            if let Some(before) = folder::read_if_there(&folder.join(name))? {
+                same_text(folder, name, &String::from_utf8_lossy(&before), text)?;
+            }
+        }
+        Ok(())
+    }
+
     fn from_the_beginning(folder: &Path, case: CaseFiles, info: RunInfo) -> Result<Self, OutputError> {
         Ok(Self {
             sif: CsvFile::create(&folder.join(SIF_FILE), &sif_header())?,

@@ -10,6 +10,7 @@ mod rolled_field;
 mod shakedown;
 mod sif;
 mod stored;
+mod study;
 
 use super::folder::{Durability, SUMMARY_FILE, read_if_there, replace_file};
 use super::plot::{Anchor, GREY, INK, Span, Svg, TextStyle};
@@ -20,6 +21,7 @@ use stored::{chosen_steps, read_faces, read_growth};
 pub(crate) use compare_paths::compared_paths;
 pub(crate) use compare_sif::{ComparedTip, compared_sifs};
 pub(crate) use stored::{History, read_histories};
+pub(crate) use study::{STUDY_PLOTS, study_plots};
 
 pub(crate) const PLOTS_FOLDER: &str = "plots";
 
