@@ -1,8 +1,8 @@
 //! What can be written on the command line.
 
 use crate::commands::{
-    check::CheckArguments, compare::CompareArguments, init::InitArguments, run::RunArguments,
-    shakedown::ShakedownArguments,
+    check::CheckArguments, compare::CompareArguments, init::InitArguments, report::ReportArguments,
+    run::RunArguments, shakedown::ShakedownArguments,
 };
 use clap::{Parser, Subcommand};
 
@@ -19,6 +19,7 @@ Start:
   railcrack check case.toml    what would be computed
   railcrack run case.toml      compute it
   railcrack compare A B        what differs between two runs
+  railcrack report DIR         plots and HTML report again, from the folder alone
   railcrack shakedown case.toml   the stabilised plastic state under the same wheel
 ";
 
@@ -40,6 +41,7 @@ pub enum Command {
     Check(CheckArguments),
     Run(RunArguments),
     Compare(CompareArguments),
+    Report(ReportArguments),
     Shakedown(ShakedownArguments),
     /// Print the JSON Schema of the case file
     ///

@@ -80,6 +80,7 @@ impl RunError {
                 OutputError::HoldsRun { .. }
                 | OutputError::NoRun { .. }
                 | OutputError::NotARun { .. }
+                | OutputError::NothingToReport { .. }
                 | OutputError::HoldsComparison { .. }
                 | OutputError::CaseChanged { .. }
                 | OutputError::OtherVersion { .. } => Exit::BadInput,

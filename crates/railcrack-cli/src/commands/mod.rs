@@ -3,6 +3,7 @@
 pub mod check;
 pub mod compare;
 pub mod init;
+pub mod report;
 pub mod run;
 pub mod schema;
 pub mod shakedown;
@@ -17,6 +18,7 @@ pub fn dispatch(command: Command) -> Result<Exit, Failure> {
         Command::Check(arguments) => check::check(&arguments),
         Command::Run(arguments) => run::run(&arguments),
         Command::Compare(arguments) => compare::compare(&arguments),
+        Command::Report(arguments) => report::report(&arguments),
         Command::Shakedown(arguments) => shakedown::shakedown(&arguments),
         Command::Schema => schema::schema(),
     }
