@@ -83,6 +83,21 @@ class Browser:
         self.until("!document.getElementById('explorer') || document.getElementById('explorer').dataset.ready === 'true' || document.querySelector('.failure')")
         self.settle()
 
+    def open_plain(self, path):
+        """Loads a page whose scripts do not run."""
+        self.send("DOM.enable")
+        self.send("Page.navigate", url=Path(path).resolve().as_uri())
+        for _ in range(100):
+            time.sleep(0.1)
+            try:
+                document = self.send("DOM.getDocument", depth=0)["root"]["nodeId"]
+                if self.send("DOM.querySelector", nodeId=document, selector="footer")["nodeId"]:
+                    return
+            except RuntimeError:
+                # The document of the page before was still there.
+                continue
+        raise RuntimeError(f"{path} was not read within 10 s")
+
     def size(self, width, height):
         self.send("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
 

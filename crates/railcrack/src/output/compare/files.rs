@@ -201,8 +201,9 @@ impl Comparison {
 /// Errors: no comparison there; a file of it is damaged; the system refuses.
 pub(crate) fn rebuild(folder: &Path) -> Result<(), OutputError> {
     let (comparison, tolerance) = stored_comparison(folder)?;
-    report::write_plots(folder, &comparison.plots())?;
-    report::put(&folder.join(REPORT_FILE), &report::comparison_page(&comparison, tolerance).html())
+    let plots = comparison.plots();
+    report::write_plots(folder, &plots)?;
+    report::put(&folder.join(REPORT_FILE), &report::comparison_page(&comparison, tolerance, &plots).html())
 }
 
 fn with_header(comments: &[&str], columns: &[&str], rows: &[u8]) -> Vec<u8> {

@@ -236,8 +236,12 @@ fn dang_van(state: &StoredState) -> LinePicture<'_> {
     let layers = state.profile.iter().map(|layer| [layer.dang_van, layer.depth]);
     let values = std::iter::once(surface).chain(layers).collect();
     let lines = vec![
-        Line { dots: Dots::Hidden, ..line(values, 0, "largest τ + a p_h") },
-        Line { stroke: stroke(1, "6 4"), ..line(vec![[limit, 0.0], [limit, depth]], 1, "b") },
+        Line { dots: Dots::Hidden, ..line(values, 0, "largest of the cycle") },
+        Line {
+            stroke: stroke(1, "6 4"),
+            ..line(vec![[limit, 0.0], [limit, depth]], 1, "b: beyond it a crack starts")
+        },
     ];
-    by_depth(state, "Dang Van criterion", plain("τ + a p_h  (MPa)"), lines)
+    let title = vec![Span::plain("τ + a "), Span::Italic("p"), Span::Sub("h"), Span::plain("  (MPa)")];
+    by_depth(state, "Dang Van criterion", title, lines)
 }

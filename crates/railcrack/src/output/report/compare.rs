@@ -12,8 +12,13 @@ const TABLE_ROWS: usize = 500;
 /// Tips on a chart of K.
 const CHART_TIPS: usize = 12;
 
-/// The page of `comparison`, judged by `tolerance` (per cent of the largest |K|) where there is one.
-pub(crate) fn comparison_page(comparison: &Comparison, tolerance: Option<f64>) -> Page {
+/// The page of `comparison`, judged by `tolerance` (per cent of the largest |K|) where there is one; `pictures` (file name and
+/// SVG) are its plots, for readers without scripts.
+pub(crate) fn comparison_page(
+    comparison: &Comparison,
+    tolerance: Option<f64>,
+    pictures: &[(&'static str, String)],
+) -> Page {
     let names = comparison.names();
     let mut lead = Vec::new();
     if !comparison.notes.is_empty() {
@@ -25,17 +30,18 @@ pub(crate) fn comparison_page(comparison: &Comparison, tolerance: Option<f64>) -
     } else {
         Block::Table(differences(comparison))
     });
+    let still = |(file, svg): &(&str, String)| Block::Still { svg: svg.clone(), caption: (*file).to_owned() };
     let mut sections = Vec::new();
     if comparison.common_steps > 0 {
         sections.push(Section {
             id: "k".to_owned(),
             heading: "K of both over the passage".to_owned(),
-            blocks: k_blocks(comparison, &names),
+            blocks: k_blocks(comparison, &names).into_iter().chain(pictures.iter().map(still)).collect(),
         });
         sections.push(Section {
             id: "paths".to_owned(),
             heading: "Paths and growth".to_owned(),
-            blocks: vec![Block::Charts(vec![paths(comparison, &names), lengths(comparison, &names)])],
+            blocks: vec![Block::charts(vec![paths(comparison, &names), lengths(comparison, &names)])],
         });
         let rows = comparison.tips.len().min(TABLE_ROWS);
         sections.push(Section {
@@ -197,7 +203,7 @@ fn k_blocks(comparison: &Comparison, names: &[String; 2]) -> Vec<Block> {
                 difference(comparison, step, k),
             ));
         }
-        blocks.push(Block::Charts(charts));
+        blocks.push(Block::charts(charts));
     }
     blocks
 }

@@ -38,8 +38,8 @@ pub enum Block {
     Table(Table),
     /// A chart.
     Chart(LineChart),
-    /// Several charts beside each other where there is room.
-    Charts(Vec<LineChart>),
+    /// Parts beside each other where there is room.
+    Beside(Vec<Block>),
     /// A picture with its caption.
     Picture {
         /// The SVG file.
@@ -76,6 +76,13 @@ pub enum Block {
     },
 }
 
+impl Block {
+    /// Charts beside each other where there is room.
+    pub fn charts(charts: impl IntoIterator<Item = LineChart>) -> Self {
+        Self::Beside(charts.into_iter().map(Self::Chart).collect())
+    }
+}
+
 /// A section with a heading.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Section {
@@ -88,7 +95,7 @@ pub struct Section {
 }
 
 /// A page under construction: one HTML file that needs no network.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Page {
     /// Title of the page: that of the case.
     pub title: String,
@@ -181,11 +188,9 @@ fn write_blocks(page: &mut String, blocks: &[Block], scripts: &mut Vec<&'static 
                 chart.write(page);
                 Ok(())
             }
-            Block::Charts(charts) => {
+            Block::Beside(blocks) => {
                 page.push_str("<div class=\"beside\">\n");
-                for chart in charts {
-                    chart.write(page);
-                }
+                write_blocks(page, blocks, scripts);
                 writeln!(page, "</div>")
             }
             Block::Picture { svg, caption } => write_picture(page, svg, caption),

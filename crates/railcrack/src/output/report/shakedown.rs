@@ -15,7 +15,7 @@ pub(crate) fn shakedown_page(state: &StoredState, plots: &[ShakedownPlot]) -> Pa
     }
     lead.push(Block::Heading("Assumptions".to_owned()));
     lead.push(Block::List(assumptions(summary)));
-    let charts = |ids: &[&str]| Block::Charts(ids.iter().filter_map(|id| chart(plots, id)).collect());
+    let charts = |ids: &[&str]| Block::charts(ids.iter().filter_map(|id| chart(plots, id)));
     let field = plots.iter().map(ShakedownPlot::file).find(|(name, _)| *name == "field.svg");
     let section =
         |id: &str, heading: &str, blocks| Section { id: id.to_owned(), heading: heading.to_owned(), blocks };

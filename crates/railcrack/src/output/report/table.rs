@@ -52,10 +52,14 @@ impl Table {
     }
 }
 
-/// Whether a cell holds nothing but a number: such cells are aligned at their right.
+/// A cell of numbers without one.
+pub(crate) const MISSING: &str = "\u{2013}";
+
+/// Whether a cell holds nothing but a number, or says that there is none: such cells are aligned at their right.
 fn is_number(cell: &str) -> bool {
-    cell.starts_with(|letter: char| letter.is_ascii_digit() || letter == '\u{2212}')
-        && cell.chars().all(|letter| letter.is_ascii_digit() || "\u{2212}\u{a0}.e+ ".contains(letter))
+    cell == MISSING
+        || cell.starts_with(|letter: char| letter.is_ascii_digit() || letter == '\u{2212}')
+            && cell.chars().all(|letter| letter.is_ascii_digit() || "\u{2212}\u{a0}.e+ ".contains(letter))
 }
 
 #[cfg(test)]

@@ -145,6 +145,11 @@ const railcrack = (() => {
     const title = ({ x, y, name }) =>
       [name && plain(name), `${plain(data.x.title)}: ${words(x)}`, `${plain(data.y.title)}: ${words(y)}`].filter(Boolean).join("\n");
 
+    // Room for the ticks and the title beside them, from the usual width of digits.
+    const [low, high] = data.y.range ?? d3.extent(all, (point) => point.y);
+    const letters = log.y ? 4 : d3.max(d3.ticks(low ?? 0, high ?? 1, 6), (value) => ticks(value).length) ?? 4;
+    const room = 36 + 7.4 * Math.max(3, letters);
+
     function draw(width) {
       const marks = curves.flatMap(({ points, stroke, look }) => [
         look === "dots" ? null : Plot.line(points, { x: "x", y: "y", stroke, strokeWidth: 1.8, strokeDasharray: look === "dashed" ? "6 4" : null, clip: true }),
@@ -152,8 +157,8 @@ const railcrack = (() => {
       ]);
       const svg = Plot.plot({
         width,
-        height: Math.round(Math.min(340, Math.max(240, 0.62 * width))),
-        marginLeft: 64,
+        height: Math.round(Math.min(320, Math.max(230, 0.55 * width))),
+        marginLeft: room,
         marginBottom: 44,
         marginTop: 22,
         x: scale(data.x),

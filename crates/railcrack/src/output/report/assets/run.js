@@ -9,7 +9,13 @@
   const positions = data.xc_over_a;
   const shown = data.steps;
   const faceStride = data.face_stride;
-  const crackColour = (crack) => (data.cracks.length === 1 ? "var(--c0)" : `var(--c${(crack - 1) % 7})`);
+  // Beyond seven tips colours would repeat: then the chosen crack has one, and the others are quiet.
+  const many = shown[0].tips.length > 7;
+  const crackColour = (crack) => {
+    if (data.cracks.length === 1) return "var(--c0)";
+    if (many) return crack === state.crack ? "var(--c0)" : "var(--quiet)";
+    return `var(--c${(crack - 1) % 7})`;
+  };
   const STATUS = ["open", "stick", "slip"];
   const STATUS_COLOURS = ["#e9ecef", "#0072b2", "#e69f00"];
   const KEPT_COLOURS = ["var(--c1)", "var(--c2)", "var(--c3)", "var(--c4)", "var(--c5)"];
@@ -143,7 +149,9 @@
     const pressure = d3.range(0, 61).map((i) => ({ x: xc - a * Math.cos(Math.PI * i / 60), y: -view.load * Math.sin(Math.PI * i / 60) }));
     const away = xc + a < x[0] ? -1 : xc - a > x[1] ? 1 : 0;
     const mu = data.friction ?? 0;
-    const arrow = { x1: xc, x2: xc + Math.sign(mu) * 0.8 * a, y: -1.12 * view.load };
+    const reach = 0.6 * a;
+    const from = Math.min(Math.max(xc, x[0] + (mu < 0 ? reach : 0)), x[1] - (mu > 0 ? reach : 0));
+    const arrow = { x1: from, x2: from + Math.sign(mu) * reach, y: -1.12 * view.load };
     const name = data.peak_pressure ? `p_{0} = ${words(data.peak_pressure)} MPa` : "wheel";
     const label = mu ? `${name}, friction ${signed(mu, 3).replace(/0+$/, "")}` : name;
     const marks = [
@@ -192,8 +200,8 @@
     const last = rows[rows.length - 1];
     if (last.depth < y[0]) rows.push({ depth: last.depth, sxx: 0 }, { depth: y[0], sxx: 0 });
     const svg = Plot.plot({
-      width: 210, height, marginTop: sceneMargin.top, marginBottom: sceneMargin.bottom, marginLeft: 12, marginRight: 12,
-      x: { ...scale({ title: "\u03c3_{xx} (MPa)", scale: "linear" }), ticks: 4, nice: true },
+      width: 240, height, marginTop: sceneMargin.top, marginBottom: sceneMargin.bottom, marginLeft: 12, marginRight: 12,
+      x: { ...scale({ title: "\u03c3_{xx} (MPa)", scale: "linear" }), ticks: 3, nice: true },
       y: { domain: y, axis: null },
       ariaLabel: "Residual stress by depth, beside the cracks at the same scale", style,
       marks: [
@@ -219,10 +227,14 @@
         points: Array.from(histories[index][i][mode], (k, p) => ({ x: positions[p], k, at: p })),
       }));
     const kept = state.kept.filter((index) => index !== state.step);
-    return [
+    const curves = [
       ...kept.flatMap((index, i) => curve(index, KEPT_COLOURS[i % KEPT_COLOURS.length], true, `step ${shown[index].step}`)),
       ...curve(state.step, "var(--c0)", false, `step ${shown[state.step].step}`),
     ];
+    if (!many) return curves;
+    // Of the quiet cracks this step only, below the chosen one.
+    const isChosen = (curve) => curve.tip.crack === state.crack;
+    return [...curves.filter((curve) => !isChosen(curve) && !curve.dashed), ...curves.filter(isChosen)];
   }
 
   const tipName = (tip) => (shown[0].tips.some((other) => other.tip > 1) ? `crack ${tip.crack}, tip ${tip.tip}` : `crack ${tip.crack}`);
@@ -253,15 +265,17 @@
       marks: [
         Plot.frame({ stroke: "var(--line)" }),
         Plot.ruleY([0], { stroke: "var(--quiet)" }),
-        ...curves.map(({ points, colour, dashed }) => Plot.line(points, { x: "x", y: "k", stroke: colour, strokeWidth: dashed ? 1.4 : 2.2, strokeDasharray: dashed ? "5 4" : null })),
+        ...curves.map(({ points, colour, dashed }) => Plot.line(points, { x: "x", y: "k", stroke: colour, strokeOpacity: colour === "var(--quiet)" ? 0.45 : 1,
+          strokeWidth: dashed ? 1.4 : colour === "var(--quiet)" ? 1 : 2.2, strokeDasharray: dashed ? "5 4" : null })),
         Plot.tip(all, Plot.pointer({ x: "x", y: "k", fill: "var(--ground)", fontSize: 12,
           title: (d) => `${d.name}\nx_c/a = ${words(d.x)}\n${mode === "ki" ? "K_I" : "K_II"} = ${words(d.k)} MPa\u221am` })),
       ],
     });
     show(mode, svg);
-    const few = curves.length <= 12 ? curves : curves.filter((curve) => !curve.dashed);
-    find(mode).querySelector(".legends").replaceChildren(legend(few));
-    kCharts[mode] = { svg, curves: curves.filter((curve) => !curve.dashed) };
+    const chosen = many ? curves.filter((curve) => curve.tip.crack === state.crack) : curves;
+    const others = many ? [{ name: "other cracks", colour: "var(--quiet)" }] : [];
+    find(mode).querySelector(".legends").replaceChildren(legend([...chosen, ...others]));
+    kCharts[mode] = { svg, curves: chosen.filter((curve) => !curve.dashed) };
     markK(mode);
   }
 
@@ -333,10 +347,10 @@
         Plot.line([...plus, ...[...minus].reverse()], { fill: "var(--ground)", stroke: "none" }),
         buried ? null : Plot.line([[x[0], 0], [x[1], 0]], { stroke: "var(--ink)", strokeWidth: 1.5 }),
         Plot.line(points.map(([px, py]) => [px, -py]), { stroke: "var(--quiet)", strokeDasharray: "2 3" }),
-        Plot.dot(contact, { x: (d) => d.p[0], y: (d) => -d.p[1], r: 3, symbol: (d) => (d.status === 1 ? "square" : "diamond"),
-          fill: (d) => STATUS_COLOURS[d.status], stroke: "var(--ground)", strokeWidth: 0.5 }),
         Plot.line(plus, { stroke: "var(--c0)", strokeWidth: 2.2 }),
         Plot.line(minus, { stroke: "var(--c1)", strokeWidth: 2.2 }),
+        Plot.dot(contact, { x: (d) => d.p[0], y: (d) => -d.p[1], r: 3.5, symbol: (d) => (d.status === 1 ? "square" : "diamond"),
+          fill: (d) => STATUS_COLOURS[d.status], stroke: "var(--ground)", strokeWidth: 0.8 }),
       ],
       symbol: { range: ["square", "diamond"], type: "identity" },
       color: { type: "identity" },

@@ -78,7 +78,7 @@ fn passage(run: &RunFolder) -> Option<String> {
     let most = run.number("passage.max_passages")?;
     Some(format!(
         "Passage: {positions:.0} wheel positions, load steps between them to {} % of the peak of K; repeated on the fixed crack until K \
-         repeats, here {} times at most of {most:.0} allowed.",
+         does, which took {} of at most {most:.0} passages.",
         signed(100.0 * tolerance),
         run.summary.passages
     ))
@@ -107,7 +107,7 @@ fn growth(run: &RunFolder) -> Vec<String> {
     {
         let threshold = run.number("growth.threshold_mpa_sqrt_m").unwrap_or(0.0);
         texts.push(format!(
-            "Rate: da/dN = {c:e} ΔK_{{eq}}^{m} mm per cycle in MPa√m, weight of mode II {weight}, {}.",
+            "Rate: da/dN = {c:e} ΔK_{{eq}}^{{{m}}} mm per cycle in MPa√m, weight of mode II {weight}, {}.",
             if threshold > 0.0 {
                 format!("no growth up to {threshold} MPa√m")
             } else {

@@ -129,7 +129,7 @@ fn tips(run: &RunFolder, histories: &[History], step: usize) -> Vec<Value> {
             "x": number(row.place[0]),
             "y": number(row.place[1]),
             "length": number(row.length),
-            "cycles": row.load_cycles.round(),
+            "cycles": row.load_cycles,
             "delta_keq": number(row.delta_keq),
             "rate": number(row.rate),
             "kink": row.kink_deg.map(number),

@@ -60,7 +60,13 @@ impl Heading {
 
     /// Angles and branch, a few words.
     pub(super) fn note(&self) -> String {
-        let mut text = format!("{}, {} at first", angle(self.now), angle(self.before));
+        let (now, before) = (angle(self.now), angle(self.before));
+        let side = if self.now < -LEVEL_DEG { " above the horizontal" } else { " below the horizontal" };
+        let short = |text: &str| text.strip_suffix(side).map(str::to_owned);
+        let mut text = match short(&before) {
+            Some(before) if now.ends_with(side) => format!("{now}, at first {before}"),
+            _ => format!("{now}, at first {before}"),
+        };
         if let Some((step, kink)) = self.branch {
             text.push_str(&format!("; kinks by {}° in step {step}", fixed(kink, 0)));
         }
@@ -104,10 +110,7 @@ mod tests {
         let heading = |now: f64| Heading { now, before: 15.0, branch: None, spalled: false };
         assert_eq!([30.0, -20.0, 0.1].map(|now| heading(now).word()), ["downward", "upward", "level"]);
         let branched = Heading { branch: Some((3, -62.4)), ..heading(77.0) };
-        assert_eq!(
-            branched.note(),
-            "77° below the horizontal, 15° below the horizontal at first; kinks by \u{2212}62° in step 3"
-        );
+        assert_eq!(branched.note(), "77° below the horizontal, at first 15°; kinks by \u{2212}62° in step 3");
         assert!(Heading { spalled: true, ..heading(-5.0) }.sentence().contains("a spall"));
     }
 }

@@ -4,10 +4,13 @@ use super::direction::{Heading, heading};
 use super::stored::{RunFolder, TipRow};
 use crate::output::plot::round_step;
 use crate::output::report::numbers::{fixed, grouped, significant, tonnage};
+use crate::output::report::table::MISSING;
 use crate::output::report::{Fact, Table};
+use std::collections::BTreeSet;
 
-/// Rows of the table of lengths, about.
+/// Rows of the table of lengths, about: of a single crack, and for each of several.
 const LENGTHS: usize = 8;
+const LENGTHS_OF_SEVERAL: usize = 5;
 /// Cracks in the table of lengths.
 const LENGTH_CRACKS: usize = 9;
 
@@ -149,10 +152,10 @@ pub(super) fn lengths(run: &RunFolder) -> Option<Table> {
         run.tips().into_iter().filter(|&(_, tip)| tip == 1).take(LENGTH_CRACKS).collect();
     let histories: Vec<Vec<&TipRow>> =
         tips.iter().map(|&(crack, tip)| run.history(crack, tip).collect()).collect();
-    let ends = |rows: &Vec<&TipRow>| Some([rows.first()?.length, rows.last()?.length]);
-    let least = histories.iter().filter_map(ends).map(|e| e[0]).reduce(f64::min)?;
-    let most = histories.iter().filter_map(ends).map(|e| e[1]).reduce(f64::max)?;
-    if most <= least {
+    let ends: Vec<[f64; 2]> =
+        histories.iter().filter_map(|rows| Some([rows.first()?.length, rows.last()?.length])).collect();
+    let milestones = milestones(&ends);
+    if milestones.is_empty() {
         return None;
     }
     let load = run.axle_load();
@@ -174,25 +177,39 @@ pub(super) fn lengths(run: &RunFolder) -> Option<Table> {
         }
         _ => "Load cycles to each length; one cycle is one axle".to_owned(),
     };
-    for length in milestones(least, most) {
+    for length in milestones {
         let cycles: Vec<Option<f64>> = histories.iter().map(|rows| cycles_to(rows, length)).collect();
         let mut cells = vec![fixed(length, 2)];
-        cells.extend(cycles.iter().map(|cycles| cycles.map_or_else(|| "–".to_owned(), grouped)));
+        cells.extend(cycles.iter().map(|cycles| cycles.map_or_else(|| MISSING.to_owned(), grouped)));
         if let (Some(load), [cycles]) = (load, &cycles[..]) {
-            cells.push(cycles.map_or_else(|| "–".to_owned(), |cycles| tonnage(cycles * load / 1e6)));
+            cells.push(cycles.map_or_else(|| MISSING.to_owned(), |cycles| tonnage(cycles * load / 1e6)));
         }
         table.row(cells);
     }
     Some(table)
 }
 
-/// Round lengths between `least` and `most`, and `most`.
-fn milestones(least: f64, most: f64) -> Vec<f64> {
-    let step = round_step(most - least, LENGTHS);
-    let from = (least / step).floor() as i64 + 1;
-    let mut lengths: Vec<f64> =
-        (from..).map(|i| i as f64 * step).take_while(|&l| l < most - 0.2 * step).collect();
-    lengths.push(most);
+/// Round lengths through which cracks grow, given the first and the last length of each, and the last length of the one
+/// that grows most.
+fn milestones(ends: &[[f64; 2]]) -> Vec<f64> {
+    let grown = |ends: &[f64; 2]| ends[1] - ends[0];
+    let Some(most) = ends.iter().copied().reduce(|a, b| if grown(&b) > grown(&a) { b } else { a }) else {
+        return Vec::new();
+    };
+    if grown(&most) <= 0.0 {
+        return Vec::new();
+    }
+    let step = round_step(grown(&most), if ends.len() == 1 { LENGTHS } else { LENGTHS_OF_SEVERAL });
+    let round = |[from, to]: &[f64; 2]| (from / step).floor() as i64 + 1..=(to / step).floor() as i64;
+    let places: BTreeSet<i64> = ends.iter().flat_map(round).collect();
+    let last = most[1];
+    let mut lengths: Vec<f64> = places
+        .into_iter()
+        .map(|i| i as f64 * step)
+        .filter(|length| (length - last).abs() > 0.2 * step)
+        .collect();
+    lengths.push(last);
+    lengths.sort_by(f64::total_cmp);
     lengths
 }
 
@@ -243,7 +260,10 @@ mod tests {
 
     #[test]
     fn milestones_are_round_and_end_at_the_last_length() {
-        assert_eq!(milestones(6.0, 15.995), [8.0, 10.0, 12.0, 14.0, 15.995]);
-        assert_eq!(milestones(6.0, 6.5), [6.1, 6.2, 6.300000000000001, 6.4, 6.5]);
+        assert_eq!(milestones(&[[6.0, 15.995]]), [8.0, 10.0, 12.0, 14.0, 15.995]);
+        // Each crack has its own, the end is that of the one that grew most.
+        assert_eq!(milestones(&[[3.0, 6.54], [9.03, 12.5]]), [4.0, 5.0, 6.0, 6.54, 10.0, 11.0, 12.0]);
+        assert_eq!(milestones(&[[6.0, 6.0]]), [0.0; 0]);
+        assert_eq!(milestones(&[]), [0.0; 0]);
     }
 }

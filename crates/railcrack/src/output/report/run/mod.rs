@@ -38,7 +38,10 @@ pub(super) fn run_page(folder: &Path, pictures: &[(&'static str, String)]) -> Re
     if !warnings.is_empty() {
         page.lead.push(Block::Warnings(warnings));
     }
-    page.lead.extend(facts::lengths(&run).map(Block::Table));
+    page.lead.extend(
+        facts::lengths(&run)
+            .map(|table| Block::Beside(vec![Block::Table(table), Block::Chart(length_cycles(&run))])),
+    );
     page.lead.extend(facts::cracks(&run).map(Block::Table));
     let (data, shown) = if run.summary.steps_recorded > 0 {
         let (data, shown) = data::explorer(&run)?;
@@ -81,21 +84,27 @@ fn explorer(data: Value, pictures: &[(&'static str, String)]) -> Section {
     Section { id: "passage".to_owned(), heading: "Passage of the wheel".to_owned(), blocks }
 }
 
+fn length_cycles(run: &RunFolder) -> LineChart {
+    let first_tips: Vec<(usize, usize)> = run.tips().into_iter().filter(|&(_, tip)| tip == 1).collect();
+    LineChart {
+        id: "length-cycles".to_owned(),
+        caption: "Crack length against load cycles (axles); a dot for each step.".to_owned(),
+        x: ChartAxis::linear("Load cycles (axles)"),
+        y: ChartAxis::linear("Crack length (mm)"),
+        // Both tips of a buried crack share its length.
+        curves: curves(run, &first_tips, |row| [row.load_cycles, row.length]),
+        ..LineChart::default()
+    }
+}
+
 fn growth(run: &RunFolder, remarks: Vec<String>) -> Section {
     let mut blocks = Vec::new();
     if run.summary.steps_recorded > 1 {
         let x = |title: &str| ChartAxis::linear(title);
         let rate = ChartAxis::logarithmic("da/dN (mm per load cycle)");
-        let of_tips = |point: fn(&TipRow) -> [f64; 2]| curves(run, point);
-        blocks.push(Block::Charts(vec![
-            LineChart {
-                id: "length-cycles".to_owned(),
-                caption: "Crack length against load cycles (axles); a dot for each step.".to_owned(),
-                x: x("Load cycles (axles)"),
-                y: ChartAxis::linear("Crack length (mm)"),
-                curves: of_tips(|row| [row.load_cycles, row.length]),
-                ..LineChart::default()
-            },
+        let tips = run.tips();
+        let of_tips = |point: fn(&TipRow) -> [f64; 2]| curves(run, &tips, point);
+        blocks.push(Block::charts(vec![
             LineChart {
                 id: "rate-length".to_owned(),
                 caption: "Growth rate against crack length.".to_owned(),
@@ -121,9 +130,8 @@ fn growth(run: &RunFolder, remarks: Vec<String>) -> Section {
     Section { id: "growth".to_owned(), heading: "Growth".to_owned(), blocks }
 }
 
-/// A curve for every tip; a single one has no name, it needs no legend.
-fn curves(run: &RunFolder, point: fn(&TipRow) -> [f64; 2]) -> Vec<Curve> {
-    let tips = run.tips();
+/// A curve for each of `tips`; a single one has no name, it needs no legend.
+fn curves(run: &RunFolder, tips: &[(usize, usize)], point: fn(&TipRow) -> [f64; 2]) -> Vec<Curve> {
     let has_two = tips.iter().any(|&(_, tip)| tip > 1);
     let curve = |&(crack, tip): &(usize, usize)| {
         let name = match (tips.len(), has_two) {

@@ -92,7 +92,7 @@ pub(super) fn remarks(run: &RunFolder, shown: &Shown) -> Vec<String> {
     }
     if shown.face_stride > 1 {
         texts.push(format!(
-            "To keep this file small, faces are shown at every {}th wheel position; faces.csv has all.",
+            "To keep this file small, faces are shown at one in {} wheel positions; faces.csv has all.",
             shown.face_stride
         ));
     }
