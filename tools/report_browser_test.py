@@ -207,6 +207,29 @@ def check_explorer(browser, checks, name, folder):
     checks.that(not browser.complaints, f"{name}: no complaints after all this", browser.complaints)
 
 
+def check_fields(browser, checks, name, folder):
+    """The neighbourhood: a picture for each field file of its steps, moved by the slider."""
+    browser.open(folder / "report.html")
+    if not browser.run("Boolean(document.getElementById('field-choice'))"):
+        said = browser.run("document.querySelector('#around p')?.textContent ?? ''")
+        checks.that("too many cells" in said or not (folder / "fields").exists(), f"{name}: fields are shown, or the page says why not")
+        return
+    picture = "document.querySelector('#field image').getAttribute('href')"
+    seen = set()
+    for choice in range(browser.run("document.getElementById('field-choice').options.length")):
+        browser.run(f"(() => {{ const e = document.getElementById('field-choice'); e.selectedIndex = {choice}; e.dispatchEvent(new Event('change')); }})()")
+        browser.settle()
+        label = browser.run(f"document.getElementById('field-choice').options[{choice}].textContent").split(",")[0].replace("step ", "Step ")
+        checks.that(browser.run("document.getElementById('field-caption').textContent").startswith(label + ","), f"{name}: field {choice} is shown", label)
+        seen.add(browser.run(picture))
+    checks.that(len(seen) == browser.run("document.getElementById('field-choice').options.length"), f"{name}: every field is another picture", len(seen))
+    before = browser.run(picture)
+    browser.run("document.getElementById('field-scale').focus()")
+    browser.key("Home")
+    checks.that(browser.run("document.getElementById('field-scale-value').textContent") == "none", f"{name}: the deformation can be left out")
+    checks.that(browser.run(picture) != before, f"{name}: the slider deforms the picture")
+
+
 def hover(browser, checks, name):
     left, top, width, height = browser.box("#kii .drawing svg")
     text = ""
@@ -272,6 +295,7 @@ def main():
             check_page(browser, checks, folder.name, folder / "report.html")
             if (folder / "sif.csv").exists():
                 check_explorer(browser, checks, folder.name, folder)
+                check_fields(browser, checks, folder.name, folder)
             pictures(browser, folder.name, folder, out)
             print(f"{folder.name}: {'ok' if checks.failed == before else 'FAILED'}", flush=True)
     finally:

@@ -22,7 +22,11 @@ fn report(folder: &Path) -> String {
 
 /// The data of the explorer.
 fn data(page: &str) -> Value {
-    let (_, after) = page.split_once("<script type=\"application/json\" id=\"run-data\">").unwrap();
+    data_of(page, "run-data")
+}
+
+fn data_of(page: &str, id: &str) -> Value {
+    let (_, after) = page.split_once(&format!("<script type=\"application/json\" id=\"{id}\">")).unwrap();
     serde_json::from_str(after.split_once("</script>").unwrap().0).unwrap()
 }
 
@@ -122,6 +126,32 @@ fn histories_and_faces_are_those_of_the_tables() {
             }
         }
     }
+}
+
+#[test]
+fn fields_are_those_of_the_first_and_the_last_step_that_have_files() {
+    let scratch = Scratch::new("report-fields");
+    run(scratch.path(), SMALL);
+    let fields = data_of(&report(scratch.path()), "field-data");
+    let steps = fields["steps"].as_array().unwrap();
+    assert_eq!(steps.iter().map(|step| step["step"].as_u64().unwrap()).collect::<Vec<_>>(), [0, 4]);
+    let last = &steps[1];
+    let values = |value: &Value| quantised(value, usize::MAX).0;
+    assert_eq!(values(&last["x"]), [0.0, -1.0, 1.0]);
+    assert_eq!(values(&last["y"]), [0.0, -1.0, -1.0]);
+    // A triangle: points 0, 1, 2, 2 as differences 0, 1, 1, 0, of which twice the size is kept, low bytes first.
+    assert_eq!(unpacked(&last["corners"]), [0, 2, 2, 0, 0, 0, 0, 0]);
+    let snapshot = &last["snapshots"][1];
+    assert_eq!(snapshot["position"], 21);
+    assert_eq!((values(&snapshot["ux"]), values(&snapshot["uy"])), (vec![0.004; 3], vec![2.0; 3]));
+    // σ_xx alone is the stress of von Mises.
+    assert!((values(&snapshot["stress"])[0] - 100.0 / 3.0).abs() < 1e-12);
+    // A file that is no field is not taken for one, a field that is damaged is named.
+    fs::write(scratch.path().join("fields/mine.vtu"), "x").unwrap();
+    rebuild_report(scratch.path()).unwrap();
+    fs::write(scratch.path().join("fields/step-0004-position-0011.vtu"), "x").unwrap();
+    let refused = rebuild_report(scratch.path()).unwrap_err().to_string();
+    assert!(refused.contains("step-0004-position-0011.vtu"), "{refused}");
 }
 
 #[test]

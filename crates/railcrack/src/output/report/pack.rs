@@ -24,21 +24,26 @@ pub(super) fn packed_singles(values: &[f64]) -> Value {
     packed_bytes(&bytes)
 }
 
-/// `values` in 65536 levels between their extremes, as differences from one to the next in rows of `row` values (each row
-/// begins anew): `{ "low", "step", "data" }`, value = low + step × level. First the low bytes, then the high ones: the
-/// latter are mostly zero.
+/// `values` in 65536 levels between their extremes, packed as [`packed_levels`]: `{ "low", "step", "data" }`, value = low +
+/// step × level.
 pub(super) fn quantised(values: &[f64], row: usize) -> Value {
     let (low, high) =
         values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &v| (low.min(v), high.max(v)));
     let (low, high) = if low <= high { (low, high) } else { (0.0, 0.0) };
     let step = (high - low) / LEVELS;
     let level = |value: f64| if step > 0.0 { ((value - low) / step).round() as u16 } else { 0 };
-    let mut lows = Vec::with_capacity(2 * values.len());
-    let mut highs = Vec::with_capacity(values.len());
-    for row in values.chunks(row.max(1)) {
+    let levels: Vec<u16> = values.iter().map(|&value| level(value)).collect();
+    json!({ "low": low, "step": step, "data": packed_levels(&levels, row) })
+}
+
+/// Whole numbers as differences from one to the next in rows of `row` (each begins anew). First the low bytes, then the
+/// high ones: the latter are mostly zero.
+pub(super) fn packed_levels(levels: &[u16], row: usize) -> Value {
+    let mut lows = Vec::with_capacity(2 * levels.len());
+    let mut highs = Vec::with_capacity(levels.len());
+    for row in levels.chunks(row.max(1)) {
         let mut before = 0u16;
-        for &value in row {
-            let now = level(value);
+        for &now in row {
             // Small differences of either sign become small numbers: 0, −1, 1, −2, …
             let difference = now.wrapping_sub(before) as i16;
             let folded = ((difference << 1) ^ (difference >> 15)) as u16;
@@ -48,7 +53,7 @@ pub(super) fn quantised(values: &[f64], row: usize) -> Value {
         }
     }
     lows.append(&mut highs);
-    json!({ "low": low, "step": step, "data": packed_bytes(&lows) })
+    packed_bytes(&lows)
 }
 
 #[cfg(test)]

@@ -47,20 +47,23 @@ const railcrack = (() => {
   /** Numbers in single precision. */
   const singles = async (text) => new Float32Array((await unpack(text)).buffer);
 
-  /** Quantised numbers in rows of `row`: differences from one to the next, first low bytes, then high ones. */
-  async function quantised({ low, step, data }, row) {
+  /** Whole numbers in rows of `row`: differences from one to the next, first low bytes, then high ones. */
+  async function levels(data, row) {
     const bytes = await unpack(data);
     const count = bytes.length / 2;
-    const values = new Float64Array(count);
+    const values = new Uint16Array(count);
     let level = 0;
     for (let i = 0; i < count; i++) {
       const folded = bytes[i] | (bytes[count + i] << 8);
       const difference = (folded >> 1) ^ -(folded & 1);
       level = i % row === 0 ? difference & 0xffff : (level + difference) & 0xffff;
-      values[i] = low + step * level;
+      values[i] = level;
     }
     return values;
   }
+
+  /** Quantised numbers: low + step × level. */
+  const quantised = async ({ low, step, data }, row) => Float64Array.from(await levels(data, row), (level) => low + step * level);
 
   /** A list of names with the strokes that they stand for. */
   function legend(entries) {
@@ -284,5 +287,5 @@ const railcrack = (() => {
   theme();
   for (const figure of document.querySelectorAll("figure.chart")) chart(figure);
 
-  return { words, plain, typeset, singles, quantised, unpack, legend, scale, ticks, onWidth, tools, charts, png };
+  return { words, plain, typeset, singles, levels, quantised, unpack, legend, scale, ticks, onWidth, tools, charts, png };
 })();

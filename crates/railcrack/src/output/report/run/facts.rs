@@ -200,7 +200,9 @@ fn milestones(ends: &[[f64; 2]]) -> Vec<f64> {
         return Vec::new();
     }
     let step = round_step(grown(&most), if ends.len() == 1 { LENGTHS } else { LENGTHS_OF_SEVERAL });
-    let round = |[from, to]: &[f64; 2]| (from / step).floor() as i64 + 1..=(to / step).floor() as i64;
+    // A crack of 3 mm up to round-off does not grow through 3 mm.
+    let below = |length: &f64| (length / step + 1e-9).floor() as i64;
+    let round = |[from, to]: &[f64; 2]| below(from) + 1..=below(to);
     let places: BTreeSet<i64> = ends.iter().flat_map(round).collect();
     let last = most[1];
     let mut lengths: Vec<f64> = places
@@ -263,6 +265,7 @@ mod tests {
         assert_eq!(milestones(&[[6.0, 15.995]]), [8.0, 10.0, 12.0, 14.0, 15.995]);
         // Each crack has its own, the end is that of the one that grew most.
         assert_eq!(milestones(&[[3.0, 6.54], [9.03, 12.5]]), [4.0, 5.0, 6.0, 6.54, 10.0, 11.0, 12.0]);
+        assert_eq!(milestones(&[[3.0 - 1e-12, 3.25]])[0], 3.05);
         assert_eq!(milestones(&[[6.0, 6.0]]), [0.0; 0]);
         assert_eq!(milestones(&[]), [0.0; 0]);
     }

@@ -5,6 +5,7 @@ mod data;
 mod direction;
 mod faces;
 mod facts;
+mod neighbourhood;
 mod stored;
 mod warnings;
 
@@ -12,12 +13,15 @@ use super::numbers::{fixed, grouped, significant, tonnage};
 use super::{Block, ChartAxis, Curve, CurveLook, LineChart, Page, Section, Table};
 use crate::output::OutputError;
 use crate::output::folder::CASE_FILE;
+use neighbourhood::{Neighbourhood, neighbourhood};
 use serde_json::Value;
 use std::path::Path;
 use stored::{RunFolder, TipRow};
 
 const EXPLORER: &str = include_str!("../assets/run.html");
 const EXPLORER_SCRIPT: &str = include_str!("../assets/run.js");
+const FIELDS: &str = include_str!("../assets/fields.html");
+const FIELDS_SCRIPT: &str = include_str!("../assets/fields.js");
 /// Rows of the table of steps; `growth.csv` has all.
 const TABLE_ROWS: usize = 500;
 
@@ -54,6 +58,7 @@ pub(super) fn run_page(folder: &Path, pictures: &[(&'static str, String)]) -> Re
     let remarks = warnings::remarks(&run, &shown);
     if let Some(data) = data {
         page.sections.push(explorer(data, pictures));
+        page.sections.extend(around(neighbourhood(&run)?));
         page.sections.push(growth(&run, remarks));
         page.sections.push(steps(&run));
     }
@@ -82,6 +87,21 @@ fn explorer(data: Value, pictures: &[(&'static str, String)]) -> Section {
         Some(Block::Still { svg: svg.clone(), caption: (*caption).to_owned() })
     }));
     Section { id: "passage".to_owned(), heading: "Passage of the wheel".to_owned(), blocks }
+}
+
+fn around(fields: Neighbourhood) -> Option<Section> {
+    let block = match fields {
+        Neighbourhood::NoFiles => return None,
+        Neighbourhood::TooLarge => Block::Text(
+            "The files in fields/ have too many cells for this page; ParaView shows them by fields.pvd."
+                .to_owned(),
+        ),
+        Neighbourhood::Shown(data) => {
+            Block::Viewer { html: FIELDS, data_id: "field-data", data, script: FIELDS_SCRIPT }
+        }
+    };
+    let (id, heading) = ("around".to_owned(), "Around the cracks, deformed".to_owned());
+    Some(Section { id, heading, blocks: vec![block] })
 }
 
 fn length_cycles(run: &RunFolder) -> LineChart {
