@@ -1,6 +1,6 @@
 //! Text and data in HTML.
 
-use crate::output::vtu::base64;
+use crate::vtu::base64;
 use serde_json::Value;
 
 /// `text` as the content of an element or the value of a quoted attribute.

@@ -1,6 +1,6 @@
 //! Arrays of numbers in a page: bytes, deflated (zlib), in base64.
 
-use crate::output::vtu::base64;
+use crate::vtu::base64;
 use miniz_oxide::deflate::compress_to_vec_zlib;
 use serde_json::{Value, json};
 

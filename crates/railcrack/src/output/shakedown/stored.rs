@@ -6,8 +6,8 @@ use crate::math::Stress;
 use crate::output::OutputError;
 use crate::output::csv::read_columns;
 use crate::output::folder::{read_if_there, stored_case};
-use crate::output::vtu::{Array, UnstructuredGrid, read_vtu};
 use crate::shakedown::PlasticStrain;
+use crate::vtu::{Array, UnstructuredGrid, read_vtu};
 use std::path::Path;
 
 /// What the unloaded rail keeps in a layer: a row of `profile.csv`.

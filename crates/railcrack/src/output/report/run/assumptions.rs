@@ -1,7 +1,7 @@
 //! What the result rests on.
 
 use super::stored::RunFolder;
-use crate::output::report::numbers::{fixed, grouped};
+use crate::output::report::numbers::{fixed, grouped, significant};
 
 /// A sentence each; of what the case does not say, nothing.
 pub(super) fn assumptions(run: &RunFolder) -> Vec<String> {
@@ -9,16 +9,7 @@ pub(super) fn assumptions(run: &RunFolder) -> Vec<String> {
     texts.extend(wheel(run));
     texts.extend(passage(run));
     texts.push(faces(run));
-    texts.push(if run.residual.is_empty() {
-        "No residual stress.".to_owned()
-    } else {
-        let (least, most) = run.residual.iter().fold((0.0f64, 0.0f64), |(l, m), row| (l.min(row[1]), m.max(row[1])));
-        format!(
-            "Residual stress σ_{{xx}} from {} to {} MPa, a function of depth; it neither relaxes nor moves with the crack.",
-            fixed(least, 0),
-            fixed(most, 0)
-        )
-    });
+    texts.extend(residual(run));
     texts.extend(growth(run));
     texts.push(engine(run));
     texts.push(
@@ -98,6 +89,39 @@ fn faces(run: &RunFolder) -> String {
     format!(
         "Crack faces: no gap, unilateral contact, Coulomb friction{friction}; virgin in each growth step."
     )
+}
+
+/// What residual stress there is, and where it comes from.
+fn residual(run: &RunFolder) -> Vec<String> {
+    if run.residual.is_empty() {
+        return vec!["No residual stress.".to_owned()];
+    }
+    let (least, most) =
+        run.residual.iter().fold((0.0f64, 0.0f64), |(l, m), row| (l.min(row[1]), m.max(row[1])));
+    let mut text = format!(
+        "Residual stress: σ_{{xx}} from {} to {} MPa on the middle line; it neither relaxes nor moves with the crack.",
+        fixed(least, 0),
+        fixed(most, 0)
+    );
+    let Some(summary) = &run.summary.residual_stress else { return vec![text] };
+    if let Some(file) = &summary.balanced_profile {
+        text.push_str(&format!(" Given as balanced by depth ({file})."));
+    }
+    match (&summary.plastic_source, &summary.rolled) {
+        (_, Some(rolled)) => text.push_str(&format!(
+            " Its plastic part is that of the same wheel rolling over this rail ({}, {} passages, in {}), balanced on the mesh of the cracks.",
+            rolled.state, rolled.passes, rolled.folder
+        )),
+        (Some(source), None) => text.push_str(&format!(" Its plastic part is given ({source}) and balanced on the mesh of the cracks.")),
+        (None, None) => {}
+    }
+    if let Some(projection) = &summary.projection {
+        text.push_str(&format!(
+            " On the way to that mesh the plastic stress changed by {} % in norm.",
+            significant(100.0 * projection.mesh_difference)
+        ));
+    }
+    vec![text]
 }
 
 fn growth(run: &RunFolder) -> Vec<String> {

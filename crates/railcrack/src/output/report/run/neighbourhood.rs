@@ -5,7 +5,7 @@ use crate::math::Vec2;
 use crate::output::OutputError;
 use crate::output::fields::{FIELDS_FOLDER, step_and_position};
 use crate::output::report::pack::{packed_levels, quantised};
-use crate::output::vtu::{CellShape, UnstructuredGrid, read_vtu};
+use crate::vtu::{CellShape, UnstructuredGrid, read_vtu};
 use rayon::prelude::*;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;

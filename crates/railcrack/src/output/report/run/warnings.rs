@@ -42,6 +42,7 @@ fn grouped_text(kind: &str, warnings: &[&Warning]) -> String {
         "passages" => "Passages did not repeat within their limit",
         "contact-fallback" => "The other contact solver took over",
         "engine" => "The engine remarks",
+        "residual-stress" => "Residual stress",
         other => other,
     };
     let mut text = format!("{heading}. ");

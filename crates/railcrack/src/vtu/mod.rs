@@ -3,7 +3,7 @@
 //! Source: *VTK File Formats*, chapter of *The VTK User's Guide* (Kitware), "XML File Formats".
 
 mod array;
-pub(super) mod base64;
+pub(crate) mod base64;
 mod error;
 mod grid;
 mod numbers;
@@ -15,8 +15,6 @@ mod write;
 pub use array::Array;
 pub use error::{GridError, VtuError};
 pub use grid::{CellBlock, CellShape, UnstructuredGrid};
-pub(super) use pvd::write_pvd_durably;
-pub use pvd::{Snapshot, write_pvd};
-pub use read::read_vtu;
-pub use write::write_vtu;
-pub(super) use write::write_vtu_durably;
+pub use pvd::{Snapshot, pvd_text, write_pvd};
+pub use read::{read_vtu, read_vtu_bytes};
+pub use write::{vtu_text, write_vtu};
