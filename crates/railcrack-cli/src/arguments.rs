@@ -1,8 +1,8 @@
 //! What can be written on the command line.
 
 use crate::commands::{
-    check::CheckArguments, compare::CompareArguments, init::InitArguments, run::RunArguments,
-    schema::SchemaArguments, shakedown::ShakedownArguments, sweep::SweepArguments,
+    check::CheckArguments, compare::CompareArguments, init::InitArguments, report::ReportArguments,
+    run::RunArguments, schema::SchemaArguments, shakedown::ShakedownArguments, sweep::SweepArguments,
 };
 use clap::{Parser, Subcommand};
 
@@ -20,6 +20,7 @@ Start:
   railcrack run case.toml      compute it
   railcrack compare A B        what differs between two runs
   railcrack sweep study.toml   many cases: a case file with lists in place of values
+  railcrack report DIR         plots and HTML report again, from the folder alone
   railcrack shakedown case.toml   the stabilised plastic state under the same wheel
 ";
 
@@ -42,6 +43,7 @@ pub enum Command {
     Run(RunArguments),
     Compare(CompareArguments),
     Sweep(SweepArguments),
+    Report(ReportArguments),
     Shakedown(ShakedownArguments),
     Schema(SchemaArguments),
 }

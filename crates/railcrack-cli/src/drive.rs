@@ -87,6 +87,7 @@ impl RunError {
                 OutputError::HoldsRun { .. }
                 | OutputError::NoRun { .. }
                 | OutputError::NotARun { .. }
+                | OutputError::NothingToReport { .. }
                 | OutputError::HoldsComparison { .. }
                 | OutputError::HoldsStudy { .. }
                 | OutputError::NoStudy { .. }

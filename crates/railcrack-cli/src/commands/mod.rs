@@ -4,6 +4,7 @@ pub mod check;
 mod check_study;
 pub mod compare;
 pub mod init;
+pub mod report;
 pub mod residual;
 pub mod run;
 pub mod schema;
@@ -21,6 +22,7 @@ pub fn dispatch(command: Command) -> Result<Exit, Failure> {
         Command::Run(arguments) => run::run(&arguments),
         Command::Compare(arguments) => compare::compare(&arguments),
         Command::Sweep(arguments) => sweep::sweep(&arguments),
+        Command::Report(arguments) => report::report(&arguments),
         Command::Shakedown(arguments) => shakedown::shakedown(&arguments),
         Command::Schema(arguments) => schema::schema(&arguments),
     }

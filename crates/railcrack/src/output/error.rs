@@ -26,6 +26,15 @@ pub enum OutputError {
         /// A file that every run has.
         file: &'static str,
     },
+    /// A folder that holds nothing that a report shows.
+    #[error(
+        "{} holds nothing to report on: the folder of a run has summary.json, that of a plastic state shakedown.json, that of a comparison compare.json",
+        folder.display()
+    )]
+    NothingToReport {
+        /// The folder.
+        folder: PathBuf,
+    },
     /// The folder already holds a comparison, and nobody allowed to replace it.
     #[error(
         "{} already holds a comparison ({file}): replace it with --force, or choose another folder with --out",

@@ -13,7 +13,7 @@ mod folder;
 mod memory;
 mod plot;
 mod recorder;
-mod report;
+pub mod report;
 mod residual;
 mod shakedown;
 mod story;
