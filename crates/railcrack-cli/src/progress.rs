@@ -31,6 +31,8 @@ pub trait Tell: Sync {
     fn fraction(&self, fraction: f64);
     /// A step is finished and written.
     fn finished(&self, record: &StepRecord);
+    /// What a stage before the first step is doing.
+    fn stage(&self, text: &str);
     /// No step follows.
     fn close(&self);
 }
@@ -95,6 +97,13 @@ impl Tell for Progress {
                 self.begun.elapsed().as_secs_f64()
             )),
             Display::Quiet => {}
+        }
+    }
+
+    fn stage(&self, text: &str) {
+        match &self.display {
+            Display::Bar(bar) => bar.set_message(text.to_owned()),
+            Display::Lines | Display::Quiet => self.say(text),
         }
     }
 

@@ -4,6 +4,7 @@ pub mod check;
 mod check_study;
 pub mod compare;
 pub mod init;
+pub mod residual;
 pub mod run;
 pub mod schema;
 pub mod shakedown;

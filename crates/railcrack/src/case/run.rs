@@ -1,20 +1,25 @@
 //! A case made into a run.
 
+use super::carried::{CarriedStress, CarriedStressError};
 use super::shared::SharedRail;
 use super::validated::{Case, ContactSolver, Engine};
 use crate::body::BodyEngine;
 use crate::bulk::Boundary;
 use crate::contact::{self, Latin, Newton};
 use crate::dislocation::{DislocationEngine, FaceResolution};
-use crate::field::{HertzDisplacement, StressField};
+use crate::field::HertzDisplacement;
 use crate::growth::{FieldSettings, Growth, GrowthProblem, GrowthState, RailBox};
+use crate::residual::PlasticField;
 use crate::xfem::{
-    EnrichmentRadius, MeshSettings, Outline, RailEnd, XfemEngine, XfemSettings, default_element_size,
+    EnrichmentRadius, Layers, MeshSettings, Outline, RailEnd, XfemEngine, XfemSettings, default_element_size,
 };
 use std::num::NonZeroUsize;
 
 /// Growth of the length that the window makes room for, at most: a crack that grows on has it enlarged.
 const LARGEST_WINDOW: f64 = 3.0;
+
+/// Elements over the depth of the plastic stress, at least.
+const LAYERS_PER_PLASTIC_DEPTH: f64 = 40.0;
 
 impl Case {
     /// How finely the dislocation engine resolves the faces.
@@ -67,42 +72,81 @@ impl Case {
         (!positions.is_empty()).then_some(FieldSettings { positions, every, displacement })
     }
 
-    /// The run of this case: from `state` on, from its beginning where there is none.
-    pub fn growth_run(&self, state: Option<GrowthState>) -> Growth {
-        self.growth_run_sharing(state, None)
+    /// The finite-element engine, with a mesh that also resolves `plastic` stress.
+    pub(super) fn finite_elements(&self, plastic: Option<&PlasticField>) -> XfemEngine {
+        let engine = self.xfem_engine();
+        match plastic.and_then(|field| field.plastic_depth()) {
+            Some(depth) => engine.resolving(Layers { depth, height: depth / LAYERS_PER_PLASTIC_DEPTH }),
+            None => engine,
+        }
     }
 
-    /// [`Case::growth_run`], with what another run computed already: the results are the same bits, sooner.
-    pub fn growth_run_sharing(&self, state: Option<GrowthState>, shared: Option<&SharedRail>) -> Growth {
+    /// Everything that is made once for the run of this case. `rolled` is the plastic stress of the stabilised state, for a case
+    /// that wants it ([`PlasticSource::Rolled`](super::PlasticSource)).
+    ///
+    /// Errors: the residual stress cannot be made.
+    pub fn prepare(&self, rolled: Option<&PlasticField>) -> Result<PreparedRun<'_>, CarriedStressError> {
+        self.prepare_sharing(rolled, None)
+    }
+
+    /// [`Case::prepare`], with what another run made already: the results are the same bits, sooner.
+    pub fn prepare_sharing(
+        &self,
+        rolled: Option<&PlasticField>,
+        shared: Option<&SharedRail>,
+    ) -> Result<PreparedRun<'_>, CarriedStressError> {
+        let plastic = self.plastic_field(rolled)?;
+        let mut finite_elements = self.finite_elements(plastic.as_ref());
+        if let Some(shared) = shared {
+            shared.give_to(&mut finite_elements);
+        }
+        let residual = self.carried_stress(plastic.as_ref(), &mut finite_elements)?;
         let engine: Box<dyn BodyEngine> = match self.engine {
-            Engine::Xfem => {
-                Box::new(shared.map_or_else(|| self.xfem_engine(), |shared| shared.engine_of(self)))
-            }
+            Engine::Xfem => Box::new(finite_elements),
             Engine::Dislocation => {
                 Box::new(DislocationEngine { steel: self.steel, resolution: self.face_resolution() })
             }
         };
+        Ok(PreparedRun { case: self, engine, residual })
+    }
+}
+
+/// A run before its first step.
+pub struct PreparedRun<'a> {
+    case: &'a Case,
+    engine: Box<dyn BodyEngine>,
+    residual: CarriedStress,
+}
+
+impl PreparedRun<'_> {
+    /// The residual stress that the rail carries.
+    pub fn residual(&self) -> &CarriedStress {
+        &self.residual
+    }
+
+    /// The run: from `state` on, from its beginning where there is none.
+    pub fn growth(self, state: Option<GrowthState>) -> Growth {
+        let Self { case, engine, residual } = self;
         let newton: Box<dyn contact::ContactSolver> = Box::new(Newton::default());
         let latin: Box<dyn contact::ContactSolver> = Box::new(Latin::default());
-        let (solver, fallback) = match self.contact_solver {
+        let (solver, fallback) = match case.contact_solver {
             ContactSolver::Newton => (newton, latin),
             ContactSolver::Latin => (latin, newton),
         };
-        let residual = self.residual_stress.as_ref().map(|file| file.profile().clone());
         let problem = GrowthProblem {
             engine,
             solver,
             fallback,
-            crack_friction: self.crack_friction.clone(),
-            contact: self.contact,
-            poisson: self.steel.poisson(),
-            residual: residual.map(|profile| Box::new(profile) as Box<dyn StressField>),
-            passages: self.passages,
-            fields: self.field_settings(),
-            growth: self.growth,
-            rail: RailBox { width: self.rail.width, depth: self.rail.depth, centre: self.rail.centre },
+            crack_friction: case.crack_friction.clone(),
+            contact: case.contact,
+            poisson: case.steel.poisson(),
+            residual: residual.field,
+            passages: case.passages,
+            fields: case.field_settings(),
+            growth: case.growth,
+            rail: RailBox { width: case.rail.width, depth: case.rail.depth, centre: case.rail.centre },
         };
-        let state = state.unwrap_or_else(|| GrowthState::initial(self.cracks.cracks().to_vec()));
+        let state = state.unwrap_or_else(|| GrowthState::initial(case.cracks.cracks().to_vec()));
         Growth::new(problem, state)
     }
 }

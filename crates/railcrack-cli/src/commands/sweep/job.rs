@@ -2,7 +2,8 @@
 
 use super::progress::StudyProgress;
 use super::queue::{Next, RailSlot};
-use crate::commands::run::{Job, residual_rows};
+use crate::commands::residual;
+use crate::commands::run::{Job, Stage};
 use crate::drive::{Ending, RunError, drive};
 use crate::exit::Exit;
 use crate::interruption::Interruption;
@@ -63,15 +64,16 @@ impl Workplace<'_> {
         if state.as_ref().is_some_and(|state| state.ended.is_some()) {
             return Ok((Ending::Ended, recorder.finish()?));
         }
-        let residual = residual_rows(&run.case);
-        if !residual.is_empty() {
-            recorder.residual(&residual)?;
-        }
         let shared = rail.and_then(|slot| {
             // A rail that cannot be made is left to the runs, which say what is wrong.
             slot.get_or_init(|| SharedRail::of(&run.case).ok().flatten()).as_ref()
         });
-        let mut growth = run.case.growth_run_sharing(state, shared);
+        let stage = Stage { folder: &folder, progress: &progress, state, shared };
+        let (prepared, residual) = residual::prepare(&run.case, &stage)?;
+        if let Some(residual) = residual {
+            recorder.residual(&residual.rows, residual.summary)?;
+        }
+        let mut growth = prepared.growth(stage.state);
         drive(&mut growth, &mut recorder, &progress, self.interruption)
     }
 }

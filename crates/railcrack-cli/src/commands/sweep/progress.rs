@@ -122,6 +122,9 @@ impl Tell for RunProgress<'_> {
         self.reach(record.step as i64 + 1, 0);
     }
 
+    /// One bar has no room for the stages of every run.
+    fn stage(&self, _: &str) {}
+
     /// A run that ends early has all its steps behind it.
     fn close(&self) {
         self.count(self.steps * PARTS);
