@@ -306,11 +306,16 @@ element_size_mm = 0.25
 steps = 2
 "#;
 
+/// Plastic stress by depth.
+const PLASTIC: &str = "depth_mm,sxx_mpa,szz_mpa\n0,0,0\n2,120,-60\n4,0,0\n";
+
 #[test]
 fn runs_that_share_a_rail_are_those_that_do_not() {
     let block = SHARING.to_owned() + "[rail]\nboundary = \"block\"\n";
-    for (name, study) in [("sharing", SHARING), ("sharing-block", &block)] {
+    let plastic = SHARING.to_owned() + "[plastic_stress]\nprofile = \"plastic.csv\"\n";
+    for (name, study) in [("sharing", SHARING), ("sharing-block", &block), ("sharing-plastic", &plastic)] {
         let folder = workplace(name, study);
+        fs::write(folder.join("plastic.csv"), PLASTIC).unwrap();
         let (_, told, _) = railcrack(&folder, &["check", "study.toml"]);
         assert!(told.contains("2 meshes and factors for 4 runs"), "{told}");
         assert_eq!(sweep(&folder, &[]).0, Some(0));

@@ -39,7 +39,7 @@ pub use profile::ProfileFile;
 pub use run::PreparedRun;
 pub use schema::json_schema;
 pub use sections::SECTIONS;
-pub use shared::{RailKey, SharedRail};
+pub use shared::{RailKey, SharedRail, SharedRailError};
 pub use size::RunSize;
 pub use study::{Axis, Combine, Input, STUDY, Study, StudyRun, Variation, study_schema};
 pub use table::{

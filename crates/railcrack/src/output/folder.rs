@@ -221,6 +221,7 @@ pub(crate) fn clear_run(folder: &Path) -> Result<(), OutputError> {
     }
     remove(&folder.join(CHECKPOINT_FILE))?;
     clear_results(folder)?;
+    clear_rolled(&folder.join(ROLLED_FOLDER))?;
     for file in [folder.join(CASE_FILE), partial_of(&folder.join(CASE_FILE))] {
         remove(&file)?;
     }

@@ -116,17 +116,10 @@ impl XfemEngine {
         }
     }
 
-    /// This engine with a mesh that also resolves `layers`; one that it has already is given up.
+    /// This engine with a mesh that also resolves `layers`: before it has made one.
     pub fn resolving(self, layers: Layers) -> Self {
         let window = self.initial.resolving(layers);
-        Self {
-            initial: window.clone(),
-            window,
-            background: None,
-            columns: ColumnStore::default(),
-            correction: None,
-            ..self
-        }
+        Self { initial: window.clone(), window, ..self }
     }
 
     /// Everything on which mesh and factor of the rail depend for the cracks at the beginning; two rails with the same words are the
