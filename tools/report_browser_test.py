@@ -231,13 +231,12 @@ def check_fields(browser, checks, name, folder):
 
 
 def hover(browser, checks, name):
-    left, top, width, height = browser.box("#kii .drawing svg")
-    text = ""
-    for part in [0.5, 0.45, 0.55, 0.4]:
-        browser.mouse(left + 0.5 * width, top + part * height)
-        text = browser.run("document.querySelector('#kii [aria-label=tip]')?.textContent ?? ''")
-        if text:
-            break
+    """The pointer on a curve of K_II, where the wheel is, gives its values."""
+    browser.box("#kii .drawing svg")
+    left, top, width, height = browser.run(
+        "(() => { const b = document.querySelector('#kii g.marks circle').getBoundingClientRect(); return [b.left, b.top, b.width, b.height]; })()")
+    browser.mouse(left + 0.5 * width, top + 0.5 * height)
+    text = browser.run("document.querySelector('#kii [aria-label=tip]')?.textContent ?? ''")
     checks.that("K_II" in text and "MPa" in text and "x_c/a" in text, f"{name}: hover gives values", text)
 
 
@@ -287,17 +286,20 @@ def pictures(browser, name, folder, out):
 def main():
     program, out, folders = sys.argv[1], Path(sys.argv[2]), [Path(folder) for folder in sys.argv[3:]]
     out.mkdir(parents=True, exist_ok=True)
+    names = [folder.name for folder in folders]
     checks = Checks()
     browser = Browser(program)
     try:
         for folder in folders:
             before = checks.failed
-            check_page(browser, checks, folder.name, folder / "report.html")
+            # The folder of a run and that of its first stage have the same last name elsewhere.
+            name = folder.name if names.count(folder.name) == 1 else f"{folder.parent.name}-{folder.name}"
+            check_page(browser, checks, name, folder / "report.html")
             if (folder / "sif.csv").exists():
-                check_explorer(browser, checks, folder.name, folder)
-                check_fields(browser, checks, folder.name, folder)
-            pictures(browser, folder.name, folder, out)
-            print(f"{folder.name}: {'ok' if checks.failed == before else 'FAILED'}", flush=True)
+                check_explorer(browser, checks, name, folder)
+                check_fields(browser, checks, name, folder)
+            pictures(browser, name, folder, out)
+            print(f"{name}: {'ok' if checks.failed == before else 'FAILED'}", flush=True)
     finally:
         browser.close()
     print(f"{checks.passed} passed, {checks.failed} failed")
