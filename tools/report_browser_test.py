@@ -87,6 +87,16 @@ def check_page(browser, checks, name, path):
                 "[...document.querySelectorAll('figure.chart')].filter((f) => !f.querySelector('.drawing svg [aria-label=line] path,"
                 " .drawing svg [aria-label=dot] circle')).map((f) => f.id)")
             checks.that(not undrawn, f"{what}: every chart is drawn", undrawn)
+            twice = browser.run(
+                "[...document.querySelectorAll('figure .drawing svg')].filter((s) => ['x', 'y'].some((axis) => {"
+                " const labels = [...s.querySelectorAll(`[aria-label='${axis}-axis tick label'] text`)].map((t) => t.textContent).filter(Boolean);"
+                " return new Set(labels).size < labels.length; })).map((s) => s.closest('figure').id)")
+            checks.that(not twice, f"{what}: no two ticks of an axis have the same label", twice)
+            bare = browser.run(
+                "[...document.querySelectorAll('figure .drawing svg')].filter((s) => ['x', 'y'].some((axis) => {"
+                " const ticks = s.querySelectorAll(`[aria-label='${axis}-axis tick label'] text`); return ticks.length &&"
+                " [...ticks].filter((t) => t.textContent).length < 2; })).map((s) => s.closest('figure').id)")
+            checks.that(not bare, f"{what}: every axis has two labels", bare)
             untitled = browser.run(
                 "[...document.querySelectorAll('figure .drawing svg')].filter((s) => !s.querySelector('[aria-label*=\"axis label\"]'))"
                 ".map((s) => s.closest('figure').id)")
@@ -111,6 +121,13 @@ def check_page(browser, checks, name, path):
     browser.settle()
     outside = browser.run(OUTSIDE)
     checks.that(not outside, f"{name}: on paper, charts stay in their columns", outside)
+    # What is wider than its place could be scrolled to on a screen.
+    cut = browser.run(
+        "(() => { dispatchEvent(new Event('beforeprint')); const wide = [...document.querySelectorAll('.beside .wide')]"
+        ".filter((e) => e.firstElementChild.getBoundingClientRect().right > e.parentElement.getBoundingClientRect().left"
+        " + 0.5 * e.parentElement.clientWidth + 10).map((e) => e.textContent.slice(0, 40));"
+        " dispatchEvent(new Event('afterprint')); return wide; })()")
+    checks.that(not cut, f"{name}: on paper, tables end before what stands beside them", cut)
     browser.media()
     check_without_scripts(browser, checks, name, path)
 
