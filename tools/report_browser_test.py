@@ -87,6 +87,16 @@ def check_page(browser, checks, name, path):
                 "[...document.querySelectorAll('figure.chart')].filter((f) => !f.querySelector('.drawing svg [aria-label=line] path,"
                 " .drawing svg [aria-label=dot] circle')).map((f) => f.id)")
             checks.that(not undrawn, f"{what}: every chart is drawn", undrawn)
+            twice = browser.run(
+                "[...document.querySelectorAll('figure .drawing svg')].filter((s) => ['x', 'y'].some((axis) => {"
+                " const labels = [...s.querySelectorAll(`[aria-label='${axis}-axis tick label'] text`)].map((t) => t.textContent).filter(Boolean);"
+                " return new Set(labels).size < labels.length; })).map((s) => s.closest('figure').id)")
+            checks.that(not twice, f"{what}: no two ticks of an axis have the same label", twice)
+            bare = browser.run(
+                "[...document.querySelectorAll('figure .drawing svg')].filter((s) => ['x', 'y'].some((axis) => {"
+                " const ticks = s.querySelectorAll(`[aria-label='${axis}-axis tick label'] text`); return ticks.length &&"
+                " [...ticks].filter((t) => t.textContent).length < 2; })).map((s) => s.closest('figure').id)")
+            checks.that(not bare, f"{what}: every axis has two labels", bare)
             untitled = browser.run(
                 "[...document.querySelectorAll('figure .drawing svg')].filter((s) => !s.querySelector('[aria-label*=\"axis label\"]'))"
                 ".map((s) => s.closest('figure').id)")
@@ -111,6 +121,13 @@ def check_page(browser, checks, name, path):
     browser.settle()
     outside = browser.run(OUTSIDE)
     checks.that(not outside, f"{name}: on paper, charts stay in their columns", outside)
+    # What is wider than its place could be scrolled to on a screen.
+    cut = browser.run(
+        "(() => { dispatchEvent(new Event('beforeprint')); const wide = [...document.querySelectorAll('.beside .wide')]"
+        ".filter((e) => e.firstElementChild.getBoundingClientRect().right > e.parentElement.getBoundingClientRect().left"
+        " + 0.5 * e.parentElement.clientWidth + 10).map((e) => e.textContent.slice(0, 40));"
+        " dispatchEvent(new Event('afterprint')); return wide; })()")
+    checks.that(not cut, f"{name}: on paper, tables end before what stands beside them", cut)
     browser.media()
     check_without_scripts(browser, checks, name, path)
 
@@ -231,13 +248,12 @@ def check_fields(browser, checks, name, folder):
 
 
 def hover(browser, checks, name):
-    left, top, width, height = browser.box("#kii .drawing svg")
-    text = ""
-    for part in [0.5, 0.45, 0.55, 0.4]:
-        browser.mouse(left + 0.5 * width, top + part * height)
-        text = browser.run("document.querySelector('#kii [aria-label=tip]')?.textContent ?? ''")
-        if text:
-            break
+    """The pointer on a curve of K_II, where the wheel is, gives its values."""
+    browser.box("#kii .drawing svg")
+    left, top, width, height = browser.run(
+        "(() => { const b = document.querySelector('#kii g.marks circle').getBoundingClientRect(); return [b.left, b.top, b.width, b.height]; })()")
+    browser.mouse(left + 0.5 * width, top + 0.5 * height)
+    text = browser.run("document.querySelector('#kii [aria-label=tip]')?.textContent ?? ''")
     checks.that("K_II" in text and "MPa" in text and "x_c/a" in text, f"{name}: hover gives values", text)
 
 
@@ -287,17 +303,20 @@ def pictures(browser, name, folder, out):
 def main():
     program, out, folders = sys.argv[1], Path(sys.argv[2]), [Path(folder) for folder in sys.argv[3:]]
     out.mkdir(parents=True, exist_ok=True)
+    names = [folder.name for folder in folders]
     checks = Checks()
     browser = Browser(program)
     try:
         for folder in folders:
             before = checks.failed
-            check_page(browser, checks, folder.name, folder / "report.html")
+            # The folder of a run and that of its first stage have the same last name elsewhere.
+            name = folder.name if names.count(folder.name) == 1 else f"{folder.parent.name}-{folder.name}"
+            check_page(browser, checks, name, folder / "report.html")
             if (folder / "sif.csv").exists():
-                check_explorer(browser, checks, folder.name, folder)
-                check_fields(browser, checks, folder.name, folder)
-            pictures(browser, folder.name, folder, out)
-            print(f"{folder.name}: {'ok' if checks.failed == before else 'FAILED'}", flush=True)
+                check_explorer(browser, checks, name, folder)
+                check_fields(browser, checks, name, folder)
+            pictures(browser, name, folder, out)
+            print(f"{name}: {'ok' if checks.failed == before else 'FAILED'}", flush=True)
     finally:
         browser.close()
     print(f"{checks.passed} passed, {checks.failed} failed")

@@ -86,10 +86,10 @@ const railcrack = (() => {
     return list;
   }
 
-  /** An axis title in the middle, round ticks. */
-  function scale(axis) {
+  /** An axis title in the middle, round ticks; `extent` of the data for a logarithmic axis. */
+  function scale(axis, extent = [1, 10]) {
     const options = { label: axis.title, labelAnchor: "center", labelArrow: "none", grid: true };
-    if (axis.scale === "log") Object.assign(options, { type: "log", ticks: 6, tickFormat: (v) => logarithmic(v) });
+    if (axis.scale === "log") Object.assign(options, { type: "log", ticks: logarithmic(...extent), tickFormat: short });
     else options.tickFormat = ticks;
     if (axis.range) options.domain = axis.scale === "depth" ? [axis.range[1], axis.range[0]] : axis.range;
     else if (axis.scale === "depth") options.reverse = true;
@@ -100,26 +100,42 @@ const railcrack = (() => {
   const ticks = (value) =>
     (Math.abs(value) >= 1e4 ? d3.format("~s")(value) : fine(value)).replace("-", "\u2212");
 
-  /** Ticks of a logarithmic axis: powers of ten, and 2 and 5 times these. */
-  function logarithmic(value) {
-    const exponent = Math.floor(Math.log10(value) + 1e-9);
-    const digit = Math.round(value / 10 ** exponent);
-    if (![1, 2, 5].includes(digit)) return "";
-    if (exponent >= -2 && exponent <= 3) return fine(value);
-    return `${digit}e${exponent}`.replace("-", "\u2212");
+  /** A tick of a logarithmic axis: 14, 4.5e−5. */
+  const short = (value) => (value >= 1e-2 && value < 1e4 ? fine(value) : d3.format(".2~e")(value)).replace("-", "\u2212");
+
+  /** Ticks of a logarithmic axis: powers of ten, over less than four decades also 2 and 5 times these; over less than a factor of 10, round numbers. */
+  function logarithmic(low, high) {
+    if (!(high >= 10 * low)) return d3.ticks(low, high, 4);
+    const digits = high < 1e4 * low ? [1, 2, 5] : [1];
+    const exponents = d3.range(Math.floor(Math.log10(low)), Math.ceil(Math.log10(high)) + 1);
+    return exponents.flatMap((exponent) => digits.map((digit) => digit * 10 ** exponent)).filter((tick) => tick >= low && tick <= high);
   }
+
+  const drawn = [];
 
   /** Draws again whenever the width of `element` changes. */
   function onWidth(element, draw) {
     let before = 0;
-    new ResizeObserver(() => {
+    const look = () => {
       const width = Math.floor(element.clientWidth);
       if (width > 0 && Math.abs(width - before) > 1) {
         before = width;
         draw(width);
       }
-    }).observe(element);
+    };
+    drawn.push(look);
+    new ResizeObserver(look).observe(element);
   }
+
+  // On paper, figures are drawn for its width: scaled down from the screen, their letters would be too small.
+  addEventListener("beforeprint", () => {
+    document.documentElement.dataset.paper = "true";
+    for (const look of drawn) look();
+  });
+  addEventListener("afterprint", () => {
+    delete document.documentElement.dataset.paper;
+    for (const look of drawn) look();
+  });
 
   const charts = new Map();
 
@@ -150,7 +166,7 @@ const railcrack = (() => {
 
     // Room for the ticks and the title beside them, from the usual width of digits.
     const [low, high] = data.y.range ?? d3.extent(all, (point) => point.y);
-    const letters = log.y ? 4 : d3.max(d3.ticks(low ?? 0, high ?? 1, 6), (value) => ticks(value).length) ?? 4;
+    const letters = log.y ? 6 : d3.max(d3.ticks(low ?? 0, high ?? 1, 6), (value) => ticks(value).length) ?? 4;
     const room = 36 + 7.4 * Math.max(3, letters);
 
     function draw(width) {
@@ -164,8 +180,8 @@ const railcrack = (() => {
         marginLeft: room,
         marginBottom: 44,
         marginTop: 22,
-        x: scale(data.x),
-        y: scale(data.y),
+        x: scale(data.x, d3.extent(all, (point) => point.x)),
+        y: scale(data.y, [low, high]),
         // Points at the ends are not cut off by the frame.
         inset: data.x.range || data.y.range ? 0 : 7,
         aspectRatio: data.equal ? 1 : undefined,

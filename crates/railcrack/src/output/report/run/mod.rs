@@ -22,6 +22,8 @@ const EXPLORER: &str = include_str!("../assets/run.html");
 const EXPLORER_SCRIPT: &str = include_str!("../assets/run.js");
 const FIELDS: &str = include_str!("../assets/fields.html");
 const FIELDS_SCRIPT: &str = include_str!("../assets/fields.js");
+/// Columns of a table that leave room for a chart beside it, on paper too.
+const BESIDE_COLUMNS: usize = 5;
 /// Rows of the table of steps; `growth.csv` has all.
 const TABLE_ROWS: usize = 500;
 
@@ -42,10 +44,15 @@ pub(super) fn run_page(folder: &Path, pictures: &[(&'static str, String)]) -> Re
     if !warnings.is_empty() {
         page.lead.push(Block::Warnings(warnings));
     }
-    page.lead.extend(
-        facts::lengths(&run)
-            .map(|table| Block::Beside(vec![Block::Table(table), Block::Chart(length_cycles(&run))])),
-    );
+    if let Some(table) = facts::lengths(&run) {
+        let chart = Block::Chart(length_cycles(&run));
+        // A table of many cracks takes the whole width.
+        if table.headings.len() <= BESIDE_COLUMNS {
+            page.lead.push(Block::Beside(vec![Block::Table(table), chart]));
+        } else {
+            page.lead.extend([Block::Table(table), Block::Beside(vec![chart])]);
+        }
+    }
     page.lead.extend(facts::cracks(&run).map(Block::Table));
     let (data, shown) = if run.summary.steps_recorded > 0 {
         let (data, shown) = data::explorer(&run)?;
