@@ -5,12 +5,13 @@ use super::border::Border;
 use super::columns::ColumnStore;
 use super::condense::{Condensed, System};
 use super::cuts::Cuts;
+use super::domain::domain_of;
 use super::field::Inside;
 use super::interface::{Interface, Station};
-use super::sif::{SifContext, SifDomain, SifFunctional};
+use super::sif::{SifContext, SifFunctional};
 use super::space::Space;
 use super::trace;
-use crate::body::{BodyError, BodyFields, BodyTip, CrackedBody, FaceMesh, FieldLoad, RailEnds};
+use crate::body::{BodyError, BodyFields, BodyTimes, BodyTip, CrackedBody, FaceMesh, FieldLoad, RailEnds};
 use crate::bulk::{BlockCorrection, BulkError, BulkRail, CorrectionAtPoints};
 use crate::crack::CrackNetwork;
 use crate::linear::{LinearError, spd_inverse};
@@ -18,6 +19,7 @@ use crate::load::HertzianContact;
 use crate::math::{Matrix, Stress, Vec2};
 use crate::mesh::{MeshError, QuadMesh};
 use std::sync::Arc;
+use std::time::Instant;
 use thiserror::Error;
 
 /// Cracks that the finite-element engine cannot represent.
@@ -32,15 +34,6 @@ pub enum XfemError {
         covered: f64,
         /// Its length, mm.
         length: f64,
-    },
-    /// Cracks that meet.
-    #[error(
-        "{junctions} junction(s) between cracks: the finite-element engine cannot represent cracks that meet; use the \
-         dislocation engine (engine = \"dislocation\")"
-    )]
-    Junctions {
-        /// How many.
-        junctions: usize,
     },
     /// Grid lines that make no mesh.
     #[error("the mesh cannot be made: {0}")]
@@ -96,6 +89,7 @@ pub struct XfemBody {
     sif_influence: Matrix,
     dofs: usize,
     remarks: Vec<String>,
+    pub(super) times: BodyTimes,
     ends: Option<BlockEnds>,
 }
 
@@ -131,21 +125,25 @@ impl XfemBody {
         settings: XfemSettings,
         columns: &mut ColumnStore,
     ) -> Result<Self, XfemError> {
+        let mut times = BodyTimes::default();
+        let mut clock = Instant::now();
+        let mut lap = || std::mem::replace(&mut clock, Instant::now()).elapsed().as_secs_f64();
         let mesh = background.mesh();
         let Discretisation { cuts, sizes, space, interface } = Discretisation::new(mesh, network, &settings)?;
+        times.enrichment_s = lap();
         let elasticity = Elasticity::new(*background.steel());
         let border = Border::new(&cuts, &space, &elasticity);
+        times.border_s = lap();
         let context =
             SifContext { mesh, cuts: &cuts, space: &space, interface: &interface, elasticity: &elasticity };
-        let functionals: Vec<SifFunctional> = sizes
-            .iter()
-            .enumerate()
-            .flat_map(|(tip, size)| {
-                let domain =
-                    SifDomain { inner: settings.domain_inner * size, outer: settings.domain_outer * size };
-                context.functionals(tip, domain)
-            })
-            .collect();
+        let mut remarks = Vec::new();
+        let mut functionals: Vec<SifFunctional> = Vec::new();
+        for (tip, &size) in sizes.iter().enumerate() {
+            let (domain, remark) = domain_of(&cuts, tip, size, &settings);
+            functionals.extend(context.functionals(tip, domain));
+            remarks.extend(remark);
+        }
+        times.sif_s = lap();
         let jumps = trace::jumps(background, &cuts, &space, &interface);
         let duality = interface.duality();
         let system = System {
@@ -158,6 +156,7 @@ impl XfemBody {
         };
         let Condensed { compliance, sif_influence, elimination } = system.condensed(columns)?;
         let stiffness = spd_inverse(&compliance)?;
+        times.condensation_s = lap();
         let tips = cuts.tips.iter().map(|tip| BodyTip { crack: tip.crack, end: tip.end }).collect();
         let dofs = background.factor().order() + space.unknowns();
         let rail = Arc::clone(background);
@@ -168,7 +167,8 @@ impl XfemBody {
             stiffness,
             sif_influence,
             dofs,
-            remarks: Vec::new(),
+            remarks,
+            times,
             ends: None,
         })
     }
@@ -208,9 +208,6 @@ impl Discretisation {
         network: &CrackNetwork,
         settings: &XfemSettings,
     ) -> Result<Self, XfemError> {
-        if !network.junctions().is_empty() {
-            return Err(XfemError::Junctions { junctions: network.junctions().len() });
-        }
         let mut cuts = Cuts::new(mesh, network);
         let sizes: Vec<f64> = cuts.tips.iter().map(|tip| element_size(mesh, tip.position())).collect();
         let radius: Vec<f64> = cuts
@@ -280,6 +277,10 @@ impl CrackedBody for XfemBody {
             Ok(fields) => Ok(Some(fields)),
             Err(reason) => Err(BodyError { reason: Box::new(reason) }),
         }
+    }
+
+    fn times(&self) -> BodyTimes {
+        self.times
     }
 
     fn remarks(&self) -> &[String] {

@@ -10,6 +10,7 @@ use crate::load::HertzianContact;
 use crate::material::IsotropicElastic;
 use std::ops::RangeInclusive;
 use std::sync::Arc;
+use std::time::Instant;
 
 /// What the rail of the finite-element engine ends at.
 #[derive(Debug, Clone, PartialEq)]
@@ -192,9 +193,12 @@ impl XfemEngine {
     }
 
     fn cracked(&mut self, network: &CrackNetwork) -> Result<XfemBody, XfemError> {
+        let started = Instant::now();
         self.background(network)?;
+        let mesh_s = started.elapsed().as_secs_f64();
         let background = self.background.as_ref().expect("made above");
         let mut body = XfemBody::with_columns(background, network, self.settings, &mut self.columns)?;
+        body.times.mesh_s = mesh_s;
         if let (RailEnd::Block { contact, .. }, Some(correction)) = (&self.end, &self.correction) {
             body.add_ends(correction, contact)?;
         }

@@ -1,8 +1,9 @@
 //! Face points of the finite-element engine, and what the faces see of the enriched functions.
 
 use super::cuts::{CrackPiece, Cuts, SHARP_KINK};
+use super::junctions::{junctions_on, leave_junctions};
 use crate::body::{FaceElement, FaceMesh, discretise};
-use crate::crack::{CrackNetwork, Walk};
+use crate::crack::{CrackNetwork, End, Walk};
 use crate::math::{Matrix, Vec2, axpy, gauss_legendre, quantiles};
 use crate::mesh::QuadMesh;
 
@@ -44,6 +45,8 @@ const KINK_SPACING: f64 = 0.15;
 const SMALL_KINK_SPACING: f64 = 0.5;
 /// Growth of the distance of face points away from a kink: length per distance.
 const KINK_GRADING: f64 = 0.5;
+/// Length of the element next to a junction, over the regular one.
+const JUNCTION_SPACING: f64 = 0.5;
 /// Kinks below this angle (radians) are smooth for the jump.
 const SMALL_KINK: f64 = 0.05;
 /// Gauss points on each common piece of face element and cut element: jumps are of degree 5 in g, times ψ and ds/dg.
@@ -52,9 +55,12 @@ const GAUSS: usize = 6;
 impl Interface {
     /// `spacing` (mm) between face points, by the elements where there is none.
     pub(super) fn new(mesh: &QuadMesh, network: &CrackNetwork, cuts: &Cuts, spacing: Option<f64>) -> Self {
-        let walks: Vec<Walk> = network.cracks().iter().map(Walk::new).collect();
-        let nodes: Vec<Vec<f64>> = walks.iter().map(|walk| nodes(mesh, walk, spacing)).collect();
-        let (elements, faces) = discretise(&walks, &nodes);
+        let walks = network.walks();
+        let joined: Vec<Vec<usize>> = (0..walks.len()).map(|crack| junctions_on(network, crack)).collect();
+        let nodes: Vec<Vec<f64>> =
+            walks.iter().zip(&joined).map(|(walk, joined)| nodes(mesh, walk, joined, spacing)).collect();
+        let (mut elements, mut faces) = discretise(&walks, &nodes);
+        leave_junctions(&walks, &joined, &mut elements, &mut faces);
         let mut interface = Self { faces, stations: Vec::new(), elements, walks };
         interface.stations = interface.stations_of(cuts);
         interface
@@ -246,8 +252,18 @@ fn shares(element: &FaceElement, g: f64) -> (Shares, Shares) {
     (jumps, tractions)
 }
 
-/// The nodes of one walk in g, ends included.
-fn nodes(mesh: &QuadMesh, walk: &Walk, spacing: Option<f64>) -> Vec<f64> {
+/// A place of a walk with nodes of its own, which are shorter around it.
+struct Place {
+    /// Arc length, mm.
+    s: f64,
+    /// Length of an element there, mm; infinite where it is not shorter than elsewhere.
+    element: f64,
+    /// The nodes in g, in order.
+    nodes: Vec<f64>,
+}
+
+/// The nodes of one walk in g, ends included; those at the points `joined`, where cracks meet, twice.
+fn nodes(mesh: &QuadMesh, walk: &Walk, joined: &[usize], spacing: Option<f64>) -> Vec<f64> {
     let (start, end) = walk.range();
     let vertices = walk.vertices();
     let segments = walk.segments();
@@ -256,39 +272,49 @@ fn nodes(mesh: &QuadMesh, walk: &Walk, spacing: Option<f64>) -> Vec<f64> {
         let chord = SPACING * chord_at(mesh, walk.position(segment, g), walk.tangent(segment));
         spacing.map_or(chord, |spacing| chord.min(spacing))
     };
-    let tip_chord = |g: f64| chord(g) / walk.root_slope().powi(2);
-    let tip_step = [
-        (!walk.is_surface_breaking()).then(|| TIP_STEP * tip_chord(start).sqrt()),
-        Some(TIP_STEP * tip_chord(end).sqrt()),
-    ];
-    let tip_step = tip_step.into_iter().flatten().fold(f64::INFINITY, f64::min);
-    let kinks: Vec<(f64, f64)> = (1..segments)
-        .filter(|&i| walk.turn(i) > SMALL_KINK)
-        .map(|i| {
-            let before = walk.from_first(i) - walk.from_first(i - 1);
-            let after = walk.from_first(i + 1) - walk.from_first(i);
-            // Points crowd only where the jump has the functions to follow them.
-            let spacing = if walk.turn(i) > SHARP_KINK { KINK_SPACING } else { SMALL_KINK_SPACING };
-            (walk.from_first(i), (spacing * chord(vertices[i])).min(0.5 * before.min(after)))
-        })
-        .collect();
-    let density = |g: f64| {
-        let near = |&(at, across): &(f64, f64)| across + KINK_GRADING * (walk.s(g) - at).abs();
-        walk.ds(g) / kinks.iter().map(near).fold(chord(g), f64::min)
-    };
-    // An element across each kink, so that every node has one tangent.
-    let mut fixed = vec![start];
-    for &(at, across) in &kinks {
-        fixed.push(walk.g(at - 0.5 * across));
-        fixed.push(walk.g(at + 0.5 * across));
-    }
-    fixed.push(end);
-    let mut nodes = vec![start];
-    for (k, pair) in fixed.windows(2).enumerate() {
-        if k.is_multiple_of(2) {
-            nodes.extend(quantiles(pair[0], pair[1], |g| density(g).max(1.0 / tip_step)));
+    let tip_step = [(End::First, start), (End::Last, end)]
+        .into_iter()
+        .filter(|(which, _)| walk.has_tip(*which))
+        .map(|(_, g)| TIP_STEP * (chord(g) / walk.root_slope().powi(2)).sqrt())
+        .fold(f64::INFINITY, f64::min);
+    let place = |i: usize| {
+        let s = walk.from_first(i);
+        let before = if i > 0 { s - walk.from_first(i - 1) } else { f64::INFINITY };
+        let after = if i < segments { walk.from_first(i + 1) - s } else { f64::INFINITY };
+        let gap = before.min(after);
+        let g = vertices[i];
+        if joined.contains(&i) {
+            let element = (JUNCTION_SPACING * chord(g)).min(0.3 * gap);
+            let mut nodes = Vec::new();
+            if i > 0 {
+                nodes.extend([walk.g(s - element), g]);
+            }
+            if i < segments {
+                nodes.extend([g, walk.g(s + element)]);
+            }
+            return Some(Place { s, element, nodes });
         }
-        nodes.push(pair[1]);
+        if i == 0 || i == segments {
+            return Some(Place { s, element: f64::INFINITY, nodes: vec![g] });
+        }
+        // An element across each kink, so that every node has one tangent. Points crowd only where the jump has the functions to follow
+        // them.
+        (walk.turn(i) > SMALL_KINK).then(|| {
+            let spacing = if walk.turn(i) > SHARP_KINK { KINK_SPACING } else { SMALL_KINK_SPACING };
+            let element = (spacing * chord(g)).min(0.5 * gap);
+            Place { s, element, nodes: vec![walk.g(s - 0.5 * element), walk.g(s + 0.5 * element)] }
+        })
+    };
+    let places: Vec<Place> = (0..=segments).filter_map(place).collect();
+    let density = |g: f64| {
+        let near = |place: &Place| place.element + KINK_GRADING * (walk.s(g) - place.s).abs();
+        walk.ds(g) / places.iter().map(near).fold(chord(g), f64::min)
+    };
+    let mut nodes = places[0].nodes.clone();
+    for next in &places[1..] {
+        let (from, to) = (nodes[nodes.len() - 1], next.nodes[0]);
+        nodes.extend(quantiles(from, to, |g| density(g).max(1.0 / tip_step)));
+        nodes.extend(&next.nodes);
     }
     nodes
 }
