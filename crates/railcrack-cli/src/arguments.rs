@@ -1,8 +1,8 @@
 //! What can be written on the command line.
 
 use crate::commands::{
-    check::CheckArguments, compare::CompareArguments, init::InitArguments, run::RunArguments,
-    shakedown::ShakedownArguments,
+    check::CheckArguments, compare::CompareArguments, init::InitArguments, paper::PaperArguments,
+    run::RunArguments, shakedown::ShakedownArguments,
 };
 use clap::{Parser, Subcommand};
 
@@ -20,6 +20,7 @@ Start:
   railcrack run case.toml      compute it
   railcrack compare A B        what differs between two runs
   railcrack shakedown case.toml   the stabilised plastic state under the same wheel
+  railcrack paper              the figures and statements of Trolle et al. (2014) recomputed
 ";
 
 /// Predicts the growth of rolling-contact-fatigue cracks in rails.
@@ -41,6 +42,7 @@ pub enum Command {
     Run(RunArguments),
     Compare(CompareArguments),
     Shakedown(ShakedownArguments),
+    Paper(PaperArguments),
     /// Print the JSON Schema of the case file
     ///
     /// Editors with a TOML language server use it to complete keys, to show what they mean and to mark errors.

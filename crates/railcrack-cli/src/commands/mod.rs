@@ -3,6 +3,7 @@
 pub mod check;
 pub mod compare;
 pub mod init;
+pub mod paper;
 pub mod run;
 pub mod schema;
 pub mod shakedown;
@@ -18,6 +19,7 @@ pub fn dispatch(command: Command) -> Result<Exit, Failure> {
         Command::Run(arguments) => run::run(&arguments),
         Command::Compare(arguments) => compare::compare(&arguments),
         Command::Shakedown(arguments) => shakedown::shakedown(&arguments),
+        Command::Paper(arguments) => paper::paper(&arguments),
         Command::Schema => schema::schema(),
     }
 }
