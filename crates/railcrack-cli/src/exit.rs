@@ -82,7 +82,9 @@ impl Failure {
             Self::Case(_) | Self::Figure(_) => Exit::BadInput,
             Self::Paper(error) => match error {
                 PaperError::Exists { .. } | PaperError::Case(_) => Exit::BadInput,
-                PaperError::Run { .. } | PaperError::Shakedown(_) => Exit::NotConverged,
+                PaperError::Run { .. } | PaperError::Stress { .. } | PaperError::Shakedown(_) => {
+                    Exit::NotConverged
+                }
                 PaperError::Interrupted => Exit::Interrupted,
                 PaperError::Output(_) => Exit::CannotReadOrWrite,
             },

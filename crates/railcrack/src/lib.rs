@@ -62,5 +62,7 @@ pub mod math;
 pub mod mesh;
 pub mod output;
 pub mod paper;
+pub mod residual;
 pub mod shakedown;
+pub mod vtu;
 pub mod xfem;

@@ -1,6 +1,7 @@
 //! What a run remembers of its finished steps beyond the tables.
 
 use super::fields::FieldFile;
+use super::residual::ResidualSummary;
 use crate::crack::Crack;
 use crate::growth::{PhaseTimes, RunStop, SolverCounts, StepRecord, TipRecord, Warning};
 use serde::{Deserialize, Serialize};
@@ -27,6 +28,8 @@ pub(crate) struct Story {
     pub cracks: Vec<Crack>,
     pub steps: Vec<StepDigest>,
     pub warnings: Vec<Warning>,
+    /// The residual stress of the rail.
+    pub residual: Option<ResidualSummary>,
     /// The field files.
     pub fields: Vec<FieldFile>,
     /// Wall time of the finished steps, resumptions counted, seconds.

@@ -1,5 +1,6 @@
 //! What the figures and statements need of one run.
 
+use super::PaperError;
 use crate::case::Case;
 use crate::contact::FaceStatus;
 use crate::crack::Crack;
@@ -68,15 +69,17 @@ pub struct CaseRun {
 
 impl CaseRun {
     /// Computes `case`. A step that cannot be computed ends the run; one without its first step is an error.
-    pub(super) fn compute(case: &Case, watch: &dyn Watch) -> Result<Self, GrowthError> {
-        let mut growth = case.growth_run(None);
+    pub(super) fn compute(name: &str, case: &Case, watch: &dyn Watch) -> Result<Self, PaperError> {
+        let failed = |source| PaperError::Run { name: name.to_owned(), source };
+        let stress = |source| PaperError::Stress { name: name.to_owned(), source };
+        let mut growth = case.prepare(None).map_err(stress)?.growth(None);
         let mut run = Self { cracks: Vec::new(), steps_wanted: case.growth.steps, failure: None };
         loop {
             match growth.next_step(watch) {
                 Ok(Some(record)) => run.add(case, &record),
                 Ok(None) => break,
-                Err(error @ GrowthError::Interrupted { .. }) => return Err(error),
-                Err(error) if run.cracks.is_empty() => return Err(error),
+                Err(GrowthError::Interrupted { .. }) => return Err(PaperError::Interrupted),
+                Err(error) if run.cracks.is_empty() => return Err(failed(error)),
                 Err(error) => {
                     run.failure = Some(error.to_string());
                     break;

@@ -19,5 +19,5 @@ pub(super) const FIG_24: PaperFile = paper_file!("fig24.toml");
 pub(super) const FIG_27: PaperFile = paper_file!("fig27.toml");
 pub(super) const FIG_29: PaperFile = paper_file!("fig29.toml");
 
-/// Tables that the case files name.
-pub(super) const TABLES: [PaperFile; 2] = [paper_file!("fig21.csv"), paper_file!("fig21-plastic.csv")];
+/// The table that case files name.
+pub(super) const FIG_21: PaperFile = paper_file!("fig21.csv");

@@ -1,6 +1,5 @@
 //! Fig. 21: the stress by depth that the paper describes, its two readings, and what rolling alone leaves.
 
-use super::files::TABLES;
 use crate::case::Case;
 use crate::field::{DepthProfile, StressField};
 use crate::load::HertzianContact;
@@ -48,21 +47,17 @@ fn depths() -> impl Iterator<Item = f64> {
     (0..=(DEEPEST / SPACING).round() as usize).map(|i| i as f64 * SPACING)
 }
 
-/// The lines: both tables, then the residual stress that the wheel of `case` leaves in steels of several yield stresses.
-pub(super) fn profiles(
-    case: &Case,
-    tables: [&DepthProfile; 2],
-) -> Result<Vec<StressProfile>, ShakedownError> {
-    let names = ["read as balanced stress", "read as plastic stress, then balanced"];
-    let mut lines: Vec<StressProfile> = tables
-        .iter()
-        .zip(names)
-        .map(|(table, name)| StressProfile {
-            name: name.into(),
-            sxx: depths().map(|depth| table.stress(Vec2::new(0.0, -depth)).xx).collect(),
-            state: None,
-        })
-        .collect();
+/// The lines: the table `given` in both readings, then the residual stress that the wheel of `case` leaves in steels of several yield
+/// stresses. A plastic stress along the rail that depends on depth alone leaves its opposite in a half-plane.
+pub(super) fn profiles(case: &Case, given: &DepthProfile) -> Result<Vec<StressProfile>, ShakedownError> {
+    let readings =
+        [("read as balanced stress", 1.0), ("read as plastic stress, balanced in a half-plane", -1.0)];
+    let reading = |(name, factor): (&str, f64)| StressProfile {
+        name: name.into(),
+        sxx: depths().map(|depth| factor * given.stress(Vec2::new(0.0, -depth)).xx).collect(),
+        state: None,
+    };
+    let mut lines: Vec<StressProfile> = readings.map(reading).into();
     for (yield_stress, modulus, friction) in STEELS {
         let Ok(hardening) = KinematicHardening::new(yield_stress, modulus) else { continue };
         let rail = RolledRail {
@@ -80,11 +75,6 @@ pub(super) fn profiles(
         });
     }
     Ok(lines)
-}
-
-/// The names of the tables, as [`profiles`] wants them.
-pub(super) fn table_names() -> [&'static str; 2] {
-    [TABLES[0].name, TABLES[1].name]
 }
 
 /// The picture of Fig. 21.

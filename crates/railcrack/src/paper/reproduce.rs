@@ -1,11 +1,11 @@
 //! From chosen figures to runs, pictures, tables and the page.
 
 use super::figure::{Figure, Kind};
-use super::files::TABLES;
+use super::files::{FIG_21, FIG_22};
 use super::plan::{Job, plan};
 use super::profile_plot::{self, StressProfile};
 use super::{CLAIMS, CaseRun, FIGURES, Results, Verdict, page, path_plot, sif_plot};
-use crate::case::{Case, CaseErrors};
+use crate::case::{CarriedStressError, Case, CaseErrors};
 use crate::growth::{GrowthError, Watch};
 use crate::output::OutputError;
 use crate::shakedown::ShakedownError;
@@ -58,6 +58,14 @@ pub enum PaperError {
         name: String,
         /// Why.
         source: GrowthError,
+    },
+    /// A stress that the rail cannot carry.
+    #[error("{name}: {source}")]
+    Stress {
+        /// The run.
+        name: String,
+        /// Why.
+        source: CarriedStressError,
     },
     /// The plastic state of Fig. 21.
     #[error(transparent)]
@@ -121,10 +129,7 @@ fn compute_all(jobs: &[Job], cases: &[Case], telling: &dyn Telling) -> Vec<Resul
         if telling.interrupted() {
             return Err(PaperError::Interrupted);
         }
-        let run = CaseRun::compute(case, &Silent(telling)).map_err(|source| match source {
-            GrowthError::Interrupted { .. } => PaperError::Interrupted,
-            source => PaperError::Run { name: job.name.clone(), source },
-        })?;
+        let run = CaseRun::compute(&job.name, case, &Silent(telling))?;
         telling.finished(&job.name);
         Ok(run)
     };
@@ -163,9 +168,7 @@ impl Watch for Silent<'_> {
 fn write_cases(folder: &Path, jobs: &[Job]) -> Result<Vec<Case>, PaperError> {
     let cases = folder.join("cases");
     make(&cases)?;
-    for table in &TABLES {
-        write(&cases.join(table.name), table.text)?;
-    }
+    write(&cases.join(FIG_21.name), FIG_21.text)?;
     jobs.iter()
         .map(|job| {
             let path = cases.join(format!("{}.toml", job.name));
@@ -175,19 +178,11 @@ fn write_cases(folder: &Path, jobs: &[Job]) -> Result<Vec<Case>, PaperError> {
         .collect()
 }
 
-/// Fig. 21. The tables are read like those of a case.
+/// Fig. 21: its table is read like that of a case.
 fn stress_profiles(folder: &Path) -> Result<Vec<StressProfile>, PaperError> {
-    let cases = folder.join("cases");
-    let read = |table: &str| {
-        let text = super::files::FIG_22.text.replace(TABLES[0].name, table);
-        Case::parse(&text, super::files::FIG_22.name, &cases)
-    };
-    let [balanced, plastic] = profile_plot::table_names();
-    let (balanced, plastic) = (read(balanced)?, read(plastic)?);
-    let (Some(first), Some(second)) = (&balanced.residual_stress, &plastic.residual_stress) else {
-        return Ok(Vec::new());
-    };
-    Ok(profile_plot::profiles(&balanced, [first.profile(), second.profile()])?)
+    let case = Case::parse(FIG_22.text, FIG_22.name, &folder.join("cases"))?;
+    let Some(given) = &case.residual_stress else { return Ok(Vec::new()) };
+    Ok(profile_plot::profiles(&case, given.profile())?)
 }
 
 fn write_figures(

@@ -63,8 +63,8 @@ pub(super) enum Twist {
     /// Direction of growth by another criterion.
     Direction(&'static str),
     FaceFriction(f64),
-    /// Another table in place of fig21.csv.
-    Profile(&'static str),
+    /// Fig. 21 read as the plastic stress, which is still to be balanced.
+    PlasticStress,
     Young(f64),
 }
 
@@ -106,20 +106,23 @@ impl Setup {
             }
         }
         match self.twist {
-            Twist::None => {}
+            Twist::None | Twist::PlasticStress => {}
             Twist::FixedSteps(steps) => {
                 edits.push(Edit::integer("passage", "positions", steps + 1));
                 edits.push(Edit::text("passage", "step_control", "fixed"));
             }
             Twist::Direction(criterion) => edits.push(Edit::text("growth", "direction", criterion)),
             Twist::FaceFriction(friction) => edits.push(Edit::number("crack", "friction", friction)),
-            Twist::Profile(file) => edits.push(Edit::text("residual_stress", "profile", file)),
             Twist::Young(modulus) => edits.push(Edit::number("rail", "young_modulus_mpa", modulus)),
         }
         if stage == Stage::Initial {
             edits.push(Edit::integer("growth", "steps", 0));
         }
-        edits.iter().fold(curve.file.text.to_owned(), |text, edit| edit.apply(&text))
+        let text = match self.twist {
+            Twist::PlasticStress => curve.file.text.replace("[residual_stress]", "[plastic_stress]"),
+            _ => curve.file.text.to_owned(),
+        };
+        edits.iter().fold(text, |text, edit| edit.apply(&text))
     }
 
     /// Whether the cracks of `curve` grow in this set-up.
@@ -135,7 +138,9 @@ impl Setup {
     /// Whether `curve` is another case here than in the set-up that this one varies.
     pub(super) fn concerns(&self, curve: &Curve) -> bool {
         match self.twist {
-            Twist::Profile(_) => matches!(curve.name, "stress" | "nine-stress" | "one-stress" | "reference"),
+            Twist::PlasticStress => {
+                matches!(curve.name, "stress" | "nine-stress" | "one-stress" | "reference")
+            }
             Twist::Direction(_) if self.extent == Extent::ReferenceGrowth => curve.name == "reference",
             _ => true,
         }
@@ -194,10 +199,9 @@ pub static SETUPS: &[Setup] = both_ways![
     ("steps 0.1 a", "half-plane, fixed load steps of 0.1 a", Growth, SINGLE, Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::FixedSteps(120)),
     ("steps 0.05 a", "half-plane, fixed load steps of 0.05 a", Growth, SINGLE, Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::FixedSteps(240)),
     ("unclipped", "half-plane, negative k1 counted in the direction", Growth, GROWN, Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::Direction("max-rate-unclipped")),
-    ("max-delta-k1", "half-plane, direction of the largest range of k1", Growth, GROWN, Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::Direction("max-delta-k1")),
     ("block, unclipped", "block, negative k1 counted in the direction", ReferenceGrowth, &[18, 20], Some(Main::Block), 1.0, BLOCK, Twist::Direction("max-rate-unclipped")),
-    ("Fig. 21 plastic", "half-plane, Fig. 21 read as plastic stress before the balance", Growth, &[22, 23], Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::Profile("fig21-plastic.csv")),
-    ("block, Fig. 21 plastic", "block, Fig. 21 read as plastic stress before the balance", Growth, &[22, 23], Some(Main::Block), 1.0, BLOCK, Twist::Profile("fig21-plastic.csv")),
+    ("Fig. 21 plastic", "half-plane, Fig. 21 read as plastic stress before the balance", Growth, &[22, 23], Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::PlasticStress),
+    ("block, Fig. 21 plastic", "block, Fig. 21 read as plastic stress before the balance", Growth, &[22, 23], Some(Main::Block), 1.0, BLOCK, Twist::PlasticStress),
     ("faces 0.01", "half-plane, friction of the faces 0.01 as in the captions of Figs 24 and 25", Growth, &[24, 25], Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::FaceFriction(0.01)),
     ("block, faces 0.01", "block, friction of the faces 0.01 as in the captions of Figs 24 and 25", Growth, &[24, 25], Some(Main::Block), 1.0, BLOCK, Twist::FaceFriction(0.01)),
     ("E 70 GPa", "half-plane, Young's modulus a third", Initial, &[13, 19, 24], Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::Young(70e3)),

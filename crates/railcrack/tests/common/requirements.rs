@@ -223,4 +223,19 @@ pub const REQUIREMENTS: &[Requirement] = &[
         "The error of the load steps stays below their tolerance.",
     ),
     requirement("mirror::passage", "", "Dislocations: a mirrored case has the mirrored history."),
+    requirement(
+        "plastic_stress::engines_agree",
+        "",
+        "Engines: a crack in layers of balanced stress, and of plastic stress that is balanced on the mesh first, has the same K in both.",
+    ),
+    requirement(
+        "plastic_stress::rolled_rail_balances_to_its_own_residual_stress",
+        "stress",
+        "Plastic stress: that of a rolled rail, projected and balanced on the mesh of the crack, is its residual stress again.",
+    ),
+    requirement(
+        "plastic_stress::rolled_rail_balances_to_its_own_residual_stress",
+        "norm",
+        "Plastic stress: its norm survives the way from cells to nodes.",
+    ),
 ];

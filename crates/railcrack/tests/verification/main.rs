@@ -17,6 +17,7 @@ mod latin_and_newton;
 mod law_of_the_faces;
 mod mirror;
 mod page;
+mod plastic_stress;
 mod slant_crack;
 mod step_tolerance;
 mod symmetric_cracks;
