@@ -1,8 +1,9 @@
 //! What can be written on the command line.
 
 use crate::commands::{
-    check::CheckArguments, compare::CompareArguments, init::InitArguments, report::ReportArguments,
-    run::RunArguments, schema::SchemaArguments, shakedown::ShakedownArguments, sweep::SweepArguments,
+    check::CheckArguments, compare::CompareArguments, init::InitArguments, paper::PaperArguments,
+    report::ReportArguments, run::RunArguments, schema::SchemaArguments, shakedown::ShakedownArguments,
+    sweep::SweepArguments,
 };
 use clap::{Parser, Subcommand};
 
@@ -22,6 +23,7 @@ Start:
   railcrack sweep study.toml   many cases: a case file with lists in place of values
   railcrack report DIR         plots and HTML report again, from the folder alone
   railcrack shakedown case.toml   the stabilised plastic state under the same wheel
+  railcrack paper              the figures and statements of Trolle et al. (2014) recomputed
 ";
 
 /// Predicts the growth of rolling-contact-fatigue cracks in rails.
@@ -45,5 +47,6 @@ pub enum Command {
     Sweep(SweepArguments),
     Report(ReportArguments),
     Shakedown(ShakedownArguments),
+    Paper(PaperArguments),
     Schema(SchemaArguments),
 }

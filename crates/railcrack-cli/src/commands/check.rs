@@ -6,6 +6,7 @@ use crate::exit::{Exit, Failure};
 use crate::print;
 use clap::Args;
 use railcrack::case::{Case, Input, PlasticSource};
+use railcrack::contact::StepControl;
 use railcrack::crack::Crack;
 use railcrack::fatigue::DirectionCriterion;
 use railcrack::shakedown::{DepthBounds, bounds_by_depth, first_yield_ratio, shakedown_limit_ratio};
@@ -97,7 +98,15 @@ fn passage(case: &Case) -> Vec<Row> {
             "passages",
             format!("until K repeats to {}, at most {}", settings.passage_tolerance, settings.max_passages),
         ),
-        ("substeps", format!("until K changes by less than {} of its peak", settings.step_tolerance)),
+        (
+            "load steps",
+            match settings.step_control {
+                StepControl::Adaptive => {
+                    format!("substeps until K changes by less than {} of its peak", settings.step_tolerance)
+                }
+                StepControl::Fixed => "one from output position to output position".into(),
+            },
+        ),
     ]
 }
 
@@ -180,6 +189,7 @@ fn growth(case: &Case) -> Vec<Row> {
     let law = &growth.law;
     let direction = match growth.criterion {
         DirectionCriterion::MaxRate => "largest growth rate of the kink",
+        DirectionCriterion::MaxRateUnclipped => "largest growth rate of the kink, negative k1 counted",
         DirectionCriterion::MaxDeltaK1 => "largest range of k1",
         DirectionCriterion::MaxK1 => "largest k1",
     };

@@ -4,6 +4,7 @@ pub mod check;
 mod check_study;
 pub mod compare;
 pub mod init;
+pub mod paper;
 pub mod report;
 pub mod residual;
 pub mod run;
@@ -24,6 +25,7 @@ pub fn dispatch(command: Command) -> Result<Exit, Failure> {
         Command::Sweep(arguments) => sweep::sweep(&arguments),
         Command::Report(arguments) => report::report(&arguments),
         Command::Shakedown(arguments) => shakedown::shakedown(&arguments),
+        Command::Paper(arguments) => paper::paper(&arguments),
         Command::Schema(arguments) => schema::schema(&arguments),
     }
 }

@@ -11,7 +11,7 @@ mod fields;
 mod figures;
 mod folder;
 mod memory;
-mod plot;
+pub(crate) mod plot;
 mod recorder;
 pub mod report;
 mod residual;
