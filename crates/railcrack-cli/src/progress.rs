@@ -1,7 +1,7 @@
 //! How far a run is: a bar on a terminal, a line per step elsewhere.
 
 use indicatif::{ProgressBar, ProgressStyle};
-use railcrack::growth::{StepRecord, TipRecord};
+use railcrack::growth::{StepRecord, TipRecord, TipStop};
 use std::io::{IsTerminal, Write};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
@@ -25,6 +25,20 @@ enum Display {
     Quiet,
 }
 
+/// Who is told how far a run is.
+pub trait Tell: Sync {
+    /// The fraction (0 to 1) of the current step that is done.
+    fn fraction(&self, fraction: f64);
+    /// A step is finished and written.
+    fn finished(&self, record: &StepRecord);
+    /// What a stage before the first step is doing.
+    fn stage(&self, text: &str);
+    /// What the reader should know before the first step.
+    fn note(&self, text: &str);
+    /// No step follows.
+    fn close(&self);
+}
+
 /// The progress of one run, told on standard error.
 #[derive(Debug)]
 pub struct Progress {
@@ -45,19 +59,31 @@ impl Progress {
         Self { display, increments, step: AtomicUsize::new(first), begun: Instant::now() }
     }
 
-    /// The fraction (0 to 1) of the current step that is done.
-    pub fn fraction(&self, fraction: f64) {
+    /// A line of text; nobody is left to tell when standard error itself is gone.
+    pub fn say(&self, line: &str) {
+        match &self.display {
+            Display::Bar(bar) => bar.println(line),
+            Display::Lines => drop(writeln!(std::io::stderr().lock(), "{line}")),
+            Display::Quiet => {}
+        }
+    }
+}
+
+impl Tell for Progress {
+    fn fraction(&self, fraction: f64) {
         if let Display::Bar(bar) = &self.display {
             let parts = (fraction.clamp(0.0, 1.0) * PARTS as f64) as u64;
             bar.set_position(self.step.load(Ordering::Relaxed) as u64 * PARTS + parts);
         }
     }
 
-    /// A step is finished and written.
-    pub fn finished(&self, record: &StepRecord) {
+    fn finished(&self, record: &StepRecord) {
         self.step.store(record.step + 1, Ordering::Relaxed);
         for warning in &record.warnings {
             self.say(&format!("warning, step {}, {}: {}", warning.step, warning.kind, warning.text));
+        }
+        for event in events(record) {
+            self.say(&format!("step {}: {event}", record.step));
         }
         match &self.display {
             Display::Bar(bar) => {
@@ -79,25 +105,18 @@ impl Progress {
         }
     }
 
-    /// What a stage before the first step is doing.
-    pub fn stage(&self, text: &str) {
+    fn stage(&self, text: &str) {
         match &self.display {
             Display::Bar(bar) => bar.set_message(text.to_owned()),
             Display::Lines | Display::Quiet => self.say(text),
         }
     }
 
-    /// A line of text; nobody is left to tell when standard error itself is gone.
-    pub fn say(&self, line: &str) {
-        match &self.display {
-            Display::Bar(bar) => bar.println(line),
-            Display::Lines => drop(writeln!(std::io::stderr().lock(), "{line}")),
-            Display::Quiet => {}
-        }
+    fn note(&self, text: &str) {
+        self.say(&format!("note: {text}"));
     }
 
-    /// Takes the bar away.
-    pub fn close(&self) {
+    fn close(&self) {
         if let Display::Bar(bar) = &self.display {
             bar.finish_and_clear();
         }
@@ -115,6 +134,20 @@ fn bar(increments: usize, first: usize) -> ProgressBar {
     // Time left follows from the pace since now, not from steps that were done before.
     bar.reset_eta();
     bar
+}
+
+/// Cracks that join others in this step, and pieces that it encloses.
+fn events(record: &StepRecord) -> Vec<String> {
+    let joins = |tip: &&TipRecord| tip.stop == Some(TipStop::MeetsCrack) && tip.increment > 0.0;
+    let joined = record
+        .tips
+        .iter()
+        .filter(joins)
+        .map(|tip| format!("crack {} tip {} joins a crack", tip.tip.crack + 1, tip.tip.tip + 1));
+    let enclosed = record.pieces.iter().map(|piece| {
+        format!("{} at crack {}, {:.3} mm\u{b2}", piece.kind.name(), piece.crack + 1, piece.area)
+    });
+    joined.chain(enclosed).collect()
 }
 
 /// Length and rate of the fastest tip.

@@ -1,30 +1,34 @@
 //! `railcrack check`.
 
+use super::check_study::study_summary;
 use crate::commands::residual::left_out;
 use crate::exit::{Exit, Failure};
 use crate::print;
 use clap::Args;
-use railcrack::case::{Case, PlasticSource};
+use railcrack::case::{Case, Input, PlasticSource};
 use railcrack::crack::Crack;
 use railcrack::fatigue::DirectionCriterion;
 use railcrack::shakedown::{DepthBounds, bounds_by_depth, first_yield_ratio, shakedown_limit_ratio};
 use std::path::PathBuf;
 
-/// Validate a case file and say what would be computed
+/// Validate a case or study file and say what would be computed
 ///
 /// Nothing is computed and nothing is written. The exit code is 0 for a valid case and 2 otherwise; every error of
 /// the file is reported at once.
 #[derive(Debug, Args)]
 pub struct CheckArguments {
-    /// The case file
+    /// The case file, or a study
     #[arg(value_name = "CASE")]
     case: PathBuf,
 }
 
-/// Validates the case and prints what would be computed.
+/// Validates the case or study and prints what would be computed.
 pub fn check(arguments: &CheckArguments) -> Result<Exit, Failure> {
-    let case = Case::read(&arguments.case)?;
-    print::stdout(&summary(&case))?;
+    let text = match Input::read(&arguments.case)? {
+        Input::Case(case) => summary(&case),
+        Input::Study(study) => study_summary(&study),
+    };
+    print::stdout(&text)?;
     Ok(Exit::Done)
 }
 

@@ -1,6 +1,7 @@
 //! A case made into a run.
 
 use super::carried::{CarriedStress, CarriedStressError};
+use super::shared::SharedRail;
 use super::validated::{Case, ContactSolver, Engine};
 use crate::body::BodyEngine;
 use crate::bulk::Boundary;
@@ -76,8 +77,19 @@ impl Case {
     ///
     /// Errors: the residual stress cannot be made.
     pub fn prepare(&self, rolled: Option<&PlasticField>) -> Result<PreparedRun<'_>, CarriedStressError> {
+        self.prepare_sharing(rolled, None)
+    }
+
+    /// [`Case::prepare`], with what another run computed already: the results are the same bits, sooner.
+    ///
+    /// Errors: those of [`Case::prepare`].
+    pub fn prepare_sharing(
+        &self,
+        rolled: Option<&PlasticField>,
+        shared: Option<&SharedRail>,
+    ) -> Result<PreparedRun<'_>, CarriedStressError> {
         let plastic = self.plastic_field(rolled)?;
-        let mut finite_elements = self.xfem_engine();
+        let mut finite_elements = shared.map_or_else(|| self.xfem_engine(), |shared| shared.engine_of(self));
         if let Some(depth) = plastic.as_ref().and_then(|field| field.plastic_depth()) {
             finite_elements =
                 finite_elements.resolving(Layers { depth, height: depth / LAYERS_PER_PLASTIC_DEPTH });
@@ -128,7 +140,7 @@ impl PreparedRun<'_> {
             growth: case.growth,
             rail: RailBox { width: case.rail.width, depth: case.rail.depth, centre: case.rail.centre },
         };
-        let state = state.unwrap_or_else(|| GrowthState::initial(case.cracks.cracks().to_vec()));
+        let state = state.unwrap_or_else(|| GrowthState::initial(&case.cracks));
         Growth::new(problem, state)
     }
 }

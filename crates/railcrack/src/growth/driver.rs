@@ -1,13 +1,13 @@
 //! The run: an iterator of growth steps that can be stored and taken up again.
 
 use super::{
-    CrackTip, FieldRecord, FieldSettings, GrowthSettings, PassageError, PassageSettings, PhaseTimes, RailBox,
-    RailLoad, RunStop, StabilisedPassage, StepRecord, StepState, TipDrive, TipRecord, TipStop, Warning,
-    advance, fields, stabilised_passage,
+    BreakOut, CrackTip, FieldRecord, FieldSettings, GrowthSettings, PassageError, PassageSettings,
+    PhaseTimes, RailBox, RailLoad, RunStop, StabilisedPassage, StepRecord, StepState, TipDrive, TipRecord,
+    TipStop, Warning, advance, fields, stabilised_passage,
 };
 use crate::body::{BodyEngine, BodyError, CrackedBody};
 use crate::contact::{ContactSolver, FaceProblem};
-use crate::crack::{Crack, CrackNetwork, NetworkError};
+use crate::crack::{Crack, CrackNetwork, EndKind, Junction, NetworkError};
 use crate::fatigue::{HourlierPineau, Kink, SifRanges};
 use crate::field::StressField;
 use crate::load::HertzianContact;
@@ -21,9 +21,13 @@ pub struct GrowthState {
     pub step: usize,
     /// The cracks at its start.
     pub cracks: Vec<Crack>,
+    /// Where they have joined each other.
+    pub junctions: Vec<Junction>,
+    /// Tips that have broken out.
+    pub break_outs: Vec<BreakOut>,
     /// Load cycles at its start.
     pub load_cycles: f64,
-    /// `stopped[crack][tip]`: why a tip no longer grows.
+    /// `stopped[crack][tip]`: why a tip no longer grows; the tips of a crack are its ends below the surface, joined ones counted.
     pub stopped: Vec<Vec<Option<TipStop>>>,
     /// Set when the run has ended.
     pub ended: Option<RunStop>,
@@ -31,9 +35,17 @@ pub struct GrowthState {
 
 impl GrowthState {
     /// The beginning of a run with `cracks`.
-    pub fn initial(cracks: Vec<Crack>) -> Self {
-        let stopped = cracks.iter().map(|crack| vec![None; crack.tips().len()]).collect();
-        Self { step: 0, cracks, load_cycles: 0.0, stopped, ended: None }
+    pub fn initial(cracks: &CrackNetwork) -> Self {
+        let stopped = cracks.cracks().iter().map(|crack| vec![None; crack.tips().len()]).collect();
+        Self {
+            step: 0,
+            cracks: cracks.cracks().to_vec(),
+            junctions: cracks.junctions().to_vec(),
+            break_outs: Vec::new(),
+            load_cycles: 0.0,
+            stopped,
+            ended: None,
+        }
     }
 }
 
@@ -147,7 +159,7 @@ impl Growth {
         }
         let step = self.state.step;
         let started = Instant::now();
-        let network = CrackNetwork::new(self.state.cracks.clone())
+        let network = CrackNetwork::joined(self.state.cracks.clone(), self.state.junctions.clone())
             .map_err(|source| GrowthError::Network { step, source })?;
         let body = self.problem.engine.body(&network).map_err(|source| GrowthError::Body { step, source })?;
         let body_s = started.elapsed().as_secs_f64();
@@ -163,7 +175,7 @@ impl Growth {
         let body_s = body_s + started.elapsed().as_secs_f64();
 
         let started = Instant::now();
-        let mut tips = self.tip_records(&passage);
+        let mut tips = self.tip_records(&network, &passage);
         for tip in &tips {
             warnings.extend(self.near_tie(tip));
         }
@@ -173,6 +185,8 @@ impl Growth {
             &StepState {
                 step,
                 cracks: &self.state.cracks,
+                junctions: &self.state.junctions,
+                break_outs: &self.state.break_outs,
                 tips: &drives,
                 load_cycles: self.state.load_cycles,
                 rail: self.problem.rail,
@@ -187,6 +201,7 @@ impl Growth {
         let record = StepRecord {
             step,
             cracks: self.state.cracks.clone(),
+            junctions: self.state.junctions.clone(),
             passages: passage.passages,
             faces: passage.faces,
             fields,
@@ -199,6 +214,7 @@ impl Growth {
                 contact_s,
                 growth_s: started.elapsed().as_secs_f64(),
             },
+            pieces: way.pieces,
             warnings,
             stop: way.stop,
             tips,
@@ -208,6 +224,8 @@ impl Growth {
         }
         self.state.step += 1;
         self.state.cracks = way.cracks;
+        self.state.junctions = way.junctions;
+        self.state.break_outs = way.break_outs;
         self.state.load_cycles += way.cycles;
         self.state.ended = way.stop;
         Ok(Some(record))
@@ -266,12 +284,13 @@ impl Growth {
     }
 
     /// The state and the demand of every tip, without increments.
-    fn tip_records(&self, passage: &StabilisedPassage) -> Vec<TipRecord> {
+    fn tip_records(&self, network: &CrackNetwork, passage: &StabilisedPassage) -> Vec<TipRecord> {
         let law = self.problem.growth.law;
         let direction = HourlierPineau { law, criterion: self.problem.growth.criterion };
-        let ends = self.state.cracks.iter().enumerate().flat_map(|(crack, one)| {
+        let ends = network.cracks().iter().enumerate().flat_map(|(crack, one)| {
             one.tips().into_iter().enumerate().map(move |(tip, end)| (CrackTip { crack, tip, end }, one))
         });
+        let ends = ends.filter(|(tip, _)| network.end_kind(tip.crack_end()) == EndKind::Tip);
         ends.zip(&passage.histories)
             .map(|((tip, crack), history)| {
                 let ranges = SifRanges::of(history);

@@ -1,8 +1,10 @@
 //! From rates to increments, cycles and longer cracks.
 
-use super::stops::{RailBox, Step, meets, run_stop, stop_of_one};
-use super::{CrackTip, GrowthSettings, RunStop, TipStop};
-use crate::crack::Crack;
+use super::joining::{Outcome, grow, spall};
+use super::meetings::{Meeting, meetings};
+use super::stops::{RailBox, Step, run_stop, spent_ligament, stop_of_one};
+use super::{BreakOut, CrackTip, GrowthSettings, Piece, RunStop, TipStop};
+use crate::crack::{Crack, Junction};
 use crate::math::Vec2;
 
 /// What the passage asks of one tip.
@@ -25,6 +27,10 @@ pub struct StepState<'a> {
     pub step: usize,
     /// The cracks.
     pub cracks: &'a [Crack],
+    /// Where they have joined each other.
+    pub junctions: &'a [Junction],
+    /// Tips that broke out in earlier steps.
+    pub break_outs: &'a [BreakOut],
     /// All their tips.
     pub tips: &'a [TipDrive],
     /// Load cycles so far.
@@ -40,7 +46,7 @@ pub struct StepState<'a> {
 pub struct TipAdvance {
     /// Increment, mm; 0 for a tip that does not grow and in the last step.
     pub increment: f64,
-    /// Why it does not grow, if it does not.
+    /// Why it does not grow, or not any more, if so.
     pub stop: Option<TipStop>,
 }
 
@@ -51,6 +57,12 @@ pub struct Advance {
     pub tips: Vec<TipAdvance>,
     /// The cracks of the next step.
     pub cracks: Vec<Crack>,
+    /// Where they have joined each other then.
+    pub junctions: Vec<Junction>,
+    /// All tips that have broken out.
+    pub break_outs: Vec<BreakOut>,
+    /// Pieces that this step encloses.
+    pub pieces: Vec<Piece>,
     /// Load cycles until then.
     pub cycles: f64,
     /// Why the run ends with this step, if it does; the cracks are then unchanged and no cycles pass.
@@ -64,40 +76,103 @@ pub struct Advance {
 /// exceed the cycles to stop after is shortened to end on them.
 ///
 /// A tip that is arrested, or whose increment cannot be made, stops and does not set the pace: the increments of the
-/// others are those without it. Increments of one step must keep clear of each other, too. A tip that stopped stays
-/// stopped. The names of new stops are given in the last step as well.
+/// others are those without it. A tip that comes closer than the resolution to a crack joins it: its increment ends on that
+/// crack, and it is a tip no more. A tip that stopped stays stopped. The names of new stops are given in the last step as well.
+///
+/// A tip that breaks out cuts off a spall where its crack is connected to the running surface. A tip that meets what it is connected
+/// with already, by cracks or by the surface, detaches a piece, and the run ends.
 ///
 /// Source: Trollé et al. 2014, eq. 32.
 pub fn advance(state: &StepState<'_>, settings: &GrowthSettings) -> Advance {
     let mut stops: Vec<Option<TipStop>> =
         state.tips.iter().map(|tip| tip.stopped.or_else(|| arrest(tip, settings))).collect();
+    let mut break_outs = state.break_outs.to_vec();
+    let mut pieces = Vec::new();
     // Every round stops at least one tip, or is the last.
-    let (increments, cracks, cycles) = loop {
+    let (pace, steps, met, outcome) = loop {
         let pace = Pace::of(state, settings, &stops);
         let steps = planned_steps(state, &pace, &stops);
-        let (cracks, blocked) = extended_cracks(state, &pace, &steps);
-        let newly_stopped = if blocked.is_empty() { meetings(state, &steps, &cracks) } else { blocked };
-        if newly_stopped.is_empty() {
-            let increment =
-                |(tip, step): (&TipDrive, &Option<Step>)| step.map_or(0.0, |_| pace.increment(tip.rate));
-            let increments: Vec<f64> = state.tips.iter().zip(&steps).map(increment).collect();
-            break (increments, cracks, pace.cycles);
+        let met = meetings(&steps, state.cracks, state.resolution);
+        let blocked = blocked_steps(state, &steps, &met);
+        if blocked.is_empty() {
+            match grow(state, &steps, &met) {
+                Outcome::Impossible(blamed) => {
+                    for i in blamed {
+                        stops[i] = Some(TipStop::MeetsCrack);
+                    }
+                }
+                outcome => break (pace, steps, met, outcome),
+            }
         }
-        for (i, stop) in newly_stopped {
+        for (i, stop) in blocked {
             stops[i] = Some(stop);
+            if let (TipStop::BreakOut, Some(step)) = (stop, &steps[i]) {
+                let new = BreakOut { tip: step.tip.crack_end(), surface: way_out(step) };
+                pieces.extend(spall(state, &break_outs, new));
+                break_outs.push(new);
+            }
         }
     };
     let stop = run_stop(settings, state.cracks, state.step, state.load_cycles)
+        .or_else(|| matches!(outcome, Outcome::Detached(_)).then_some(RunStop::Detached))
         .or_else(|| nothing_grows(state, &stops));
-    let tips = |increments: Vec<f64>| {
-        increments.iter().zip(&stops).map(|(&increment, &stop)| TipAdvance { increment, stop }).collect()
-    };
-    match stop {
-        Some(_) => {
-            Advance { tips: tips(vec![0.0; stops.len()]), cracks: state.cracks.to_vec(), cycles: 0.0, stop }
-        }
-        None => Advance { tips: tips(increments), cracks, cycles, stop },
+    for (stop, meeting) in stops.iter_mut().zip(&met) {
+        *stop = stop.or(meeting.map(|_| TipStop::MeetsCrack));
     }
+    let increment = |i: usize| match (&steps[i], &met[i]) {
+        (Some(step), Some(meeting)) => (meeting.at - step.from).length(),
+        (Some(_), None) => pace.increment(state.tips[i].rate),
+        (None, _) => 0.0,
+    };
+    let tips = |increment: &dyn Fn(usize) -> f64| {
+        stops.iter().enumerate().map(|(i, &stop)| TipAdvance { increment: increment(i), stop }).collect()
+    };
+    let standing = Advance {
+        tips: tips(&|_| 0.0),
+        cracks: state.cracks.to_vec(),
+        junctions: state.junctions.to_vec(),
+        break_outs,
+        pieces,
+        cycles: 0.0,
+        stop,
+    };
+    match (stop, outcome) {
+        (Some(RunStop::Detached), Outcome::Detached(detached)) => {
+            Advance { pieces: [standing.pieces, detached].concat(), ..standing }
+        }
+        (None, Outcome::Grown { cracks, junctions }) => {
+            Advance { tips: tips(&increment), cracks, junctions, cycles: pace.cycles, ..standing }
+        }
+        _ => standing,
+    }
+}
+
+/// The steps that cannot be made, with the reason: they break out before they meet a crack, or leave the rail.
+fn blocked_steps(
+    state: &StepState<'_>,
+    steps: &[Option<Step>],
+    met: &[Option<Meeting>],
+) -> Vec<(usize, TipStop)> {
+    let blocked = |i: usize| {
+        let step = steps[i].as_ref()?;
+        let crack = &state.cracks[step.tip.crack];
+        let stop = stop_of_one(step, crack, state.rail, state.resolution);
+        let ligament = spent_ligament(crack, state.resolution);
+        match met[i] {
+            // A mouth is on the surface already.
+            Some(meeting) if -meeting.at.y >= ligament => stop.filter(|stop| *stop != TipStop::BreakOut),
+            Some(meeting) if meeting.at.y >= 0.0 => Some(TipStop::BreakOut),
+            _ => stop,
+        }
+    };
+    (0..steps.len()).filter_map(|i| Some((i, blocked(i)?))).collect()
+}
+
+/// Where the ligament of a tip that breaks out ends on the running surface: where its increment passes it, else above its end.
+fn way_out(step: &Step) -> Vec2 {
+    let rise = step.to.y - step.from.y;
+    let share = if step.to.y > 0.0 && rise > 0.0 { -step.from.y / rise } else { 1.0 };
+    Vec2::new(step.from.x + (step.to.x - step.from.x) * share, 0.0)
 }
 
 /// A tip that does not load, or is slower than the arrest rate.
@@ -117,10 +192,13 @@ struct Pace {
 impl Pace {
     fn of(state: &StepState<'_>, settings: &GrowthSettings, stops: &[Option<TipStop>]) -> Self {
         let growing = state.tips.iter().zip(stops).filter(|(_, stop)| stop.is_none()).map(|(tip, _)| tip);
-        let Some(fastest) = growing.reduce(|a, b| if b.rate > a.rate { b } else { a }) else {
+        // Of equally fast tips that of the longest crack, so that their order does not matter.
+        let length = |tip: &TipDrive| state.cracks[tip.tip.crack].length();
+        let faster = |a: &TipDrive, b: &TipDrive| (b.rate, length(b)) > (a.rate, length(a));
+        let Some(fastest) = growing.reduce(|a, b| if faster(a, b) { b } else { a }) else {
             return Self { rate: 1.0, increment: 0.0, cycles: 0.0 };
         };
-        let increment = settings.increment * state.cracks[fastest.tip.crack].length();
+        let increment = settings.increment * length(fastest);
         let left = settings.stop_after_cycles.unwrap_or(f64::INFINITY) - state.load_cycles;
         let cycles = increment / fastest.rate;
         if cycles <= left {
@@ -152,39 +230,6 @@ fn planned_steps(state: &StepState<'_>, pace: &Pace, stops: &[Option<TipStop>]) 
         .collect()
 }
 
-/// The cracks longer by all steps, and the tips (index, reason) whose step cannot be made.
-fn extended_cracks(
-    state: &StepState<'_>,
-    pace: &Pace,
-    steps: &[Option<Step>],
-) -> (Vec<Crack>, Vec<(usize, TipStop)>) {
-    let mut cracks = state.cracks.to_vec();
-    let mut blocked = Vec::new();
-    for (i, (drive, step)) in state.tips.iter().zip(steps).enumerate() {
-        let (Some(step), Some(kink)) = (step, drive.kink) else { continue };
-        let crack = &cracks[drive.tip.crack];
-        let extended = crack.extended(drive.tip.end, pace.increment(drive.rate), kink);
-        let stop = stop_of_one(step, crack, state.rail, state.resolution);
-        match (stop, extended) {
-            (None, Ok(longer)) => cracks[drive.tip.crack] = longer,
-            // A polyline that is none any more crossed its own faces.
-            (stop, _) => blocked.push((i, stop.unwrap_or(TipStop::MeetsCrack))),
-        }
-    }
-    (cracks, blocked)
-}
-
-/// The tips whose step comes too close to another of the longer `cracks`.
-fn meetings(state: &StepState<'_>, steps: &[Option<Step>], cracks: &[Crack]) -> Vec<(usize, TipStop)> {
-    let meets_another = |step: &Step| {
-        let others = cracks.iter().enumerate().filter(|(c, _)| *c != step.tip.crack).map(|(_, crack)| crack);
-        meets(step, others, state.resolution)
-    };
-    let of_tip =
-        |(i, step): (usize, &Option<Step>)| step.filter(meets_another).map(|_| (i, TipStop::MeetsCrack));
-    steps.iter().enumerate().filter_map(of_tip).collect()
-}
-
 /// The end of a run in which every tip has stopped, with the reason of the last one that did.
 fn nothing_grows(state: &StepState<'_>, stops: &[Option<TipStop>]) -> Option<RunStop> {
     let all: Vec<TipStop> = stops.iter().copied().collect::<Option<_>>()?;
@@ -196,3 +241,7 @@ fn nothing_grows(state: &StepState<'_>, stops: &[Option<TipStop>]) -> Option<Run
 #[cfg(test)]
 #[path = "increments_tests.rs"]
 mod tests;
+
+#[cfg(test)]
+#[path = "joining_tests.rs"]
+mod joining_tests;

@@ -4,7 +4,10 @@ mod driver;
 mod face_load;
 mod fields;
 mod increments;
+mod joining;
+mod meetings;
 mod passage;
+mod pieces;
 mod record;
 mod stops;
 
@@ -13,8 +16,9 @@ pub use driver::{Growth, GrowthError, GrowthProblem, GrowthState, Unwatched, Wat
 pub use fields::{FieldRecord, FieldSettings, FieldSnapshot};
 pub use increments::{Advance, StepState, TipAdvance, TipDrive, advance};
 pub use passage::{PassageError, PassageSettings, RailLoad, StabilisedPassage, stabilised_passage};
+pub use pieces::{Piece, PieceKind};
 pub use record::{
-    CrackTip, FacePoint, FaceRecord, GrowthSettings, PassageRecord, PhaseTimes, RunStop, SolverCounts,
-    StepRecord, TipRecord, TipStop, Warning,
+    BreakOut, CrackTip, FacePoint, FaceRecord, GrowthSettings, PassageRecord, PhaseTimes, RunStop,
+    SolverCounts, StepRecord, TipRecord, TipStop, Warning,
 };
 pub use stops::RailBox;

@@ -1,11 +1,12 @@
 //! What a growth step leaves behind.
 
-use super::FieldRecord;
+use super::{FieldRecord, Piece};
 use crate::body::BodyTimes;
 use crate::contact::FaceState;
-use crate::crack::{Crack, End};
+use crate::crack::{Crack, CrackEnd, End, Junction};
 use crate::fatigue::{DirectionCriterion, ParisLaw};
 use crate::fracture::Sif;
+use crate::math::Vec2;
 use serde::{Deserialize, Serialize};
 
 /// How cracks grow and when a run ends.
@@ -38,6 +39,22 @@ pub struct CrackTip {
     pub end: End,
 }
 
+impl CrackTip {
+    /// The end of the crack that it is.
+    pub fn crack_end(self) -> CrackEnd {
+        CrackEnd { crack: self.crack, end: self.end }
+    }
+}
+
+/// A tip that broke out, and where its ligament ends on the running surface.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct BreakOut {
+    /// The tip: it stays where it was.
+    pub tip: CrackEnd,
+    /// The point of the surface, mm.
+    pub surface: Vec2,
+}
+
 /// Why a tip stopped.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum TipStop {
@@ -45,7 +62,8 @@ pub enum TipStop {
     Arrest,
     /// The ligament to the running surface is spent: a spall.
     BreakOut,
-    /// Another crack is closer than can be resolved.
+    /// It joins a crack, with the increment of this step where the step is made; without an increment, it came so close that no
+    /// junction can be made.
     MeetsCrack,
     /// The next increment would leave the rail.
     LeavesRail,
@@ -72,6 +90,8 @@ pub enum RunStop {
     Cycles,
     /// A crack reached the critical length.
     CriticalLength,
+    /// A piece of the rail is wholly detached.
+    Detached,
     /// No tip grows; the reason of the last one that stopped.
     NoTipGrows(TipStop),
 }
@@ -83,6 +103,7 @@ impl RunStop {
             Self::StepsDone => "steps-done",
             Self::Cycles => "cycles",
             Self::CriticalLength => "critical-length",
+            Self::Detached => "detached",
             Self::NoTipGrows(stop) => stop.name(),
         }
     }
@@ -198,7 +219,9 @@ pub struct StepRecord {
     pub step: usize,
     /// The cracks at the start of the step.
     pub cracks: Vec<Crack>,
-    /// All tips, in order of crack and tip.
+    /// Where they have joined each other.
+    pub junctions: Vec<Junction>,
+    /// All tips, in order of crack and tip; ends that have joined a crack are none.
     pub tips: Vec<TipRecord>,
     /// All passages; the last one is the stabilised one.
     pub passages: Vec<PassageRecord>,
@@ -214,6 +237,8 @@ pub struct StepRecord {
     pub counts: SolverCounts,
     /// Wall times.
     pub times: PhaseTimes,
+    /// Pieces of the rail that were enclosed in this step.
+    pub pieces: Vec<Piece>,
     /// Warnings.
     pub warnings: Vec<Warning>,
     /// Set in the last step of a run.

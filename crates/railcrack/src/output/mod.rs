@@ -13,10 +13,11 @@ mod folder;
 mod memory;
 mod plot;
 mod recorder;
-mod report;
+pub mod report;
 mod residual;
 mod shakedown;
 mod story;
+mod study;
 mod summary;
 
 pub use compare::{
@@ -33,7 +34,11 @@ pub use shakedown::{
     Extent, PASSES_COLUMNS, PLASTIC_FILE, PROFILE_COLUMNS, SHAKEDOWN_FILE, ShakedownRecorder,
     ShakedownResults, ShakedownSummary,
 };
-pub use summary::{CrackSummary, PhaseSeconds, Summary, TipSummary};
+pub use study::{
+    Entry, Outcome, PlannedRun, RunEnd, RunState, STUDY_COLUMNS, StudyAxis, StudyFolder, StudyKey, StudyPlan,
+    StudyResults, StudyRow, TIMES_COLUMNS,
+};
+pub use summary::{CrackSummary, JunctionSummary, PhaseSeconds, PieceSummary, Summary, TipSummary};
 
 /// Version of the program that writes the files.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");

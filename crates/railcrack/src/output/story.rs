@@ -2,8 +2,8 @@
 
 use super::fields::FieldFile;
 use super::residual::ResidualSummary;
-use crate::crack::Crack;
-use crate::growth::{PhaseTimes, RunStop, SolverCounts, StepRecord, TipRecord, Warning};
+use crate::crack::{Crack, Junction};
+use crate::growth::{PhaseTimes, Piece, RunStop, SolverCounts, StepRecord, TipRecord, Warning};
 use serde::{Deserialize, Serialize};
 
 /// One finished step.
@@ -26,7 +26,11 @@ pub(crate) struct Story {
     pub initial_cracks: Vec<Crack>,
     /// The cracks of the last finished step.
     pub cracks: Vec<Crack>,
+    /// Where they have joined each other.
+    pub junctions: Vec<Junction>,
     pub steps: Vec<StepDigest>,
+    /// Pieces of the rail that were enclosed.
+    pub pieces: Vec<Piece>,
     pub warnings: Vec<Warning>,
     /// The residual stress of the rail.
     pub residual: Option<ResidualSummary>,
@@ -47,6 +51,8 @@ impl Story {
             self.initial_cracks.clone_from(&record.cracks);
         }
         self.cracks.clone_from(&record.cracks);
+        self.junctions.clone_from(&record.junctions);
+        self.pieces.extend(record.pieces.iter().cloned());
         self.warnings.extend(record.warnings.iter().cloned());
         self.steps.push(StepDigest {
             step: record.step,

@@ -4,7 +4,8 @@ use super::VERSION;
 use super::recorder::RunInfo;
 use super::residual::ResidualSummary;
 use super::story::Story;
-use crate::growth::{StepRecord, Warning};
+use crate::crack::{CrackEnd, End, Junction};
+use crate::growth::{Piece, StepRecord, Warning};
 use serde::{Deserialize, Serialize};
 
 /// Wall time by phase, of the run and its resumptions, seconds.
@@ -58,6 +59,36 @@ pub struct CrackSummary {
     pub initial_points_mm: Vec<[f64; 2]>,
     /// In the last finished step.
     pub points_mm: Vec<[f64; 2]>,
+}
+
+/// A piece of the rail that cracks, or cracks and the running surface, enclose.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PieceSummary {
+    /// `spall` or `detached`.
+    pub kind: String,
+    /// The step in which a tip closed the outline.
+    pub step: usize,
+    /// Number of the crack of that tip, from 1.
+    pub crack: usize,
+    /// Area, mm².
+    pub area_mm2: f64,
+    /// Corners (x, y) in order, mm; the last is joined to the first.
+    pub outline_mm: Vec<[f64; 2]>,
+}
+
+/// A crack that has joined another one by the last finished step.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct JunctionSummary {
+    /// Number of the joining crack, from 1.
+    pub crack: usize,
+    /// Which of its ends: `first` or `last`.
+    pub end: String,
+    /// Number of the crack that it has joined, from 1.
+    pub onto: usize,
+    /// Abscissa, mm.
+    pub x_mm: f64,
+    /// Ordinate, mm.
+    pub y_mm: f64,
 }
 
 /// What `summary.json` holds. Keys are the fields' names.
@@ -119,6 +150,12 @@ pub struct Summary {
     pub tips: Vec<TipSummary>,
     /// Paths.
     pub cracks: Vec<CrackSummary>,
+    /// Where cracks have joined each other.
+    #[serde(default)]
+    pub junctions: Vec<JunctionSummary>,
+    /// Pieces of the rail that were enclosed, in order.
+    #[serde(default)]
+    pub pieces: Vec<PieceSummary>,
 }
 
 impl Summary {
@@ -182,6 +219,8 @@ impl Summary {
                     points_mm: points(now),
                 })
                 .collect(),
+            junctions: story.junctions.iter().map(|junction| junction_summary(junction, story)).collect(),
+            pieces: story.pieces.iter().map(piece_summary).collect(),
         }
     }
 }
@@ -190,6 +229,26 @@ impl Summary {
 fn of_residual(story: &Story) -> impl Iterator<Item = Warning> {
     let notes = story.residual.iter().flat_map(|residual| &residual.notes);
     notes.map(|text| Warning { step: 0, kind: "residual-stress".into(), text: text.clone() })
+}
+
+fn junction_summary(junction: &Junction, story: &Story) -> JunctionSummary {
+    let CrackEnd { crack, end } = junction.joining;
+    let at = story.cracks.get(crack).map_or_else(Default::default, |crack| crack.tip(end));
+    let end = match end {
+        End::First => "first",
+        End::Last => "last",
+    };
+    JunctionSummary { crack: crack + 1, end: end.into(), onto: junction.onto + 1, x_mm: at.x, y_mm: at.y }
+}
+
+fn piece_summary(piece: &Piece) -> PieceSummary {
+    PieceSummary {
+        kind: piece.kind.name().to_owned(),
+        step: piece.step,
+        crack: piece.crack + 1,
+        area_mm2: piece.area,
+        outline_mm: piece.outline.iter().map(|point| [point.x, point.y]).collect(),
+    }
 }
 
 fn tip_summary(tip: &crate::growth::TipRecord) -> TipSummary {

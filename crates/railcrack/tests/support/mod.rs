@@ -9,7 +9,7 @@ use railcrack::crack::{Crack, End};
 use railcrack::fracture::Sif;
 use railcrack::growth::{
     CrackTip, FacePoint, FaceRecord, FieldRecord, FieldSnapshot, GrowthState, PassageRecord, PhaseTimes,
-    RunStop, SolverCounts, StepRecord, TipRecord, Warning,
+    Piece, PieceKind, RunStop, SolverCounts, StepRecord, TipRecord, Warning,
 };
 use railcrack::math::{Stress, Vec2};
 use railcrack::output::{CaseFiles, OutputError, Recorder, RunInfo};
@@ -129,12 +129,16 @@ pub fn step(size: Size, step: usize) -> (StepRecord, GrowthState) {
             growth_s: 0.03125,
         },
         warnings: near_ties(step),
+        junctions: Vec::new(),
+        pieces: spalls(step),
         stop: is_last.then_some(RunStop::StepsDone),
         cracks: now,
     };
     let state = GrowthState {
         step: step + 1,
         cracks: cracks(size, if is_last { step } else { step + 1 }),
+        junctions: Vec::new(),
+        break_outs: Vec::new(),
         load_cycles: cycles(if is_last { step } else { step + 1 }),
         stopped: vec![vec![None]; size.cracks],
         ended: record.stop,
@@ -166,6 +170,13 @@ fn fields(step: usize) -> FieldRecord {
 fn near_ties(step: usize) -> Vec<Warning> {
     let text = "the rival direction grows 0.99 times as fast".to_owned();
     if step == 1 { vec![Warning { step, kind: "near-tie".to_owned(), text }] } else { Vec::new() }
+}
+
+/// A triangle above the first crack.
+fn spalls(step: usize) -> Vec<Piece> {
+    let outline = vec![Vec2::new(0.0, 0.0), Vec2::new(4.0, -1.0), Vec2::new(4.5, 0.0)];
+    let spall = Piece { kind: PieceKind::Spall, step, crack: 0, outline, area: 2.25 };
+    if step == 2 { vec![spall] } else { Vec::new() }
 }
 
 fn tip_record(i: usize, crack: &Crack, step: usize, is_last: bool) -> TipRecord {

@@ -3,12 +3,15 @@
 use super::sif::tip_colour;
 use super::{HEADING, draw_heading};
 use crate::output::plot::{
-    Anchor, Axes, Axis, Entry, Frame, INK, Mark, Span, Stroke, Svg, TextStyle, draw_legend, legend_width,
+    Anchor, Axes, Axis, Entry, Frame, INK, Mark, ORANGE, Span, Stroke, Svg, TextStyle, coordinate,
+    draw_legend, legend_width,
 };
-use crate::output::{CrackSummary, Summary};
+use crate::output::{CrackSummary, PieceSummary, Summary};
 
 const WIDTH: f64 = 620.0;
 const HEIGHTS: (f64, f64) = (150.0, 560.0);
+/// Fill of a piece that is enclosed: a light orange.
+const PIECE: &str = "#fbe8c6";
 
 pub(super) fn paths(summary: &Summary) -> String {
     let increments = summary
@@ -26,6 +29,9 @@ pub(super) fn paths(summary: &Summary) -> String {
     draw_rail(&mut svg, &axes);
     axes.draw_grid(&mut svg);
     axes.clip(&mut svg);
+    for piece in &summary.pieces {
+        draw_piece(&mut svg, &axes, piece);
+    }
     for (place, crack) in summary.cracks.iter().enumerate() {
         draw_crack(&mut svg, &axes, crack, &tip_colour(place, summary.cracks.len()));
     }
@@ -81,6 +87,20 @@ pub(super) fn draw_rail(svg: &mut Svg, axes: &Axes) {
     svg.rectangle([frame.left, surface, frame.width, frame.bottom() - surface], "#f6f5f2", "none");
 }
 
+/// A piece that is enclosed: filled, with its outline dashed where no crack runs.
+fn draw_piece(svg: &mut Svg, axes: &Axes, piece: &PieceSummary) {
+    let corners: Vec<[f64; 2]> = piece.outline_mm.iter().map(|[x, y]| axes.at(*x, -y)).collect();
+    let mut path = String::new();
+    for (i, [x, y]) in corners.iter().enumerate() {
+        let command = if i == 0 { "M" } else { "L" };
+        path.push_str(&format!("{command}{} {}", coordinate(*x), coordinate(*y)));
+    }
+    path.push('Z');
+    svg.area("piece", &path, PIECE);
+    let closed: Vec<[f64; 2]> = corners.iter().chain(corners.first()).copied().collect();
+    svg.polyline("outline", &closed, &Stroke { dashes: "4 3", ..Stroke::solid(ORANGE, 1.2) });
+}
+
 /// The initial crack in a thick dark line, what grew in colour with a dot at the end of every increment.
 fn draw_crack(svg: &mut Svg, axes: &Axes, crack: &CrackSummary, colour: &str) {
     let at = |points: &[[f64; 2]]| -> Vec<[f64; 2]> { points.iter().map(|[x, y]| axes.at(*x, -y)).collect() };
@@ -98,6 +118,10 @@ fn draw_crack(svg: &mut Svg, axes: &Axes, crack: &CrackSummary, colour: &str) {
 fn entries(summary: &Summary, increments: usize) -> Vec<Entry> {
     let mut entries =
         vec![Entry { mark: Mark::Line(Stroke::solid(INK, 3.2)), words: "initial crack".to_owned() }];
+    for piece in &summary.pieces {
+        let words = format!("{}, {:.3} mm\u{b2}", piece.kind, piece.area_mm2);
+        entries.push(Entry { mark: Mark::Box(PIECE.to_owned()), words });
+    }
     if increments == 0 {
         return entries;
     }

@@ -159,7 +159,8 @@ pub(super) fn read_faces(
     for (&crack, faces) in &mut cracks {
         faces.crack = crack;
         let row = growth.iter().find(|row| row.step == step && row.crack == crack);
-        faces.length = row.map_or(0.0, |row| row.length);
+        // A crack that has joined others at all its ends has no row: it reaches to a little beyond its last point.
+        faces.length = row.map_or_else(|| faces.s.last().copied().unwrap_or(0.0), |row| row.length);
     }
     let xc_over_a =
         histories.iter().find(|history| history.step == step).map_or_else(Vec::new, |h| h.xc_over_a.clone());

@@ -1,0 +1,263 @@
+//! Where increments meet cracks, and each other.
+//!
+//! All tips of a step grow at the same time, each straight and evenly to the end of its increment. A tip that comes closer than the
+//! resolution to another crack, or to what another tip has left behind by then, ends there; the others go on. The first meeting is
+//! settled first, so that neither the order of the cracks nor a mirror changes what happens.
+
+use super::stops::Step;
+use crate::crack::{Crack, End, point_to_segment};
+use crate::math::{Vec2, segments_touch};
+
+/// Own faces this many resolved lengths behind the tip, along the crack, count as another crack: nearer ones are the
+/// neighbourhood of the tip itself, short increments included.
+const OWN_FACES_FROM: f64 = 3.0;
+/// A crack is crossed where the increment crosses it within this many resolved lengths of coming close; at a smaller angle than
+/// that allows, the tip turns to the nearest point, and no thin wedge is left.
+const CROSSING_REACH: f64 = 4.0;
+/// Halvings of a fraction of the increment: to round-off.
+const HALVINGS: usize = 60;
+/// Steps of the golden section: to the root of round-off.
+const SECTIONS: usize = 48;
+
+/// Where the increment of a tip ends on a crack.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Meeting {
+    /// The end of the increment, mm.
+    pub at: Vec2,
+    /// Index of the crack that is met, from 0; the tip's own where it closes a loop.
+    pub onto: usize,
+    /// Index of the step of the tip that is met there, where tip meets tip.
+    pub with: Option<usize>,
+}
+
+/// The meetings of `steps`, none for a tip that meets nothing or does not grow; `resolution` (mm) is the length that the engine
+/// resolves.
+pub(super) fn meetings(steps: &[Option<Step>], cracks: &[Crack], resolution: f64) -> Vec<Option<Meeting>> {
+    let mut tips: Vec<Moving> =
+        steps.iter().flatten().map(|step| Moving { step: *step, end: None }).collect();
+    let numbers: Vec<usize> = (0..steps.len()).filter(|&i| steps[i].is_some()).collect();
+    let mut meetings: Vec<Option<Meeting>> = vec![None; tips.len()];
+    while let Some(event) = first_event(&tips, cracks, resolution) {
+        let Event { tip, time, obstacle, .. } = event;
+        match obstacle {
+            Obstacle::Tip(other) => {
+                let at = (tips[tip].position(time) + tips[other].position(time)) * 0.5;
+                for (one, two) in [(tip, other), (other, tip)] {
+                    let onto = tips[two].step.tip.crack;
+                    meetings[one] = Some(Meeting { at, onto, with: Some(numbers[two]) });
+                }
+                tips[tip].end = Some((at, time));
+                tips[other].end = Some((at, time));
+            }
+            Obstacle::Faces(crack) => {
+                let at = landing(&tips, tip, time, crack, cracks, resolution);
+                meetings[tip] = Some(Meeting { at, onto: crack, with: None });
+                tips[tip].end = Some((at, time));
+            }
+        }
+    }
+    let mut all = vec![None; steps.len()];
+    for (number, meeting) in numbers.into_iter().zip(meetings) {
+        all[number] = meeting;
+    }
+    all
+}
+
+/// A tip on its way; times run from 0 to 1 over the step.
+#[derive(Debug, Clone, Copy)]
+struct Moving {
+    step: Step,
+    /// Where and when it ended, if it has.
+    end: Option<(Vec2, f64)>,
+}
+
+impl Moving {
+    fn position(&self, time: f64) -> Vec2 {
+        match self.end {
+            Some((at, end)) if time >= end => at,
+            _ => self.step.from + (self.step.to - self.step.from) * time,
+        }
+    }
+}
+
+#[derive(Debug, Clone, Copy)]
+struct Event {
+    tip: usize,
+    time: f64,
+    /// How far the obstacle is then, mm: the resolution, or less where the tip was that near before.
+    distance: f64,
+    obstacle: Obstacle,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Obstacle {
+    /// The faces of a crack, what has grown in this step counted.
+    Faces(usize),
+    /// Another tip that grows.
+    Tip(usize),
+}
+
+/// The first event ahead of the tips that still grow; of events at the same time the nearest, and faces before tips.
+fn first_event(tips: &[Moving], cracks: &[Crack], resolution: f64) -> Option<Event> {
+    let mut first: Option<Event> = None;
+    let mut offer = |event: Event| {
+        if first.is_none_or(|before| (event.time, event.distance) < (before.time, before.distance)) {
+            first = Some(event);
+        }
+    };
+    let growing = || (0..tips.len()).filter(|&i| tips[i].end.is_none());
+    for tip in growing() {
+        let step = &tips[tip].step;
+        for (crack, one) in cracks.iter().enumerate() {
+            for (a, b) in static_faces(one, step, crack, resolution) {
+                let distance = |time: f64| point_to_segment(tips[tip].position(time), a, b);
+                if let Some(time) = first_within(distance, resolution) {
+                    let obstacle = Obstacle::Faces(crack);
+                    offer(Event { tip, time, distance: distance(time), obstacle });
+                }
+            }
+        }
+        for other in (0..tips.len()).filter(|&other| other != tip) {
+            let way = |time: f64| {
+                point_to_segment(tips[tip].position(time), tips[other].step.from, tips[other].position(time))
+            };
+            let Some(time) = first_within(way, resolution) else { continue };
+            // Before the other tip ended it was met as a growing one.
+            let time = tips[other].end.map_or(time, |(_, end)| time.max(end));
+            let apart = (tips[tip].position(time) - tips[other].position(time)).length();
+            let beside = apart < HEAD_ON * resolution;
+            let obstacle = if beside && tips[other].end.is_none() {
+                Obstacle::Tip(other)
+            } else {
+                Obstacle::Faces(tips[other].step.tip.crack)
+            };
+            offer(Event { tip, time, distance: way(time), obstacle });
+        }
+    }
+    first
+}
+
+/// Tips nearer than this many resolved lengths when one comes within one of the other's way meet each other.
+const HEAD_ON: f64 = 1.5;
+
+/// The segments of `crack`, number `index`, that the tip of `step` may meet.
+fn static_faces(crack: &Crack, step: &Step, index: usize, resolution: f64) -> Vec<(Vec2, Vec2)> {
+    if index == step.tip.crack {
+        return faces_behind(crack, step.tip.end, OWN_FACES_FROM * resolution);
+    }
+    crack.points().windows(2).map(|p| (p[0], p[1])).collect()
+}
+
+/// The segments of `crack` at least `distance` (mm, along the walk) behind the tip at `end`; the nearest is cut.
+fn faces_behind(crack: &Crack, end: End, distance: f64) -> Vec<(Vec2, Vec2)> {
+    let mut points = crack.points().to_vec();
+    if end == End::Last {
+        points.reverse();
+    }
+    let mut left_out = distance;
+    let mut segments = Vec::new();
+    for p in points.windows(2) {
+        let length = (p[1] - p[0]).length();
+        if left_out < length {
+            let cut = p[0] + (p[1] - p[0]) * (left_out / length);
+            segments.push((cut, p[1]));
+        }
+        left_out = f64::max(0.0, left_out - length);
+    }
+    segments
+}
+
+/// The first time in [0, 1] at which `distance`, a convex function of it, falls to `limit`; none where it does not, or where the
+/// tip only moves away.
+fn first_within(distance: impl Fn(f64) -> f64, limit: f64) -> Option<f64> {
+    let nearest = argmin(&distance, 0.0, 1.0);
+    let start = distance(0.0);
+    if !(distance(nearest) < limit && distance(nearest) < start) {
+        return None;
+    }
+    if start <= limit {
+        return Some(0.0);
+    }
+    let (mut outside, mut inside) = (0.0, nearest);
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (outside + inside);
+        if distance(middle) <= limit {
+            inside = middle;
+        } else {
+            outside = middle;
+        }
+    }
+    Some(inside)
+}
+
+/// Where a convex function is least on [a, b], ends included.
+fn argmin(f: impl Fn(f64) -> f64, a: f64, b: f64) -> f64 {
+    let ratio = 0.5 * (5f64.sqrt() - 1.0);
+    let (mut low, mut high) = (a, b);
+    for _ in 0..SECTIONS {
+        let (p, q) = (high - ratio * (high - low), low + ratio * (high - low));
+        if f(p) <= f(q) {
+            high = q;
+        } else {
+            low = p;
+        }
+    }
+    let middle = 0.5 * (low + high);
+    [a, middle].into_iter().fold(b, |best, t| if f(t) < f(best) { t } else { best })
+}
+
+/// Where `tip`, close to `crack` at `time`, ends on it: where its increment crosses it soon, else at the nearest point; at a vertex
+/// of the crack that is nearer than the resolution.
+fn landing(tips: &[Moving], tip: usize, time: f64, crack: usize, cracks: &[Crack], resolution: f64) -> Vec2 {
+    let Moving { step, .. } = tips[tip];
+    let mut faces = static_faces(&cracks[crack], &step, crack, resolution);
+    for (other, moving) in tips.iter().enumerate() {
+        if other != tip && moving.step.tip.crack == crack {
+            faces.push((moving.step.from, moving.position(time)));
+        }
+    }
+    let length = (step.to - step.from).length();
+    let until = f64::min(1.0, time + CROSSING_REACH * resolution / length);
+    let crossing = faces
+        .iter()
+        .filter(|(a, b)| segments_touch(step.from, step.to, *a, *b))
+        .filter_map(|&(a, b)| crossing(&step, a, b))
+        .fold(f64::INFINITY, f64::min);
+    let at = if crossing <= until {
+        step.from + (step.to - step.from) * crossing
+    } else {
+        let distance = |t: f64| {
+            let p = step.from + (step.to - step.from) * t;
+            faces.iter().map(|&(a, b)| point_to_segment(p, a, b)).fold(f64::INFINITY, f64::min)
+        };
+        let closest = argmin(distance, time, until);
+        nearest_point(step.from + (step.to - step.from) * closest, &faces)
+    };
+    let vertices = faces.iter().flat_map(|&(a, b)| [a, b]).filter(|v| cracks[crack].vertex_at(*v).is_some());
+    let near = vertices.min_by(|a, b| (*a - at).length().total_cmp(&(*b - at).length()));
+    near.filter(|v| (*v - at).length() < resolution).unwrap_or(at)
+}
+
+/// The fraction of the step at which it crosses a–b; none where they are parallel.
+fn crossing(step: &Step, a: Vec2, b: Vec2) -> Option<f64> {
+    let (way, face) = (step.to - step.from, b - a);
+    let determinant = way.cross(face);
+    (determinant != 0.0).then(|| ((a - step.from).cross(face) / determinant).clamp(0.0, 1.0))
+}
+
+/// The point of `faces` nearest to `p`.
+fn nearest_point(p: Vec2, faces: &[(Vec2, Vec2)]) -> Vec2 {
+    let foot = |&(a, b): &(Vec2, Vec2)| {
+        let t = (p - a).dot(b - a) / (b - a).dot(b - a);
+        // A tip that has not moved yet has a way without length.
+        if t <= 0.0 || a == b {
+            a
+        } else if t >= 1.0 {
+            b
+        } else {
+            a + (b - a) * t
+        }
+    };
+    let feet = faces.iter().map(foot);
+    feet.min_by(|a, b| (*a - p).length().total_cmp(&(*b - p).length())).unwrap_or(p)
+}
