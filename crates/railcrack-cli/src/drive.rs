@@ -3,6 +3,7 @@
 use crate::exit::Exit;
 use crate::interruption::Interruption;
 use crate::progress::Progress;
+use railcrack::case::CarriedStressError;
 use railcrack::growth::{Growth, GrowthError, GrowthState, StepRecord, Watch};
 use railcrack::output::{OutputError, Recorder, Summary};
 use railcrack::shakedown::ShakedownError;
@@ -49,6 +50,12 @@ pub enum RunError {
     /// The plastic state.
     #[error(transparent)]
     Shakedown(#[from] ShakedownError),
+    /// The residual stress.
+    #[error(transparent)]
+    Residual(#[from] CarriedStressError),
+    /// The plastic stress that the first stage wrote cannot be read back.
+    #[error("the plastic stress of the rolled rail: {0}")]
+    Rolled(String),
     /// A rail without layers has no state.
     #[error("the rail has no layers to judge")]
     NoLayers,
@@ -86,9 +93,12 @@ impl RunError {
                 OutputError::NotFinite { .. } | OutputError::Field(_) => Exit::NotConverged,
                 OutputError::Damaged { .. } | OutputError::Io { .. } => Exit::CannotReadOrWrite,
             },
-            Self::Growth(_) | Self::NoLayers | Self::Shakedown(ShakedownError::NotConverged { .. }) => {
-                Exit::NotConverged
-            }
+            Self::Rolled(_) => Exit::CannotReadOrWrite,
+            Self::Residual(CarriedStressError::Field(_)) => Exit::BadInput,
+            Self::Residual(_)
+            | Self::Growth(_)
+            | Self::NoLayers
+            | Self::Shakedown(ShakedownError::NotConverged { .. }) => Exit::NotConverged,
             Self::Shakedown(_) => Exit::BadInput,
             Self::System { .. } => Exit::CannotReadOrWrite,
         }

@@ -82,6 +82,14 @@ impl Progress {
         }
     }
 
+    /// What a stage before the first step is doing.
+    pub fn stage(&self, text: &str) {
+        match &self.display {
+            Display::Bar(bar) => bar.set_message(text.to_owned()),
+            Display::Lines | Display::Quiet => self.say(text),
+        }
+    }
+
     /// A line of text; nobody is left to tell when standard error itself is gone.
     pub fn say(&self, line: &str) {
         match &self.display {

@@ -61,6 +61,6 @@ fn growth_step(bencher: Bencher, solver: &str) {
     let overrides = Overrides { contact: Some(solver.into()), ..Overrides::default() };
     let case = Case::read_with(&path(REFERENCE), &overrides).unwrap();
     bencher
-        .with_inputs(|| case.growth_run(None))
+        .with_inputs(|| case.prepare(None).unwrap().growth(None))
         .bench_local_values(|mut run: Growth| -> Option<StepRecord> { run.next_step(&Unwatched).unwrap() });
 }

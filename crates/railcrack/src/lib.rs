@@ -60,5 +60,7 @@ pub mod material;
 pub mod math;
 pub mod mesh;
 pub mod output;
+pub mod residual;
 pub mod shakedown;
+pub mod vtu;
 pub mod xfem;

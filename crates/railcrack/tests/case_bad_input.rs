@@ -315,13 +315,6 @@ fn what_this_version_has_not() {
             "a half-plane has no supports",
         ),
         wrong(
-            Append("[plastic_stress]\nfield = \"a.vtu\""),
-            10,
-            "plastic_stress",
-            "not part of this version",
-            "[residual_stress]",
-        ),
-        wrong(
             Replace("[contact]", "[contact]\nkind = \"table\""),
             2,
             "contact.kind",
@@ -713,6 +706,20 @@ fn missing_profile() {
             "residual_stress.profile",
             "there is no such file",
             "relative to the folder",
+        ),
+        wrong(
+            Append("[plastic_stress]\nfield = \"none.vtu\""),
+            11,
+            "plastic_stress.field",
+            "there is no such file",
+            "relative to the folder of the case file",
+        ),
+        wrong(
+            Append("[plastic_stress]\nprofile = \"none.csv\""),
+            11,
+            "plastic_stress.profile",
+            "there is no such file",
+            "relative to the folder of the case file",
         ),
         wrong(
             Append("[shakedown]\ninitial_residual = \"none.csv\""),

@@ -20,7 +20,7 @@ fn step(sections: &str) -> StepRecord {
          [passage]\npositions = 25\n[growth]\nsteps = 0\n[mesh]\nelement_size_mm = 0.2\n[solver]\nengine = \"xfem\"\n{sections}"
     );
     let case = Case::parse(&text, "case.toml", Path::new("")).unwrap_or_else(|errors| panic!("{errors}"));
-    case.growth_run(None).next_step(&Unwatched).unwrap().unwrap()
+    case.prepare(None).unwrap().growth(None).next_step(&Unwatched).unwrap().unwrap()
 }
 
 fn fields(record: &StepRecord) -> &FieldRecord {
@@ -114,5 +114,7 @@ fn fields_come_in_the_steps_and_by_the_engine_that_have_them() {
     let text = "[contact]\npeak_pressure_mpa = 845\nhalf_width_mm = 6.75\nfriction = 0.1\n[[crack]]\nmouth_mm = 0\n\
                 length_mm = 6\nangle_deg = 15\nfriction = 0\n[growth]\nsteps = 0\n[solver]\nengine = \"dislocation\"\n";
     let case = Case::parse(text, "case.toml", Path::new("")).unwrap();
-    assert!(case.growth_run(None).next_step(&Unwatched).unwrap().unwrap().fields.is_none());
+    assert!(
+        case.prepare(None).unwrap().growth(None).next_step(&Unwatched).unwrap().unwrap().fields.is_none()
+    );
 }

@@ -3,11 +3,11 @@
 mod support;
 
 use railcrack::growth::{FacePoint, StepRecord};
-use railcrack::output::vtu::read_vtu;
 use railcrack::output::{
     Existing, FACES_COLUMNS, GROWTH_COLUMNS, OutputError, RESIDUAL_COLUMNS, Recorder, ResidualRow,
-    SIF_COLUMNS, rebuild_plots,
+    ResidualSummary, SIF_COLUMNS, rebuild_plots,
 };
+use railcrack::vtu::read_vtu;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
@@ -326,9 +326,9 @@ fn the_summary_holds_the_keys_of_the_contract() {
 #[test]
 fn residual_stress_is_a_table_of_its_own() {
     let scratch = Scratch::new("residual");
-    let recorder = Recorder::start(scratch.path(), case(), info(), Existing::Refuse).unwrap();
+    let mut recorder = Recorder::start(scratch.path(), case(), info(), Existing::Refuse).unwrap();
     let stress = railcrack::math::Stress { xx: -120.5, yy: 0.0, zz: 1e-7, xy: 0.25 };
-    recorder.residual(&[ResidualRow { depth: 0.5, stress }]).unwrap();
+    recorder.residual(&[ResidualRow { depth: 0.5, stress }], ResidualSummary::default()).unwrap();
     let rows = table(scratch.path(), "residual.csv");
     assert_eq!(rows, [RESIDUAL_COLUMNS.join(",").as_str(), "0.5,-120.5,0.0,1e-7,0.25"]);
 }

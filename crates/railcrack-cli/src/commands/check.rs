@@ -1,9 +1,10 @@
 //! `railcrack check`.
 
+use crate::commands::residual::left_out;
 use crate::exit::{Exit, Failure};
 use crate::print;
 use clap::Args;
-use railcrack::case::Case;
+use railcrack::case::{Case, PlasticSource};
 use railcrack::crack::Crack;
 use railcrack::fatigue::DirectionCriterion;
 use railcrack::shakedown::{DepthBounds, bounds_by_depth, first_yield_ratio, shakedown_limit_ratio};
@@ -38,6 +39,7 @@ fn summary(case: &Case) -> String {
         ("passage", passage(case)),
         ("cracks", cracks(case)),
         ("residual stress", residual_stress(case)),
+        ("plastic stress", plastic_stress(case)),
         ("solution", solution(case)),
         ("growth", growth(case)),
         ("plastic state", plastic_state(case)),
@@ -133,6 +135,24 @@ fn residual_stress(case: &Case) -> Vec<Row> {
         ("rows", format!("{} to depth {deepest} mm", rows.len())),
         ("sigma_xx", format!("{} to {} MPa", extreme(f64::min), extreme(f64::max))),
     ]
+}
+
+fn plastic_stress(case: &Case) -> Vec<Row> {
+    match &case.plastic_stress {
+        Some(PlasticSource::Field(file)) => {
+            let (left, right, depth) = file.field().extent();
+            vec![
+                ("field", file.given_name().into()),
+                (
+                    "extent",
+                    format!("x = {} to {} mm, to depth {} mm", number(left), number(right), number(depth)),
+                ),
+            ]
+        }
+        Some(PlasticSource::Profile(file)) => vec![("profile", file.given_name().into())],
+        Some(PlasticSource::Rolled) => vec![("stabilised state", "of [shakedown], computed first".into())],
+        None => left_out(case).map(|note| ("none", note)).into_iter().collect(),
+    }
 }
 
 fn solution(case: &Case) -> Vec<Row> {

@@ -3,6 +3,7 @@
 pub mod check;
 pub mod compare;
 pub mod init;
+pub mod residual;
 pub mod run;
 pub mod schema;
 pub mod shakedown;

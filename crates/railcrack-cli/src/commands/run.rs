@@ -1,5 +1,6 @@
 //! `railcrack run`.
 
+use crate::commands::residual::{self, Residual};
 use crate::drive::{Ending, RunError, StepSource, drive};
 use crate::exit::{Exit, Failure};
 use crate::interruption::Interruption;
@@ -7,10 +8,8 @@ use crate::print;
 use crate::progress::{Progress, Verbosity, cycles};
 use clap::Args;
 use railcrack::case::{Case, Overrides};
-use railcrack::field::StressField;
 use railcrack::growth::GrowthState;
-use railcrack::math::Vec2;
-use railcrack::output::{CaseFiles, Existing, Recorder, ResidualRow, RunInfo, Summary};
+use railcrack::output::{CaseFiles, Existing, Recorder, RunInfo, Summary};
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
@@ -78,18 +77,22 @@ pub fn compute(arguments: &RunArguments, interruption: &Interruption) -> Result<
     };
     let case = Case::read_with(&arguments.case, &overrides)?;
     use_threads(arguments.threads)?;
-    let finished = execute(arguments, Job::of(&case), interruption, |state| {
-        Ok((case.growth_run(state), residual_rows(&case)))
+    let finished = execute(arguments, Job::of(&case), interruption, |stage| {
+        let (prepared, residual) = residual::prepare(&case, &stage)?;
+        Ok((prepared.growth(stage.state), residual))
     })?;
     Ok(finished)
 }
 
-/// The residual stress that the rail carries, at the depths of its profile.
-fn residual_rows(case: &Case) -> Vec<ResidualRow> {
-    let Some(file) = &case.residual_stress else { return Vec::new() };
-    let profile = file.profile();
-    let at = |depth: f64| ResidualRow { depth, stress: profile.stress(Vec2::new(case.rail.centre, -depth)) };
-    profile.rows().iter().map(|row| at(row.0)).collect()
+/// What a run starts from.
+#[derive(Debug)]
+pub struct Stage<'a> {
+    /// The run folder.
+    pub folder: &'a Path,
+    /// What is told of the run.
+    pub progress: &'a Progress,
+    /// The state to go on from; none at the beginning.
+    pub state: Option<GrowthState>,
 }
 
 /// What the case says of a run before anything is computed.
@@ -132,15 +135,15 @@ pub struct Finished {
     pub folder: PathBuf,
 }
 
-/// Runs `job`: checks and prepares the run folder, then has `start` build what computes the steps (from the state to
-/// go on from, none at the beginning) with the residual stress that it carries, and writes step by step.
+/// Runs `job`: checks and prepares the run folder, then has `start` build what computes the steps with the residual stress that the
+/// rail carries, and writes step by step.
 ///
 /// Errors: see [`RunError`].
 pub fn execute<S: StepSource>(
     arguments: &RunArguments,
     job: Job,
     interruption: &Interruption,
-    start: impl FnOnce(Option<GrowthState>) -> Result<(S, Vec<ResidualRow>), RunError>,
+    start: impl FnOnce(Stage) -> Result<(S, Option<Residual>), RunError>,
 ) -> Result<Finished, RunError> {
     let folder = arguments.out.clone().unwrap_or_else(|| default_folder(&arguments.case));
     let (mut recorder, state) = open(arguments, &folder, job.case, job.info)?;
@@ -148,12 +151,15 @@ pub fn execute<S: StepSource>(
         return Ok(Finished { ending: Ending::Ended, summary: recorder.finish()?, folder });
     }
     let first = state.as_ref().map_or(0, |state| state.step);
-    let (mut source, residual) = start(state)?;
-    if !residual.is_empty() {
-        recorder.residual(&residual)?;
-    }
     let verbosity = if arguments.quiet { Verbosity::Quiet } else { Verbosity::Progress };
     let progress = Progress::new(verbosity, job.increments, first);
+    let (mut source, residual) = start(Stage { folder: &folder, progress: &progress, state })?;
+    if let Some(residual) = residual {
+        for note in &residual.summary.notes {
+            progress.say(&format!("note: {note}"));
+        }
+        recorder.residual(&residual.rows, residual.summary)?;
+    }
     let (ending, summary) = drive(&mut source, &mut recorder, &progress, interruption)?;
     Ok(Finished { ending, summary, folder })
 }

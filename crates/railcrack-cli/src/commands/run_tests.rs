@@ -50,11 +50,11 @@ impl StepSource for Synthetic {
 fn run(line: &[&str], interrupted_in: Option<usize>) -> Result<Finished, RunError> {
     let job = Job { case: case(), info: info(), increments: SMALL.increments };
     let interruption = Interruption::default();
-    execute(&arguments(line), job, &interruption, |state| {
+    execute(&arguments(line), job, &interruption, |stage| {
         let mut initial = step(SMALL, 0).1;
         initial.step = 0;
-        let state = state.unwrap_or(initial);
-        Ok((Synthetic { state, interrupted_in, interruption: interruption.clone() }, Vec::new()))
+        let state = stage.state.unwrap_or(initial);
+        Ok((Synthetic { state, interrupted_in, interruption: interruption.clone() }, None))
     })
 }
 

@@ -13,7 +13,7 @@ use railcrack::shakedown::{
     shakedown_map, stabilise,
 };
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 /// Compute the stabilised plastic state under the repeated passage, and where a crack starts
@@ -51,31 +51,45 @@ pub fn shakedown(arguments: &ShakedownArguments) -> Result<Exit, Failure> {
     if is_same_file(&arguments.case, &folder.join("case.toml")) {
         return Err(RunError::CaseInRunFolder { path: arguments.case.clone() }.into());
     }
-    let (rail, settings) = (case.rolled_rail(), case.stabilisation());
-    check_rail(&rail).map_err(RunError::from)?;
     let existing = if arguments.force { Existing::Replace } else { Existing::Refuse };
-    let started = Instant::now();
-    let mut recorder =
-        ShakedownRecorder::start(&folder, &case_files(&case), existing).map_err(RunError::from)?;
-    let mut refused = None;
-    let stabilised = stabilise(&rail, &settings, |pass| {
+    let summary = compute(&case, &folder, existing, |pass| {
         if !arguments.quiet {
-            progress(pass);
+            // Nobody is left to tell when standard error itself is gone.
+            let _ = writeln!(std::io::stderr().lock(), "{}", pass_text(pass));
         }
-        if refused.is_none() {
-            refused = recorder.pass(pass).err();
-        }
-    })
-    .map_err(RunError::from)?;
-    if let Some(error) = refused {
-        return Err(RunError::from(error).into());
-    }
-    let results = results(&case, rail, stabilised, &settings, started)?;
-    let summary = recorder.finish(&results).map_err(RunError::from)?;
+    })?;
     print::stdout(&result_text(&summary))?;
     print::stdout(&format!("results in {}\n", folder.display()))?;
     // An answer of its own, but not the one that was asked for.
-    Ok(if results.stabilised.state == RailState::NotStabilised { Exit::NotConverged } else { Exit::Done })
+    let stabilised = summary.state != RailState::NotStabilised.name();
+    Ok(if stabilised { Exit::Done } else { Exit::NotConverged })
+}
+
+/// Computes the stabilised state of the rail of `case` into `folder`, telling `watch` of every passage.
+///
+/// Errors: a rail that has no such state; the folder cannot be written.
+pub fn compute(
+    case: &Case,
+    folder: &Path,
+    existing: Existing,
+    mut watch: impl FnMut(&PassRecord),
+) -> Result<ShakedownSummary, RunError> {
+    let (rail, settings) = (case.rolled_rail(), case.stabilisation());
+    check_rail(&rail)?;
+    let started = Instant::now();
+    let mut recorder = ShakedownRecorder::start(folder, &case_files(case), existing)?;
+    let mut refused = None;
+    let stabilised = stabilise(&rail, &settings, |pass| {
+        watch(pass);
+        if refused.is_none() {
+            refused = recorder.pass(pass).err();
+        }
+    })?;
+    if let Some(error) = refused {
+        return Err(error.into());
+    }
+    let results = results(case, rail, stabilised, &settings, started)?;
+    Ok(recorder.finish(&results)?)
 }
 
 fn results(
@@ -84,13 +98,13 @@ fn results(
     stabilised: StabilisedRail,
     settings: &Stabilisation,
     started: Instant,
-) -> Result<ShakedownResults, Failure> {
+) -> Result<ShakedownResults, RunError> {
     // What the direct method leaves out is shown beside it.
     let pass_by_pass = match settings.method {
         Method::PassByPass => None,
         Method::Direct => {
             let settings = Stabilisation { method: Method::PassByPass, ..*settings };
-            Some(stabilise(&rail, &settings, |_| ()).map_err(RunError::from)?)
+            Some(stabilise(&rail, &settings, |_| ())?)
         }
     };
     let dang_van = case.shakedown.dang_van;
@@ -150,14 +164,12 @@ fn warnings(
     warnings
 }
 
-/// One line per passage on standard error.
-fn progress(pass: &PassRecord) {
-    let line = format!(
-        "passage {}: residual stress changes by {:.3} MPa, plastic strain by {:.2e} ({} redistributions)\n",
+/// A line on a passage.
+pub fn pass_text(pass: &PassRecord) -> String {
+    format!(
+        "passage {}: residual stress changes by {:.3} MPa, plastic strain by {:.2e} ({} redistributions)",
         pass.pass, pass.stress_change, pass.strain_change, pass.iterations
-    );
-    // Nobody is left to tell when standard error itself is gone.
-    let _ = std::io::stderr().lock().write_all(line.as_bytes());
+    )
 }
 
 fn result_text(summary: &ShakedownSummary) -> String {

@@ -148,7 +148,7 @@ impl BulkRail {
     }
 
     /// Puts displacements (mm) of the free unknowns and those of the `held` ones at the nodes together: node by node.
-    pub(super) fn at_nodes(&self, free: &[f64], held: impl Fn(Vec2) -> Vec2) -> Vec<Vec2> {
+    pub fn at_nodes(&self, free: &[f64], held: impl Fn(Vec2) -> Vec2) -> Vec<Vec2> {
         let node = |(node, [x, y]): (usize, &[Option<usize>; 2])| match (x, y) {
             (Some(x), Some(y)) => Vec2::new(free[*x], free[*y]),
             _ => {

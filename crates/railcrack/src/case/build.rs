@@ -3,13 +3,14 @@
 use super::accept::Value;
 use super::cracks::{PlacedCracks, check_fit, place_cracks};
 use super::error::{Fault, Report};
+use super::field_file::read_field;
 use super::profile::{ProfileFile, read_profile};
 use super::section::SectionValues;
 use super::sections::SECTIONS;
 use super::table::{Kind, NumberRange};
 use super::validated::{
-    Case, ContactSolver, Engine, FieldOutput, INITIAL_RESIDUAL_NAME, MeshSettings, RESIDUAL_STRESS_NAME,
-    Rail, ShakedownSettings,
+    Case, ContactSolver, Engine, FieldOutput, INITIAL_RESIDUAL_NAME, MeshSettings, PLASTIC_FIELD_NAME,
+    PLASTIC_PROFILE_NAME, PlasticSource, RESIDUAL_STRESS_NAME, Rail, ShakedownSettings,
 };
 use crate::bulk::{BottomSupport, Boundary, SideSupport};
 use crate::fatigue::{DangVan, DirectionCriterion, ParisLaw};
@@ -38,6 +39,12 @@ pub(super) fn build(sections: &[SectionValues], folder: &Path, report: &mut Repo
         check_block(rail, section("solver").and_then(engine), wheel, &section, report);
     }
     let residual_stress = section("residual_stress").and_then(|s| profile(s, "profile", folder, report));
+    let plastic = section("plastic_stress").map(|s| plastic_stress(s, folder, report));
+    if let (Some(Some(PlasticSource::Rolled)), Some(plastic), Some(_)) =
+        (&plastic, section("plastic_stress"), section("residual_stress"))
+    {
+        report.add(counted_twice(plastic));
+    }
     let shakedown = section("shakedown").and_then(|s| shakedown(s, folder, report));
     let placed = placed?;
     let rail = rail?;
@@ -50,6 +57,10 @@ pub(super) fn build(sections: &[SectionValues], folder: &Path, report: &mut Repo
         cracks: placed.network,
         crack_friction: placed.friction,
         residual_stress,
+        plastic_stress: match plastic {
+            Some(source) => Some(source?),
+            None => None,
+        },
         shakedown: shakedown?,
         growth: growth(section("growth")?)?,
         mesh: mesh(section("mesh")?)?,
@@ -257,6 +268,30 @@ fn profile(section: &SectionValues, key: &str, folder: &Path, report: &mut Repor
     read_profile(section.text(key)?, folder, &dotted, section.span_of(key), report)
 }
 
+fn plastic_stress(section: &SectionValues, folder: &Path, report: &mut Report) -> Option<PlasticSource> {
+    if let Some(given) = section.text("field") {
+        let dotted = format!("{}.field", section.path);
+        let file = read_field(given, folder, &dotted, section.span_of("field"), report)?;
+        return Some(PlasticSource::Field(file));
+    }
+    if section.text("profile").is_some() {
+        return Some(PlasticSource::Profile(profile(section, "profile", folder, report)?));
+    }
+    let refused = section.is_refused("field") || section.is_refused("profile");
+    (!refused).then_some(PlasticSource::Rolled)
+}
+
+/// A residual stress is a total, and the computed state starts from a manufacturing stress of its own.
+fn counted_twice(plastic: &SectionValues) -> Fault {
+    Fault {
+        message: "`[plastic_stress]` without field computes what rolling leaves, and `[residual_stress]` is a total already".into(),
+        key: Some("plastic_stress".into()),
+        span: Some(plastic.span.clone()),
+        help: Some("a stress that was there before the first passage is `initial_residual` of [shakedown]".into()),
+        also: None,
+    }
+}
+
 fn shakedown(section: &SectionValues, folder: &Path, report: &mut Report) -> Option<ShakedownSettings> {
     let initial_residual = profile(section, "initial_residual", folder, report);
     let (yield_stress, modulus) =
@@ -349,6 +384,8 @@ fn written(sections: &[SectionValues], rail: &Rail) -> Vec<(&'static str, Vec<(&
             for (name, value) in &mut values {
                 match (declared.name, *name) {
                     ("residual_stress", "profile") => *value = Value::Text(RESIDUAL_STRESS_NAME.into()),
+                    ("plastic_stress", "field") => *value = Value::Text(PLASTIC_FIELD_NAME.into()),
+                    ("plastic_stress", "profile") => *value = Value::Text(PLASTIC_PROFILE_NAME.into()),
                     ("shakedown", "initial_residual") => *value = Value::Text(INITIAL_RESIDUAL_NAME.into()),
                     _ => (),
                 }

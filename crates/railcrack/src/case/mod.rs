@@ -5,9 +5,11 @@
 
 mod accept;
 mod build;
+mod carried;
 mod cracks;
 mod declare;
 mod error;
+mod field_file;
 mod markdown;
 mod overrides;
 mod problem;
@@ -25,10 +27,13 @@ mod validated;
 mod write;
 
 pub use accept::Value;
+pub use carried::{CarriedStress, CarriedStressError, Projection, Release};
 pub use error::{CaseError, CaseErrors};
+pub use field_file::FieldFile;
 pub use markdown::markdown;
 pub use overrides::Overrides;
 pub use profile::ProfileFile;
+pub use run::PreparedRun;
 pub use schema::json_schema;
 pub use sections::SECTIONS;
 pub use size::RunSize;
@@ -37,6 +42,6 @@ pub use table::{
     SectionPresence,
 };
 pub use validated::{
-    Case, Companion, ContactSolver, Engine, FieldOutput, MeshSettings, Rail, ShakedownSettings,
+    Case, Companion, ContactSolver, Engine, FieldOutput, MeshSettings, PlasticSource, Rail, ShakedownSettings,
 };
 pub use write::init_text;

@@ -211,17 +211,23 @@ pub(super) const RESIDUAL_STRESS: Section = Section {
 
 pub(super) const PLASTIC_STRESS: Section = Section {
     name: "plastic_stress",
-    doc: "A plastic stress K:eps_p that is still to be balanced on the crack mesh.",
+    doc: "A plastic stress K:eps_p = 2 G eps_p that is still to be balanced on the crack mesh. With neither key, that of the \
+          stabilised state of [shakedown], which the run computes first.",
     presence: SectionPresence::Optional,
-    keys: &[key(
-        "field",
-        Kind::Path,
-        Presence::Required(Text("shakedown/plastic.vtu")),
-        "VTU file with the plastic stress.",
-    )],
-    forms: &[],
-    availability: Availability::Later {
-        reason: "projecting a plastic stress is not part of this version",
-        instead: "give a balanced stress in [residual_stress] instead",
-    },
+    keys: &[
+        key(
+            "field",
+            Kind::Path,
+            Presence::Optional(Text("shakedown/plastic.vtu")),
+            "VTU with plastic_stress_mpa on points or cells: written by `railcrack shakedown`, or by any other program.",
+        ),
+        key(
+            "profile",
+            Kind::Path,
+            Presence::Optional(Text("plastic.csv")),
+            "CSV as that of [residual_stress], read as a plastic stress.",
+        ),
+    ],
+    forms: &[Form { keys: &["field"] }, Form { keys: &["profile"] }],
+    availability: Availability::Now,
 };

@@ -1,19 +1,24 @@
 //! A case made into a run.
 
+use super::carried::{CarriedStress, CarriedStressError};
 use super::validated::{Case, ContactSolver, Engine};
 use crate::body::BodyEngine;
 use crate::bulk::Boundary;
 use crate::contact::{self, Latin, Newton};
 use crate::dislocation::{DislocationEngine, FaceResolution};
-use crate::field::{HertzDisplacement, StressField};
+use crate::field::HertzDisplacement;
 use crate::growth::{FieldSettings, Growth, GrowthProblem, GrowthState, RailBox};
+use crate::residual::PlasticField;
 use crate::xfem::{
-    EnrichmentRadius, MeshSettings, Outline, RailEnd, XfemEngine, XfemSettings, default_element_size,
+    EnrichmentRadius, Layers, MeshSettings, Outline, RailEnd, XfemEngine, XfemSettings, default_element_size,
 };
 use std::num::NonZeroUsize;
 
 /// Growth of the length that the window makes room for, at most: a crack that grows on has it enlarged.
 const LARGEST_WINDOW: f64 = 3.0;
+
+/// Elements over the depth of the plastic stress, at least.
+const LAYERS_PER_PLASTIC_DEPTH: f64 = 40.0;
 
 impl Case {
     /// How finely the dislocation engine resolves the faces.
@@ -66,35 +71,64 @@ impl Case {
         (!positions.is_empty()).then_some(FieldSettings { positions, every, displacement })
     }
 
-    /// The run of this case: from `state` on, from its beginning where there is none.
-    pub fn growth_run(&self, state: Option<GrowthState>) -> Growth {
+    /// Everything that is made once for the run of this case. `rolled` is the plastic stress of the stabilised state, for a case
+    /// that wants it ([`PlasticSource::Rolled`](super::PlasticSource)).
+    ///
+    /// Errors: the residual stress cannot be made.
+    pub fn prepare(&self, rolled: Option<&PlasticField>) -> Result<PreparedRun<'_>, CarriedStressError> {
+        let plastic = self.plastic_field(rolled)?;
+        let mut finite_elements = self.xfem_engine();
+        if let Some(depth) = plastic.as_ref().and_then(|field| field.plastic_depth()) {
+            finite_elements =
+                finite_elements.resolving(Layers { depth, height: depth / LAYERS_PER_PLASTIC_DEPTH });
+        }
+        let residual = self.carried_stress(plastic.as_ref(), &mut finite_elements)?;
         let engine: Box<dyn BodyEngine> = match self.engine {
-            Engine::Xfem => Box::new(self.xfem_engine()),
+            Engine::Xfem => Box::new(finite_elements),
             Engine::Dislocation => {
                 Box::new(DislocationEngine { steel: self.steel, resolution: self.face_resolution() })
             }
         };
+        Ok(PreparedRun { case: self, engine, residual })
+    }
+}
+
+/// A run before its first step.
+pub struct PreparedRun<'a> {
+    case: &'a Case,
+    engine: Box<dyn BodyEngine>,
+    residual: CarriedStress,
+}
+
+impl PreparedRun<'_> {
+    /// The residual stress that the rail carries.
+    pub fn residual(&self) -> &CarriedStress {
+        &self.residual
+    }
+
+    /// The run: from `state` on, from its beginning where there is none.
+    pub fn growth(self, state: Option<GrowthState>) -> Growth {
+        let Self { case, engine, residual } = self;
         let newton: Box<dyn contact::ContactSolver> = Box::new(Newton::default());
         let latin: Box<dyn contact::ContactSolver> = Box::new(Latin::default());
-        let (solver, fallback) = match self.contact_solver {
+        let (solver, fallback) = match case.contact_solver {
             ContactSolver::Newton => (newton, latin),
             ContactSolver::Latin => (latin, newton),
         };
-        let residual = self.residual_stress.as_ref().map(|file| file.profile().clone());
         let problem = GrowthProblem {
             engine,
             solver,
             fallback,
-            crack_friction: self.crack_friction.clone(),
-            contact: self.contact,
-            poisson: self.steel.poisson(),
-            residual: residual.map(|profile| Box::new(profile) as Box<dyn StressField>),
-            passages: self.passages,
-            fields: self.field_settings(),
-            growth: self.growth,
-            rail: RailBox { width: self.rail.width, depth: self.rail.depth, centre: self.rail.centre },
+            crack_friction: case.crack_friction.clone(),
+            contact: case.contact,
+            poisson: case.steel.poisson(),
+            residual: residual.field,
+            passages: case.passages,
+            fields: case.field_settings(),
+            growth: case.growth,
+            rail: RailBox { width: case.rail.width, depth: case.rail.depth, centre: case.rail.centre },
         };
-        let state = state.unwrap_or_else(|| GrowthState::initial(&self.cracks));
+        let state = state.unwrap_or_else(|| GrowthState::initial(&case.cracks));
         Growth::new(problem, state)
     }
 }

@@ -282,8 +282,10 @@ fn choose_form(
     }
     let of_form = |form: &Form| given.iter().find(|(k, _)| form.keys.contains(&k.name));
     let used: Vec<&'static Form> = section.forms.iter().filter(|f| of_form(f).is_some()).collect();
+    let needs_one = section.forms.iter().any(|form| !required_keys(section, form).is_empty());
     match used.as_slice() {
         [form] => Some(form),
+        [] if !needs_one => None,
         [] => {
             let ways: Vec<String> = section.forms.iter().map(|f| required_keys(section, f)).collect();
             report.add(Fault {
@@ -312,11 +314,13 @@ fn choose_form(
                     ),
                     key: Some(read.dotted(late.0.name)),
                     span: Some(late.1.clone()),
-                    help: Some(format!(
-                        "either {} or {}",
-                        required_keys(section, first),
-                        required_keys(section, second)
-                    )),
+                    help: needs_one.then(|| {
+                        format!(
+                            "either {} or {}",
+                            required_keys(section, first),
+                            required_keys(section, second)
+                        )
+                    }),
                     also: Some((early.1.clone(), "given here")),
                 });
             }

@@ -1,6 +1,7 @@
 //! A case that has passed every check.
 
 use super::accept::Value;
+use super::field_file::FieldFile;
 use super::profile::ProfileFile;
 use crate::bulk::{BottomSupport, Boundary, SideSupport};
 use crate::crack::CrackNetwork;
@@ -29,6 +30,8 @@ pub struct Case {
     pub crack_friction: Vec<f64>,
     /// Balanced residual stress that adds to the wheel.
     pub residual_stress: Option<ProfileFile>,
+    /// Plastic stress, still to be balanced.
+    pub plastic_stress: Option<PlasticSource>,
     /// Plastic behaviour under the repeated passage.
     pub shakedown: ShakedownSettings,
     /// How cracks grow and when a run ends.
@@ -58,6 +61,17 @@ pub struct Rail {
     pub centre: f64,
     /// What the rail ends at.
     pub boundary: Boundary,
+}
+
+/// Where a plastic stress comes from.
+#[derive(Debug, Clone, PartialEq)]
+pub enum PlasticSource {
+    /// A field on a mesh.
+    Field(FieldFile),
+    /// A profile by depth.
+    Profile(ProfileFile),
+    /// The stabilised state under the wheel of the case, computed first.
+    Rolled,
 }
 
 /// Plastic behaviour of the rail and the criterion of initiation.
@@ -128,6 +142,17 @@ impl Engine {
     }
 }
 
+impl PlasticSource {
+    /// The name in results.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Field(_) => "field",
+            Self::Profile(_) => "profile",
+            Self::Rolled => "rolled",
+        }
+    }
+}
+
 impl ContactSolver {
     /// The name in case files and results.
     pub fn name(self) -> &'static str {
@@ -171,6 +196,12 @@ pub struct Companion<'a> {
 /// Where a run folder keeps the profile of `[residual_stress]`.
 pub(super) const RESIDUAL_STRESS_NAME: &str = "inputs/residual-stress.csv";
 
+/// Where a run folder keeps the field of `[plastic_stress]`.
+pub(super) const PLASTIC_FIELD_NAME: &str = "inputs/plastic-stress.vtu";
+
+/// Where a run folder keeps the profile of `[plastic_stress]`.
+pub(super) const PLASTIC_PROFILE_NAME: &str = "inputs/plastic-stress.csv";
+
 /// Where a run folder keeps the profile of `[shakedown] initial_residual`.
 pub(super) const INITIAL_RESIDUAL_NAME: &str = "inputs/initial-residual.csv";
 
@@ -198,6 +229,15 @@ impl Case {
         let mut companions = Vec::new();
         if let Some(profile) = &self.residual_stress {
             companions.push(Companion { name: RESIDUAL_STRESS_NAME, text: profile.text() });
+        }
+        match &self.plastic_stress {
+            Some(PlasticSource::Field(file)) => {
+                companions.push(Companion { name: PLASTIC_FIELD_NAME, text: file.text() });
+            }
+            Some(PlasticSource::Profile(file)) => {
+                companions.push(Companion { name: PLASTIC_PROFILE_NAME, text: file.text() });
+            }
+            Some(PlasticSource::Rolled) | None => {}
         }
         if let Some(profile) = &self.shakedown.initial_residual {
             companions.push(Companion { name: INITIAL_RESIDUAL_NAME, text: profile.text() });

@@ -16,6 +16,15 @@ pub trait StressField: Sync {
     fn stress(&self, point: Vec2) -> Stress;
 }
 
+/// The sum of fields.
+pub struct Sum(pub Vec<Box<dyn StressField>>);
+
+impl StressField for Sum {
+    fn stress(&self, point: Vec2) -> Stress {
+        self.0.iter().fold(Stress::ZERO, |sum, field| sum + field.stress(point))
+    }
+}
+
 /// The same stress everywhere: remote tension, for instance.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Uniform(pub Stress);

@@ -1,5 +1,6 @@
 //! Linear isotropic elasticity in plane strain.
 
+use crate::math::Stress;
 use thiserror::Error;
 
 /// A material that cannot exist.
@@ -51,6 +52,13 @@ impl IsotropicElastic {
     /// E′ = E / (1 − ν²), MPa: the modulus of plane strain, K = E′ √(2π/r) ⟦w⟧ / 8 behind a tip.
     pub fn plane_strain_modulus(&self) -> f64 {
         self.young / (1.0 - self.poisson * self.poisson)
+    }
+
+    /// The stress (MPa) of the elastic strains ε_xx, ε_yy and γ_xy = 2 ε_xy; ε_zz = 0.
+    pub fn plane_strain_stress(&self, xx: f64, yy: f64, shear: f64) -> Stress {
+        let mu = self.shear_modulus();
+        let bulk = 2.0 * mu * self.poisson / (1.0 - 2.0 * self.poisson) * (xx + yy);
+        Stress { xx: bulk + 2.0 * mu * xx, yy: bulk + 2.0 * mu * yy, zz: bulk, xy: mu * shear }
     }
 
     /// G = E / (2 (1 + ν)), MPa.

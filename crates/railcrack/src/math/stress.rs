@@ -37,6 +37,11 @@ impl Stress {
         Vec2::new(self.xx * normal.x + self.xy * normal.y, self.xy * normal.x + self.yy * normal.y)
     }
 
+    /// σ:σ, MPa².
+    pub fn squared(self) -> f64 {
+        self.xx * self.xx + self.yy * self.yy + self.zz * self.zz + 2.0 * self.xy * self.xy
+    }
+
     /// The deviator s in coordinates whose Euclidean norm is its Frobenius norm √(s:s), MPa:
     /// ((s_xx − s_yy)/√2, √(3/2) s_zz, √2 s_xy). √J2 is their norm over √2.
     pub fn deviator(self) -> [f64; 3] {

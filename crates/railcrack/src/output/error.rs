@@ -1,6 +1,6 @@
 //! What can go wrong with a run folder.
 
-use super::vtu::VtuError;
+use crate::vtu::VtuError;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 

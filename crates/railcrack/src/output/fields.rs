@@ -1,12 +1,10 @@
 //! Fields of a run as files of VTK, and the collection that lists them.
 
 use super::OutputError;
-use super::folder::Durability;
-use super::vtu::{
-    Array, CellBlock, CellShape, Snapshot, UnstructuredGrid, write_pvd_durably, write_vtu_durably,
-};
+use super::folder::{Durability, replace_file};
 use crate::body::{Face, FieldGrid};
 use crate::growth::{FieldSnapshot, StepRecord};
+use crate::vtu::{Array, CellBlock, CellShape, Snapshot, UnstructuredGrid, VtuError, pvd_text, vtu_text};
 use serde::{Deserialize, Serialize};
 use std::fs;
 use std::path::Path;
@@ -53,7 +51,10 @@ pub(crate) fn write_fields(
     let positions = record.passages.last().map_or(1, |passage| passage.xc.len());
     let write = |snapshot: &FieldSnapshot| {
         let file = name(record.step, snapshot.position + 1);
-        write_vtu_durably(&directory.join(&file), &grid_of(&fields.grid, snapshot), durability)?;
+        let path = directory.join(&file);
+        let text = vtu_text(&grid_of(&fields.grid, snapshot))
+            .map_err(|reason| VtuError::Grid { path: path.clone(), reason })?;
+        replace_file(&path, &text, durability)?;
         let time = record.step as f64 + snapshot.position as f64 / positions as f64;
         Ok(FieldFile { name: format!("{FIELDS_FOLDER}/{file}"), time })
     };
@@ -70,7 +71,8 @@ pub(crate) fn write_collection(
 ) -> Result<(), OutputError> {
     let snapshots: Vec<Snapshot> =
         files.iter().map(|file| Snapshot { time: file.time, file: file.name.clone() }).collect();
-    Ok(write_pvd_durably(path, &snapshots, durability)?)
+    let text = pvd_text(&snapshots).map_err(|reason| VtuError::Grid { path: path.to_path_buf(), reason })?;
+    replace_file(path, text.as_bytes(), durability)
 }
 
 /// Elements, pieces of elements, faces.

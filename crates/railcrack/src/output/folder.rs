@@ -17,7 +17,7 @@ pub(crate) const SUMMARY_FILE: &str = "summary.json";
 
 /// Files of a run beside `case.toml`, in the order in which a replaced run is removed: without its checkpoint a run
 /// is one that has not begun.
-const RUN_FILES: [&str; 15] = [
+const RUN_FILES: [&str; 17] = [
     CHECKPOINT_FILE,
     SIF_FILE,
     GROWTH_FILE,
@@ -33,7 +33,12 @@ const RUN_FILES: [&str; 15] = [
     FIELDS_FILE,
     "inputs/residual-stress.csv",
     "inputs/initial-residual.csv",
+    "inputs/plastic-stress.vtu",
+    "inputs/plastic-stress.csv",
 ];
+
+/// Folder of the stabilised plastic state that a run computed first.
+pub const ROLLED_FOLDER: &str = "shakedown";
 
 /// Folder of the files that `case.toml` names.
 const INPUTS_FOLDER: &str = "inputs";
@@ -113,6 +118,7 @@ pub(crate) fn begin(folder: &Path, case: &CaseFiles, existing: Existing) -> Resu
     replace_file(&folder.join(CASE_FILE), case.toml.as_bytes(), Durability::Synced)?;
     if existing == Existing::Replace {
         clear_results(folder)?;
+        clear_rolled(&folder.join(ROLLED_FOLDER))?;
     }
     write_companions(folder, case)
 }
@@ -151,6 +157,17 @@ fn clear_results(folder: &Path) -> Result<(), OutputError> {
         // Refused where the user keeps files of his own in it, or where it does not exist: both are fine.
         let _ = fs::remove_dir(emptied);
     }
+    Ok(())
+}
+
+/// Removes the stage that computed the plastic state, unless the user has a run of his own there.
+fn clear_rolled(folder: &Path) -> Result<(), OutputError> {
+    if !folder.join(CASE_FILE).exists() {
+        return Ok(());
+    }
+    clear_results(folder)?;
+    remove(&folder.join(CASE_FILE))?;
+    let _ = fs::remove_dir(folder);
     Ok(())
 }
 

@@ -14,10 +14,10 @@ mod memory;
 mod plot;
 mod recorder;
 mod report;
+mod residual;
 mod shakedown;
 mod story;
 mod summary;
-pub mod vtu;
 
 pub use compare::{
     COMPARE_COLUMNS, COMPARE_POSITIONS_COLUMNS, CaseDifference, Comparison, Parting, RunLabel, SifDifference,
@@ -26,10 +26,12 @@ pub use compare::{
 pub use csv::{FACES_COLUMNS, GROWTH_COLUMNS, RESIDUAL_COLUMNS, ResidualRow, SIF_COLUMNS};
 pub use error::OutputError;
 pub use figures::rebuild_plots;
-pub use folder::{CaseFiles, Existing};
+pub use folder::{CaseFiles, Existing, ROLLED_FOLDER};
 pub use recorder::{Recorder, RunInfo};
+pub use residual::{ProjectionSummary, ReleaseSummary, ResidualSummary, RolledSummary};
 pub use shakedown::{
-    Extent, PASSES_COLUMNS, PROFILE_COLUMNS, ShakedownRecorder, ShakedownResults, ShakedownSummary,
+    Extent, PASSES_COLUMNS, PLASTIC_FILE, PROFILE_COLUMNS, SHAKEDOWN_FILE, ShakedownRecorder,
+    ShakedownResults, ShakedownSummary,
 };
 pub use summary::{CrackSummary, JunctionSummary, PhaseSeconds, PieceSummary, Summary, TipSummary};
 

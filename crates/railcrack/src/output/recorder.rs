@@ -8,6 +8,7 @@ use super::csv::{
 use super::fields::{self, FIELDS_FILE};
 use super::folder::{self, CASE_FILE, CaseFiles, Durability, SUMMARY_FILE};
 use super::memory::peak_memory_mb;
+use super::residual::ResidualSummary;
 use super::story::Story;
 use super::summary::{Summary, finite_summary};
 use super::{Existing, OutputError, ResidualRow, VERSION, rebuild_plots};
@@ -127,8 +128,9 @@ impl Recorder {
         &self.folder
     }
 
-    /// Writes `residual.csv`: the residual stress that the crack mesh carries.
-    pub fn residual(&self, profile: &[ResidualRow]) -> Result<(), OutputError> {
+    /// Writes `residual.csv`, the residual stress that the crack mesh carries, and keeps what the summary says of it.
+    pub fn residual(&mut self, profile: &[ResidualRow], summary: ResidualSummary) -> Result<(), OutputError> {
+        self.story.residual = Some(summary);
         let table = residual_table(profile)?;
         folder::replace_file(&self.folder.join(RESIDUAL_FILE), &table, Durability::Cached)
     }

@@ -1,6 +1,7 @@
 //! What a run remembers of its finished steps beyond the tables.
 
 use super::fields::FieldFile;
+use super::residual::ResidualSummary;
 use crate::crack::{Crack, Junction};
 use crate::growth::{PhaseTimes, Piece, RunStop, SolverCounts, StepRecord, TipRecord, Warning};
 use serde::{Deserialize, Serialize};
@@ -31,6 +32,8 @@ pub(crate) struct Story {
     /// Pieces of the rail that were enclosed.
     pub pieces: Vec<Piece>,
     pub warnings: Vec<Warning>,
+    /// The residual stress of the rail.
+    pub residual: Option<ResidualSummary>,
     /// The field files.
     pub fields: Vec<FieldFile>,
     /// Wall time of the finished steps, resumptions counted, seconds.

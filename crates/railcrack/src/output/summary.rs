@@ -2,6 +2,7 @@
 
 use super::VERSION;
 use super::recorder::RunInfo;
+use super::residual::ResidualSummary;
 use super::story::Story;
 use crate::crack::{CrackEnd, End, Junction};
 use crate::growth::{Piece, StepRecord, Warning};
@@ -10,6 +11,8 @@ use serde::{Deserialize, Serialize};
 /// Wall time by phase, of the run and its resumptions, seconds.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct PhaseSeconds {
+    /// The residual stress: the plastic state of the rolled rail where it is wanted, projection and balance.
+    pub residual: f64,
     /// The cracked body.
     pub body: f64,
     /// Loads on the faces and contact.
@@ -129,6 +132,8 @@ pub struct Summary {
     pub passages: usize,
     /// The same for each step.
     pub passages_per_step: Vec<usize>,
+    /// The residual stress of the rail; null where it carries none.
+    pub residual_stress: Option<ResidualSummary>,
     /// Warnings, in order.
     pub warnings: Vec<Warning>,
     /// Tips in the last finished step.
@@ -168,6 +173,7 @@ impl Summary {
             million_gross_tonnes: info.axle_load.map(|tonnes| load_cycles * tonnes / 1e6),
             wall_s: story.wall_s,
             phases_s: PhaseSeconds {
+                residual: story.residual.as_ref().map_or(0.0, |residual| residual.wall_s),
                 body: seconds(|step| step.times.body_s),
                 contact: seconds(|step| step.times.contact_s),
                 growth: seconds(|step| step.times.growth_s),
@@ -183,7 +189,14 @@ impl Summary {
             complementarity_max: steps.iter().map(|step| step.counts.complementarity_max).fold(0.0, f64::max),
             passages: most(|step| step.counts.passages),
             passages_per_step: steps.iter().map(|step| step.counts.passages).collect(),
-            warnings: info.warnings.iter().chain(&story.warnings).cloned().collect(),
+            residual_stress: story.residual.clone(),
+            warnings: info
+                .warnings
+                .iter()
+                .cloned()
+                .chain(of_residual(story))
+                .chain(story.warnings.clone())
+                .collect(),
             tips: last.map_or_else(Vec::new, |step| step.tips.iter().map(tip_summary).collect()),
             cracks: (story.initial_cracks.iter().zip(&story.cracks))
                 .map(|(initial, now)| CrackSummary {
@@ -215,6 +228,12 @@ fn piece_summary(piece: &Piece) -> PieceSummary {
         area_mm2: piece.area,
         outline_mm: piece.outline.iter().map(|point| [point.x, point.y]).collect(),
     }
+}
+
+/// Notes on the residual stress, as warnings before the first step.
+fn of_residual(story: &Story) -> impl Iterator<Item = Warning> {
+    let notes = story.residual.iter().flat_map(|residual| &residual.notes);
+    notes.map(|text| Warning { step: 0, kind: "residual-stress".into(), text: text.clone() })
 }
 
 fn tip_summary(tip: &crate::growth::TipRecord) -> TipSummary {

@@ -2,7 +2,7 @@
 
 use super::body::{Discretisation, XfemBody, XfemError, XfemSettings};
 use super::columns::ColumnStore;
-use super::window::{MeshSettings, Outline, Window};
+use super::window::{Layers, MeshSettings, Outline, Window};
 use crate::body::{BodyEngine, BodyError, CrackedBody};
 use crate::bulk::{BlockCorrection, BottomSupport, Boundary, BulkRail, SideSupport};
 use crate::crack::CrackNetwork;
@@ -113,6 +113,12 @@ impl XfemEngine {
             columns: ColumnStore::default(),
             correction: None,
         }
+    }
+
+    /// This engine with a mesh that also resolves `layers`: before it has made one.
+    pub fn resolving(self, layers: Layers) -> Self {
+        let window = self.initial.resolving(layers);
+        Self { initial: window.clone(), window, ..self }
     }
 
     /// How large the system of `network` is, without factoring it.

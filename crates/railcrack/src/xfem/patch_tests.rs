@@ -17,7 +17,7 @@ use crate::math::{Matrix, Stress, Vec2, gauss_legendre};
 use crate::mesh::{Edge, QuadMesh};
 use crate::xfem::XfemBody;
 
-fn steel() -> IsotropicElastic {
+pub(super) fn steel() -> IsotropicElastic {
     IsotropicElastic::new(210e3, 0.3).unwrap()
 }
 
@@ -32,16 +32,16 @@ fn patch() -> (QuadMesh, CrackNetwork) {
 }
 
 /// All unknowns of the patch: those of the mesh (2 node + axis), then the enriched ones.
-struct Dense {
-    mesh: QuadMesh,
-    parts: Discretisation,
+pub(super) struct Dense {
+    pub mesh: QuadMesh,
+    pub parts: Discretisation,
     elasticity: Elasticity,
-    matrix: Matrix,
-    standard: usize,
+    pub matrix: Matrix,
+    pub standard: usize,
 }
 
 impl Dense {
-    fn new(mesh: &QuadMesh, network: &CrackNetwork) -> Self {
+    pub fn new(mesh: &QuadMesh, network: &CrackNetwork) -> Self {
         let parts = Discretisation::new(mesh, network, &XfemSettings::default()).unwrap();
         let elasticity = Elasticity::new(steel());
         let border = Border::new(&parts.cuts, &parts.space, &elasticity);
@@ -87,7 +87,7 @@ impl Dense {
     }
 
     /// K of displacements without tractions on the faces.
-    fn sifs(&self, u: &[f64]) -> [f64; 2] {
+    pub fn sifs(&self, u: &[f64]) -> [f64; 2] {
         self.functionals().map(|functional| {
             let standard: f64 = functional.standard.iter().map(|&(i, v)| v * u[i]).sum();
             standard + functional.enriched.iter().map(|&(i, v)| v * u[self.standard + i]).sum::<f64>()
@@ -95,7 +95,7 @@ impl Dense {
     }
 
     /// The solution under `forces` with the `held` unknowns at zero.
-    fn solve(&self, forces: &[f64], held: impl Fn(usize) -> bool) -> Vec<f64> {
+    pub fn solve(&self, forces: &[f64], held: impl Fn(usize) -> bool) -> Vec<f64> {
         let n = forces.len();
         // Functions without stiffness, and those that the others repeat, get no say.
         let scale: Vec<f64> =

@@ -62,6 +62,15 @@ pub struct Outline {
     pub depth: f64,
 }
 
+/// Layers of the rail that elements shall resolve along its whole length: those with plastic stress.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Layers {
+    /// Depth of the lowest, mm.
+    pub depth: f64,
+    /// Height of the elements down to there, at most, mm.
+    pub height: f64,
+}
+
 /// The fine part of the mesh: where the cracks are and where they are expected to go. Elements grow in it with the distance
 /// from the cracks at the beginning, as cracks that reach there have grown longer.
 #[derive(Debug, Clone, PartialEq)]
@@ -76,6 +85,7 @@ pub struct Window {
     /// Box of the cracks at the beginning, mm.
     cracks: (Vec2, Vec2),
     mouths: Vec<f64>,
+    layers: Option<Layers>,
 }
 
 /// Element at a mouth, over the shortest crack: the edge of the wheel contact passes over the mouth, and the stress on the
@@ -118,7 +128,13 @@ impl Window {
             length,
             cracks,
             mouths,
+            layers: None,
         }
+    }
+
+    /// This window with elements that also resolve `layers`.
+    pub fn resolving(self, layers: Layers) -> Self {
+        Self { layers: Some(layers), ..self }
     }
 
     /// This window made larger, by half its size on every side.
@@ -182,7 +198,9 @@ impl Window {
         let inside = y.clamp(self.lower.y, self.upper.y);
         let outside = (y - inside).abs();
         let fine = self.size_at(distance(inside, self.cracks.0.y, self.cracks.1.y)) + OUTER_GRADING * outside;
-        if self.mouths.is_empty() { fine } else { fine.min(self.mouth_size(-y)) }
+        let fine = if self.mouths.is_empty() { fine } else { fine.min(self.mouth_size(-y)) };
+        self.layers
+            .map_or(fine, |layers| fine.min(layers.height + OUTER_GRADING * (-y - layers.depth).max(0.0)))
     }
 
     fn size_at(&self, from_cracks: f64) -> f64 {
@@ -208,6 +226,7 @@ impl Window {
             origins.extend(&self.mouths);
         } else {
             origins.push(0.0);
+            origins.extend(self.layers.map(|layers| -layers.depth));
         }
         let mut breaks = origins.clone();
         for origin in origins {

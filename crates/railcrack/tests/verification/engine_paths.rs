@@ -26,7 +26,7 @@ impl Rolled {
         );
         let overrides = Overrides { engine: Some(engine.into()), ..Overrides::default() };
         let case = Case::parse_with(&text, "case.toml", Path::new(""), &overrides).unwrap();
-        let mut run = case.growth_run(None);
+        let mut run = case.prepare(None).unwrap().growth(None);
         let mut path = Vec::new();
         while let Some(step) = run.next_step(&Unwatched).unwrap() {
             path.push(Vec2::new(step.tips[0].x, step.tips[0].y));

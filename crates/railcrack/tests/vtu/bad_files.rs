@@ -1,7 +1,7 @@
 //! Files that are wrong: an error that names the file, the part and what is wrong with it, and no panic.
 
 use super::{grid_of_every_shape, scratch};
-use railcrack::output::vtu::{read_vtu, write_vtu};
+use railcrack::vtu::{read_vtu, write_vtu};
 use std::path::Path;
 
 /// A triangle with decimal numbers.

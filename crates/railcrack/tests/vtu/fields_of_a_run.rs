@@ -37,7 +37,7 @@ fn meshio_reads_the_fields_of_a_run() {
     };
     let files = CaseFiles { toml: case.to_toml(), companions: Vec::new() };
     let mut recorder = Recorder::start(&folder, files, info, Existing::Refuse).unwrap();
-    let mut growth = case.growth_run(None);
+    let mut growth = case.prepare(None).unwrap().growth(None);
     let record = growth.next_step(&Unwatched).unwrap().unwrap();
     recorder.record(&record, growth.state()).unwrap();
 

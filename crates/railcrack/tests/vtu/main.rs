@@ -6,7 +6,7 @@ mod other_programs;
 mod round_trip;
 
 use railcrack::math::{Stress, Vec2};
-use railcrack::output::vtu::{Array, CellBlock, CellShape, UnstructuredGrid};
+use railcrack::vtu::{Array, CellBlock, CellShape, UnstructuredGrid};
 use std::path::{Path, PathBuf};
 
 /// Every shape once, twice where a block of several cells could go wrong, with data that tells entries and components

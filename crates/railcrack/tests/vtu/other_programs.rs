@@ -1,7 +1,7 @@
 //! Files of VTK and meshio read by us, and ours read by meshio.
 
 use super::{grid_of_every_shape, scratch};
-use railcrack::output::vtu::{Array, CellShape, UnstructuredGrid, read_vtu, write_vtu};
+use railcrack::vtu::{Array, CellShape, UnstructuredGrid, read_vtu, write_vtu};
 use serde_json::{Value, json};
 use std::ops::Range;
 use std::path::{Path, PathBuf};

@@ -2,7 +2,7 @@
 
 use super::{grid_of_every_shape, scratch};
 use railcrack::math::{Stress, Vec2};
-use railcrack::output::vtu::{
+use railcrack::vtu::{
     Array, CellBlock, CellShape, GridError, Snapshot, UnstructuredGrid, VtuError, read_vtu, write_pvd,
     write_vtu,
 };

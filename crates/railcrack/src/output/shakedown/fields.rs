@@ -2,8 +2,8 @@
 
 use super::ShakedownResults;
 use crate::math::{Stress, Vec2};
-use crate::output::vtu::{Array, CellBlock, CellShape, UnstructuredGrid};
 use crate::shakedown::PlasticStrain;
+use crate::vtu::{Array, CellBlock, CellShape, UnstructuredGrid};
 
 /// Half-widths on each side of the contact in `cycle.vtu`.
 const AROUND: f64 = 4.0;

@@ -11,6 +11,8 @@ pub use tables::{PASSES_COLUMNS, PROFILE_COLUMNS};
 
 pub(crate) const PASSES_FILE: &str = "passes.csv";
 pub(crate) const PROFILE_FILE: &str = "profile.csv";
-pub(crate) const SHAKEDOWN_FILE: &str = "shakedown.json";
-pub(crate) const PLASTIC_FILE: &str = "plastic.vtu";
+/// The state in numbers.
+pub const SHAKEDOWN_FILE: &str = "shakedown.json";
+/// The plastic stress that rolling has left, as a field of the rail.
+pub const PLASTIC_FILE: &str = "plastic.vtu";
 pub(crate) const CYCLE_FILE: &str = "cycle.vtu";

@@ -6,9 +6,9 @@ use crate::fatigue::{DangVan, Initiation};
 use crate::output::csv::CsvFile;
 use crate::output::figures::{PLOTS_FOLDER, shakedown_plots};
 use crate::output::folder::{self, CaseFiles, Durability, Existing};
-use crate::output::vtu::{VtuError, write_vtu};
 use crate::output::{OutputError, report};
 use crate::shakedown::{DepthBounds, MapPoint, PassRecord, RolledRail, StabilisedRail};
+use crate::vtu::{VtuError, write_vtu};
 use std::path::{Path, PathBuf};
 
 /// Everything that the folder shows.

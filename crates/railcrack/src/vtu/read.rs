@@ -21,7 +21,14 @@ pub fn read_vtu(path: &Path) -> Result<UnstructuredGrid, VtuError> {
         path: path.to_path_buf(),
         reason,
     })?;
-    grid_of(&bytes).map_err(|fault| fault.of(path))
+    read_vtu_bytes(&bytes, path)
+}
+
+/// [`read_vtu`] of what stands in a file; `path` is what messages call it.
+///
+/// Errors: those of [`read_vtu`] but the system's.
+pub fn read_vtu_bytes(bytes: &[u8], path: &Path) -> Result<UnstructuredGrid, VtuError> {
+    grid_of(bytes).map_err(|fault| fault.of(path))
 }
 
 /// What stands in `<AppendedData>`, from its first byte on.

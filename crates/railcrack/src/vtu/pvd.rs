@@ -2,7 +2,6 @@
 
 use super::write::{escaped, put};
 use super::{GridError, VtuError};
-use crate::output::folder::Durability;
 use std::path::Path;
 
 /// A grid of a collection.
@@ -14,22 +13,20 @@ pub struct Snapshot {
     pub file: String,
 }
 
-/// Writes the collection of `snapshots` to the file `path`, in their order.
+/// Writes the collection of `snapshots` to the file `path` as [`pvd_text`].
 ///
 /// Errors: a time that is not finite; the system refuses.
 pub fn write_pvd(path: &Path, snapshots: &[Snapshot]) -> Result<(), VtuError> {
-    write_pvd_durably(path, snapshots, Durability::Cached)
+    let text = pvd_text(snapshots).map_err(|reason| VtuError::Grid { path: path.to_path_buf(), reason })?;
+    put(path, text.as_bytes())
 }
 
-/// [`write_pvd`] as durable as asked for.
-pub(in crate::output) fn write_pvd_durably(
-    path: &Path,
-    snapshots: &[Snapshot],
-    durability: Durability,
-) -> Result<(), VtuError> {
+/// The file of the collection of `snapshots`, in their order.
+///
+/// Errors: a time that is not finite.
+pub fn pvd_text(snapshots: &[Snapshot]) -> Result<String, GridError> {
     if let Some(entry) = snapshots.iter().position(|snapshot| !snapshot.time.is_finite()) {
-        let reason = GridError::NotFinite { name: "time".to_owned(), entry, value: snapshots[entry].time };
-        return Err(VtuError::Grid { path: path.to_path_buf(), reason });
+        return Err(GridError::NotFinite { name: "time".to_owned(), entry, value: snapshots[entry].time });
     }
     let mut text = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
     text.push_str(
@@ -40,5 +37,5 @@ pub(in crate::output) fn write_pvd_durably(
         text.push_str(&format!("<DataSet timestep=\"{time}\" part=\"0\" file=\"{file}\"/>\n"));
     }
     text.push_str("</Collection>\n</VTKFile>\n");
-    put(path, text.as_bytes(), durability)
+    Ok(text)
 }

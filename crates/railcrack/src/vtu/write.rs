@@ -3,40 +3,31 @@
 use super::array::SYMMETRIC_TENSOR;
 use super::base64;
 use super::{Array, CellShape, GridError, UnstructuredGrid, VtuError};
-use crate::output::OutputError;
-use crate::output::folder::{Durability, replace_file};
+use std::fs;
 use std::path::Path;
 
-/// Writes `grid` to the file `path`: numbers in base64, little endian, with headers of 64 bits, not compressed. The points
-/// get z = 0. The file is written beside and moved into place.
+/// Writes `grid` to the file `path` as [`vtu_text`]. The file is written beside and moved into place.
 ///
 /// Errors: the parts of the grid do not fit together; a number that is not finite; the system refuses.
 pub fn write_vtu(path: &Path, grid: &UnstructuredGrid) -> Result<(), VtuError> {
-    write_vtu_durably(path, grid, Durability::Cached)
-}
-
-/// [`write_vtu`] as durable as asked for.
-pub(in crate::output) fn write_vtu_durably(
-    path: &Path,
-    grid: &UnstructuredGrid,
-    durability: Durability,
-) -> Result<(), VtuError> {
     let text = vtu_text(grid).map_err(|reason| VtuError::Grid { path: path.to_path_buf(), reason })?;
-    put(path, &text, durability)
+    put(path, &text)
 }
 
 /// Puts a file in its place.
-pub(super) fn put(path: &Path, text: &[u8], durability: Durability) -> Result<(), VtuError> {
-    replace_file(path, text, durability).map_err(|error| match error {
-        OutputError::Io { action, path, reason } => VtuError::Io { action, path, reason },
-        other => {
-            let (part, reason) = ("the file".to_owned(), other.to_string());
-            VtuError::Malformed { path: path.to_path_buf(), part, reason }
-        }
-    })
+pub(super) fn put(path: &Path, text: &[u8]) -> Result<(), VtuError> {
+    let mut name = path.as_os_str().to_owned();
+    name.push(".partial");
+    let refused = |reason| VtuError::Io { action: "write", path: path.to_path_buf(), reason };
+    fs::write(&name, text).map_err(refused)?;
+    fs::rename(&name, path).map_err(refused)
 }
 
-fn vtu_text(grid: &UnstructuredGrid) -> Result<Vec<u8>, GridError> {
+/// The file of `grid`: numbers in base64, little endian, with headers of 64 bits, not compressed. The points get z = 0. It is
+/// ASCII but for the names of arrays.
+///
+/// Errors: the parts of the grid do not fit together; a number that is not finite.
+pub fn vtu_text(grid: &UnstructuredGrid) -> Result<Vec<u8>, GridError> {
     grid.check()?;
     for array in grid.point_data.iter().chain(&grid.cell_data) {
         array.finite()?;

@@ -1,0 +1,202 @@
+//! A mesh from anywhere: plane cells, and which of them holds a point.
+
+use super::error::PlasticFieldError;
+use super::shape::{PlaneShape, Shapes};
+use crate::math::Vec2;
+
+/// One cell.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct PlaneCell {
+    pub shape: PlaneShape,
+    pub nodes: Vec<usize>,
+}
+
+/// Plane cells, unstructured.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct CellMesh {
+    pub points: Vec<Vec2>,
+    pub cells: Vec<PlaneCell>,
+    buckets: Buckets,
+}
+
+/// Squares of the plane and the cells that reach into each.
+#[derive(Debug, Clone, PartialEq)]
+struct Buckets {
+    lower: Vec2,
+    upper: Vec2,
+    columns: usize,
+    rows: usize,
+    /// `cells[row * columns + column]`, increasing.
+    cells: Vec<Vec<usize>>,
+}
+
+/// Reference coordinates this far outside still count as in the cell: gaps between cells that their writer rounded.
+const INSIDE: f64 = 1e-6;
+/// Newton steps to the reference coordinates; straight cells need three.
+const NEWTON_STEPS: usize = 20;
+
+impl CellMesh {
+    /// Cells of `points`; nodes must be numbers of points.
+    ///
+    /// Errors: no cell; a cell that is folded or has no area.
+    pub fn new(points: Vec<Vec2>, cells: Vec<PlaneCell>) -> Result<Self, PlasticFieldError> {
+        if cells.is_empty() {
+            return Err(PlasticFieldError::NoCells);
+        }
+        let buckets = Buckets::new(&points, &cells);
+        let mesh = Self { points, cells, buckets };
+        for (index, cell) in mesh.cells.iter().enumerate() {
+            let turns: Vec<f64> =
+                cell.shape.rule().iter().map(|(at, _)| mesh.jacobian(index, *at).determinant()).collect();
+            let one_sign = turns.iter().all(|t| *t > 0.0) || turns.iter().all(|t| *t < 0.0);
+            if !one_sign {
+                let at = mesh.points[cell.nodes[0]];
+                return Err(PlasticFieldError::Folded { cell: index, x: at.x, y: at.y });
+            }
+        }
+        Ok(mesh)
+    }
+
+    /// Smallest and largest coordinates.
+    pub fn extent(&self) -> (Vec2, Vec2) {
+        (self.buckets.lower, self.buckets.upper)
+    }
+
+    /// The cell that holds `point` and the shape functions there; none outside.
+    pub fn locate(&self, point: Vec2) -> Option<(usize, Shapes)> {
+        self.buckets.near(point).iter().find_map(|&cell| {
+            let at = self.reference(cell, point)?;
+            Some((cell, self.cells[cell].shape.functions(at)))
+        })
+    }
+
+    /// Integration points of a cell, mm: the shape functions there and the weight, mm².
+    pub fn quadrature(&self, cell: usize) -> impl Iterator<Item = (Shapes, f64)> {
+        let shape = self.cells[cell].shape;
+        shape.rule().into_iter().map(move |(at, weight)| {
+            (shape.functions(at), weight * self.jacobian(cell, at).determinant().abs())
+        })
+    }
+
+    /// The centroid of a cell, mm: where linear fields have their mean.
+    pub fn centroid(&self, cell: usize) -> Vec2 {
+        let nodes = &self.cells[cell].nodes;
+        let (mut sum, mut area) = (Vec2::default(), 0.0);
+        for (shapes, weight) in self.quadrature(cell) {
+            sum = nodes
+                .iter()
+                .zip(shapes)
+                .fold(sum, |sum, (&node, n)| sum + self.points[node] * (n[0] * weight));
+            area += weight;
+        }
+        sum * (1.0 / area)
+    }
+
+    fn position(&self, cell: usize, at: Vec2) -> Vec2 {
+        let PlaneCell { shape, nodes } = &self.cells[cell];
+        let shapes = shape.functions(at);
+        nodes.iter().zip(shapes).fold(Vec2::default(), |sum, (&node, n)| sum + self.points[node] * n[0])
+    }
+
+    fn jacobian(&self, cell: usize, at: Vec2) -> Jacobian {
+        let PlaneCell { shape, nodes } = &self.cells[cell];
+        let shapes = shape.functions(at);
+        let slope = |axis: usize| {
+            nodes
+                .iter()
+                .zip(shapes)
+                .fold(Vec2::default(), |sum, (&node, n)| sum + self.points[node] * n[axis])
+        };
+        Jacobian { along_xi: slope(1), along_eta: slope(2) }
+    }
+
+    /// Reference coordinates of `point` in `cell`; none where it lies outside.
+    fn reference(&self, cell: usize, point: Vec2) -> Option<Vec2> {
+        let shape = self.cells[cell].shape;
+        let mut at = shape.centre();
+        for _ in 0..NEWTON_STEPS {
+            let step = self.jacobian(cell, at).solve(point - self.position(cell, at))?;
+            at = at + step;
+            if step.x.abs().max(step.y.abs()) < 1e-12 {
+                break;
+            }
+            // Far outside the map may fold back into the cell.
+            if at.x.abs().max(at.y.abs()) > 10.0 {
+                return None;
+            }
+        }
+        let inside = if shape.is_triangle() {
+            at.x.min(at.y) >= -INSIDE && at.x + at.y <= 1.0 + INSIDE
+        } else {
+            at.x.abs().max(at.y.abs()) <= 1.0 + INSIDE
+        };
+        inside.then_some(at)
+    }
+}
+
+/// ∂(x, y)/∂(ξ, η).
+struct Jacobian {
+    along_xi: Vec2,
+    along_eta: Vec2,
+}
+
+impl Jacobian {
+    fn determinant(&self) -> f64 {
+        self.along_xi.x * self.along_eta.y - self.along_xi.y * self.along_eta.x
+    }
+
+    /// The step in (ξ, η) that moves by `step`.
+    fn solve(&self, step: Vec2) -> Option<Vec2> {
+        let determinant = self.determinant();
+        let scaled = Vec2::new(
+            (step.x * self.along_eta.y - step.y * self.along_eta.x) / determinant,
+            (step.y * self.along_xi.x - step.x * self.along_xi.y) / determinant,
+        );
+        (scaled.x.is_finite() && scaled.y.is_finite()).then_some(scaled)
+    }
+}
+
+impl Buckets {
+    fn new(points: &[Vec2], cells: &[PlaneCell]) -> Self {
+        let used = || cells.iter().flat_map(|cell| cell.nodes.iter().map(|&node| points[node]));
+        let (lower, upper) = bounds(used());
+        // About one cell per bucket, in squares where the extent allows it.
+        let size = upper - lower;
+        let count = cells.len() as f64;
+        let columns =
+            (count * size.x / size.y.max(f64::MIN_POSITIVE)).sqrt().clamp(1.0, count).ceil() as usize;
+        let rows = (cells.len() / columns).max(1);
+        let mut buckets = Self { lower, upper, columns, rows, cells: vec![Vec::new(); columns * rows] };
+        for (index, cell) in cells.iter().enumerate() {
+            let (from, to) = bounds(cell.nodes.iter().map(|&node| points[node]));
+            // Curved sides reach beyond their nodes by less than a quarter of the extent.
+            let margin = (to - from) * if cell.nodes.len() > cell.shape.corners() { 0.25 } else { INSIDE };
+            let (first, last) = (buckets.place(from - margin), buckets.place(to + margin));
+            for row in first.1..=last.1 {
+                for column in first.0..=last.0 {
+                    buckets.cells[row * columns + column].push(index);
+                }
+            }
+        }
+        buckets
+    }
+
+    /// Column and row of a point, or of the nearest bucket.
+    fn place(&self, point: Vec2) -> (usize, usize) {
+        let (size, from) = (self.upper - self.lower, point - self.lower);
+        let index = |t: f64, count: usize| ((t * count as f64).max(0.0) as usize).min(count - 1);
+        (index(from.x / size.x, self.columns), index(from.y / size.y, self.rows))
+    }
+
+    fn near(&self, point: Vec2) -> &[usize] {
+        let (column, row) = self.place(point);
+        &self.cells[row * self.columns + column]
+    }
+}
+
+fn bounds(points: impl Iterator<Item = Vec2>) -> (Vec2, Vec2) {
+    let start = (Vec2::new(f64::INFINITY, f64::INFINITY), Vec2::new(f64::NEG_INFINITY, f64::NEG_INFINITY));
+    points.fold(start, |(low, high), p| {
+        (Vec2::new(low.x.min(p.x), low.y.min(p.y)), Vec2::new(high.x.max(p.x), high.y.max(p.y)))
+    })
+}

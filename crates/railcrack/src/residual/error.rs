@@ -1,0 +1,64 @@
+//! What can be wrong with a plastic stress from elsewhere.
+
+use thiserror::Error;
+
+/// A plastic stress that cannot be used.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum PlasticFieldError {
+    /// No array of the right name.
+    #[error(
+        "no array `{wanted}` on points or cells (there: {there}): it holds the plastic stress 2 G eps_p in MPa, 6 components XX, YY, \
+         ZZ, XY, YZ, XZ or the first 4 of them"
+    )]
+    NoArray {
+        /// Its name.
+        wanted: &'static str,
+        /// Arrays that are there.
+        there: String,
+    },
+    /// An array that holds no stress.
+    #[error("{reason}")]
+    Array {
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// No triangle and no quadrilateral.
+    #[error("no triangles and no quadrilaterals: the plastic stress must be given on a mesh")]
+    NoCells,
+    /// A cell that the mesh of a plane field does not have.
+    #[error("cell {cell} (from 0) is {found}: triangles and quadrilaterals are read, straight or quadratic")]
+    Cell {
+        /// Its number, from 0.
+        cell: usize,
+        /// What it is.
+        found: String,
+    },
+    /// A cell that is folded, or has no area.
+    #[error("cell {cell} (from 0) at ({x}, {y}) mm is folded or has no area")]
+    Folded {
+        /// Its number among triangles and quadrilaterals, from 0.
+        cell: usize,
+        /// Abscissa of its first node, mm.
+        x: f64,
+        /// Ordinate of its first node, mm.
+        y: f64,
+    },
+    /// A mesh that the rail does not know.
+    #[error(
+        "the mesh reaches from y = {from} to {to} mm: the rail lies at y <= 0, with its running surface at y = 0"
+    )]
+    NotInRail {
+        /// Smallest ordinate, mm.
+        from: f64,
+        /// Largest ordinate, mm.
+        to: f64,
+    },
+    /// A stress that no steel has.
+    #[error("{largest} MPa: no plastic stress of steel is larger than {limit} MPa")]
+    TooLarge {
+        /// Largest component, MPa.
+        largest: f64,
+        /// What is accepted, MPa.
+        limit: f64,
+    },
+}

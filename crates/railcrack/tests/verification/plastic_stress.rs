@@ -1,0 +1,119 @@
+//! Cracks in a rail with plastic stress, balanced on the mesh of the rail.
+
+use crate::common::{measured, measured_as};
+use railcrack::case::{Case, Overrides};
+use railcrack::growth::{StepRecord, Unwatched};
+use railcrack::math::{Stress, Vec2};
+use railcrack::residual::PlasticField;
+use railcrack::shakedown::stabilise;
+use railcrack::vtu::{Array, CellBlock, CellShape, UnstructuredGrid};
+use std::path::Path;
+
+/// What users are promised of the finite-element engine, over the largest |K|.
+const ENGINES: f64 = 0.01;
+
+/// The layers of Trollé et al. 2014, Fig. 21.
+const LAYERS: &str = "depth_mm,sxx_mpa\n0,25\n0.3,25\n0.8,-110\n2,-110\n3,50\n4.5,50\n6,-50\n14,-50\n20,0\n";
+
+/// The crack of 6 mm at 15° under a wheel, with what `sections` say.
+fn case(engine: &str, pressure: f64, friction: f64, sections: &str) -> Case {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("plastic-layers");
+    std::fs::create_dir_all(&folder).unwrap();
+    std::fs::write(folder.join(format!("{engine}.csv")), LAYERS).unwrap();
+    let text = format!(
+        "[contact]\npeak_pressure_mpa = {pressure:?}\nhalf_width_mm = 6.75\nfriction = {friction:?}\n\
+         [passage]\npositions = 61\n[growth]\nsteps = 0\n\
+         [[crack]]\nmouth_mm = 0.0\nlength_mm = 6.0\nangle_deg = 15.0\nfriction = 0.5\n{}",
+        sections.replace("LAYERS", &format!("{engine}.csv"))
+    );
+    let overrides = Overrides { engine: Some(engine.into()), ..Overrides::default() };
+    Case::parse_with(&text, "case.toml", &folder, &overrides).unwrap()
+}
+
+fn first_step(case: &Case, rolled: Option<&PlasticField>) -> StepRecord {
+    case.prepare(rolled).unwrap().growth(None).next_step(&Unwatched).unwrap().unwrap()
+}
+
+/// The largest difference of the last passages, over the largest |K|.
+fn difference(one: &StepRecord, other: &StepRecord) -> f64 {
+    let last = |record: &StepRecord| record.passages.last().unwrap().sifs[0].clone();
+    let (mut apart, mut peak) = (0.0f64, 0.0f64);
+    for (a, b) in last(one).iter().zip(&last(other)) {
+        apart = apart.max((a.k1 - b.k1).abs()).max((a.k2 - b.k2).abs());
+        peak = peak.max(a.k1.abs()).max(a.k2.abs());
+    }
+    apart / peak
+}
+
+/// Balanced layers in both engines, and the same layers as a plastic stress, which both get balanced on the mesh.
+#[test]
+fn engines_agree() {
+    for (name, sections) in [
+        ("balanced", "[residual_stress]\nprofile = \"LAYERS\"\n"),
+        ("to balance", "[plastic_stress]\nprofile = \"LAYERS\"\n"),
+    ] {
+        let [elements, dislocations] =
+            ["xfem", "dislocation"].map(|engine| first_step(&case(engine, 845.0, 0.025, sections), None));
+        let error = difference(&elements, &dislocations);
+        println!("{name}: {error:.5}");
+        measured(error, ENGINES, "of the largest |K|, at every position; what users are promised");
+        assert!(error < ENGINES, "{name}: {error}");
+    }
+}
+
+/// Layers given as cells by the steady state and balanced by finite elements, against the residual stress of that state itself.
+const ROLLED: f64 = 0.01;
+
+/// The stabilised state of a load that yields: what its plastic stress leaves after projection and balance is its own residual stress.
+#[test]
+fn rolled_rail_balances_to_its_own_residual_stress() {
+    let case = case("dislocation", 1100.0, 0.3, "[plastic_stress]\n");
+    let rail = case.rolled_rail();
+    let state = stabilise(&rail, &case.stabilisation(), |_| ()).unwrap();
+    let depths = state.layers.interfaces();
+    let points = depths.iter().flat_map(|&d| [-200.0, 200.0].map(|x| Vec2::new(x, -d))).collect();
+    let connectivity = (0..depths.len() - 1).flat_map(|i| [2 * i + 2, 2 * i + 3, 2 * i + 1, 2 * i]).collect();
+    let twice = 2.0 * case.steel.shear_modulus();
+    let stresses: Vec<Stress> = state
+        .profile
+        .iter()
+        .map(|layer| Stress {
+            xx: twice * layer.strain.xx,
+            yy: twice * layer.strain.yy,
+            zz: twice * layer.strain.zz,
+            xy: twice * layer.strain.xy,
+        })
+        .collect();
+    let grid = UnstructuredGrid {
+        points,
+        cells: vec![CellBlock { shape: CellShape::Quad, connectivity }],
+        point_data: vec![],
+        cell_data: vec![Array::stresses("plastic_stress_mpa", &stresses)],
+    };
+    let plastic = PlasticField::from_grid(&grid).unwrap();
+    let prepared = case.prepare(Some(&plastic)).unwrap();
+    let carried = prepared.residual();
+    let field = carried.field.as_ref().unwrap();
+    let peak = state.profile.iter().map(|layer| layer.stress.xx.abs()).fold(0.0, f64::max);
+    // Of layers by their thickness.
+    let (mut squares, mut depth) = (0.0, 0.0);
+    for (layer, between) in state.profile.iter().zip(depths.windows(2)) {
+        let thickness = between[1] - between[0];
+        let error = (field.stress(Vec2::new(0.0, -layer.depth)) - layer.stress).xx;
+        squares += thickness * error * error;
+        depth += thickness;
+    }
+    let worst = f64::sqrt(squares / depth);
+    println!("peak {peak:.1} MPa, rms {:.5} of it; {:?}", worst / peak, carried.projection);
+    measured_as(
+        "stress",
+        worst / peak,
+        ROLLED,
+        "rms, of the largest residual stress: cells to nodes, nodes to mesh",
+    );
+    assert!(worst < ROLLED * peak, "{worst} of {peak} MPa");
+    let recovery = carried.projection.unwrap().recovery.unwrap();
+    let loss = (recovery.norm_ratio - 1.0).abs();
+    measured_as("norm", loss, 1e-3, "of the L2 norm of the plastic stress, from cells to nodes");
+    assert!(loss < 1e-3, "{recovery:?}");
+}
