@@ -1,10 +1,11 @@
 //! Tips that meet cracks, each other, themselves and the surface; what they cut off.
 
 use super::*;
-use crate::crack::{CrackEnd, CrackNetwork, End};
+use crate::crack::{CrackEnd, CrackNetwork, End, segment_distance};
 use crate::fatigue::{DirectionCriterion, ParisLaw};
 use crate::growth::PieceKind;
 use proptest::prelude::*;
+use proptest::test_runner::{RngAlgorithm, TestRng, TestRunner};
 
 const RAIL: RailBox = RailBox { width: 300.0, depth: 172.0, centre: 0.0 };
 const SETTINGS: GrowthSettings = GrowthSettings {
@@ -255,12 +256,24 @@ fn any_crack() -> impl Strategy<Value = Crack> {
     )
 }
 
+/// The distance between two cracks, mm.
+fn gap(one: &Crack, other: &Crack) -> f64 {
+    let pairs = one.points().windows(2).flat_map(|p| other.points().windows(2).map(move |q| (p, q)));
+    pairs.map(|(p, q)| segment_distance(p[0], p[1], q[0], q[1])).fold(f64::INFINITY, f64::min)
+}
+
 fn any_network() -> impl Strategy<Value = (Vec<Crack>, Vec<TipDrive>)> {
     let drives = prop::collection::vec((-1.2..1.2f64, 0.2..1.0f64), 6);
     (prop::collection::vec(any_crack(), 2..4), drives).prop_filter_map(
         "cracks that meet",
         |(cracks, drives)| {
             CrackNetwork::new(cracks.clone()).ok()?;
+            // Cracks that are resolved at the start of the step.
+            let near =
+                |(i, one): (usize, &Crack)| cracks[..i].iter().any(|other| gap(one, other) < RESOLUTION);
+            if cracks.iter().enumerate().any(near) {
+                return None;
+            }
             let ends = (0..cracks.len()).flat_map(|c| [(c, End::First, 0), (c, End::Last, 1)]);
             let tips =
                 ends.zip(drives).map(|((c, end, tip), (kink, rate))| drive(c, end, tip, kink, 1e-6 * rate));
@@ -280,20 +293,18 @@ fn mirrored_crack(crack: &Crack) -> Crack {
 /// Increments of a fifth of the length, so that many tips meet something.
 const LARGE: GrowthSettings = GrowthSettings { increment: 0.2, ..SETTINGS };
 
-proptest! {
-    #![proptest_config(ProptestConfig { cases: 2000, failure_persistence: None, rng_algorithm: prop::test_runner::RngAlgorithm::ChaCha, ..ProptestConfig::default() })]
-
-    /// Whatever the cracks, the next ones are a network; its mirror image and another order of the cracks give the same.
-    #[test]
-    fn any_step_makes_a_network_and_knows_neither_order_nor_hand((cracks, tips) in any_network()) {
+/// Whatever the cracks, the next ones are a network; its mirror image and another order of the cracks give the same.
+#[test]
+fn any_step_makes_a_network_and_knows_neither_order_nor_hand() {
+    let config = ProptestConfig { cases: 2000, failure_persistence: None, ..ProptestConfig::default() };
+    let random = TestRng::deterministic_rng(RngAlgorithm::ChaCha);
+    let held = TestRunner::new_with_rng(config, random).run(&any_network(), |(cracks, tips)| {
         let next = advance(&state(&cracks, &tips), &LARGE);
         prop_assert!(CrackNetwork::joined(next.cracks.clone(), next.junctions.clone()).is_ok());
-        let joined = next.junctions.len();
         let mirror: Vec<Crack> = cracks.iter().map(mirrored_crack).collect();
-        let turned: Vec<TipDrive> = tips.iter().map(|tip| TipDrive { kink: tip.kink.map(|k| -k), ..*tip }).collect();
-        let other = advance(&state(&mirror, &turned), &LARGE);
-        prop_assert_eq!(other.junctions.len(), joined);
-        prop_assert_eq!(other.stop, next.stop);
+        let turned = tips.iter().map(|tip| TipDrive { kink: tip.kink.map(|k| -k), ..*tip });
+        let other = advance(&state(&mirror, &turned.collect::<Vec<_>>()), &LARGE);
+        prop_assert_eq!((other.stop, other.junctions.len()), (next.stop, next.junctions.len()));
         for (one, two) in next.cracks.iter().zip(&other.cracks) {
             prop_assert_eq!(one.points().len(), two.points().len());
             for (p, q) in one.points().iter().zip(two.points()) {
@@ -301,13 +312,21 @@ proptest! {
             }
         }
         let reversed: Vec<Crack> = cracks.iter().rev().cloned().collect();
-        let last = cracks.len() - 1;
-        let back: Vec<TipDrive> = tips.chunks(2).rev().flatten()
-            .map(|tip| TipDrive { tip: CrackTip { crack: last - tip.tip.crack, ..tip.tip }, ..*tip }).collect();
-        let other = advance(&state(&reversed, &back), &LARGE);
+        let crack = |tip: CrackTip| cracks.len() - 1 - tip.crack;
+        let back = tips
+            .chunks(2)
+            .rev()
+            .flatten()
+            .map(|tip| TipDrive { tip: CrackTip { crack: crack(tip.tip), ..tip.tip }, ..*tip });
+        let other = advance(&state(&reversed, &back.collect::<Vec<_>>()), &LARGE);
         prop_assert_eq!(other.stop, next.stop);
         for (one, two) in next.cracks.iter().zip(other.cracks.iter().rev()) {
-            prop_assert_eq!(one, two);
+            prop_assert_eq!(one.points().len(), two.points().len());
+            for (p, q) in one.points().iter().zip(two.points()) {
+                prop_assert!((*p - *q).length() < 1e-9, "{:?} {:?}", p, q);
+            }
         }
-    }
+        Ok(())
+    });
+    held.unwrap();
 }

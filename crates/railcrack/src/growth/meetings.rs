@@ -14,6 +14,8 @@ const OWN_FACES_FROM: f64 = 3.0;
 /// A crack is crossed where the increment crosses it within this many resolved lengths of coming close; at a smaller angle than
 /// that allows, the tip turns to the nearest point, and no thin wedge is left.
 const CROSSING_REACH: f64 = 4.0;
+/// Times, and distances over the resolution, that differ by less are equal: round-off of their calculation.
+const SAME: f64 = 1e-9;
 /// Halvings of a fraction of the increment: to round-off.
 const HALVINGS: usize = 60;
 /// Steps of the golden section: to the root of round-off.
@@ -97,11 +99,21 @@ enum Obstacle {
     Tip(usize),
 }
 
-/// The first event ahead of the tips that still grow; of events at the same time the nearest, and faces before tips.
+/// The first event ahead of the tips that still grow; of events at the same time the nearest, and of these one between two tips, so that
+/// neither of them is preferred.
 fn first_event(tips: &[Moving], cracks: &[Crack], resolution: f64) -> Option<Event> {
     let mut first: Option<Event> = None;
+    let is_before = |one: &Event, other: &Event| {
+        if (one.time - other.time).abs() > SAME {
+            return one.time < other.time;
+        }
+        if (one.distance - other.distance).abs() > SAME * resolution {
+            return one.distance < other.distance;
+        }
+        matches!((one.obstacle, other.obstacle), (Obstacle::Tip(_), Obstacle::Faces(_)))
+    };
     let mut offer = |event: Event| {
-        if first.is_none_or(|before| (event.time, event.distance) < (before.time, before.distance)) {
+        if first.as_ref().is_none_or(|before| is_before(&event, before)) {
             first = Some(event);
         }
     };
@@ -172,7 +184,7 @@ fn faces_behind(crack: &Crack, end: End, distance: f64) -> Vec<(Vec2, Vec2)> {
 fn first_within(distance: impl Fn(f64) -> f64, limit: f64) -> Option<f64> {
     let nearest = argmin(&distance, 0.0, 1.0);
     let start = distance(0.0);
-    if !(distance(nearest) < limit && distance(nearest) < start) {
+    if !(distance(nearest) < limit && distance(nearest) < start - SAME * limit) {
         return None;
     }
     if start <= limit {

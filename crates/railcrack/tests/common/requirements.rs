@@ -222,6 +222,57 @@ pub const REQUIREMENTS: &[Requirement] = &[
         "",
         "The error of the load steps stays below their tolerance.",
     ),
+    requirement(
+        "junctions::buried_crack_in_two_pieces",
+        "",
+        "Dislocations: a crack in two joined pieces has the K of one piece, in tension and shear.",
+    ),
+    requirement("junctions::surface_crack_in_two_pieces", "", "Dislocations: so has a surface crack."),
+    requirement(
+        "junctions::surface_crack_in_two_pieces_under_the_wheel",
+        "",
+        "Dislocations: so has a surface crack under the wheel, closed and slipping.",
+    ),
+    requirement(
+        "junctions::branched_cracks",
+        "",
+        "Dislocations: line, cross, star and an unsymmetric branch have the K of an independent computation.",
+    ),
+    requirement(
+        "junctions::junction_loses_and_doubles_no_traction",
+        "",
+        "Dislocations: a junction loses and doubles no traction.",
+    ),
+    requirement(
+        "junctions::closed_branch_is_no_branch",
+        "",
+        "Dislocations: a branch that is pressed together and sticks changes nothing.",
+    ),
+    requirement(
+        "junctions::energy_is_continuous_at_the_junction",
+        "",
+        "Dislocations: the energy is continuous when a tip comes to a free crack and joins it.",
+    ),
+    requirement(
+        "junctions::energy_release_of_a_tip_that_comes_to_a_free_crack",
+        "",
+        "Dislocations: the energy release rate of a tip that comes to a free crack is that of its K.",
+    ),
+    requirement(
+        "junctions::mirrored_junctions",
+        "",
+        "Dislocations: mirrored cracks that meet have the mirrored history.",
+    ),
+    requirement(
+        "junction_run::against_a_finer_mesh",
+        "",
+        "Dislocations: K after a junction under the wheel is that of four times the elements.",
+    ),
+    requirement(
+        "junction_run::area_of_the_spall",
+        "",
+        "Dislocations: the spall of the junction case has the area of the run with twice the elements.",
+    ),
     requirement("mirror::passage", "", "Dislocations: a mirrored case has the mirrored history."),
     requirement(
         "plastic_stress::engines_agree",

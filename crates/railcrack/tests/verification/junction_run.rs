@@ -1,0 +1,85 @@
+//! The case of a surface crack that runs into a buried one, run past the junction and the spall.
+
+use crate::common::{Absolute, Relative, Rolling, close, default_elements, joined_body, largest};
+use railcrack::case::Case;
+use railcrack::contact::{FaceProblem, Newton};
+use railcrack::growth::{GrowthState, PieceKind, StepRecord, TipStop, Unwatched};
+use std::path::PathBuf;
+
+fn case() -> Case {
+    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../cases/junction.toml");
+    Case::read(&path).unwrap()
+}
+
+/// The steps from `state` on until `last`, and the state after each.
+fn steps(case: &Case, state: Option<GrowthState>, last: usize) -> Vec<(StepRecord, GrowthState)> {
+    let mut growth = case.prepare(None).unwrap().growth(state);
+    let mut records = Vec::new();
+    while let Some(record) = growth.next_step(&Unwatched).unwrap() {
+        let step = record.step;
+        records.push((record, growth.state().clone()));
+        if step == last {
+            break;
+        }
+    }
+    records
+}
+
+/// Area with 96 elements along each crack, mm².
+const SPALL: f64 = 5.351;
+
+/// Crack 1 joins in one of the first steps, the two tips of crack 2 go on, the upper one breaks out; and a run that is taken up in
+/// between is the same run.
+#[test]
+fn area_of_the_spall() {
+    let case = case();
+    let records = steps(&case, None, 10);
+    let joins =
+        records.iter().position(|(record, _)| record.tips[0].stop == Some(TipStop::MeetsCrack)).unwrap();
+    let (before, after) = (&records[joins].0, &records[joins + 1].0);
+    assert_eq!([before.tips.len(), after.tips.len(), after.junctions.len()], [3, 2, 1]);
+    assert_eq!(
+        after.cracks[1].vertex_at(after.cracks[0].tip(railcrack::crack::End::Last)),
+        Some(before.cracks[1].points().len() / 2 + 1)
+    );
+    let spalls: Vec<_> = records.iter().flat_map(|(record, _)| &record.pieces).collect();
+    assert_eq!(
+        spalls.iter().map(|piece| (piece.kind, piece.crack)).collect::<Vec<_>>(),
+        [(PieceKind::Spall, 1)]
+    );
+    close(spalls[0].area, SPALL, Relative(2e-3), "paths differ by a hundredth of a millimetre");
+    assert!(records[10].0.tips[1].increment > 0.0, "the lower tip goes on");
+    // Through the bytes of a checkpoint.
+    let stored = postcard::to_stdvec(&records[joins].1).unwrap();
+    let again = steps(&case, Some(postcard::from_bytes(&stored).unwrap()), joins + 2);
+    for (one, two) in again.iter().zip(&records[joins + 1..]) {
+        assert_eq!((&one.0.tips, &one.0.cracks, &one.1), (&two.0.tips, &two.0.cracks, &two.1));
+    }
+    assert_eq!(again.len(), 2);
+}
+
+/// K of both tips after the junction, at every position of the wheel.
+#[test]
+fn against_a_finer_mesh() {
+    let case = case();
+    let records = steps(&case, None, 4);
+    let record = &records[4].0;
+    assert_eq!(record.junctions.len(), 1);
+    let mut rolling = Rolling::over(vec![record.cracks[0].clone()], 0.1, 0.025);
+    // Steps as fine as the mesh is to be judged.
+    rolling.steps.tolerance = 5e-4;
+    let histories = |elements: usize| {
+        let body = joined_body(&record.cracks, &record.junctions, elements);
+        let result = rolling.on(&FaceProblem::new(&body, &[0.1; 2]), &Newton::default());
+        let passage = &result.passages[result.passages.len() - 1];
+        passage.sifs.iter().flatten().flat_map(|k| [k.k1, k.k2]).collect::<Vec<f64>>()
+    };
+    let (k, fine) = (histories(default_elements()), histories(4 * default_elements()));
+    let difference = largest(k.iter().zip(&fine).map(|(a, b)| a - b)) / largest(fine.iter().copied());
+    close(
+        difference,
+        0.0,
+        Absolute(5e-3),
+        "what the engine must have; 3.2e-3, K_I of the upper tip as it closes",
+    );
+}
