@@ -86,10 +86,10 @@ const railcrack = (() => {
     return list;
   }
 
-  /** An axis title in the middle, round ticks; `extent` of the data for a logarithmic axis. */
-  function scale(axis, extent = [1, 10]) {
+  /** An axis title in the middle, round ticks. */
+  function scale(axis) {
     const options = { label: axis.title, labelAnchor: "center", labelArrow: "none", grid: true };
-    if (axis.scale === "log") Object.assign(options, { type: "log", ticks: logarithmic(...extent), tickFormat: short });
+    if (axis.scale === "log") Object.assign(options, { type: "log", grid: false });
     else options.tickFormat = ticks;
     if (axis.range) options.domain = axis.scale === "depth" ? [axis.range[1], axis.range[0]] : axis.range;
     else if (axis.scale === "depth") options.reverse = true;
@@ -109,6 +109,15 @@ const railcrack = (() => {
     const digits = high < 1e4 * low ? [1, 2, 5] : [1];
     const exponents = d3.range(Math.floor(Math.log10(low)), Math.ceil(Math.log10(high)) + 1);
     return exponents.flatMap((exponent) => digits.map((digit) => digit * 10 ** exponent)).filter((tick) => tick >= low && tick <= high);
+  }
+
+  /** Grid and axis of a logarithmic scale over data from `low` to `high`; the usual ones leave out labels by a rule of their own. */
+  function logarithmicAxis(name, title, [low, high]) {
+    const values = logarithmic(low, high);
+    const options = { text: short, label: title, labelAnchor: "center", labelArrow: "none" };
+    return name === "x"
+      ? [Plot.gridX(values), Plot.axisX(values, options)]
+      : [Plot.gridY(values), Plot.axisY(values, options)];
   }
 
   const drawn = [];
@@ -180,8 +189,8 @@ const railcrack = (() => {
         marginLeft: room,
         marginBottom: 44,
         marginTop: 22,
-        x: scale(data.x, d3.extent(all, (point) => point.x)),
-        y: scale(data.y, [low, high]),
+        x: scale(data.x),
+        y: scale(data.y),
         // Points at the ends are not cut off by the frame.
         inset: data.x.range || data.y.range ? 0 : 7,
         aspectRatio: data.equal ? 1 : undefined,
@@ -189,6 +198,7 @@ const railcrack = (() => {
         style: { fontSize: "12px", overflow: "visible" },
         marks: [
           Plot.frame({ stroke: "var(--line)" }),
+          ...["x", "y"].flatMap((name) => (log[name] && all.length ? logarithmicAxis(name, data[name].title, d3.extent(all, (point) => point[name])) : [])),
           ...marks,
           Plot.tip(all, Plot.pointer({ x: "x", y: "y", title, fill: "var(--ground)", fontSize: 12 })),
         ],
