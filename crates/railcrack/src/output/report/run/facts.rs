@@ -207,12 +207,17 @@ fn milestones(ends: &[[f64; 2]]) -> Vec<f64> {
     let last = most[1];
     let mut lengths: Vec<f64> = places
         .into_iter()
-        .map(|i| i as f64 * step)
+        .map(|i| multiple(i, step))
         .filter(|length| (length - last).abs() > 0.2 * step)
         .collect();
     lengths.push(last);
     lengths.sort_by(f64::total_cmp);
     lengths
+}
+
+/// `i` times a round `step`, as people write it: steps below 1 are whole parts of 1, of which the quotient is the nearest number.
+fn multiple(i: i64, step: f64) -> f64 {
+    if step < 1.0 { i as f64 / (1.0 / step).round() } else { i as f64 * step }
 }
 
 /// Load cycles until a crack of these `rows` is `length` long; none where it never is, or was from the beginning.
