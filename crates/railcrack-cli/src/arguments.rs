@@ -1,8 +1,9 @@
 //! What can be written on the command line.
 
 use crate::commands::{
-    check::CheckArguments, compare::CompareArguments, init::InitArguments, run::RunArguments,
-    shakedown::ShakedownArguments,
+    check::CheckArguments, compare::CompareArguments, init::InitArguments, paper::PaperArguments,
+    report::ReportArguments, run::RunArguments, schema::SchemaArguments, shakedown::ShakedownArguments,
+    sweep::SweepArguments,
 };
 use clap::{Parser, Subcommand};
 
@@ -19,7 +20,10 @@ Start:
   railcrack check case.toml    what would be computed
   railcrack run case.toml      compute it
   railcrack compare A B        what differs between two runs
+  railcrack sweep study.toml   many cases: a case file with lists in place of values
+  railcrack report DIR         plots and HTML report again, from the folder alone
   railcrack shakedown case.toml   the stabilised plastic state under the same wheel
+  railcrack paper              the figures and statements of Trolle et al. (2014) recomputed
 ";
 
 /// Predicts the growth of rolling-contact-fatigue cracks in rails.
@@ -40,9 +44,9 @@ pub enum Command {
     Check(CheckArguments),
     Run(RunArguments),
     Compare(CompareArguments),
+    Sweep(SweepArguments),
+    Report(ReportArguments),
     Shakedown(ShakedownArguments),
-    /// Print the JSON Schema of the case file
-    ///
-    /// Editors with a TOML language server use it to complete keys, to show what they mean and to mark errors.
-    Schema,
+    Paper(PaperArguments),
+    Schema(SchemaArguments),
 }

@@ -2,7 +2,7 @@
 
 use crate::exit::Exit;
 use crate::interruption::Interruption;
-use crate::progress::Progress;
+use crate::progress::Tell;
 use railcrack::case::CarriedStressError;
 use railcrack::growth::{Growth, GrowthError, GrowthState, StepRecord, Watch};
 use railcrack::output::{OutputError, Recorder, Summary};
@@ -87,7 +87,11 @@ impl RunError {
                 OutputError::HoldsRun { .. }
                 | OutputError::NoRun { .. }
                 | OutputError::NotARun { .. }
+                | OutputError::NothingToReport { .. }
                 | OutputError::HoldsComparison { .. }
+                | OutputError::HoldsStudy { .. }
+                | OutputError::NoStudy { .. }
+                | OutputError::StudyChanged { .. }
                 | OutputError::CaseChanged { .. }
                 | OutputError::OtherVersion { .. } => Exit::BadInput,
                 OutputError::NotFinite { .. } | OutputError::Field(_) => Exit::NotConverged,
@@ -107,7 +111,7 @@ impl RunError {
 
 /// Lets the computation tell how far it is and learn that it should stop.
 struct Watcher<'a> {
-    progress: &'a Progress,
+    progress: &'a dyn Tell,
     interruption: &'a Interruption,
 }
 
@@ -128,7 +132,7 @@ impl Watch for Watcher<'_> {
 pub fn drive(
     source: &mut impl StepSource,
     recorder: &mut Recorder,
-    progress: &Progress,
+    progress: &dyn Tell,
     interruption: &Interruption,
 ) -> Result<(Ending, Summary), RunError> {
     let watcher = Watcher { progress, interruption };

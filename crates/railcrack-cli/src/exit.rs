@@ -2,6 +2,7 @@
 
 use crate::drive::RunError;
 use railcrack::case::CaseErrors;
+use railcrack::paper::{PaperError, UnknownFigure};
 use std::path::PathBuf;
 use std::process::ExitCode;
 use thiserror::Error;
@@ -49,6 +50,12 @@ pub enum Failure {
     /// A run that failed.
     #[error(transparent)]
     Run(#[from] RunError),
+    /// A figure that the paper does not have.
+    #[error(transparent)]
+    Figure(#[from] UnknownFigure),
+    /// The paper could not be recomputed.
+    #[error(transparent)]
+    Paper(#[from] PaperError),
     /// A file that is already there.
     #[error("{} is already there; --force replaces it", path.display())]
     Exists {
@@ -72,7 +79,15 @@ impl Failure {
     /// The exit code of this failure.
     pub fn exit(&self) -> Exit {
         match self {
-            Self::Case(_) => Exit::BadInput,
+            Self::Case(_) | Self::Figure(_) => Exit::BadInput,
+            Self::Paper(error) => match error {
+                PaperError::Exists { .. } | PaperError::Case(_) => Exit::BadInput,
+                PaperError::Run { .. } | PaperError::Stress { .. } | PaperError::Shakedown(_) => {
+                    Exit::NotConverged
+                }
+                PaperError::Interrupted => Exit::Interrupted,
+                PaperError::Output(_) => Exit::CannotReadOrWrite,
+            },
             Self::Run(error) => error.exit(),
             Self::Exists { .. } | Self::CannotWrite { .. } | Self::Stdout(_) => Exit::CannotReadOrWrite,
         }

@@ -25,6 +25,20 @@ enum Display {
     Quiet,
 }
 
+/// Who is told how far a run is.
+pub trait Tell: Sync {
+    /// The fraction (0 to 1) of the current step that is done.
+    fn fraction(&self, fraction: f64);
+    /// A step is finished and written.
+    fn finished(&self, record: &StepRecord);
+    /// What a stage before the first step is doing.
+    fn stage(&self, text: &str);
+    /// What the reader should know before the first step.
+    fn note(&self, text: &str);
+    /// No step follows.
+    fn close(&self);
+}
+
 /// The progress of one run, told on standard error.
 #[derive(Debug)]
 pub struct Progress {
@@ -45,16 +59,25 @@ impl Progress {
         Self { display, increments, step: AtomicUsize::new(first), begun: Instant::now() }
     }
 
-    /// The fraction (0 to 1) of the current step that is done.
-    pub fn fraction(&self, fraction: f64) {
+    /// A line of text; nobody is left to tell when standard error itself is gone.
+    pub fn say(&self, line: &str) {
+        match &self.display {
+            Display::Bar(bar) => bar.println(line),
+            Display::Lines => drop(writeln!(std::io::stderr().lock(), "{line}")),
+            Display::Quiet => {}
+        }
+    }
+}
+
+impl Tell for Progress {
+    fn fraction(&self, fraction: f64) {
         if let Display::Bar(bar) = &self.display {
             let parts = (fraction.clamp(0.0, 1.0) * PARTS as f64) as u64;
             bar.set_position(self.step.load(Ordering::Relaxed) as u64 * PARTS + parts);
         }
     }
 
-    /// A step is finished and written.
-    pub fn finished(&self, record: &StepRecord) {
+    fn finished(&self, record: &StepRecord) {
         self.step.store(record.step + 1, Ordering::Relaxed);
         for warning in &record.warnings {
             self.say(&format!("warning, step {}, {}: {}", warning.step, warning.kind, warning.text));
@@ -82,25 +105,18 @@ impl Progress {
         }
     }
 
-    /// What a stage before the first step is doing.
-    pub fn stage(&self, text: &str) {
+    fn stage(&self, text: &str) {
         match &self.display {
             Display::Bar(bar) => bar.set_message(text.to_owned()),
             Display::Lines | Display::Quiet => self.say(text),
         }
     }
 
-    /// A line of text; nobody is left to tell when standard error itself is gone.
-    pub fn say(&self, line: &str) {
-        match &self.display {
-            Display::Bar(bar) => bar.println(line),
-            Display::Lines => drop(writeln!(std::io::stderr().lock(), "{line}")),
-            Display::Quiet => {}
-        }
+    fn note(&self, text: &str) {
+        self.say(&format!("note: {text}"));
     }
 
-    /// Takes the bar away.
-    pub fn close(&self) {
+    fn close(&self) {
         if let Display::Bar(bar) = &self.display {
             bar.finish_and_clear();
         }

@@ -27,13 +27,14 @@ interface_elements = 16
 steps = 2
 "#;
 
-const FILES: [&str; 6] = [
+const FILES: [&str; 7] = [
     "compare-paths.svg",
     "compare-positions.csv",
     "compare-sif-first.svg",
     "compare-sif-last.svg",
     "compare.csv",
     "compare.json",
+    "report.html",
 ];
 
 /// A folder with the runs `one` and, with another friction of the crack, `other`.

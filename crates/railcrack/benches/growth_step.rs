@@ -5,7 +5,7 @@
 
 use railcrack::body::BodyEngine;
 use railcrack::bulk::{Boundary, BulkRail};
-use railcrack::contact::{FaceProblem, Newton};
+use railcrack::contact::{FaceProblem, Newton, StepControl};
 use railcrack::crack::{Crack, CrackNetwork, End};
 use railcrack::growth::{PassageSettings, RailLoad, Unwatched, stabilised_passage};
 use railcrack::linear::SparseCholesky;
@@ -62,6 +62,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         max_passages: 5,
         passage_tolerance: 1e-3,
         step_tolerance: 2e-3,
+        step_control: StepControl::Adaptive,
     };
     let load = RailLoad { contact: wheel, poisson: steel.poisson(), residual: None };
     engine.body(&first)?;

@@ -3,7 +3,7 @@
 //! relaxation and extrapolation. `-- steps` prints that of `docs/step-control.md`: error of K against the step tolerance
 //! and against fixed steps.
 
-use railcrack::contact::{ContactSolver, FaceProblem, Latin, Newton};
+use railcrack::contact::{ContactSolver, FaceProblem, Latin, Newton, StepControl};
 use railcrack::crack::{Crack, CrackNetwork, End};
 use railcrack::dislocation::{DislocationBody, FaceResolution};
 use railcrack::growth::{PassageSettings, RailLoad, StabilisedPassage, Unwatched, stabilised_passage};
@@ -138,6 +138,7 @@ fn passage(
         max_passages: 3,
         passage_tolerance: 1e-3,
         step_tolerance,
+        step_control: StepControl::Adaptive,
     };
     let load = RailLoad { contact, poisson: steel.poisson(), residual: None };
     Ok(stabilised_passage(&problem, solver, load, &settings, &Unwatched)?)

@@ -7,7 +7,7 @@
 //! The reference case of Trollé et al. (2014), Table 1, from the wheel to the direction of growth:
 //!
 //! ```
-//! use railcrack::contact::{FaceProblem, Newton};
+//! use railcrack::contact::{FaceProblem, Newton, StepControl};
 //! use railcrack::crack::Crack;
 //! use railcrack::dislocation::{DislocationBody, FaceResolution};
 //! use railcrack::fatigue::{DirectionCriterion, HourlierPineau, ParisLaw, SifRanges};
@@ -27,6 +27,7 @@
 //!     max_passages: 5,
 //!     passage_tolerance: 1e-3,
 //!     step_tolerance: 2e-3,
+//!     step_control: StepControl::Adaptive,
 //! };
 //! let passage = stabilised_passage(&faces, &Newton::default(), load, &settings, &Unwatched)?;
 //! let history = &passage.histories[0]; // of the only tip
@@ -60,6 +61,7 @@ pub mod material;
 pub mod math;
 pub mod mesh;
 pub mod output;
+pub mod paper;
 pub mod residual;
 pub mod shakedown;
 pub mod vtu;

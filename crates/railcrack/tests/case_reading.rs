@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 use railcrack::body::CrackedBody;
-use railcrack::case::{Case, ContactSolver, Engine, Overrides, init_text};
+use railcrack::case::{Case, ContactSolver, Engine, Input, Overrides, init_text};
 use railcrack::dislocation::DislocationBody;
 use railcrack::fatigue::ParisLaw;
 use std::path::{Path, PathBuf};
@@ -69,10 +69,15 @@ fn every_shipped_case_is_good_and_survives_a_run_folder() {
     for entry in std::fs::read_dir(shipped("")).unwrap() {
         let path = entry.unwrap().path();
         if path.extension().is_some_and(|e| e == "toml") {
-            let case = Case::read(&path).unwrap_or_else(|e| panic!("{e}"));
+            let cases: Vec<Case> = match Input::read(&path).unwrap_or_else(|e| panic!("{e}")) {
+                Input::Case(case) => vec![*case],
+                Input::Study(study) => study.runs.into_iter().map(|run| run.case).collect(),
+            };
             let name = path.file_stem().unwrap().to_string_lossy().into_owned();
-            assert_eq!(rewritten(&case, &temporary(&name)), case, "{name}");
-            count += 1;
+            for case in cases {
+                assert_eq!(rewritten(&case, &temporary(&name)), case, "{name}");
+                count += 1;
+            }
         }
     }
     assert!(count >= 6, "{count}");

@@ -1,6 +1,6 @@
-//! The documents: what they link to is there, and the case files that they show are accepted.
+//! The documents: what they link to is there, and the case files and studies that they show are accepted.
 
-use railcrack::case::Case;
+use railcrack::case::Input;
 use std::path::{Path, PathBuf};
 
 fn workspace() -> PathBuf {
@@ -76,7 +76,7 @@ fn every_case_in_the_documents_is_accepted() {
         for (line, block) in blocks(&text, "toml") {
             count += 1;
             // Files that a block names are looked for among the shipped cases.
-            let parsed = Case::parse(&completed(&block), "block", &workspace().join("cases"));
+            let parsed = Input::parse(&completed(&block), "block", &workspace().join("cases"));
             if let Err(errors) = parsed {
                 let errors: Vec<String> = errors.errors().iter().map(|error| error.one_line()).collect();
                 panic!("{}:{line}: {}", document.display(), errors.join("\n"));

@@ -318,6 +318,7 @@ fn the_summary_holds_the_keys_of_the_contract() {
     assert_eq!(summary["steps"], SMALL.increments);
     assert_eq!(summary["contact_iterations_mean"], 3.0);
     assert_eq!(summary["phases_s"]["contact"], 1.25 * (SMALL.increments + 1) as f64);
+    assert_eq!(summary["phases_s"]["body_condensation"], 0.25 * (SMALL.increments + 1) as f64);
     assert_eq!(summary["warnings"][0]["kind"], "near-tie");
     let cycles = summary["load_cycles"].as_f64().unwrap();
     assert_eq!(summary["million_gross_tonnes"].as_f64().unwrap(), cycles * 17.0 / 1e6);

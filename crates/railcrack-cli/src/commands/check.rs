@@ -1,30 +1,35 @@
 //! `railcrack check`.
 
+use super::check_study::study_summary;
 use crate::commands::residual::left_out;
 use crate::exit::{Exit, Failure};
 use crate::print;
 use clap::Args;
-use railcrack::case::{Case, PlasticSource};
+use railcrack::case::{Case, Input, PlasticSource};
+use railcrack::contact::StepControl;
 use railcrack::crack::Crack;
 use railcrack::fatigue::DirectionCriterion;
 use railcrack::shakedown::{DepthBounds, bounds_by_depth, first_yield_ratio, shakedown_limit_ratio};
 use std::path::PathBuf;
 
-/// Validate a case file and say what would be computed
+/// Validate a case or study file and say what would be computed
 ///
 /// Nothing is computed and nothing is written. The exit code is 0 for a valid case and 2 otherwise; every error of
 /// the file is reported at once.
 #[derive(Debug, Args)]
 pub struct CheckArguments {
-    /// The case file
+    /// The case file, or a study
     #[arg(value_name = "CASE")]
     case: PathBuf,
 }
 
-/// Validates the case and prints what would be computed.
+/// Validates the case or study and prints what would be computed.
 pub fn check(arguments: &CheckArguments) -> Result<Exit, Failure> {
-    let case = Case::read(&arguments.case)?;
-    print::stdout(&summary(&case))?;
+    let text = match Input::read(&arguments.case)? {
+        Input::Case(case) => summary(&case),
+        Input::Study(study) => study_summary(&study),
+    };
+    print::stdout(&text)?;
     Ok(Exit::Done)
 }
 
@@ -93,7 +98,15 @@ fn passage(case: &Case) -> Vec<Row> {
             "passages",
             format!("until K repeats to {}, at most {}", settings.passage_tolerance, settings.max_passages),
         ),
-        ("substeps", format!("until K changes by less than {} of its peak", settings.step_tolerance)),
+        (
+            "load steps",
+            match settings.step_control {
+                StepControl::Adaptive => {
+                    format!("substeps until K changes by less than {} of its peak", settings.step_tolerance)
+                }
+                StepControl::Fixed => "one from output position to output position".into(),
+            },
+        ),
     ]
 }
 
@@ -176,6 +189,7 @@ fn growth(case: &Case) -> Vec<Row> {
     let law = &growth.law;
     let direction = match growth.criterion {
         DirectionCriterion::MaxRate => "largest growth rate of the kink",
+        DirectionCriterion::MaxRateUnclipped => "largest growth rate of the kink, negative k1 counted",
         DirectionCriterion::MaxDeltaK1 => "largest range of k1",
         DirectionCriterion::MaxK1 => "largest k1",
     };

@@ -1,12 +1,16 @@
 //! The commands, one file each.
 
 pub mod check;
+mod check_study;
 pub mod compare;
 pub mod init;
+pub mod paper;
+pub mod report;
 pub mod residual;
 pub mod run;
 pub mod schema;
 pub mod shakedown;
+pub mod sweep;
 
 use crate::arguments::Command;
 use crate::exit::{Exit, Failure};
@@ -18,7 +22,10 @@ pub fn dispatch(command: Command) -> Result<Exit, Failure> {
         Command::Check(arguments) => check::check(&arguments),
         Command::Run(arguments) => run::run(&arguments),
         Command::Compare(arguments) => compare::compare(&arguments),
+        Command::Sweep(arguments) => sweep::sweep(&arguments),
+        Command::Report(arguments) => report::report(&arguments),
         Command::Shakedown(arguments) => shakedown::shakedown(&arguments),
-        Command::Schema => schema::schema(),
+        Command::Paper(arguments) => paper::paper(&arguments),
+        Command::Schema(arguments) => schema::schema(&arguments),
     }
 }

@@ -3,11 +3,12 @@
 use super::run::Stage;
 use super::shakedown;
 use crate::drive::RunError;
+use crate::progress::Tell;
 use railcrack::case::{CarriedStress, Case, PlasticSource, PreparedRun, Projection, Release};
 use railcrack::math::Vec2;
 use railcrack::output::{
-    Existing, PLASTIC_FILE, ProjectionSummary, ROLLED_FOLDER, ReleaseSummary, ResidualRow, ResidualSummary,
-    RolledSummary, SHAKEDOWN_FILE, ShakedownSummary,
+    Existing, OutputError, PLASTIC_FILE, ProjectionSummary, ROLLED_FOLDER, Recorder, ReleaseSummary,
+    ResidualRow, ResidualSummary, RolledSummary, SHAKEDOWN_FILE, ShakedownSummary,
 };
 use railcrack::residual::PlasticField;
 use railcrack::shakedown::{RailState, first_yield_ratio};
@@ -24,6 +25,18 @@ pub struct Residual {
     pub summary: ResidualSummary,
 }
 
+impl Residual {
+    /// Writes it, and tells what the reader should know.
+    ///
+    /// Errors: a number that is not finite; the system refuses.
+    pub fn record(self, recorder: &mut Recorder, progress: &dyn Tell) -> Result<(), OutputError> {
+        for note in &self.summary.notes {
+            progress.note(note);
+        }
+        recorder.residual(&self.rows, self.summary)
+    }
+}
+
 /// Computes the plastic state of the rolled rail where the case wants it, and balances what the rail carries.
 ///
 /// Errors: the plastic state cannot be computed, written or read back; the residual stress cannot be balanced.
@@ -36,7 +49,7 @@ pub fn prepare<'a>(case: &'a Case, stage: &Stage) -> Result<(PreparedRun<'a>, Op
     if case.plastic_stress.is_some() {
         stage.progress.stage("projecting and balancing the plastic stress");
     }
-    let prepared = case.prepare(rolled.as_ref().map(|(field, _)| field))?;
+    let prepared = case.prepare_sharing(rolled.as_ref().map(|(field, _)| field), stage.shared)?;
     let carried = prepared.residual();
     let Some(rows) = rows(case, carried) else { return Ok((prepared, None)) };
     let mut notes = Vec::new();

@@ -5,9 +5,9 @@ use crate::drive::{Ending, RunError, StepSource, drive};
 use crate::exit::{Exit, Failure};
 use crate::interruption::Interruption;
 use crate::print;
-use crate::progress::{Progress, Verbosity, cycles};
+use crate::progress::{Progress, Tell, Verbosity, cycles};
 use clap::Args;
-use railcrack::case::{Case, Overrides};
+use railcrack::case::{Case, Overrides, SharedRail};
 use railcrack::growth::GrowthState;
 use railcrack::output::{CaseFiles, Existing, Recorder, RunInfo, Summary};
 use std::num::NonZeroUsize;
@@ -85,12 +85,13 @@ pub fn compute(arguments: &RunArguments, interruption: &Interruption) -> Result<
 }
 
 /// What a run starts from.
-#[derive(Debug)]
 pub struct Stage<'a> {
     /// The run folder.
     pub folder: &'a Path,
     /// What is told of the run.
-    pub progress: &'a Progress,
+    pub progress: &'a dyn Tell,
+    /// What another run computed already.
+    pub shared: Option<&'a SharedRail>,
     /// The state to go on from; none at the beginning.
     pub state: Option<GrowthState>,
 }
@@ -107,7 +108,8 @@ pub struct Job {
 }
 
 impl Job {
-    fn of(case: &Case) -> Self {
+    /// The run of `case`.
+    pub fn of(case: &Case) -> Self {
         Self {
             case: case_files(case),
             info: RunInfo {
@@ -153,12 +155,9 @@ pub fn execute<S: StepSource>(
     let first = state.as_ref().map_or(0, |state| state.step);
     let verbosity = if arguments.quiet { Verbosity::Quiet } else { Verbosity::Progress };
     let progress = Progress::new(verbosity, job.increments, first);
-    let (mut source, residual) = start(Stage { folder: &folder, progress: &progress, state })?;
+    let (mut source, residual) = start(Stage { folder: &folder, progress: &progress, shared: None, state })?;
     if let Some(residual) = residual {
-        for note in &residual.summary.notes {
-            progress.say(&format!("note: {note}"));
-        }
-        recorder.residual(&residual.rows, residual.summary)?;
+        residual.record(&mut recorder, &progress)?;
     }
     let (ending, summary) = drive(&mut source, &mut recorder, &progress, interruption)?;
     Ok(Finished { ending, summary, folder })

@@ -2,9 +2,22 @@
 
 use crate::exit::{Exit, Failure};
 use crate::print;
+use clap::Args;
+use railcrack::case::{json_schema, study_schema};
 
-/// Prints the JSON Schema of the case file.
-pub fn schema() -> Result<Exit, Failure> {
-    print::stdout(&format!("{:#}\n", railcrack::case::json_schema()))?;
+/// Print the JSON Schema of the case file
+///
+/// Editors with a TOML language server use it to complete keys, to show what they mean and to mark errors.
+#[derive(Debug, Args)]
+pub struct SchemaArguments {
+    /// That of a study: lists in place of values, and [study]
+    #[arg(long)]
+    study: bool,
+}
+
+/// Prints the JSON Schema of the case file or of a study.
+pub fn schema(arguments: &SchemaArguments) -> Result<Exit, Failure> {
+    let schema = if arguments.study { study_schema() } else { json_schema() };
+    print::stdout(&format!("{schema:#}\n"))?;
     Ok(Exit::Done)
 }

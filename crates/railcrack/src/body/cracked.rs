@@ -3,6 +3,7 @@
 use super::{BodyError, BodyFields, FieldLoad};
 use crate::crack::CrackEnd;
 use crate::math::{Matrix, Stress, Vec2};
+use serde::{Deserialize, Serialize};
 
 /// A tip as the body knows it: an end of a crack that is neither a mouth nor at a junction.
 pub type BodyTip = CrackEnd;
@@ -73,6 +74,21 @@ pub trait RailEnds: Sync {
     fn stresses(&self, xc: f64) -> Vec<Stress>;
 }
 
+/// Wall time of the phases in which a body is made, seconds; 0 for what an engine does not do or does not tell.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct BodyTimes {
+    /// The mesh without cracks and its factor, where they are not there yet.
+    pub mesh_s: f64,
+    /// Cutting elements, choosing functions and face points.
+    pub enrichment_s: f64,
+    /// Stiffness of the enriched functions.
+    pub border_s: f64,
+    /// K as functionals of the displacements.
+    pub sif_s: f64,
+    /// Elimination of the unknowns behind the faces.
+    pub condensation_s: f64,
+}
+
 /// A cracked elastic body loaded on its crack faces only, reduced to its face points.
 ///
 /// With f the nodal forces on the + faces (N/mm, their negatives on the − faces), index 2 j along x1 and 2 j + 1 along
@@ -100,6 +116,10 @@ pub trait CrackedBody: Sync {
     /// Errors: the engine cannot compute them.
     fn fields(&self, _loads: &[FieldLoad]) -> Result<Option<BodyFields>, BodyError> {
         Ok(None)
+    }
+    /// How long its making took.
+    fn times(&self) -> BodyTimes {
+        BodyTimes::default()
     }
     /// What the user must know about how the body was computed.
     fn remarks(&self) -> &[String] {

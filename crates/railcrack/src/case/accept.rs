@@ -19,6 +19,8 @@ pub enum Value {
     Numbers(Vec<f64>),
     /// Points (x, y), mm.
     Points(Vec<[f64; 2]>),
+    /// Groups of keys.
+    Groups(Vec<Vec<String>>),
 }
 
 impl From<Preset> for Value {
@@ -29,6 +31,9 @@ impl From<Preset> for Value {
             Preset::Text(s) => Self::Text(s.into()),
             Preset::Numbers(numbers) => Self::Numbers(numbers.to_vec()),
             Preset::Points(points) => Self::Points(points.to_vec()),
+            Preset::Groups(groups) => {
+                Self::Groups(groups.iter().map(|group| group.iter().map(|&k| k.into()).collect()).collect())
+            }
         }
     }
 }
@@ -68,6 +73,13 @@ impl Raw {
         match self {
             Self::Integer(n) => Some(*n as f64),
             Self::Float(x) => Some(*x),
+            _ => None,
+        }
+    }
+
+    fn text(&self) -> Option<String> {
+        match self {
+            Self::Text(text) => Some(text.clone()),
             _ => None,
         }
     }
@@ -159,7 +171,28 @@ impl Kind {
             },
             Self::Numbers { range, .. } => self.numbers(raw, *range),
             Self::Points => self.points(raw),
+            Self::Groups => self.groups(raw),
         }
+    }
+
+    fn groups(&self, raw: &Raw) -> Result<Value, Refusal> {
+        let Raw::List(items) = raw else { return Err(self.wrong_type(raw)) };
+        let mut groups = Vec::with_capacity(items.len());
+        for (index, (item, span)) in items.iter().enumerate() {
+            let keys: Option<Vec<String>> = match item {
+                Raw::List(keys) if keys.len() >= 2 => keys.iter().map(|(key, _)| key.text()).collect(),
+                _ => None,
+            };
+            let Some(keys) = keys else {
+                return Err(Refusal {
+                    message: format!("group {} must be a list of at least two keys in quotes", index + 1),
+                    help: Some("such as [[\"contact.peak_pressure_mpa\", \"contact.half_width_mm\"]]".into()),
+                    part: Some(span.clone()),
+                });
+            };
+            groups.push(keys);
+        }
+        Ok(Value::Groups(groups))
     }
 
     fn numbers(&self, raw: &Raw, range: NumberRange) -> Result<Value, Refusal> {
@@ -221,6 +254,9 @@ impl Kind {
         let help = match (self, raw) {
             (Self::Number { .. } | Self::Integer { .. }, Raw::Text(_)) => {
                 Some("numbers are written without quotes".into())
+            }
+            (Self::Number { .. } | Self::Integer { .. } | Self::Choice(_) | Self::Path, Raw::List(_)) => {
+                Some("a list of values makes a study, which `railcrack sweep` computes".into())
             }
             (Self::Numbers { .. }, Raw::Integer(_) | Raw::Float(_)) => {
                 Some("a list is written in brackets, one number included".into())

@@ -13,6 +13,7 @@ use super::validated::{
     PLASTIC_PROFILE_NAME, PlasticSource, RESIDUAL_STRESS_NAME, Rail, ShakedownSettings,
 };
 use crate::bulk::{BottomSupport, Boundary, SideSupport};
+use crate::contact::StepControl;
 use crate::fatigue::{DangVan, DirectionCriterion, ParisLaw};
 use crate::growth::{GrowthSettings, PassageSettings};
 use crate::load::{HertzianContact, Passage};
@@ -260,6 +261,10 @@ fn passages(section: &SectionValues, passage: Passage) -> Option<PassageSettings
         max_passages: count(section, "max_passages")?,
         passage_tolerance: section.number("passage_tolerance")?,
         step_tolerance: section.number("step_tolerance")?,
+        step_control: match section.text("step_control")? {
+            "fixed" => StepControl::Fixed,
+            _ => StepControl::Adaptive,
+        },
     })
 }
 
@@ -332,6 +337,7 @@ fn growth(section: &SectionValues) -> Option<GrowthSettings> {
         arrest_rate: section.number("arrest_rate_mm_per_cycle")?,
         criterion: match section.text("direction")? {
             "max-rate" => DirectionCriterion::MaxRate,
+            "max-rate-unclipped" => DirectionCriterion::MaxRateUnclipped,
             "max-delta-k1" => DirectionCriterion::MaxDeltaK1,
             "max-k1" => DirectionCriterion::MaxK1,
             _ => return None,

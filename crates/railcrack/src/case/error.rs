@@ -57,6 +57,15 @@ impl CaseError {
         Some((line, column))
     }
 
+    /// The same error with `note` added to what to do about it.
+    pub(super) fn noting(mut self, note: &str) -> Self {
+        self.help = Some(match self.help {
+            Some(help) => format!("{help}; {note}"),
+            None => note.to_owned(),
+        });
+        self
+    }
+
     /// The whole on one line: `file:line:column: message (help)`.
     pub fn one_line(&self) -> String {
         let place = match self.position() {
@@ -144,9 +153,19 @@ impl Report {
         });
     }
 
+    /// Takes up an error that another report found in the same file or in one that it names.
+    pub fn absorb(&mut self, error: CaseError) {
+        self.errors.push(error);
+    }
+
     /// Whether nothing is wrong so far.
     pub fn is_clean(&self) -> bool {
         self.errors.is_empty()
+    }
+
+    /// The errors as they came.
+    pub fn into_list(self) -> Vec<CaseError> {
+        self.errors
     }
 
     /// The errors in the order of the file.

@@ -1,6 +1,7 @@
 //! The page of documentation of the case file.
 
 use super::sections::SECTIONS;
+use super::study::STUDY;
 use super::table::{Availability, Choice, Key, Kind, Presence, Section, SectionPresence};
 use super::write::preset_text;
 
@@ -17,6 +18,7 @@ validates a case and says what would be computed, `railcrack schema` prints its 
   at once, the exit code is 2, and nothing is written.
 * An integer is written without a decimal point (`241`); a number may be written either way (`6` or `6.0`).
 * Not-a-number is never accepted, infinity only where the range below includes it.
+* A list in place of a value makes the file a study, many cases in one: see [studies](studies.md).
 
 This page is generated from the table of keys in the library; a test keeps it up to date.
 ";
@@ -24,7 +26,7 @@ This page is generated from the table of keys in the library; a test keeps it up
 /// The page `docs/case-file.md`.
 pub fn markdown() -> String {
     let mut page = String::from(INTRODUCTION);
-    for section in SECTIONS {
+    for section in SECTIONS.iter().chain([&STUDY]) {
         let title =
             if section.name.is_empty() { "At the top".into() } else { format!("`{}`", section.header()) };
         page.push_str(&format!("\n## {title}\n\n{}", section.doc));

@@ -6,6 +6,7 @@
 mod accept;
 mod build;
 mod carried;
+mod chosen;
 mod cracks;
 mod declare;
 mod error;
@@ -20,7 +21,9 @@ mod schema;
 mod section;
 mod sections;
 mod settings;
+mod shared;
 mod size;
+mod study;
 mod suggest;
 mod table;
 mod validated;
@@ -36,7 +39,9 @@ pub use profile::ProfileFile;
 pub use run::PreparedRun;
 pub use schema::json_schema;
 pub use sections::SECTIONS;
+pub use shared::{RailKey, SharedRail, SharedRailError};
 pub use size::RunSize;
+pub use study::{Axis, Combine, Input, STUDY, Study, StudyRun, Variation, study_schema};
 pub use table::{
     Availability, Choice, Form, Key, Kind, NumberRange, OnlyWith, Presence, Preset, RangeEnd, Section,
     SectionPresence,

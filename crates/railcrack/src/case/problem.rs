@@ -157,6 +157,18 @@ pub(super) const PASSAGE: Section = Section {
             2e-3,
             "Substeps are refined until K changes by less, relative to its peak.",
         ),
+        choice(
+            "step_control",
+            &[
+                now("adaptive", "substeps end where points touch or turn back, by step_tolerance"),
+                now(
+                    "fixed",
+                    "one step from output position to output position, as in a code without control",
+                ),
+            ],
+            "adaptive",
+            "How load steps are chosen.",
+        ),
     ],
     forms: &[],
     availability: Availability::Now,

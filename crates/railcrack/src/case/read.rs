@@ -1,15 +1,18 @@
 //! From a file to a case, or to everything that is wrong with it.
 
 use super::build::build;
+use super::chosen::{Chosen, Reading};
 use super::error::{CaseErrors, Fault, Report, Source};
 use super::overrides::Overrides;
 use super::section::{SectionValues, is_available, read_section};
 use super::sections::SECTIONS;
+use super::study::STUDY;
 use super::table::{Section, SectionPresence};
 use super::validated::Case;
 use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
+use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 impl Case {
@@ -49,8 +52,13 @@ impl Case {
         overrides: &Overrides,
     ) -> Result<Self, CaseErrors> {
         let mut report = Report::new(Source { name: name.into(), text: Arc::from(text) });
-        let case = read_document(text, overrides, &mut report)
-            .and_then(|sections| build(&sections, folder, &mut report));
+        let case = parse_document(text, &mut report)
+            .filter(|root| is_no_study(root.get_ref(), &mut report))
+            .and_then(|root| {
+                let reading = Reading { overrides, chosen: &Chosen::default() };
+                let sections = read_sections(root.get_ref(), reading, &mut report);
+                build(&sections, folder, &mut report)
+            });
         match case {
             Some(case) if report.is_clean() => Ok(case),
             _ => Err(report.into_errors()),
@@ -88,20 +96,42 @@ pub(super) fn read_text(path: &Path, name: &str) -> Result<Source, Box<(Source, 
     }
 }
 
-fn read_document(text: &str, overrides: &Overrides, report: &mut Report) -> Option<Vec<SectionValues>> {
+/// The document, or what TOML itself refuses.
+pub(super) fn parse_document<'i>(text: &'i str, report: &mut Report) -> Option<Spanned<DeTable<'i>>> {
     let (document, errors) = DeTable::parse_recoverable(text);
     for error in &errors {
         let span = error.span().map(|s| s.start.min(text.len())..s.end.min(text.len()));
         report.add(syntax_fault(text, error.message(), span));
     }
-    if !errors.is_empty() {
-        return None;
-    }
-    let root = document.get_ref();
+    errors.is_empty().then_some(document)
+}
+
+/// A study is no case: an error that says how it is computed.
+fn is_no_study(root: &DeTable, report: &mut Report) -> bool {
+    let Some((name, _)) = root.get_key_value(STUDY.name) else { return true };
+    let file = report.source.name.clone();
+    report.add(Fault {
+        message: format!(
+            "`{}`: this file is a study, which is many cases, where one is wanted",
+            STUDY.header()
+        ),
+        key: Some(STUDY.name.into()),
+        span: Some(name.span()),
+        help: Some(format!(
+            "`railcrack sweep {file}` computes it, `railcrack check {file}` says what it holds"
+        )),
+        also: None,
+    });
+    false
+}
+
+/// The sections of one case in a document.
+pub(super) fn read_sections(root: &DeTable, reading: Reading, report: &mut Report) -> Vec<SectionValues> {
+    let end = report.source.text.len();
     let mut sections = Vec::new();
     for section in SECTIONS {
         if section.name.is_empty() {
-            sections.push(read_section(section, 1, Some((root, 0..0)), overrides, report));
+            sections.push(read_section(section, 1, Some((root, 0..0)), reading, report));
             continue;
         }
         let tables = match root.get_key_value(section.name) {
@@ -116,24 +146,24 @@ fn read_document(text: &str, overrides: &Overrides, report: &mut Report) -> Opti
                 report.add(Fault {
                     message: format!("`{}` is missing: it has no default", section.header()),
                     key: Some(section.name.into()),
-                    span: Some(text.len()..text.len()),
+                    span: Some(end..end),
                     help: Some(format!("{} `railcrack init` writes a file to start from", section.doc)),
                     also: None,
                 });
             }
             (SectionPresence::Defaulted, []) => {
-                sections.push(read_section(section, 1, None, overrides, report));
+                sections.push(read_section(section, 1, None, reading, report));
             }
             _ => {
                 for (i, (table, span)) in tables.into_iter().enumerate() {
                     if is_available(section, &span, report).is_some() {
-                        sections.push(read_section(section, i + 1, Some((table, span)), overrides, report));
+                        sections.push(read_section(section, i + 1, Some((table, span)), reading, report));
                     }
                 }
             }
         }
     }
-    Some(sections)
+    sections
 }
 
 /// What TOML itself refuses. A key given twice is named.
@@ -153,10 +183,10 @@ fn syntax_fault(text: &str, message: &str, span: Option<Range<usize>>) -> Fault 
 }
 
 /// The tables of a section with their places; an error where it is written as something else.
-fn tables<'d, 'i>(
+pub(super) fn tables<'d, 'i>(
     section: &Section,
     name: Range<usize>,
-    value: &'d toml::Spanned<DeValue<'i>>,
+    value: &'d Spanned<DeValue<'i>>,
     report: &mut Report,
 ) -> Option<Vec<(&'d DeTable<'i>, Range<usize>)>> {
     let repeated = section.presence == SectionPresence::Repeated;

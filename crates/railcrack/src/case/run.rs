@@ -1,6 +1,7 @@
 //! A case made into a run.
 
 use super::carried::{CarriedStress, CarriedStressError};
+use super::shared::SharedRail;
 use super::validated::{Case, ContactSolver, Engine};
 use crate::body::BodyEngine;
 use crate::bulk::Boundary;
@@ -71,16 +72,33 @@ impl Case {
         (!positions.is_empty()).then_some(FieldSettings { positions, every, displacement })
     }
 
+    /// The finite-element engine, with a mesh that also resolves `plastic` stress.
+    pub(super) fn finite_elements(&self, plastic: Option<&PlasticField>) -> XfemEngine {
+        let engine = self.xfem_engine();
+        match plastic.and_then(|field| field.plastic_depth()) {
+            Some(depth) => engine.resolving(Layers { depth, height: depth / LAYERS_PER_PLASTIC_DEPTH }),
+            None => engine,
+        }
+    }
+
     /// Everything that is made once for the run of this case. `rolled` is the plastic stress of the stabilised state, for a case
     /// that wants it ([`PlasticSource::Rolled`](super::PlasticSource)).
     ///
     /// Errors: the residual stress cannot be made.
     pub fn prepare(&self, rolled: Option<&PlasticField>) -> Result<PreparedRun<'_>, CarriedStressError> {
+        self.prepare_sharing(rolled, None)
+    }
+
+    /// [`Case::prepare`], with what another run made already: the results are the same bits, sooner.
+    pub fn prepare_sharing(
+        &self,
+        rolled: Option<&PlasticField>,
+        shared: Option<&SharedRail>,
+    ) -> Result<PreparedRun<'_>, CarriedStressError> {
         let plastic = self.plastic_field(rolled)?;
-        let mut finite_elements = self.xfem_engine();
-        if let Some(depth) = plastic.as_ref().and_then(|field| field.plastic_depth()) {
-            finite_elements =
-                finite_elements.resolving(Layers { depth, height: depth / LAYERS_PER_PLASTIC_DEPTH });
+        let mut finite_elements = self.finite_elements(plastic.as_ref());
+        if let Some(shared) = shared {
+            shared.give_to(&mut finite_elements);
         }
         let residual = self.carried_stress(plastic.as_ref(), &mut finite_elements)?;
         let engine: Box<dyn BodyEngine> = match self.engine {

@@ -39,7 +39,7 @@ pub fn json_schema() -> Value {
     })
 }
 
-fn section_schema(section: &Section) -> Value {
+pub(super) fn section_schema(section: &Section) -> Value {
     let mut properties = Map::new();
     for key in section.keys.iter().filter(|k| section.offers(k)) {
         properties.insert(key.name.into(), key_schema(key));
@@ -133,6 +133,11 @@ fn key_schema(key: &Key) -> Value {
             let pair = json!({ "type": "array", "items": number, "minItems": 2, "maxItems": 2 });
             schema.insert("items".into(), pair);
         }
+        Kind::Groups => {
+            schema.insert("type".into(), "array".into());
+            let group = json!({ "type": "array", "items": { "type": "string" }, "minItems": 2 });
+            schema.insert("items".into(), group);
+        }
     }
     if let Presence::Default(preset) = key.presence {
         // JSON has no infinity: such a default is left to the description.
@@ -141,7 +146,7 @@ fn key_schema(key: &Key) -> Value {
             Preset::Integer(n) => schema.insert("default".into(), n.into()),
             Preset::Text(text) => schema.insert("default".into(), text.into()),
             Preset::Numbers(numbers) => schema.insert("default".into(), numbers.into()),
-            Preset::Number(_) | Preset::Points(_) => None,
+            Preset::Number(_) | Preset::Points(_) | Preset::Groups(_) => None,
         };
     }
     Value::Object(schema)

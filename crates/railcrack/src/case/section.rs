@@ -1,9 +1,11 @@
 //! One section of a file against its declaration.
 
 use super::accept::{Raw, Value};
+use super::chosen::Reading;
 use super::error::{Fault, Report};
 use super::overrides::Overrides;
 use super::sections::SECTIONS;
+use super::study::STUDY;
 use super::suggest::nearest;
 use super::table::{Availability, Form, Key, Presence, Section, SectionPresence};
 use std::ops::Range;
@@ -85,7 +87,7 @@ impl SectionValues {
         entries.iter().map(|e| (e.key.name, e.value.clone())).collect()
     }
 
-    fn dotted(&self, key: &str) -> String {
+    pub fn dotted(&self, key: &str) -> String {
         if self.path.is_empty() { key.into() } else { format!("{}.{key}", self.path) }
     }
 }
@@ -95,9 +97,10 @@ pub(super) fn read_section(
     section: &'static Section,
     number: usize,
     table: Option<(&DeTable, Range<usize>)>,
-    overrides: &Overrides,
+    reading: Reading,
     report: &mut Report,
 ) -> SectionValues {
+    let overrides = reading.overrides;
     let path = match section.presence {
         SectionPresence::Repeated => format!("{}[{number}]", section.name),
         _ => section.name.to_string(),
@@ -108,13 +111,13 @@ pub(super) fn read_section(
     for (name, value) in table.iter().flat_map(|(table, _)| table.iter()) {
         let is_section =
             |s: &&Section| section.name.is_empty() && !s.name.is_empty() && s.name == name.get_ref();
-        if SECTIONS.iter().any(|s| is_section(&s)) {
+        if SECTIONS.iter().chain([&STUDY]).any(|s| is_section(&s)) {
             continue;
         }
         match section.key(name.get_ref()) {
             Some(key) if overrides.of(section.name, key.name).is_none() => {
                 given.push((key, name.span()));
-                read_value(&mut read, key, value, report);
+                read_value(&mut read, key, reading.chosen.of(value), report);
             }
             Some(_) => (),
             None => {

@@ -89,6 +89,10 @@ pub(super) const GROWTH: Section = Section {
             "direction",
             &[
                 now("max-rate", "the largest growth rate of the kink (Hourlier-Pineau)"),
+                now(
+                    "max-rate-unclipped",
+                    "the same, negative k1 counted as if a closed kink opened negatively",
+                ),
                 now("max-delta-k1", "the largest range of k1"),
                 now("max-k1", "the largest k1"),
             ],

@@ -96,6 +96,8 @@ pub enum Preset {
     Numbers(&'static [f64]),
     /// Points (x, y), mm.
     Points(&'static [[f64; 2]]),
+    /// Groups of keys.
+    Groups(&'static [&'static [&'static str]]),
 }
 
 /// What a key holds and accepts.
@@ -130,6 +132,8 @@ pub enum Kind {
     },
     /// Points `[[x, y], …]` in mm.
     Points,
+    /// Groups of keys, `[["section.key", "section.key"], …]`.
+    Groups,
 }
 
 /// One word of a [`Kind::Choice`].
@@ -243,6 +247,7 @@ impl Kind {
                 format!("a list of at most {} numbers in {range} {unit}", Self::MOST_NUMBERS)
             }
             Self::Points => "a list of at least two points [x, y] in mm".into(),
+            Self::Groups => "a list of groups, each a list of at least two keys".into(),
         }
     }
 }

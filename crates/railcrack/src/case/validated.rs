@@ -224,6 +224,19 @@ impl Case {
         Stabilisation { method, max_passes, ..Stabilisation::default() }
     }
 
+    /// The same case with another title.
+    pub(super) fn titled(mut self, title: &str) -> Self {
+        for (section, values) in &mut self.written {
+            if section.is_empty() {
+                for (_, value) in values.iter_mut().filter(|(key, _)| *key == "title") {
+                    *value = Value::Text(title.into());
+                }
+            }
+        }
+        self.title = title.into();
+        self
+    }
+
     /// The files that the text of [`Case::to_toml`] names: a folder with that text and these files is complete.
     pub fn companions(&self) -> Vec<Companion<'_>> {
         let mut companions = Vec::new();

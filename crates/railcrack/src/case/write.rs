@@ -71,7 +71,7 @@ fn init_line(section: &Section, key: &Key) -> String {
         Kind::Number { unit, range } => comment.push_str(&format!(" In {range} {unit}.")),
         Kind::Integer { min, max } => comment.push_str(&format!(" From {min} to {max}.")),
         Kind::Numbers { unit, range } => comment.push_str(&format!(" Each in {range} {unit}.")),
-        Kind::Text | Kind::Path | Kind::Points => (),
+        Kind::Text | Kind::Path | Kind::Points | Kind::Groups => (),
     }
     if other_form && let Some(first) = section.forms.first() {
         comment.push_str(&format!(" Instead of {}.", first.keys.join(", ")));
@@ -102,6 +102,12 @@ pub(super) fn toml_value(value: &Value) -> String {
             format!("[{}]", numbers.iter().map(|x| number(*x)).collect::<Vec<_>>().join(", "))
         }
         Value::Points(points) => list(points),
+        Value::Groups(groups) => {
+            let group = |keys: &Vec<String>| {
+                format!("[{}]", keys.iter().map(|key| quoted(key)).collect::<Vec<_>>().join(", "))
+            };
+            format!("[{}]", groups.iter().map(group).collect::<Vec<_>>().join(", "))
+        }
     }
 }
 

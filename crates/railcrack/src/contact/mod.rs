@@ -1,6 +1,7 @@
 //! Unilateral contact with Coulomb friction on the crack faces.
 
 mod active_inverse;
+mod bordered;
 mod forecast;
 mod latin;
 mod law;
@@ -16,4 +17,4 @@ pub use newton::Newton;
 pub use problem::{FaceProblem, FaceScale, FaceSolution, PointStatus};
 pub use response::FaceResponse;
 pub use solver::{ContactSolver, LoadStep, NotConverged, StepSolver};
-pub use stepping::{LoadPath, Stepper, SteppingCounts, SteppingError};
+pub use stepping::{LoadPath, StepControl, Stepper, SteppingCounts, SteppingError};

@@ -81,14 +81,16 @@ impl<'a> StepSolver<'a> for NewtonSteps<'a> {
         for (point, &reference) in step.reference_slip.iter().enumerate() {
             let held = faces.solution().status[point] == PointStatus::Stick;
             if held && faces.solution().jump[2 * point] != reference {
-                faces.hold_at(point, reference);
+                let degenerate =
+                    |_| NotConverged { iterations: 0, indicator: f64::INFINITY, tolerance: ROUND_OFF };
+                faces.hold_at(point, reference).map_err(degenerate)?;
                 foreseen = false;
             }
         }
         let mut worst = 0.0f64;
         for iteration in 1..=self.max_iterations {
             if iteration > 1 || !foreseen {
-                faces.move_free(step.forces);
+                faces.move_free_again(step.forces);
             }
             faces.load_faces(step.forces);
             let scale = self.scale.including(faces.solution(), step.forces);

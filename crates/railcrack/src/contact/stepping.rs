@@ -13,6 +13,17 @@ pub trait LoadPath: Sync {
     fn nodal_forces(&self, at: f64) -> Vec<f64>;
 }
 
+/// How the load steps of a path are chosen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum StepControl {
+    /// Steps end where points touch or turn back, as finely as the tolerance asks for.
+    #[default]
+    Adaptive,
+    /// One step from station to station, as in a code without control: a point that closes and sticks within a step is
+    /// held at the slip it had at the start of the step. The error in locked slip is of first order in the step.
+    Fixed,
+}
+
 /// A path that could not be followed.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum SteppingError {
@@ -53,6 +64,7 @@ pub struct Stepper<'a> {
     solver: Box<dyn StepSolver<'a> + 'a>,
     faces: FaceResponse<'a>,
     tolerance: f64,
+    control: StepControl,
     /// Slip or opening of each point that counts as large, mm.
     scale: Vec<f64>,
     /// The largest jump and force so far.
@@ -85,9 +97,9 @@ struct LastStep {
 
 /// Whether a step may be cut for accuracy.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum StepControl {
-    Cut,
-    Accept,
+enum Cutting {
+    Allowed,
+    Over,
 }
 
 impl<'a> Stepper<'a> {
@@ -104,6 +116,7 @@ impl<'a> Stepper<'a> {
             solver: solver.prepare(problem),
             faces: FaceResponse::virgin(problem),
             tolerance,
+            control: StepControl::Adaptive,
             scale: expected.iter().map(|slip| EXPECTED_SHARE * slip.abs()).collect(),
             largest: FaceScale::NONE,
             current: FaceSolution::virgin(problem.points()),
@@ -112,6 +125,11 @@ impl<'a> Stepper<'a> {
             load: vec![0.0; 2 * problem.points()],
             counts: SteppingCounts::default(),
         }
+    }
+
+    /// The same with another control of the steps.
+    pub fn with_control(self, control: StepControl) -> Self {
+        Self { control, ..self }
     }
 
     /// The current solution.
@@ -150,8 +168,9 @@ impl<'a> Stepper<'a> {
         while self.at != station {
             let target = if step.abs() >= (station - self.at).abs() { station } else { self.at + step };
             let smallest = (target - self.at).abs() <= SMALLEST * whole.abs();
-            let control = if smallest { StepControl::Accept } else { StepControl::Cut };
-            match self.attempt(path, target, control) {
+            let cutting =
+                if smallest || self.control == StepControl::Fixed { Cutting::Over } else { Cutting::Allowed };
+            match self.attempt(path, target, cutting) {
                 Ok(None) => {
                     if target != station {
                         self.counts.substeps += 1;
@@ -172,7 +191,7 @@ impl<'a> Stepper<'a> {
         &mut self,
         path: &dyn LoadPath,
         target: f64,
-        control: StepControl,
+        cutting: Cutting,
     ) -> Result<Option<f64>, NotConverged> {
         let step = target - self.at;
         let load = path.nodal_forces(target);
@@ -180,11 +199,14 @@ impl<'a> Stepper<'a> {
         let forecasts = self.foresee(&load, step);
         let events = forecasts.iter().enumerate().filter(|(j, _)| self.problem.friction(*j) > 0.0);
         let wishes = events.filter_map(|(j, forecast)| forecast.cut(self.allowed(j), step));
-        if let (Some(shorter), StepControl::Cut) = (wishes.reduce(shortest), control) {
+        if let (Some(shorter), Cutting::Allowed) = (wishes.reduce(shortest), cutting) {
             self.faces.restore();
             return Ok(Some(shorter));
         }
-        let reference_slip: Vec<f64> = forecasts.iter().map(|f| f.slip).collect();
+        let reference_slip: Vec<f64> = match self.control {
+            StepControl::Adaptive => forecasts.iter().map(|f| f.slip).collect(),
+            StepControl::Fixed => self.current.jump.iter().step_by(2).copied().collect(),
+        };
         self.solver.keep();
         let solved =
             self.solver.solve(LoadStep { forces: &load, reference_slip: &reference_slip }, &mut self.faces);
@@ -196,7 +218,7 @@ impl<'a> Stepper<'a> {
         })?;
         self.counts.iterations += iterations;
         self.counts.iterations_max = self.counts.iterations_max.max(iterations);
-        if control == StepControl::Cut
+        if cutting == Cutting::Allowed
             && let Some(shorter) = self.unforeseen(&forecasts, step)
         {
             self.solver.restore();

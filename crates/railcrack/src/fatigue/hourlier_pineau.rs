@@ -97,6 +97,9 @@ impl HourlierPineau {
         let ranges = KinkRanges::of(extremes, angle);
         match self.criterion {
             DirectionCriterion::MaxRate => self.law.equivalent_range(ranges.delta_k1, ranges.delta_k2),
+            DirectionCriterion::MaxRateUnclipped => {
+                self.law.equivalent_range(ranges.delta_k1_unclipped, ranges.delta_k2)
+            }
             DirectionCriterion::MaxDeltaK1 => ranges.delta_k1,
             DirectionCriterion::MaxK1 => ranges.k1_max,
         }
@@ -104,7 +107,9 @@ impl HourlierPineau {
 
     fn ratio(&self, value: f64, best: f64) -> f64 {
         match self.criterion {
-            DirectionCriterion::MaxRate => (value / best).powf(self.law.m),
+            DirectionCriterion::MaxRate | DirectionCriterion::MaxRateUnclipped => {
+                (value / best).powf(self.law.m)
+            }
             DirectionCriterion::MaxDeltaK1 | DirectionCriterion::MaxK1 => value / best,
         }
     }
@@ -187,22 +192,29 @@ fn vertex(rough: Maximum, (from, to): (f64, f64), value: impl Fn(f64) -> f64) ->
 struct KinkRanges {
     k1_max: f64,
     delta_k1: f64,
+    delta_k1_unclipped: f64,
     delta_k2: f64,
 }
 
 impl KinkRanges {
     fn of(extremes: &[Sif], angle: f64) -> Self {
         let functions = KinkFunctions::at(angle);
-        let (mut k1_low, mut k1_high) = (f64::INFINITY, 0.0_f64);
+        let (mut k1_low, mut k1_top) = (f64::INFINITY, f64::NEG_INFINITY);
         let (mut k2_low, mut k2_high) = (f64::INFINITY, f64::NEG_INFINITY);
         for k in extremes.iter().map(|&k| functions.kinked(k)) {
-            (k1_low, k1_high) = (k1_low.min(k.k1), k1_high.max(k.k1));
+            (k1_low, k1_top) = (k1_low.min(k.k1), k1_top.max(k.k1));
             (k2_low, k2_high) = (k2_low.min(k.k2), k2_high.max(k.k2));
         }
         if extremes.is_empty() {
-            return Self { k1_max: 0.0, delta_k1: 0.0, delta_k2: 0.0 };
+            return Self { k1_max: 0.0, delta_k1: 0.0, delta_k1_unclipped: 0.0, delta_k2: 0.0 };
         }
-        Self { k1_max: k1_high, delta_k1: k1_high - k1_low.max(0.0).min(k1_high), delta_k2: k2_high - k2_low }
+        let k1_high = k1_top.max(0.0);
+        Self {
+            k1_max: k1_high,
+            delta_k1: k1_high - k1_low.max(0.0).min(k1_high),
+            delta_k1_unclipped: k1_top - k1_low,
+            delta_k2: k2_high - k2_low,
+        }
     }
 }
 

@@ -39,6 +39,9 @@ pub enum DirectionCriterion {
     /// The growth rate of the virtual kink, from the ranges of k1 and k2 (Hourlier & Pineau).
     #[default]
     MaxRate,
+    /// The same with negative k1 counted as if a closed kink opened negatively: for comparison, since it is not said in
+    /// every description of the criterion that k1 is clipped.
+    MaxRateUnclipped,
     /// The range of k1.
     MaxDeltaK1,
     /// The largest k1.

@@ -208,7 +208,12 @@ impl Growth {
             load_cycles: self.state.load_cycles,
             dofs: body.dofs(),
             counts: passage.counts,
-            times: PhaseTimes { body_s, contact_s, growth_s: started.elapsed().as_secs_f64() },
+            times: PhaseTimes {
+                body_s,
+                parts: body.times(),
+                contact_s,
+                growth_s: started.elapsed().as_secs_f64(),
+            },
             pieces: way.pieces,
             warnings,
             stop: way.stop,

@@ -2,7 +2,9 @@
 
 use super::face_load::{FaceLoad, Part};
 use super::{FacePoint, FaceRecord, PassageRecord, SolverCounts, Watch};
-use crate::contact::{ContactSolver, FaceProblem, FaceSolution, FaceState, Stepper, SteppingError};
+use crate::contact::{
+    ContactSolver, FaceProblem, FaceSolution, FaceState, StepControl, Stepper, SteppingError,
+};
 use crate::field::StressField;
 use crate::fracture::SifHistory;
 use crate::load::{HertzianContact, Passage};
@@ -17,8 +19,10 @@ pub struct PassageSettings {
     pub max_passages: usize,
     /// Change of K between two passages, relative to its peak, below which the history repeats.
     pub passage_tolerance: f64,
-    /// Tolerance of the load steps on K, relative to its peak.
+    /// Tolerance of the load steps on K, relative to its peak; of no meaning to fixed steps.
     pub step_tolerance: f64,
+    /// How load steps are chosen; fixed ones go from output position to output position.
+    pub step_control: StepControl,
 }
 
 /// What loads the uncracked rail.
@@ -80,7 +84,8 @@ pub fn stabilised_passage(
     let xc = settings.passage.abscissae();
     let face_load = FaceLoad::new(problem, load);
     let expected = face_load.expected_slip(&xc);
-    let stepper = Stepper::new(problem, solver, settings.step_tolerance, &expected);
+    let stepper =
+        Stepper::new(problem, solver, settings.step_tolerance, &expected).with_control(settings.step_control);
     let mut wheel = Wheel {
         problem,
         face_load: &face_load,
@@ -88,6 +93,7 @@ pub fn stabilised_passage(
         xc: &xc,
         mouths: mouths(problem),
         edge_steps: 0,
+        control: settings.step_control,
         stepper,
     };
     if load.residual.is_some() {
@@ -134,6 +140,7 @@ struct Wheel<'a> {
     mouths: Vec<f64>,
     /// Steps to positions of [`EDGE_STATIONS`].
     edge_steps: usize,
+    control: StepControl,
     stepper: Stepper<'a>,
 }
 
@@ -213,7 +220,7 @@ impl Wheel<'_> {
     fn edges_between(&self, from: f64, to: f64) -> impl Iterator<Item = f64> + use<> {
         let travel = (to - from).signum();
         let within = |x: &f64| (x - from) * travel > 0.0 && (to - x) * travel > 0.0;
-        let mut stations: Vec<f64> = if self.problem.has_friction() {
+        let mut stations: Vec<f64> = if self.problem.has_friction() && self.control == StepControl::Adaptive {
             let edges =
                 self.mouths.iter().flat_map(|mouth| [mouth - self.half_width, mouth + self.half_width]);
             edges

@@ -1,6 +1,7 @@
 //! What a growth step leaves behind.
 
 use super::{FieldRecord, Piece};
+use crate::body::BodyTimes;
 use crate::contact::FaceState;
 use crate::crack::{Crack, CrackEnd, End, Junction};
 use crate::fatigue::{DirectionCriterion, ParisLaw};
@@ -192,6 +193,8 @@ pub struct SolverCounts {
 pub struct PhaseTimes {
     /// The cracked body: C and S, and its fields where they are wanted.
     pub body_s: f64,
+    /// Parts of it, as far as the engine tells.
+    pub parts: BodyTimes,
     /// Loads on the faces and contact through all passages.
     pub contact_s: f64,
     /// Direction, rate, increments.

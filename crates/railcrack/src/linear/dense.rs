@@ -3,8 +3,8 @@
 use super::LinearError;
 use crate::math::Matrix;
 use faer::dyn_stack::{MemBuffer, MemStack};
-use faer::linalg::{cholesky::llt, lu::partial_pivoting};
-use faer::{Mat, Par, Spec};
+use faer::linalg::{cholesky::llt, lu::partial_pivoting, matmul::matmul};
+use faer::{Accum, Mat, MatMut, MatRef, Par, Spec};
 
 /// The Cholesky factor of a symmetric positive definite matrix.
 pub struct SpdFactor {
@@ -54,6 +54,27 @@ impl SpdFactor {
     }
 }
 
+/// The product A B.
+///
+/// Errors: as many columns of A as rows of B are needed.
+pub fn product(a: &Matrix, b: &Matrix) -> Result<Matrix, LinearError> {
+    if a.columns() != b.rows() {
+        let quantity = "rows of the second factor of a product";
+        return Err(LinearError::WrongLength { quantity, given: b.rows(), expected: a.columns() });
+    }
+    let mut product = Matrix::zeros(a.rows(), b.columns());
+    let (rows, inner, columns) = (a.rows(), a.columns(), b.columns());
+    matmul(
+        MatMut::from_row_major_slice_mut(product.entries_mut(), rows, columns),
+        Accum::Replace,
+        MatRef::from_row_major_slice(a.entries(), rows, inner),
+        MatRef::from_row_major_slice(b.entries(), inner, columns),
+        1.0,
+        Par::Seq,
+    );
+    Ok(product)
+}
+
 /// The inverse of a symmetric positive definite matrix, by Cholesky; exactly symmetric.
 pub fn spd_inverse(matrix: &Matrix) -> Result<Matrix, LinearError> {
     Ok(SpdFactor::new(matrix)?.inverse())
@@ -97,10 +118,6 @@ pub fn general_inverse(matrix: &Matrix) -> Result<Matrix, LinearError> {
 mod tests {
     use super::*;
 
-    fn product(a: &Matrix, b: &Matrix) -> Matrix {
-        Matrix::from_fn(a.rows(), b.columns(), |i, j| (0..a.columns()).map(|k| a[(i, k)] * b[(k, j)]).sum())
-    }
-
     fn distance_from_identity(m: &Matrix) -> f64 {
         let entry = |i, j| (m[(i, j)] - f64::from(i == j)).abs();
         (0..m.rows())
@@ -113,8 +130,19 @@ mod tests {
         let hilbert = Matrix::from_fn(6, 6, |i, j| 1.0 / (i + j + 1) as f64 + 0.1 * f64::from(i == j));
         let skewed =
             Matrix::from_fn(7, 7, |i, j| ((3 * i + 5 * j) % 7) as f64 - 3.0 + 8.0 * f64::from(i == j));
-        assert!(distance_from_identity(&product(&hilbert, &spd_inverse(&hilbert).unwrap())) < 1e-13);
-        assert!(distance_from_identity(&product(&skewed, &general_inverse(&skewed).unwrap())) < 1e-13);
+        assert!(distance_from_identity(&product(&hilbert, &spd_inverse(&hilbert).unwrap()).unwrap()) < 1e-13);
+        assert!(
+            distance_from_identity(&product(&skewed, &general_inverse(&skewed).unwrap()).unwrap()) < 1e-13
+        );
+    }
+
+    #[test]
+    fn products_of_rectangles() {
+        let a = Matrix::from_fn(2, 3, |i, j| (1 + i + 2 * j) as f64);
+        let b = Matrix::from_fn(3, 4, |i, j| (i * j) as f64 - 1.0);
+        let sum = |i: usize, j: usize| (0..3).map(|k| a[(i, k)] * b[(k, j)]).sum();
+        assert_eq!(product(&a, &b), Ok(Matrix::from_fn(2, 4, sum)));
+        assert!(matches!(product(&b, &b), Err(LinearError::WrongLength { given: 3, expected: 4, .. })));
     }
 
     #[test]

@@ -130,6 +130,53 @@ impl SparseSymmetric {
         Ok(())
     }
 
+    /// This matrix with further unknowns, numbered after its own. `border[i]` holds the entries (own unknown, value) between new unknown i
+    /// and the old ones, `square[i]` those (new unknown j ≤ i, value) of row i among the new ones, both without repetitions and in increasing order;
+    /// the diagonal ends each row of the square.
+    ///
+    /// Errors: not as many rows as columns; an unknown that is not there; a row without its diagonal.
+    pub fn bordered(
+        &self,
+        border: &[Vec<(usize, f64)>],
+        square: &[Vec<(usize, f64)>],
+    ) -> Result<Self, LinearError> {
+        let own = self.order();
+        let order = own + border.len();
+        if square.len() != border.len() {
+            let quantity = "rows of the square beside a border";
+            return Err(LinearError::WrongLength { quantity, given: square.len(), expected: border.len() });
+        }
+        let mut below: Vec<Vec<(usize, f64)>> = vec![Vec::new(); order];
+        for (i, (column, row)) in border.iter().zip(square).enumerate() {
+            for &(unknown, value) in column {
+                if unknown >= own {
+                    return Err(LinearError::NoSuchUnknown { unknown, order: own });
+                }
+                below[unknown].push((own + i, value));
+            }
+            if row.last().is_none_or(|&(j, _)| j != i) {
+                return Err(LinearError::OutsidePattern { row: own + i, column: own + i });
+            }
+            for &(j, value) in row {
+                below[own + j].push((own + i, value));
+            }
+        }
+        let entries = self.values.len() + below.iter().map(Vec::len).sum::<usize>();
+        let (mut starts, mut rows) = (vec![0], Vec::with_capacity(entries));
+        let mut values = Vec::with_capacity(entries);
+        for (j, below) in below.iter().enumerate() {
+            if j < own {
+                let column = self.pattern.starts[j]..self.pattern.starts[j + 1];
+                rows.extend_from_slice(&self.pattern.rows[column.clone()]);
+                values.extend_from_slice(&self.values[column]);
+            }
+            rows.extend(below.iter().map(|entry| entry.0));
+            values.extend(below.iter().map(|entry| entry.1));
+            starts.push(rows.len());
+        }
+        Ok(Self { pattern: Arc::new(SymmetricPattern { starts, rows }), values })
+    }
+
     /// Entry (i, j); zero outside of the pattern.
     pub fn entry(&self, i: usize, j: usize) -> f64 {
         self.pattern.place(i, j).map_or(0.0, |at| self.values[at])
@@ -198,6 +245,34 @@ mod tests {
             }
         }
         assert_eq!(matrix.times(&[1.0, 2.0, 4.0, 8.0]), Ok(vec![-3.0, 0.0, 5.0, 0.0]));
+    }
+
+    #[test]
+    fn a_border_adds_its_rows_and_columns() {
+        let blocks = [[Some(0), Some(1)], [Some(1), Some(2)]];
+        let mut matrix = SparseSymmetric::zeros(Arc::new(SymmetricPattern::from_blocks(3, &blocks).unwrap()));
+        let spring = Matrix::from_fn(2, 2, |i, j| if i == j { 2.0 } else { -1.0 });
+        blocks.iter().for_each(|block| matrix.add_block(block, &spring).unwrap());
+        let border = [vec![(0, 0.5), (2, 0.25)], vec![(1, -0.5)]];
+        let square = [vec![(0, 7.0)], vec![(0, 1.5), (1, 9.0)]];
+        let whole = matrix.bordered(&border, &square).unwrap();
+        let dense = [
+            [2.0, -1.0, 0.0, 0.5, 0.0],
+            [-1.0, 4.0, -1.0, 0.0, -0.5],
+            [0.0, -1.0, 2.0, 0.25, 0.0],
+            [0.5, 0.0, 0.25, 7.0, 1.5],
+            [0.0, -0.5, 0.0, 1.5, 9.0],
+        ];
+        for (i, row) in dense.iter().enumerate() {
+            for (j, &entry) in row.iter().enumerate() {
+                assert_eq!(whole.entry(i, j), entry, "({i}, {j})");
+            }
+        }
+        assert!(matches!(matrix.bordered(&border, &square[..1]), Err(LinearError::WrongLength { .. })));
+        let beyond = matrix.bordered(&[vec![(3, 1.0)]], &square[..1]);
+        assert_eq!(beyond, Err(LinearError::NoSuchUnknown { unknown: 3, order: 3 }));
+        let headless = matrix.bordered(&border[..1], &[vec![]]);
+        assert_eq!(headless, Err(LinearError::OutsidePattern { row: 3, column: 3 }));
     }
 
     #[test]

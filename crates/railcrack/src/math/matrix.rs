@@ -19,7 +19,10 @@ impl Matrix {
 
     /// The matrix whose entry (i, j) is `entry(i, j)`.
     pub fn from_fn(rows: usize, columns: usize, mut entry: impl FnMut(usize, usize) -> f64) -> Self {
-        let entries = (0..rows * columns).map(|k| entry(k / columns, k % columns)).collect();
+        let mut entries = Vec::with_capacity(rows * columns);
+        for i in 0..rows {
+            entries.extend((0..columns).map(|j| entry(i, j)));
+        }
         Self { rows, columns, entries }
     }
 
@@ -41,6 +44,25 @@ impl Matrix {
     /// Row i, to write.
     pub fn row_mut(&mut self, i: usize) -> &mut [f64] {
         &mut self.entries[i * self.columns..(i + 1) * self.columns]
+    }
+
+    /// All entries, row by row.
+    pub(crate) fn entries(&self) -> &[f64] {
+        &self.entries
+    }
+
+    /// All entries, row by row, to write.
+    pub(crate) fn entries_mut(&mut self) -> &mut [f64] {
+        &mut self.entries
+    }
+
+    /// Two different rows, the first to read and the second to write.
+    pub(crate) fn row_pair(&mut self, read: usize, write: usize) -> (&[f64], &mut [f64]) {
+        let columns = self.columns;
+        let (before, after) = self.entries.split_at_mut(read.max(write) * columns);
+        let lower = &mut before[read.min(write) * columns..][..columns];
+        let upper = &mut after[..columns];
+        if read < write { (lower, upper) } else { (upper, lower) }
     }
 
     /// The product with a column vector of `columns` entries.

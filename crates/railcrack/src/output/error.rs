@@ -26,6 +26,15 @@ pub enum OutputError {
         /// A file that every run has.
         file: &'static str,
     },
+    /// A folder that holds nothing that a report shows.
+    #[error(
+        "{} holds nothing to report on: the folder of a run has summary.json, that of a plastic state shakedown.json, that of a comparison compare.json",
+        folder.display()
+    )]
+    NothingToReport {
+        /// The folder.
+        folder: PathBuf,
+    },
     /// The folder already holds a comparison, and nobody allowed to replace it.
     #[error(
         "{} already holds a comparison ({file}): replace it with --force, or choose another folder with --out",
@@ -36,6 +45,34 @@ pub enum OutputError {
         folder: PathBuf,
         /// A file of it that is there.
         file: &'static str,
+    },
+    /// The folder already holds a study, and nobody allowed to go on with it or to replace it.
+    #[error(
+        "{} already holds a study ({file}): go on with it with --resume, replace it with --force, or choose another folder with --out",
+        folder.display()
+    )]
+    HoldsStudy {
+        /// The folder.
+        folder: PathBuf,
+        /// A file of it that is there.
+        file: String,
+    },
+    /// There is no study to go on with.
+    #[error("{} holds no study to resume: start one without --resume, or name its folder with --out", folder.display())]
+    NoStudy {
+        /// The folder.
+        folder: PathBuf,
+    },
+    /// The study is not the one that the folder holds.
+    #[error(
+        "the study in {} is another one ({difference}): use the study and options it was begun with, replace it with --force, or choose another folder with --out",
+        folder.display()
+    )]
+    StudyChanged {
+        /// The folder.
+        folder: PathBuf,
+        /// What differs first.
+        difference: String,
     },
     /// There is no run to take up again.
     #[error("{} holds no run to resume: start one without --resume, or name its folder with --out", folder.display())]

@@ -28,13 +28,16 @@ fn name(step: usize, position: usize) -> String {
     format!("step-{step:04}-position-{position:04}.vtu")
 }
 
+/// Step and position (from 1) of the field file of this name; none where it is not one that a run writes.
+pub(crate) fn step_and_position(file: &str) -> Option<(usize, usize)> {
+    let (step, position) = file.strip_prefix("step-")?.strip_suffix(".vtu")?.split_once("-position-")?;
+    let (step, position) = (step.parse().ok()?, position.parse().ok()?);
+    (name(step, position) == file).then_some((step, position))
+}
+
 /// Whether a file of this name is one that a run writes.
 pub(crate) fn is_field_file(file: &str) -> bool {
-    let numbers = || {
-        let (step, position) = file.strip_prefix("step-")?.strip_suffix(".vtu")?.split_once("-position-")?;
-        Some((step.parse().ok()?, position.parse().ok()?))
-    };
-    numbers().is_some_and(|(step, position)| name(step, position) == file)
+    step_and_position(file).is_some()
 }
 
 /// Writes the fields of a step, each to its file.

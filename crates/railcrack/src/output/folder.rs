@@ -6,6 +6,7 @@ use super::fields::{FIELDS_FILE, FIELDS_FOLDER, is_field_file};
 use super::figures::{PLOT_FILES, PLOTS_FOLDER};
 use super::report::REPORT_FILE;
 use super::shakedown::{CYCLE_FILE, PASSES_FILE, PLASTIC_FILE, PROFILE_FILE, SHAKEDOWN_FILE};
+use super::study::OUTCOME_FILE;
 use serde::{Deserialize, Serialize};
 use std::fs::{self, File};
 use std::io::{ErrorKind, Write};
@@ -17,8 +18,9 @@ pub(crate) const SUMMARY_FILE: &str = "summary.json";
 
 /// Files of a run beside `case.toml`, in the order in which a replaced run is removed: without its checkpoint a run
 /// is one that has not begun.
-const RUN_FILES: [&str; 17] = [
+const RUN_FILES: [&str; 18] = [
     CHECKPOINT_FILE,
+    OUTCOME_FILE,
     SIF_FILE,
     GROWTH_FILE,
     FACES_FILE,
@@ -212,11 +214,29 @@ pub(crate) fn read_if_there(path: &Path) -> Result<Option<Vec<u8>>, OutputError>
     }
 }
 
-fn run_file_in(folder: &Path) -> Option<&'static str> {
+/// Removes a run: its case, its results, and its folder where nothing else is in it.
+pub(crate) fn clear_run(folder: &Path) -> Result<(), OutputError> {
+    if run_file_in(folder).is_none() {
+        return Ok(());
+    }
+    remove(&folder.join(CHECKPOINT_FILE))?;
+    clear_results(folder)?;
+    clear_rolled(&folder.join(ROLLED_FOLDER))?;
+    for file in [folder.join(CASE_FILE), partial_of(&folder.join(CASE_FILE))] {
+        remove(&file)?;
+    }
+    // Refused where the user keeps files of his own in it: fine.
+    let _ = fs::remove_dir(folder);
+    Ok(())
+}
+
+/// A file of a run that stands in `folder`, where one does.
+pub(crate) fn run_file_in(folder: &Path) -> Option<&'static str> {
     std::iter::once(CASE_FILE).chain(RUN_FILES).find(|file| folder.join(file).exists())
 }
 
-fn remove(path: &Path) -> Result<(), OutputError> {
+/// Removes a file where it is there.
+pub(crate) fn remove(path: &Path) -> Result<(), OutputError> {
     match fs::remove_file(path) {
         Err(reason) if reason.kind() != ErrorKind::NotFound => Err(OutputError::io("remove", path)(reason)),
         _ => Ok(()),

@@ -11,12 +11,13 @@ mod fields;
 mod figures;
 mod folder;
 mod memory;
-mod plot;
+pub(crate) mod plot;
 mod recorder;
-mod report;
+pub mod report;
 mod residual;
 mod shakedown;
 mod story;
+mod study;
 mod summary;
 
 pub use compare::{
@@ -32,6 +33,10 @@ pub use residual::{ProjectionSummary, ReleaseSummary, ResidualSummary, RolledSum
 pub use shakedown::{
     Extent, PASSES_COLUMNS, PLASTIC_FILE, PROFILE_COLUMNS, SHAKEDOWN_FILE, ShakedownRecorder,
     ShakedownResults, ShakedownSummary,
+};
+pub use study::{
+    Entry, Outcome, PlannedRun, RunEnd, RunState, STUDY_COLUMNS, StudyAxis, StudyFolder, StudyKey, StudyPlan,
+    StudyResults, StudyRow, TIMES_COLUMNS,
 };
 pub use summary::{CrackSummary, JunctionSummary, PhaseSeconds, PieceSummary, Summary, TipSummary};
 

@@ -11,7 +11,7 @@ use super::memory::peak_memory_mb;
 use super::residual::ResidualSummary;
 use super::story::Story;
 use super::summary::{Summary, finite_summary};
-use super::{Existing, OutputError, ResidualRow, VERSION, rebuild_plots};
+use super::{Existing, OutputError, ResidualRow, VERSION, report};
 use crate::growth::{GrowthState, StepRecord, Warning};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -108,6 +108,20 @@ impl Recorder {
         Ok((recorder, Some(checkpoint.state)))
     }
 
+    /// Whether the run in `folder`, if there is one, computes `case`.
+    ///
+    /// Errors: it computes another one; the system refuses.
+    pub fn check_case(folder: &Path, case: &CaseFiles) -> Result<(), OutputError> {
+        let Some(stored) = folder::stored_case(folder)? else { return Ok(()) };
+        same_text(folder, CASE_FILE, &stored, &case.toml)?;
+        for (name, text) in &case.companions {
+            if let Some(before) = folder::read_if_there(&folder.join(name))? {
+                same_text(folder, name, &String::from_utf8_lossy(&before), text)?;
+            }
+        }
+        Ok(())
+    }
+
     fn from_the_beginning(folder: &Path, case: CaseFiles, info: RunInfo) -> Result<Self, OutputError> {
         Ok(Self {
             sif: CsvFile::create(&folder.join(SIF_FILE), &sif_header())?,
@@ -176,12 +190,12 @@ impl Recorder {
         Ok(())
     }
 
-    /// Writes the summary and the plots of the finished steps: at the end of a run, and when it is interrupted.
+    /// Writes summary, plots and report of the finished steps: at the end of a run, and when it is interrupted.
     pub fn finish(&mut self) -> Result<Summary, OutputError> {
         let begun = Instant::now();
-        // Plots are built from the files, so the summary must stand there first.
+        // Plots and report are built from the files, so the summary must stand there first.
         self.write_summary(Durability::Cached)?;
-        rebuild_plots(&self.folder)?;
+        report::rebuild_run(&self.folder)?;
         self.count_time(begun);
         self.write_summary(Durability::Synced)
     }

@@ -15,6 +15,16 @@ pub struct PhaseSeconds {
     pub residual: f64,
     /// The cracked body.
     pub body: f64,
+    /// Of it: the mesh without cracks and its factor.
+    pub body_mesh: f64,
+    /// Of it: cutting elements, choosing functions and face points.
+    pub body_enrichment: f64,
+    /// Of it: the stiffness of the enriched functions.
+    pub body_border: f64,
+    /// Of it: stress intensity factors as functionals.
+    pub body_sif: f64,
+    /// Of it: the elimination of the unknowns behind the faces.
+    pub body_condensation: f64,
     /// Loads on the faces and contact.
     pub contact: f64,
     /// Direction, rate, increments.
@@ -175,6 +185,11 @@ impl Summary {
             phases_s: PhaseSeconds {
                 residual: story.residual.as_ref().map_or(0.0, |residual| residual.wall_s),
                 body: seconds(|step| step.times.body_s),
+                body_mesh: seconds(|step| step.times.parts.mesh_s),
+                body_enrichment: seconds(|step| step.times.parts.enrichment_s),
+                body_border: seconds(|step| step.times.parts.border_s),
+                body_sif: seconds(|step| step.times.parts.sif_s),
+                body_condensation: seconds(|step| step.times.parts.condensation_s),
                 contact: seconds(|step| step.times.contact_s),
                 growth: seconds(|step| step.times.growth_s),
                 output: story.output_s,
@@ -210,6 +225,12 @@ impl Summary {
     }
 }
 
+/// Notes on the residual stress, as warnings before the first step.
+fn of_residual(story: &Story) -> impl Iterator<Item = Warning> {
+    let notes = story.residual.iter().flat_map(|residual| &residual.notes);
+    notes.map(|text| Warning { step: 0, kind: "residual-stress".into(), text: text.clone() })
+}
+
 fn junction_summary(junction: &Junction, story: &Story) -> JunctionSummary {
     let CrackEnd { crack, end } = junction.joining;
     let at = story.cracks.get(crack).map_or_else(Default::default, |crack| crack.tip(end));
@@ -228,12 +249,6 @@ fn piece_summary(piece: &Piece) -> PieceSummary {
         area_mm2: piece.area,
         outline_mm: piece.outline.iter().map(|point| [point.x, point.y]).collect(),
     }
-}
-
-/// Notes on the residual stress, as warnings before the first step.
-fn of_residual(story: &Story) -> impl Iterator<Item = Warning> {
-    let notes = story.residual.iter().flat_map(|residual| &residual.notes);
-    notes.map(|text| Warning { step: 0, kind: "residual-stress".into(), text: text.clone() })
 }
 
 fn tip_summary(tip: &crate::growth::TipRecord) -> TipSummary {

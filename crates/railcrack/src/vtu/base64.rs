@@ -3,7 +3,7 @@
 const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
 /// Appends `bytes` to `text`.
-pub(super) fn encode(bytes: &[u8], text: &mut Vec<u8>) {
+pub(crate) fn encode(bytes: &[u8], text: &mut Vec<u8>) {
     for group in bytes.chunks(3) {
         let byte = |i: usize| u32::from(group.get(i).copied().unwrap_or(0));
         let bits = byte(0) << 16 | byte(1) << 8 | byte(2);
@@ -16,7 +16,7 @@ pub(super) fn encode(bytes: &[u8], text: &mut Vec<u8>) {
 
 /// The bytes that `text` encodes, white space left out, or the first `most` of them; the position of the first letter that
 /// does not belong there. Padding may occur between groups: VTK encodes header and data one by one.
-pub(super) fn decode(text: &[u8], most: usize) -> Result<Vec<u8>, usize> {
+pub(crate) fn decode(text: &[u8], most: usize) -> Result<Vec<u8>, usize> {
     let mut bytes = Vec::with_capacity((text.len() / 4 * 3).min(most));
     let (mut bits, mut letters, mut padding) = (0u32, 0, 0);
     for (at, &letter) in text.iter().enumerate() {

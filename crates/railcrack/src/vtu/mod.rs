@@ -3,7 +3,7 @@
 //! Source: *VTK File Formats*, chapter of *The VTK User's Guide* (Kitware), "XML File Formats".
 
 mod array;
-mod base64;
+pub(crate) mod base64;
 mod error;
 mod grid;
 mod numbers;

@@ -3,19 +3,23 @@
 use super::basis::Elasticity;
 use super::border::Border;
 use super::columns::ColumnStore;
+use super::condense::{Condensed, System};
 use super::cuts::Cuts;
+use super::domain::domain_of;
 use super::field::Inside;
 use super::interface::{Interface, Station};
-use super::sif::{SifContext, SifDomain, SifFunctional};
+use super::sif::{SifContext, SifFunctional};
 use super::space::Space;
-use crate::body::{BodyError, BodyFields, BodyTip, CrackedBody, FaceMesh, FieldLoad, RailEnds};
+use super::trace;
+use crate::body::{BodyError, BodyFields, BodyTimes, BodyTip, CrackedBody, FaceMesh, FieldLoad, RailEnds};
 use crate::bulk::{BlockCorrection, BulkError, BulkRail, CorrectionAtPoints};
 use crate::crack::CrackNetwork;
-use crate::linear::{LinearError, SparseColumn, SpdFactor, spd_inverse};
+use crate::linear::{LinearError, spd_inverse};
 use crate::load::HertzianContact;
-use crate::math::{Matrix, Stress, Vec2, dot};
+use crate::math::{Matrix, Stress, Vec2};
 use crate::mesh::{MeshError, QuadMesh};
 use std::sync::Arc;
+use std::time::Instant;
 use thiserror::Error;
 
 /// Cracks that the finite-element engine cannot represent.
@@ -30,15 +34,6 @@ pub enum XfemError {
         covered: f64,
         /// Its length, mm.
         length: f64,
-    },
-    /// Cracks that meet.
-    #[error(
-        "{junctions} junction(s) between cracks: the finite-element engine cannot represent cracks that meet; use the \
-         dislocation engine (engine = \"dislocation\")"
-    )]
-    Junctions {
-        /// How many.
-        junctions: usize,
     },
     /// Grid lines that make no mesh.
     #[error("the mesh cannot be made: {0}")]
@@ -94,6 +89,7 @@ pub struct XfemBody {
     sif_influence: Matrix,
     dofs: usize,
     remarks: Vec<String>,
+    pub(super) times: BodyTimes,
     ends: Option<BlockEnds>,
 }
 
@@ -112,9 +108,6 @@ impl RailEnds for BlockEnds {
     }
 }
 
-/// Share of the diagonal that is added to the condensed matrix: functions that the others repeat to round-off get no say.
-const REDUNDANT: f64 = 1e-13;
-
 impl XfemBody {
     /// The rail on `background` with `network` of cracks.
     pub fn new(
@@ -132,35 +125,50 @@ impl XfemBody {
         settings: XfemSettings,
         columns: &mut ColumnStore,
     ) -> Result<Self, XfemError> {
+        let mut times = BodyTimes::default();
+        let mut clock = Instant::now();
+        let mut lap = || std::mem::replace(&mut clock, Instant::now()).elapsed().as_secs_f64();
         let mesh = background.mesh();
         let Discretisation { cuts, sizes, space, interface } = Discretisation::new(mesh, network, &settings)?;
+        times.enrichment_s = lap();
         let elasticity = Elasticity::new(*background.steel());
         let border = Border::new(&cuts, &space, &elasticity);
+        times.border_s = lap();
         let context =
             SifContext { mesh, cuts: &cuts, space: &space, interface: &interface, elasticity: &elasticity };
-        let functionals: Vec<SifFunctional> = sizes
-            .iter()
-            .enumerate()
-            .flat_map(|(tip, size)| {
-                let domain =
-                    SifDomain { inner: settings.domain_inner * size, outer: settings.domain_outer * size };
-                context.functionals(tip, domain)
-            })
-            .collect();
-        let Condensed { compliance, sif_influence, response } =
-            condense(background, columns, &border, &cuts, &space, &interface, &functionals)?;
+        let mut remarks = Vec::new();
+        let mut functionals: Vec<SifFunctional> = Vec::new();
+        for (tip, &size) in sizes.iter().enumerate() {
+            let (domain, remark) = domain_of(&cuts, tip, size, &settings);
+            functionals.extend(context.functionals(tip, domain));
+            remarks.extend(remark);
+        }
+        times.sif_s = lap();
+        let jumps = trace::jumps(background, &cuts, &space, &interface);
+        let duality = interface.duality();
+        let system = System {
+            rail: background,
+            space: &space,
+            border: &border,
+            jumps: &jumps,
+            functionals: &functionals,
+            duality: &duality,
+        };
+        let Condensed { compliance, sif_influence, elimination } = system.condensed(columns)?;
         let stiffness = spd_inverse(&compliance)?;
+        times.condensation_s = lap();
         let tips = cuts.tips.iter().map(|tip| BodyTip { crack: tip.crack, end: tip.end }).collect();
         let dofs = background.factor().order() + space.unknowns();
         let rail = Arc::clone(background);
         Ok(Self {
-            inside: Inside { rail, cuts, space, interface, coupling: border.columns, response },
+            inside: Inside { rail, cuts, space, interface, duality, elimination },
             tips,
             compliance,
             stiffness,
             sif_influence,
             dofs,
-            remarks: Vec::new(),
+            remarks,
+            times,
             ends: None,
         })
     }
@@ -200,9 +208,6 @@ impl Discretisation {
         network: &CrackNetwork,
         settings: &XfemSettings,
     ) -> Result<Self, XfemError> {
-        if !network.junctions().is_empty() {
-            return Err(XfemError::Junctions { junctions: network.junctions().len() });
-        }
         let mut cuts = Cuts::new(mesh, network);
         let sizes: Vec<f64> = cuts.tips.iter().map(|tip| element_size(mesh, tip.position())).collect();
         let radius: Vec<f64> = cuts
@@ -235,101 +240,6 @@ const COVERAGE: f64 = 1e-8;
 fn element_size(mesh: &QuadMesh, at: Vec2) -> f64 {
     let size = mesh.element(mesh.locate(at).unwrap_or(0)).size();
     size.x.max(size.y)
-}
-
-/// The border without the unknowns of the mesh.
-struct Condensed {
-    /// C.
-    compliance: Matrix,
-    /// S.
-    sif_influence: Matrix,
-    /// B S_ee⁻¹: row of a nodal force, column of an enriched unknown.
-    response: Matrix,
-}
-
-/// C and S from the border: S_ee = K_ee − K_es K_ss⁻¹ K_se, C = B S_ee⁻¹ Bᵀ.
-fn condense(
-    background: &BulkRail,
-    store: &mut ColumnStore,
-    border: &Border,
-    cuts: &Cuts,
-    space: &Space,
-    interface: &Interface,
-    functionals: &[SifFunctional],
-) -> Result<Condensed, XfemError> {
-    let sparse = |entries: &[(usize, f64)]| SparseColumn {
-        entries: entries
-            .iter()
-            .filter_map(|&(dof, v)| background.unknowns(dof / 2)[dof % 2].map(|u| (u, v)))
-            .collect(),
-    };
-    let mut columns: Vec<SparseColumn> = border.columns.iter().map(|column| sparse(column)).collect();
-    let n = columns.len();
-    columns.extend(functionals.iter().map(|f| sparse(&f.standard)));
-    let products = store.products(background.factor(), &columns)?;
-
-    let scale: Vec<f64> = (0..n)
-        .map(|i| {
-            let own = border.square[(i, i)];
-            if own > 0.0 { 1.0 / own.sqrt() } else { 0.0 }
-        })
-        .collect();
-    let condensed = Matrix::from_fn(n, n, |i, j| {
-        let scaled = (border.square[(i, j)] - products[(i, j)]) * scale[i] * scale[j];
-        if i == j { scaled + if scale[i] > 0.0 { REDUNDANT } else { 1.0 } } else { scaled }
-    });
-    let factor = SpdFactor::new(&condensed)?;
-
-    // Rows of B, and the traction part of each functional as a further column.
-    let points = interface.faces.points.len();
-    let mut b = Matrix::zeros(2 * points, n + functionals.len());
-    super::trace::jumps(background, cuts, space, interface, &mut b);
-    for (k, functional) in functionals.iter().enumerate() {
-        for (row, value) in functional.tractions.iter().enumerate() {
-            b[(row, n + k)] = *value;
-        }
-    }
-    interface.nodal_jumps(&mut b);
-    let b = in_face_frames(&b, &interface.faces);
-    let scaled = Matrix::from_fn(2 * points, n, |i, j| b[(i, j)] * scale[j]);
-    let solved = factor.solve_rows(&scaled);
-    let mut compliance = Matrix::zeros(2 * points, 2 * points);
-    for i in 0..2 * points {
-        for j in 0..=i {
-            let value = dot(scaled.row(i), solved.row(j));
-            compliance[(i, j)] = value;
-            compliance[(j, i)] = value;
-        }
-    }
-    let sif_influence = {
-        let mut influence = Matrix::zeros(functionals.len(), 2 * points);
-        for (k, functional) in functionals.iter().enumerate() {
-            let mut row: Vec<f64> = products.row(n + k)[..n].iter().map(|c| -c).collect();
-            functional.enriched.iter().for_each(|&(unknown, value)| row[unknown] += value);
-            row.iter_mut().zip(&scale).for_each(|(value, scale)| *value *= scale);
-            for j in 0..2 * points {
-                influence[(k, j)] = dot(&row, solved.row(j)) + b[(j, n + k)];
-            }
-        }
-        influence
-    };
-    let response = Matrix::from_fn(2 * points, n, |i, j| solved[(i, j)] * scale[j]);
-    Ok(Condensed { compliance, sif_influence, response })
-}
-
-/// Rows x and y of each face point turned into slip and opening.
-fn in_face_frames(b: &Matrix, faces: &FaceMesh) -> Matrix {
-    let mut turned = Matrix::zeros(b.rows(), b.columns());
-    for (j, point) in faces.points.iter().enumerate() {
-        let (x, y) = (b.row(2 * j), b.row(2 * j + 1));
-        for (axis, direction) in [point.tangent, point.tangent.left()].into_iter().enumerate() {
-            let row = turned.row_mut(2 * j + axis);
-            for (k, value) in row.iter_mut().enumerate() {
-                *value = direction.x * x[k] + direction.y * y[k];
-            }
-        }
-    }
-    turned
 }
 
 impl CrackedBody for XfemBody {
@@ -367,6 +277,10 @@ impl CrackedBody for XfemBody {
             Ok(fields) => Ok(Some(fields)),
             Err(reason) => Err(BodyError { reason: Box::new(reason) }),
         }
+    }
+
+    fn times(&self) -> BodyTimes {
+        self.times
     }
 
     fn remarks(&self) -> &[String] {

@@ -4,16 +4,19 @@ use super::basis::{CellBasis, Elasticity, Function, Target};
 use super::cuts::{CellPlace, Cuts};
 use super::quadrature::Rules;
 use super::space::Space;
-use crate::math::{Matrix, Vec2};
+use crate::math::Vec2;
 use rayon::prelude::*;
+
+/// (unknown, value), in increasing order.
+pub(super) type Entries = Vec<(usize, f64)>;
 
 /// Stiffness of the enriched unknowns, N/mm per unit of each unknown.
 #[derive(Debug, Clone)]
 pub(super) struct Border {
-    /// K_se: per enriched unknown, (unknown of the mesh, value), in increasing order.
-    pub columns: Vec<Vec<(usize, f64)>>,
-    /// K_ee.
-    pub square: Matrix,
+    /// K_se: per enriched unknown, the entries of unknowns 2 node + axis of the mesh, held ones included.
+    pub columns: Vec<Entries>,
+    /// K_ee: of row i the entries of the enriched unknowns j ≤ i; the diagonal is always there.
+    pub square: Vec<Entries>,
 }
 
 /// Stiffness of the functions of one cell, lower triangle row by row.
@@ -31,8 +34,8 @@ impl Border {
             .map(|&e| element_stiffness(cuts, space, e, elasticity, &rules))
             .collect();
         let unknowns = space.unknowns();
-        let mut columns: Vec<Vec<(usize, f64)>> = vec![Vec::new(); unknowns];
-        let mut square = Matrix::zeros(unknowns, unknowns);
+        let mut columns: Vec<Entries> = vec![Vec::new(); unknowns];
+        let mut square: Vec<Entries> = (0..unknowns).map(|i| vec![(i, 0.0)]).collect();
         for cell in cells.iter().flatten() {
             let mut entries = cell.entries.iter();
             for (a, row) in cell.targets.iter().enumerate() {
@@ -48,21 +51,19 @@ impl Border {
                         }
                     }
                     if let (Some(i), Some(j)) = (row.enriched, column.enriched) {
-                        square[(i, j)] += value;
-                        if i != j || !std::ptr::eq(row, column) {
-                            square[(j, i)] += value;
-                        }
+                        let twice = i == j && !std::ptr::eq(row, column);
+                        square[i.max(j)].push((i.min(j), if twice { 2.0 * value } else { value }));
                     }
                 }
             }
         }
-        columns.par_iter_mut().for_each(merge);
+        columns.par_iter_mut().chain(&mut square).for_each(merge);
         Self { columns, square }
     }
 }
 
 /// Sorts by unknown and adds what belongs together, in the order in which it came.
-pub(super) fn merge(entries: &mut Vec<(usize, f64)>) {
+pub(super) fn merge(entries: &mut Entries) {
     entries.sort_by_key(|entry| entry.0);
     entries.dedup_by(|next, kept| {
         let same = next.0 == kept.0;

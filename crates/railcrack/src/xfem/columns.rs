@@ -3,19 +3,25 @@
 use crate::linear::{LinearError, ReachedColumn, SparseColumn, SparseFactor, gram};
 use crate::math::Matrix;
 use std::collections::HashMap;
+use std::sync::Arc;
 
 /// Half-solved columns L⁻¹ b and their scalar products, by the content of b.
 ///
 /// What was computed for a column is used again as long as its entries are the same bits; since both depend on the factor and
-/// on the column alone, a run that begins in the middle finds the same bits without them.
-#[derive(Debug, Default)]
+/// on the column alone, a run that begins in the middle finds the same bits without them. A clone shares the columns.
+#[derive(Debug, Clone, Default)]
 pub struct ColumnStore {
-    places: HashMap<Vec<(usize, u64)>, usize>,
-    reached: Vec<Option<ReachedColumn>>,
-    products: Option<Matrix>,
+    places: Arc<HashMap<Vec<(usize, u64)>, usize>>,
+    reached: Vec<Option<Arc<ReachedColumn>>>,
+    products: Option<Arc<Matrix>>,
 }
 
 impl ColumnStore {
+    /// Forgets everything.
+    pub(super) fn clear(&mut self) {
+        *self = Self::default();
+    }
+
     /// b_iᵀ K⁻¹ b_j of all `columns`, symmetric. Keeps them for the next call and forgets all others.
     pub(super) fn products(
         &mut self,
@@ -28,7 +34,7 @@ impl ColumnStore {
         };
         let mut places = HashMap::with_capacity(n);
         let mut known: Vec<Option<usize>> = vec![None; n];
-        let mut reached: Vec<Option<ReachedColumn>> = vec![None; n];
+        let mut reached: Vec<Option<Arc<ReachedColumn>>> = vec![None; n];
         let mut fresh = Vec::new();
         for (i, column) in columns.iter().enumerate() {
             let key = content(column);
@@ -44,9 +50,9 @@ impl ColumnStore {
         }
         let wanted: Vec<SparseColumn> = fresh.iter().map(|&i| columns[i].clone()).collect();
         for (&i, column) in fresh.iter().zip(factor.forward(&wanted)?) {
-            reached[i] = Some(column);
+            reached[i] = Some(Arc::new(column));
         }
-        let all: Vec<&ReachedColumn> = reached.iter().flatten().collect();
+        let all: Vec<&ReachedColumn> = reached.iter().flatten().map(Arc::as_ref).collect();
         let new: Vec<&ReachedColumn> = fresh.iter().map(|&i| all[i]).collect();
         let computed = gram(&new, &all);
         let mut products = Matrix::zeros(n, n);
@@ -66,9 +72,9 @@ impl ColumnStore {
                 products[(j, i)] = computed[(row, j)];
             }
         }
-        self.places = places;
+        self.places = Arc::new(places);
         self.reached = reached;
-        self.products = Some(products.clone());
+        self.products = Some(Arc::new(products.clone()));
         Ok(products)
     }
 }

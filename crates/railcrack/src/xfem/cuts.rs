@@ -2,7 +2,7 @@
 
 use super::arrangement::{Arrangement, Border, CutLine};
 use super::path::{CutPath, TipPath};
-use crate::crack::CrackNetwork;
+use crate::crack::{CrackEnd, CrackNetwork};
 use crate::math::{Orientation, Vec2, orientation};
 use crate::mesh::{Edge, Element, QuadMesh};
 use std::collections::BTreeMap;
@@ -96,13 +96,13 @@ pub(super) struct Cuts {
 impl Cuts {
     pub(super) fn new(mesh: &QuadMesh, network: &CrackNetwork) -> Self {
         let paths: Vec<CutPath> = network.cracks().iter().map(CutPath::new).collect();
-        let mut tips = Vec::new();
-        for (crack, one) in network.cracks().iter().enumerate() {
-            tips.extend(one.tips().into_iter().map(|end| TipPath::new(crack, &paths[crack], end)));
-        }
+        let tip = |tip: CrackEnd| TipPath::new(tip.crack, &paths[tip.crack], tip.end);
+        let tips: Vec<TipPath> = network.tips().into_iter().map(tip).collect();
         let mut poles = tips.clone();
         for (crack, path) in paths.iter().enumerate() {
-            for i in (1..path.segments()).filter(|&i| path.turn(i) > SHARP_KINK) {
+            // Where another crack ends, faces are free to slide into it.
+            let joined = |i: usize| network.junction_points().iter().any(|j| j.position == path.points[i]);
+            for i in (1..path.segments()).filter(|&i| path.turn(i) > SHARP_KINK && !joined(i)) {
                 poles.push(TipPath::before_kink(crack, path, i));
             }
         }

@@ -10,6 +10,7 @@ use crate::load::HertzianContact;
 use crate::material::IsotropicElastic;
 use std::ops::RangeInclusive;
 use std::sync::Arc;
+use std::time::Instant;
 
 /// What the rail of the finite-element engine ends at.
 #[derive(Debug, Clone, PartialEq)]
@@ -77,8 +78,9 @@ pub struct XfemSize {
 }
 
 /// Extended finite elements for all steps of a run. The mesh is laid around the cracks of the first step with room for their
-/// growth, and is factored once; a crack that leaves the fine window has it enlarged in fixed steps.
-#[derive(Debug)]
+/// growth, and is factored once; a crack that leaves the fine window has it enlarged in fixed steps. A clone shares the factor and what
+/// was solved with it.
+#[derive(Debug, Clone)]
 pub struct XfemEngine {
     steel: IsotropicElastic,
     end: RailEnd,
@@ -90,7 +92,7 @@ pub struct XfemEngine {
     background: Option<Arc<BulkRail>>,
     columns: ColumnStore,
     /// Of a block: what its ends do, for all positions of the wheel.
-    correction: Option<BlockCorrection>,
+    correction: Option<Arc<BlockCorrection>>,
 }
 
 impl XfemEngine {
@@ -119,6 +121,29 @@ impl XfemEngine {
     pub fn resolving(self, layers: Layers) -> Self {
         let window = self.initial.resolving(layers);
         Self { initial: window.clone(), window, ..self }
+    }
+
+    /// Everything on which mesh and factor of the rail depend for the cracks at the beginning; two rails with the same words are the
+    /// same bits.
+    pub fn rail_in_words(&self) -> String {
+        let (outline, boundary) = (self.end.outline(&self.initial), self.end.boundary());
+        // The shortest decimals that read back to the same bits.
+        format!("{:?} {outline:?} {boundary:?} {:?}", self.steel, self.initial)
+    }
+
+    /// Takes over mesh, factor and columns of `other`, where this engine has none yet and would make the same ones.
+    pub fn take_over(&mut self, other: &Self) {
+        if self.background.is_some()
+            || other.window != self.initial
+            || self.rail_in_words() != other.rail_in_words()
+        {
+            return;
+        }
+        self.background = other.background.clone();
+        self.columns = other.columns.clone();
+        if self.end == other.end {
+            self.correction = other.correction.clone();
+        }
     }
 
     /// How large the system of `network` is, without factoring it.
@@ -154,24 +179,26 @@ impl XfemEngine {
         let (window, _) = self.window_for(network);
         if window != self.window || self.background.is_none() {
             let mesh = window.mesh(self.end.outline(&window))?;
-            let rail = Arc::new(BulkRail::new(mesh, &self.steel, self.end.boundary())?);
-            self.correction = match &self.end {
-                RailEnd::HalfPlane { .. } => None,
-                RailEnd::Block { contact, positions, .. } => {
-                    Some(BlockCorrection::new(&rail, contact, positions.clone())?)
-                }
-            };
-            self.background = Some(rail);
+            self.background = Some(Arc::new(BulkRail::new(mesh, &self.steel, self.end.boundary())?));
+            self.correction = None;
             self.columns = ColumnStore::default();
             self.window = window;
         }
-        Ok(self.background.as_ref().expect("made above"))
+        let rail = self.background.as_ref().expect("made above");
+        // Depends on the wheel too, and is therefore not taken over with every rail.
+        if let (RailEnd::Block { contact, positions, .. }, None) = (&self.end, &self.correction) {
+            self.correction = Some(Arc::new(BlockCorrection::new(rail, contact, positions.clone())?));
+        }
+        Ok(rail)
     }
 
     fn cracked(&mut self, network: &CrackNetwork) -> Result<XfemBody, XfemError> {
+        let started = Instant::now();
         self.background(network)?;
+        let mesh_s = started.elapsed().as_secs_f64();
         let background = self.background.as_ref().expect("made above");
         let mut body = XfemBody::with_columns(background, network, self.settings, &mut self.columns)?;
+        body.times.mesh_s = mesh_s;
         if let (RailEnd::Block { contact, .. }, Some(correction)) = (&self.end, &self.correction) {
             body.add_ends(correction, contact)?;
         }

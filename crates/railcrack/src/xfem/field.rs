@@ -2,14 +2,15 @@
 
 use super::basis::{CellBasis, Elasticity, Function};
 use super::body::XfemError;
+use super::condense::Elimination;
 use super::cuts::{CellPlace, Cuts};
 use super::field_grid::Layout;
-use super::interface::Interface;
+use super::interface::{Duality, Interface};
 use super::space::Space;
 use crate::body::{BodyFields, FieldLoad, PointField};
 use crate::bulk::{BlockCorrection, BulkRail};
 use crate::load::HertzianContact;
-use crate::math::{Matrix, Stress, Vec2};
+use crate::math::{Stress, Vec2};
 use crate::mesh::{CORNERS, Element, NODES, shape_functions};
 use rayon::prelude::*;
 use std::ops::Range;
@@ -22,10 +23,8 @@ pub(super) struct Inside {
     pub cuts: Cuts,
     pub space: Space,
     pub interface: Interface,
-    /// K_se: per enriched unknown, (unknown of the mesh, value).
-    pub coupling: Vec<Vec<(usize, f64)>>,
-    /// B S_ee⁻¹: row of a nodal force, column of an enriched unknown.
-    pub response: Matrix,
+    pub duality: Duality,
+    pub elimination: Elimination,
 }
 
 /// Distance (over the length of the longest crack) from the box of the cracks up to which fields are given.
@@ -64,21 +63,9 @@ impl Inside {
         Ok(BodyFields { grid: layout.grid, loads: fields })
     }
 
-    /// u_e = S_ee⁻¹ Bᵀ f and u_s = −K_ss⁻¹ K_se u_e.
     fn unknowns(&self, load: &FieldLoad, wheel: Option<&HertzianContact>) -> Result<Unknowns, XfemError> {
-        let mut enriched = vec![0.0; self.coupling.len()];
-        for (row, force) in load.forces.iter().enumerate() {
-            enriched.iter_mut().zip(self.response.row(row)).for_each(|(sum, value)| *sum += force * value);
-        }
-        let mut standard = vec![0.0; self.rail.factor().order()];
-        for (column, value) in self.coupling.iter().zip(&enriched) {
-            for &(unknown, entry) in column {
-                if let Some(free) = self.rail.unknowns(unknown / 2)[unknown % 2] {
-                    standard[free] -= entry * value;
-                }
-            }
-        }
-        self.rail.factor().solve(&mut standard)?;
+        let tractions = self.duality.tractions(load.forces);
+        let (standard, enriched) = self.elimination.unknowns(&self.rail, &tractions)?;
         let of_node = |node: usize| {
             let [x, y] = self.rail.unknowns(node).map(|unknown| unknown.map_or(0.0, |free| standard[free]));
             Vec2::new(x, y)

@@ -1,9 +1,10 @@
 //! Face points of the finite-element engine, and what the faces see of the enriched functions.
 
 use super::cuts::{CrackPiece, Cuts, SHARP_KINK};
+use super::junctions::{junctions_on, leave_junctions};
 use crate::body::{FaceElement, FaceMesh, discretise};
-use crate::crack::{CrackNetwork, Walk};
-use crate::math::{Vec2, gauss_legendre, quantiles};
+use crate::crack::{CrackNetwork, End, Walk};
+use crate::math::{Matrix, Vec2, axpy, gauss_legendre, quantiles};
 use crate::mesh::QuadMesh;
 
 /// The face points of a network, with quadrature points that know the cells at both faces.
@@ -44,6 +45,8 @@ const KINK_SPACING: f64 = 0.15;
 const SMALL_KINK_SPACING: f64 = 0.5;
 /// Growth of the distance of face points away from a kink: length per distance.
 const KINK_GRADING: f64 = 0.5;
+/// Length of the element next to a junction, over the regular one.
+const JUNCTION_SPACING: f64 = 0.5;
 /// Kinks below this angle (radians) are smooth for the jump.
 const SMALL_KINK: f64 = 0.05;
 /// Gauss points on each common piece of face element and cut element: jumps are of degree 5 in g, times ψ and ds/dg.
@@ -52,9 +55,12 @@ const GAUSS: usize = 6;
 impl Interface {
     /// `spacing` (mm) between face points, by the elements where there is none.
     pub(super) fn new(mesh: &QuadMesh, network: &CrackNetwork, cuts: &Cuts, spacing: Option<f64>) -> Self {
-        let walks: Vec<Walk> = network.cracks().iter().map(Walk::new).collect();
-        let nodes: Vec<Vec<f64>> = walks.iter().map(|walk| nodes(mesh, walk, spacing)).collect();
-        let (elements, faces) = discretise(&walks, &nodes);
+        let walks = network.walks();
+        let joined: Vec<Vec<usize>> = (0..walks.len()).map(|crack| junctions_on(network, crack)).collect();
+        let nodes: Vec<Vec<f64>> =
+            walks.iter().zip(&joined).map(|(walk, joined)| nodes(mesh, walk, joined, spacing)).collect();
+        let (mut elements, mut faces) = discretise(&walks, &nodes);
+        leave_junctions(&walks, &joined, &mut elements, &mut faces);
         let mut interface = Self { faces, stations: Vec::new(), elements, walks };
         interface.stations = interface.stations_of(cuts);
         interface
@@ -116,11 +122,10 @@ impl Interface {
         }
     }
 
-    /// G⁻¹ b with G_jk = ∫ λ_j ψ_k ds: nodal jumps from b_j = ∫ λ_j ⟦w⟧ ds, in place; `b[j]` may be any row of numbers.
-    pub(super) fn nodal_jumps(&self, b: &mut crate::math::Matrix) {
-        let points = self.faces.points.len();
-        // Tridiagonal: below, on and above the diagonal.
-        let mut bands = vec![[0.0; 3]; points];
+    /// G with G_jk = ∫ λ_j ψ_k ds and the frames of the faces.
+    pub(super) fn duality(&self) -> Duality {
+        let points = &self.faces.points;
+        let mut bands = vec![[0.0; 3]; points.len()];
         for station in &self.stations {
             for (j, lambda) in station.tractions {
                 for (k, psi) in station.jumps {
@@ -130,30 +135,81 @@ impl Interface {
                 }
             }
         }
-        let columns = b.columns();
+        for i in 1..points.len() {
+            bands[i][0] /= bands[i - 1][1];
+            bands[i][1] -= bands[i][0] * bands[i - 1][2];
+        }
+        Duality { bands, tangents: points.iter().map(|point| point.tangent).collect() }
+    }
+}
+
+/// What turns integrals over the faces into jumps at face points, and nodal forces there into tractions.
+#[derive(Debug, Clone)]
+pub(super) struct Duality {
+    /// The factors of the tridiagonal G: of each row the entry of the lower one, the pivot, and the entry beside it.
+    bands: Vec<[f64; 3]>,
+    /// x1 of each face point.
+    tangents: Vec<Vec2>,
+}
+
+impl Duality {
+    /// G⁻¹ b in the frames of the faces: slip and opening at the face points from b_j = ∫ λ_j ⟦w⟧ ds along x and y. `b[j]` may be any
+    /// row of numbers.
+    pub(super) fn nodal_jumps(&self, mut b: Matrix) -> Matrix {
+        let points = self.bands.len();
         for i in 1..points {
-            let factor = bands[i][0] / bands[i - 1][1];
+            let factor = self.bands[i][0];
             if factor != 0.0 {
-                bands[i][1] -= factor * bands[i - 1][2];
                 for axis in 0..2 {
-                    let above = b.row(2 * (i - 1) + axis).to_vec();
-                    let row = b.row_mut(2 * i + axis);
-                    for c in 0..columns {
-                        row[c] -= factor * above[c];
-                    }
+                    let (above, row) = b.row_pair(2 * (i - 1) + axis, 2 * i + axis);
+                    axpy(-factor, above, row);
                 }
             }
         }
         for i in (0..points).rev() {
             for axis in 0..2 {
-                let below = (i + 1 < points).then(|| b.row(2 * (i + 1) + axis).to_vec());
-                let row = b.row_mut(2 * i + axis);
-                for c in 0..columns {
-                    let known = below.as_ref().map_or(0.0, |below| bands[i][2] * below[c]);
-                    row[c] = (row[c] - known) / bands[i][1];
+                if i + 1 < points && self.bands[i][2] != 0.0 {
+                    let (below, row) = b.row_pair(2 * (i + 1) + axis, 2 * i + axis);
+                    axpy(-self.bands[i][2], below, row);
                 }
+                let pivot = self.bands[i][1];
+                b.row_mut(2 * i + axis).iter_mut().for_each(|value| *value /= pivot);
             }
         }
+        for (i, x1) in self.tangents.iter().enumerate() {
+            let x2 = x1.left();
+            let (x, y) = b.row_pair(2 * i, 2 * i + 1);
+            // Row y is written last: both rows are read.
+            let turned: Vec<f64> = x.iter().zip(&*y).map(|(x, y)| x1.x * x + x1.y * y).collect();
+            y.iter_mut().zip(x).for_each(|(y, x)| *y = x2.x * x + x2.y * *y);
+            b.row_mut(2 * i).copy_from_slice(&turned);
+        }
+        b
+    }
+
+    /// The coefficients τ_j (x and y, MPa) of the tractions Σ λ_j τ_j that nodal `forces` (N/mm, in the frames of the faces) are: the
+    /// transpose of [`Duality::nodal_jumps`].
+    pub(super) fn tractions(&self, forces: &[f64]) -> Vec<f64> {
+        let points = self.bands.len();
+        let mut tractions = vec![0.0; 2 * points];
+        for (i, x1) in self.tangents.iter().enumerate() {
+            let force = *x1 * forces[2 * i] + x1.left() * forces[2 * i + 1];
+            [tractions[2 * i], tractions[2 * i + 1]] = [force.x, force.y];
+        }
+        for i in 0..points {
+            for axis in 0..2 {
+                if i > 0 {
+                    tractions[2 * i + axis] -= self.bands[i - 1][2] * tractions[2 * (i - 1) + axis];
+                }
+                tractions[2 * i + axis] /= self.bands[i][1];
+            }
+        }
+        for i in (0..points.saturating_sub(1)).rev() {
+            for axis in 0..2 {
+                tractions[2 * i + axis] -= self.bands[i + 1][0] * tractions[2 * (i + 1) + axis];
+            }
+        }
+        tractions
     }
 }
 
@@ -196,8 +252,18 @@ fn shares(element: &FaceElement, g: f64) -> (Shares, Shares) {
     (jumps, tractions)
 }
 
-/// The nodes of one walk in g, ends included.
-fn nodes(mesh: &QuadMesh, walk: &Walk, spacing: Option<f64>) -> Vec<f64> {
+/// A place of a walk with nodes of its own, which are shorter around it.
+struct Place {
+    /// Arc length, mm.
+    s: f64,
+    /// Length of an element there, mm; infinite where it is not shorter than elsewhere.
+    element: f64,
+    /// The nodes in g, in order.
+    nodes: Vec<f64>,
+}
+
+/// The nodes of one walk in g, ends included; those at the points `joined`, where cracks meet, twice.
+fn nodes(mesh: &QuadMesh, walk: &Walk, joined: &[usize], spacing: Option<f64>) -> Vec<f64> {
     let (start, end) = walk.range();
     let vertices = walk.vertices();
     let segments = walk.segments();
@@ -206,39 +272,49 @@ fn nodes(mesh: &QuadMesh, walk: &Walk, spacing: Option<f64>) -> Vec<f64> {
         let chord = SPACING * chord_at(mesh, walk.position(segment, g), walk.tangent(segment));
         spacing.map_or(chord, |spacing| chord.min(spacing))
     };
-    let tip_chord = |g: f64| chord(g) / walk.root_slope().powi(2);
-    let tip_step = [
-        (!walk.is_surface_breaking()).then(|| TIP_STEP * tip_chord(start).sqrt()),
-        Some(TIP_STEP * tip_chord(end).sqrt()),
-    ];
-    let tip_step = tip_step.into_iter().flatten().fold(f64::INFINITY, f64::min);
-    let kinks: Vec<(f64, f64)> = (1..segments)
-        .filter(|&i| walk.turn(i) > SMALL_KINK)
-        .map(|i| {
-            let before = walk.from_first(i) - walk.from_first(i - 1);
-            let after = walk.from_first(i + 1) - walk.from_first(i);
-            // Points crowd only where the jump has the functions to follow them.
-            let spacing = if walk.turn(i) > SHARP_KINK { KINK_SPACING } else { SMALL_KINK_SPACING };
-            (walk.from_first(i), (spacing * chord(vertices[i])).min(0.5 * before.min(after)))
-        })
-        .collect();
-    let density = |g: f64| {
-        let near = |&(at, across): &(f64, f64)| across + KINK_GRADING * (walk.s(g) - at).abs();
-        walk.ds(g) / kinks.iter().map(near).fold(chord(g), f64::min)
-    };
-    // An element across each kink, so that every node has one tangent.
-    let mut fixed = vec![start];
-    for &(at, across) in &kinks {
-        fixed.push(walk.g(at - 0.5 * across));
-        fixed.push(walk.g(at + 0.5 * across));
-    }
-    fixed.push(end);
-    let mut nodes = vec![start];
-    for (k, pair) in fixed.windows(2).enumerate() {
-        if k.is_multiple_of(2) {
-            nodes.extend(quantiles(pair[0], pair[1], |g| density(g).max(1.0 / tip_step)));
+    let tip_step = [(End::First, start), (End::Last, end)]
+        .into_iter()
+        .filter(|(which, _)| walk.has_tip(*which))
+        .map(|(_, g)| TIP_STEP * (chord(g) / walk.root_slope().powi(2)).sqrt())
+        .fold(f64::INFINITY, f64::min);
+    let place = |i: usize| {
+        let s = walk.from_first(i);
+        let before = if i > 0 { s - walk.from_first(i - 1) } else { f64::INFINITY };
+        let after = if i < segments { walk.from_first(i + 1) - s } else { f64::INFINITY };
+        let gap = before.min(after);
+        let g = vertices[i];
+        if joined.contains(&i) {
+            let element = (JUNCTION_SPACING * chord(g)).min(0.3 * gap);
+            let mut nodes = Vec::new();
+            if i > 0 {
+                nodes.extend([walk.g(s - element), g]);
+            }
+            if i < segments {
+                nodes.extend([g, walk.g(s + element)]);
+            }
+            return Some(Place { s, element, nodes });
         }
-        nodes.push(pair[1]);
+        if i == 0 || i == segments {
+            return Some(Place { s, element: f64::INFINITY, nodes: vec![g] });
+        }
+        // An element across each kink, so that every node has one tangent. Points crowd only where the jump has the functions to follow
+        // them.
+        (walk.turn(i) > SMALL_KINK).then(|| {
+            let spacing = if walk.turn(i) > SHARP_KINK { KINK_SPACING } else { SMALL_KINK_SPACING };
+            let element = (spacing * chord(g)).min(0.5 * gap);
+            Place { s, element, nodes: vec![walk.g(s - 0.5 * element), walk.g(s + 0.5 * element)] }
+        })
+    };
+    let places: Vec<Place> = (0..=segments).filter_map(place).collect();
+    let density = |g: f64| {
+        let near = |place: &Place| place.element + KINK_GRADING * (walk.s(g) - place.s).abs();
+        walk.ds(g) / places.iter().map(near).fold(chord(g), f64::min)
+    };
+    let mut nodes = places[0].nodes.clone();
+    for next in &places[1..] {
+        let (from, to) = (nodes[nodes.len() - 1], next.nodes[0]);
+        nodes.extend(quantiles(from, to, |g| density(g).max(1.0 / tip_step)));
+        nodes.extend(&next.nodes);
     }
     nodes
 }

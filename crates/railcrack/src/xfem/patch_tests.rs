@@ -65,8 +65,11 @@ impl Dense {
             }
         }
         for i in 0..parts.space.unknowns() {
-            for j in 0..parts.space.unknowns() {
-                matrix[(standard + i, standard + j)] += border.square[(i, j)];
+            for &(j, value) in &border.square[i] {
+                matrix[(standard + i, standard + j)] += value;
+                if i != j {
+                    matrix[(standard + j, standard + i)] += value;
+                }
             }
         }
         Self { mesh: mesh.clone(), parts, elasticity, matrix, standard }
@@ -274,7 +277,8 @@ fn nodal_jumps(
     interface: &Interface,
 ) -> Matrix {
     let mut b = Matrix::zeros(2 * interface.faces.points.len(), space.unknowns());
-    trace::jumps(rail, cuts, space, interface, &mut b);
-    interface.nodal_jumps(&mut b);
-    b
+    for (i, row) in trace::jumps(rail, cuts, space, interface).iter().enumerate() {
+        row.iter().for_each(|&(unknown, value)| b[(i, unknown)] = value);
+    }
+    interface.duality().nodal_jumps(b)
 }

@@ -1,6 +1,6 @@
 //! Where the mesh is fine.
 
-use crate::crack::{Crack, CrackNetwork, End};
+use crate::crack::{Crack, CrackEnd, CrackNetwork, End};
 use crate::math::Vec2;
 use crate::mesh::{MeshError, QuadMesh};
 
@@ -31,12 +31,13 @@ const MOST_ELEMENTS_PER_CRACK: f64 = 250.0;
 pub fn default_element_size(network: &CrackNetwork) -> f64 {
     let cracks = network.cracks();
     let per_crack = if cracks.len() > FEW { ELEMENTS_PER_CRACK_OF_MANY } else { ELEMENTS_PER_CRACK };
-    let wanted = |crack: &Crack| {
+    let wanted = |(index, crack): (usize, &Crack)| {
         let length = crack.length();
-        let parts = crack.tips().into_iter().map(|end| tip_part(crack, end) / ELEMENTS_PER_TIP_SEGMENT);
+        let tips = network.tips_of(index).into_iter();
+        let parts = tips.map(|end| tip_part(crack, end) / ELEMENTS_PER_TIP_SEGMENT);
         parts.fold(length / per_crack, f64::min).max(length / MOST_ELEMENTS_PER_CRACK)
     };
-    cracks.iter().map(wanted).fold(f64::INFINITY, f64::min)
+    cracks.iter().enumerate().map(wanted).fold(f64::INFINITY, f64::min)
 }
 
 /// Length (mm) of the crack from the tip `end` back to the first turn.
@@ -108,12 +109,11 @@ impl Window {
         let points = || network.cracks().iter().flat_map(|crack| crack.points().iter().copied());
         let cracks = bounds(points());
         let length = network.cracks().iter().map(|crack| crack.length()).fold(f64::INFINITY, f64::min);
-        let ahead = network.cracks().iter().flat_map(|crack| {
+        let ahead = network.tips().into_iter().flat_map(|CrackEnd { crack, end }| {
+            let crack = &network.cracks()[crack];
             let far = (settings.expected_growth - 1.0).max(0.0) * crack.length();
-            crack.tips().into_iter().flat_map(move |end| {
-                let (tip, angle) = (crack.tip(end), crack.ahead(end).angle());
-                [-BRANCH, 0.0, BRANCH].map(|turn| tip + Vec2::unit(angle + turn) * far)
-            })
+            let (tip, angle) = (crack.tip(end), crack.ahead(end).angle());
+            [-BRANCH, 0.0, BRANCH].map(|turn| tip + Vec2::unit(angle + turn) * far)
         });
         let (lower, upper) = bounds(points().chain(ahead));
         let margin =
@@ -149,23 +149,19 @@ impl Window {
 
     /// Whether all tips of `network` lie well inside.
     pub fn holds(&self, network: &CrackNetwork) -> bool {
-        network
-            .cracks()
-            .iter()
-            .all(|crack| crack.tips().into_iter().all(|end| self.holds_point(crack.tip(end))))
+        network.tips().into_iter().all(|tip| self.holds_point(network.cracks()[tip.crack].tip(tip.end)))
     }
 
     /// Whether a tip of `network` has left with the last segment of its crack.
     pub fn was_left_by(&self, network: &CrackNetwork) -> bool {
-        network.cracks().iter().any(|crack| {
+        network.tips().into_iter().any(|CrackEnd { crack, end }| {
+            let crack = &network.cracks()[crack];
             let points = crack.points();
-            crack.tips().into_iter().any(|end| {
-                let before = match end {
-                    End::First => points[1],
-                    End::Last => points[points.len() - 2],
-                };
-                !self.holds_point(crack.tip(end)) && self.holds_point(before)
-            })
+            let before = match end {
+                End::First => points[1],
+                End::Last => points[points.len() - 2],
+            };
+            !self.holds_point(crack.tip(end)) && self.holds_point(before)
         })
     }
 
@@ -179,8 +175,7 @@ impl Window {
 
     /// Distance (mm) that quadratic elements resolve at the tips of `network`: half of the smallest one there.
     pub fn resolution(&self, network: &CrackNetwork) -> f64 {
-        let tips =
-            network.cracks().iter().flat_map(|crack| crack.tips().into_iter().map(|end| crack.tip(end)));
+        let tips = network.tips().into_iter().map(|tip| network.cracks()[tip.crack].tip(tip.end));
         0.5 * tips.map(|tip| self.size_x(tip.x).max(self.size_y(tip.y))).fold(f64::INFINITY, f64::min)
     }
 

@@ -2,7 +2,7 @@
 
 use super::{Meshed, body};
 use railcrack::body::CrackedBody;
-use railcrack::contact::{ContactSolver, FaceProblem, Newton};
+use railcrack::contact::{self, ContactSolver, FaceProblem, Newton};
 use railcrack::crack::{Crack, CrackNetwork};
 use railcrack::dislocation::FaceResolution;
 use railcrack::field::StressField;
@@ -15,11 +15,12 @@ use std::fmt;
 pub struct StepControl {
     pub positions: usize,
     pub tolerance: f64,
+    pub control: contact::StepControl,
 }
 
 impl Default for StepControl {
     fn default() -> Self {
-        Self { positions: 241, tolerance: 2e-3 }
+        Self { positions: 241, tolerance: 2e-3, control: contact::StepControl::Adaptive }
     }
 }
 
@@ -109,6 +110,7 @@ impl Rolling<'_> {
             max_passages: 5,
             passage_tolerance: 1e-3,
             step_tolerance: self.steps.tolerance,
+            step_control: self.steps.control,
         };
         let load = RailLoad { contact: self.contact(), poisson: 0.3, residual: self.residual };
         stabilised_passage(problem, solver, load, &settings, &Unwatched).unwrap()

@@ -62,6 +62,13 @@ impl Meshed {
         self.engine(cracks).body(&CrackNetwork::new(cracks.to_vec()).unwrap()).unwrap()
     }
 
+    /// The body with cracks that meet.
+    pub fn body_of(&self, network: &CrackNetwork) -> Box<dyn CrackedBody> {
+        let element_size = self.element_size.unwrap_or_else(|| default_element_size(network));
+        let mesh = MeshSettings { element_size, expected_growth: self.expected_growth };
+        XfemEngine::new(network, steel(), mesh, self.end.clone(), self.settings).body(network).unwrap()
+    }
+
     /// `look` at the uncracked rail and what turns settings into bodies on it.
     pub fn with_bodies<T>(
         &self,

@@ -3,7 +3,7 @@
 // Each test program uses a part of this.
 #![allow(dead_code)]
 
-use railcrack::body::{Face, FieldGrid, FieldLine};
+use railcrack::body::{BodyTimes, Face, FieldGrid, FieldLine};
 use railcrack::contact::{FaceState, FaceStatus};
 use railcrack::crack::{Crack, End};
 use railcrack::fracture::Sif;
@@ -122,7 +122,12 @@ pub fn step(size: Size, step: usize) -> (StepRecord, GrowthState) {
             iterations_max: 9,
             complementarity_max: 1e-11,
         },
-        times: PhaseTimes { body_s: 0.5, contact_s: 1.25, growth_s: 0.03125 },
+        times: PhaseTimes {
+            body_s: 0.5,
+            parts: BodyTimes { condensation_s: 0.25, ..BodyTimes::default() },
+            contact_s: 1.25,
+            growth_s: 0.03125,
+        },
         warnings: near_ties(step),
         junctions: Vec::new(),
         pieces: spalls(step),

@@ -122,7 +122,7 @@ fn any_rolling() -> impl Strategy<Value = Rolling<'static>> {
             let mut rolling = Rolling::over(built, if slippery { 0.0 } else { friction }, wheel);
             rolling.travel = if backwards { -1.0 } else { 1.0 };
             rolling.elements = 16;
-            rolling.steps = StepControl { positions: 61, tolerance: 1e-2 };
+            rolling.steps = StepControl { positions: 61, tolerance: 1e-2, ..StepControl::default() };
             Some(rolling)
         },
     )

@@ -2,14 +2,14 @@
 
 use crate::output::OutputError;
 use crate::output::folder::CASE_FILE;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::Path;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// A key of the case file with different values, each as it is written; none where the key is not there.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct CaseDifference {
     /// The key with its sections: `contact.friction`, `crack[1].mouth_mm` (cracks from 1).
     pub key: String,
@@ -32,7 +32,8 @@ pub(super) fn case_differences(cases: [(&str, &Path); 2]) -> Result<Vec<CaseDiff
     Ok(differs.map(difference).collect())
 }
 
-fn keys(text: &str, folder: &Path) -> Result<BTreeMap<String, String>, OutputError> {
+/// The keys of a case with their values as written: `contact.friction`, `crack[1].mouth_mm` (cracks from 1).
+pub(crate) fn keys(text: &str, folder: &Path) -> Result<BTreeMap<String, String>, OutputError> {
     let table = DeTable::parse(text)
         .map_err(|reason| OutputError::damaged(&folder.join(CASE_FILE), reason.message().to_owned()))?;
     let mut keys = BTreeMap::new();

@@ -79,9 +79,9 @@ pub struct Comparison {
     /// Where the paths part, if they do.
     pub parting: Option<Parting>,
     /// K at common positions, one for each of `tips`.
-    pub(super) aligned: Vec<Aligned>,
+    pub(crate) aligned: Vec<Aligned>,
     /// Paths of each run.
-    pub(super) cracks: [Vec<CrackSummary>; 2],
+    pub(crate) cracks: [Vec<CrackSummary>; 2],
 }
 
 impl Comparison {

@@ -1,21 +1,24 @@
 //! The folder of a comparison.
 
 use super::Comparison;
+use super::again::stored_comparison;
 use super::json::json_text;
 use crate::output::csv::{Rows, header};
 use crate::output::figures::{ComparedTip, compared_paths, compared_sifs};
 use crate::output::folder::{Durability, replace_file};
+use crate::output::report::{self, REPORT_FILE};
 use crate::output::{Existing, OutputError};
 use std::path::Path;
 
-const TABLE: &str = "compare.csv";
-const POSITIONS: &str = "compare-positions.csv";
-const JSON: &str = "compare.json";
+pub(super) const TABLE: &str = "compare.csv";
+pub(super) const POSITIONS: &str = "compare-positions.csv";
+/// The comparison in numbers.
+pub(crate) const JSON_FILE: &str = "compare.json";
 const FIRST_STEP: &str = "compare-sif-first.svg";
 const LAST_STEP: &str = "compare-sif-last.svg";
 const PATHS: &str = "compare-paths.svg";
 
-const FILES: [&str; 6] = [TABLE, POSITIONS, JSON, FIRST_STEP, LAST_STEP, PATHS];
+const FILES: [&str; 7] = [TABLE, POSITIONS, JSON_FILE, FIRST_STEP, LAST_STEP, PATHS, REPORT_FILE];
 
 /// Columns of `compare.csv`.
 pub const COMPARE_COLUMNS: [&str; 32] = [
@@ -68,7 +71,7 @@ pub const COMPARE_POSITIONS_COLUMNS: [&str; 10] = [
 ];
 
 impl Comparison {
-    /// Writes tables, `compare.json` and plots to `folder`, which is created where it does not exist. `tolerance`: a
+    /// Writes tables, `compare.json`, plots and report to `folder`, which is created where it does not exist. `tolerance`: a
     /// largest difference of K, in per cent of the largest |K| of the case, that `compare.json` is to judge by.
     ///
     /// Errors: the folder holds a comparison and `existing` says to leave it alone; the system refuses.
@@ -86,17 +89,24 @@ impl Comparison {
         let put = |file: &str, content: &[u8]| replace_file(&folder.join(file), content, Durability::Cached);
         put(TABLE, &self.table()?)?;
         put(POSITIONS, &self.positions()?)?;
-        put(JSON, json_text(self, tolerance).as_bytes())?;
-        if self.common_steps > 0 {
-            put(FIRST_STEP, self.sif_plot(0).as_bytes())?;
-            put(LAST_STEP, self.sif_plot(self.common_steps - 1).as_bytes())?;
-            put(PATHS, compared_paths(&self.names(), [&self.cracks[0], &self.cracks[1]]).as_bytes())?;
+        put(JSON_FILE, json_text(self, tolerance).as_bytes())?;
+        rebuild(folder)
+    }
+
+    /// Its plots: file name and SVG.
+    fn plots(&self) -> Vec<(&'static str, String)> {
+        if self.common_steps == 0 {
+            return Vec::new();
         }
-        Ok(())
+        vec![
+            (FIRST_STEP, self.sif_plot(0)),
+            (LAST_STEP, self.sif_plot(self.common_steps - 1)),
+            (PATHS, compared_paths(&self.names(), [&self.cracks[0], &self.cracks[1]])),
+        ]
     }
 
     /// The runs as plots and texts name them: by folder and engine.
-    pub(super) fn names(&self) -> [String; 2] {
+    pub(crate) fn names(&self) -> [String; 2] {
         let [first, second] = self.runs.each_ref().map(|run| {
             run.folder.file_name().map_or_else(|| ".".to_owned(), |name| name.to_string_lossy().into_owned())
         });
@@ -184,6 +194,16 @@ impl Comparison {
         ];
         Ok(with_header(&comments, &COMPARE_POSITIONS_COLUMNS, rows.text(POSITIONS)?))
     }
+}
+
+/// Writes plots and report of the comparison in `folder` from its files.
+///
+/// Errors: no comparison there; a file of it is damaged; the system refuses.
+pub(crate) fn rebuild(folder: &Path) -> Result<(), OutputError> {
+    let (comparison, tolerance) = stored_comparison(folder)?;
+    let plots = comparison.plots();
+    report::write_plots(folder, &plots)?;
+    report::put(&folder.join(REPORT_FILE), &report::comparison_page(&comparison, tolerance, &plots).html())
 }
 
 fn with_header(comments: &[&str], columns: &[&str], rows: &[u8]) -> Vec<u8> {

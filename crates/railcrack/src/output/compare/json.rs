@@ -26,6 +26,7 @@ pub(super) fn json_text(comparison: &Comparison, tolerance: Option<f64>) -> Stri
             "tip": tip.tip,
         })),
         "parting": comparison.parting,
+        "paths": comparison.cracks,
     });
     format!("{value:#}\n")
 }
@@ -45,7 +46,7 @@ fn largest_of(comparison: &Comparison, mode: fn(TipSifs) -> SifDifference) -> Op
 
 impl Comparison {
     /// The tip and step with the largest difference of a mode; the first of several.
-    pub(super) fn largest(
+    pub(crate) fn largest(
         &self,
         mode: fn(TipSifs) -> SifDifference,
     ) -> Option<(&TipComparison, SifDifference)> {
@@ -54,7 +55,7 @@ impl Comparison {
     }
 
     /// The tip and step where the tips of the two runs are farthest apart; the first of several.
-    pub(super) fn farthest(&self) -> Option<&TipComparison> {
+    pub(crate) fn farthest(&self) -> Option<&TipComparison> {
         self.tips.iter().reduce(|most, next| if next.distance > most.distance { next } else { most })
     }
 }

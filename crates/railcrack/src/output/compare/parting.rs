@@ -2,7 +2,7 @@
 
 use super::stored::{StoredRun, TipKey};
 use crate::growth::NEAR_TIE;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Kinks farther apart than this (degrees) are different choices: a rival is at least 15° away, and where two runs choose
 /// alike their kinks differ by a fraction of a degree. Paths that drift apart by such fractions do not part: the
@@ -10,7 +10,7 @@ use serde::Serialize;
 const PARTED_DEG: f64 = 5.0;
 
 /// The first step at which two runs choose different directions.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Parting {
     /// The step.
     pub step: usize,

@@ -4,7 +4,7 @@ use crate::output::csv::{GROWTH_FILE, SIF_FILE, read_steps};
 use crate::output::figures::{History, read_histories};
 use crate::output::folder::{CASE_FILE, SUMMARY_FILE, read_if_there, stored_case};
 use crate::output::{OutputError, Summary};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 pub(super) type TipKey = (usize, usize, usize);
 
 /// How a run is told from the other.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RunLabel {
     /// The run folder.
     pub folder: PathBuf,

@@ -16,7 +16,7 @@ pub use sif::SIF_COLUMNS;
 pub(crate) use faces::{FACES_FILE, faces_header, faces_rows};
 pub(crate) use file::CsvFile;
 pub(crate) use growth::{GROWTH_FILE, growth_header, growth_rows};
-pub(crate) use read::{Row, read_steps};
+pub(crate) use read::{Row, StepBlock, read_columns, read_step_blocks, read_steps};
 pub(crate) use residual::{RESIDUAL_FILE, residual_table};
 pub(crate) use rows::Rows;
 pub(crate) use sif::{SIF_FILE, SifScale, sif_header, sif_rows};

@@ -82,6 +82,107 @@ pub(crate) fn read_steps(
     Ok(())
 }
 
+/// The named `columns` of the table at `path`, all of them numbers, row by row. A last line without its end is not a row.
+pub(crate) fn read_columns<const N: usize>(
+    path: &Path,
+    columns: &[&'static str; N],
+) -> Result<Vec<[f64; N]>, OutputError> {
+    let text = std::fs::read_to_string(path).map_err(OutputError::io("read", path))?;
+    let whole = text.rfind('\n').map_or("", |end| &text[..end]);
+    let mut lines = whole.lines().enumerate().filter(|(_, line)| !line.starts_with('#'));
+    let header = lines.next().map_or("", |(_, header)| header);
+    let order = find_columns(path, header, columns)?;
+    let mut rows = Vec::new();
+    for (i, line) in lines {
+        let all: Vec<&str> = line.split(',').collect();
+        let fields: Option<Vec<&str>> = order.iter().map(|&place| all.get(place).copied()).collect();
+        let missing = || OutputError::damaged(path, format!("line {}: {} fields", i + 1, all.len()));
+        let row = Row { path, line: i + 1, columns, fields: &fields.ok_or_else(missing)? };
+        let mut values = [0.0; N];
+        for (c, value) in values.iter_mut().enumerate() {
+            *value = row.real(c)?;
+        }
+        rows.push(values);
+    }
+    Ok(rows)
+}
+
+/// The rows of one step as they stand in a table.
+pub(crate) struct StepBlock<'a> {
+    path: &'a Path,
+    columns: &'a [&'static str],
+    order: Vec<usize>,
+    /// Number of its first line in the table.
+    line: usize,
+    /// The step.
+    pub step: usize,
+    text: String,
+}
+
+impl StepBlock<'_> {
+    /// Gives the rows to `take`, with the columns asked for only.
+    pub(crate) fn rows(
+        &self,
+        mut take: impl FnMut(&Row) -> Result<(), OutputError>,
+    ) -> Result<(), OutputError> {
+        let mut all = Vec::with_capacity(16);
+        let mut fields = Vec::with_capacity(self.order.len());
+        for (i, row) in self.text.lines().enumerate() {
+            let line = self.line + i;
+            all.clear();
+            all.extend(row.split(','));
+            fields.clear();
+            for &place in &self.order {
+                let field = all.get(place).copied();
+                let missing =
+                    || OutputError::damaged(self.path, format!("line {line}: {} fields", all.len()));
+                fields.push(field.ok_or_else(missing)?);
+            }
+            take(&Row { path: self.path, line, columns: self.columns, fields: &fields })?;
+        }
+        Ok(())
+    }
+}
+
+/// Gives the rows of the table at `path` step by step, of the steps that are `wanted`, to `take`: blocks can be read by
+/// several threads. Rules as for [`read_steps`]; the rows of a step must stand together.
+pub(crate) fn read_step_blocks<'a>(
+    path: &'a Path,
+    columns: &'a [&'static str],
+    wanted: impl Fn(usize) -> bool,
+    mut take: impl FnMut(StepBlock<'a>) -> Result<(), OutputError>,
+) -> Result<(), OutputError> {
+    let file = File::open(path).map_err(OutputError::io("read", path))?;
+    let mut reader = BufReader::with_capacity(1 << 18, file);
+    let mut order: Option<Vec<usize>> = None;
+    let mut block: Option<StepBlock> = None;
+    let mut text = String::new();
+    for line in 1.. {
+        text.clear();
+        let read = reader.read_line(&mut text).map_err(OutputError::io("read", path))?;
+        if read == 0 || !text.ends_with('\n') {
+            break;
+        }
+        if text.starts_with('#') {
+            continue;
+        }
+        let Some(order) = &order else {
+            order = Some(find_columns(path, text.trim_end(), columns)?);
+            continue;
+        };
+        let step = text.split(',').next().and_then(|step| step.parse().ok());
+        let step = step.ok_or_else(|| OutputError::damaged(path, format!("line {line}: no step number")))?;
+        if let Some(finished) = block.take_if(|block| block.step != step) {
+            take(finished)?;
+        }
+        if wanted(step) {
+            let new = || StepBlock { path, columns, order: order.clone(), line, step, text: String::new() };
+            block.get_or_insert_with(new).text.push_str(&text);
+        }
+    }
+    block.map_or(Ok(()), take)
+}
+
 fn find_columns(path: &Path, header: &str, columns: &[&'static str]) -> Result<Vec<usize>, OutputError> {
     let present: Vec<&str> = header.split(',').collect();
     let place = |column: &&'static str| {

@@ -1,7 +1,10 @@
 //! A picture of lines in one frame.
 
 use super::{HEADING, draw_title};
-use crate::output::plot::{Axes, Axis, Entry, Frame, Mark, Span, Stroke, Svg, draw_legend, legend_width};
+use crate::output::plot::{
+    Axes, Axis, CATEGORIES, Entry, Frame, Mark, Span, Stroke, Svg, draw_legend, legend_width,
+};
+use crate::output::report::{ChartAspect, ChartAxis, ChartScale, Curve, CurveLook, LineChart};
 
 /// A line and its words in the legend.
 pub(super) struct Line {
@@ -31,7 +34,36 @@ pub(super) struct LinePicture<'a> {
 }
 
 impl LinePicture<'_> {
-    pub(super) fn draw(self) -> String {
+    /// The same for a page: its curves with their values, and the static picture.
+    pub(super) fn chart(&self, id: &str, caption: &str) -> LineChart {
+        let axis = |title: &[Span], axis: &Axis| {
+            let [from, to] = axis.ends();
+            let scale = if from > to { ChartScale::Depth } else { ChartScale::Linear };
+            ChartAxis { title: markup(title), scale, range: Some([from.min(to), from.max(to)]) }
+        };
+        let curve = |line: &Line| Curve {
+            name: line.words.clone(),
+            points: line.points.clone(),
+            look: match (line.dots, line.points.len(), line.stroke.dashes) {
+                (Dots::Shown, 1, _) => CurveLook::Dots,
+                (Dots::Shown, ..) => CurveLook::Dotted,
+                (Dots::Hidden, _, "") => CurveLook::Line,
+                (Dots::Hidden, ..) => CurveLook::Dashed,
+            },
+            colour: CATEGORIES.iter().position(|&colour| colour == line.stroke.colour),
+        };
+        LineChart {
+            id: id.to_owned(),
+            caption: caption.to_owned(),
+            x: axis(&self.x_title, &self.x),
+            y: axis(&self.y_title, &self.y),
+            curves: self.lines.iter().map(curve).collect(),
+            aspect: ChartAspect::Free,
+            picture: Some(self.draw()),
+        }
+    }
+
+    pub(super) fn draw(&self) -> String {
         let entry = |line: &Line| {
             let mark = match line.dots {
                 Dots::Shown => Mark::Dotted(line.stroke.clone()),
@@ -46,7 +78,7 @@ impl LinePicture<'_> {
         let mut svg =
             Svg::new(whole, (frame.bottom() + 56.0).max(HEADING + 20.0 + 18.0 * entries.len() as f64));
         draw_title(&mut svg, frame.left, whole - frame.left, self.title, &self.shows);
-        let axes = Axes { frame, x: self.x, y: self.y };
+        let axes = Axes { frame, x: self.x.clone(), y: self.y.clone() };
         axes.draw_grid(&mut svg);
         axes.clip(&mut svg);
         for line in &self.lines {
@@ -64,6 +96,17 @@ impl LinePicture<'_> {
         let shows: String = self.shows.iter().map(plain).collect();
         svg.finish(&format!("{shows}: {}", self.title))
     }
+}
+
+/// A title as texts of a page have it.
+pub(super) fn markup(spans: &[Span]) -> String {
+    let text = |span: &Span| match span {
+        Span::Plain(text) => text.clone(),
+        Span::Italic(symbol) => (*symbol).to_owned(),
+        Span::Sub(index) => format!("_{{{index}}}"),
+        Span::Super(power) => format!("^{{{power}}}"),
+    };
+    spans.iter().map(text).collect()
 }
 
 fn plain(span: &Span) -> &str {

@@ -10,9 +10,11 @@ mod rolled_field;
 mod shakedown;
 mod sif;
 mod stored;
+mod study;
 
-use super::folder::{Durability, SUMMARY_FILE, read_if_there, replace_file};
+use super::folder::{SUMMARY_FILE, read_if_there};
 use super::plot::{Anchor, GREY, INK, Span, Svg, TextStyle};
+use super::report::write_plots;
 use super::{OutputError, Summary};
 use std::path::Path;
 use stored::{chosen_steps, read_faces, read_growth};
@@ -20,12 +22,13 @@ use stored::{chosen_steps, read_faces, read_growth};
 pub(crate) use compare_paths::compared_paths;
 pub(crate) use compare_sif::{ComparedTip, compared_sifs};
 pub(crate) use stored::{History, read_histories};
+pub(crate) use study::{STUDY_PLOTS, study_plots};
 
 pub(crate) const PLOTS_FOLDER: &str = "plots";
 
-pub(crate) use shakedown::shakedown_plots;
+pub(crate) use shakedown::{ShakedownPlot, shakedown_plots};
 
-/// Every file that [`rebuild_plots`] and [`shakedown_plots`] may write.
+/// Every file that [`run_plots`] and [`shakedown_plots`] may write.
 pub(crate) const PLOT_FILES: [&str; 14] = [
     "ki.svg",
     "kii.svg",
@@ -43,11 +46,11 @@ pub(crate) const PLOT_FILES: [&str; 14] = [
     "field.svg",
 ];
 
-/// Builds the plots of the run in `folder` from its tables and `summary.json`, for the steps that the summary counts,
-/// and writes them to `plots/`. A run without a finished step has no plots.
+/// The plots of the run in `folder` (file name and SVG), from its tables and `summary.json`, for the steps that the
+/// summary counts. A run without a finished step has none.
 ///
 /// Errors: no run in the folder; a file of it is damaged; the system refuses.
-pub fn rebuild_plots(folder: &Path) -> Result<(), OutputError> {
+pub(crate) fn run_plots(folder: &Path) -> Result<Vec<(&'static str, String)>, OutputError> {
     let path = folder.join(SUMMARY_FILE);
     let Some(text) = read_if_there(&path)? else {
         return Err(OutputError::NoRun { folder: folder.to_path_buf() });
@@ -55,7 +58,7 @@ pub fn rebuild_plots(folder: &Path) -> Result<(), OutputError> {
     let summary: Summary =
         serde_json::from_slice(&text).map_err(|reason| OutputError::damaged(&path, reason.to_string()))?;
     if summary.steps_recorded == 0 {
-        return Ok(());
+        return Ok(Vec::new());
     }
     let growth = read_growth(folder, summary.steps_recorded)?;
     let steps = chosen_steps(&growth);
@@ -73,12 +76,14 @@ pub fn rebuild_plots(folder: &Path) -> Result<(), OutputError> {
         let map = read_faces(folder, step, &histories, &growth)?;
         plots.push((file, faces::face_map(&summary, &map)));
     }
-    let plots_folder = folder.join(PLOTS_FOLDER);
-    std::fs::create_dir_all(&plots_folder).map_err(OutputError::io("create", &plots_folder))?;
-    for (file, picture) in plots {
-        replace_file(&plots_folder.join(file), picture.as_bytes(), Durability::Cached)?;
-    }
-    Ok(())
+    Ok(plots)
+}
+
+/// Builds the plots of the run in `folder` and writes them to `plots/`.
+///
+/// Errors: no run in the folder; a file of it is damaged; the system refuses.
+pub fn rebuild_plots(folder: &Path) -> Result<(), OutputError> {
+    write_plots(&folder.join(PLOTS_FOLDER), &run_plots(folder)?)
 }
 
 /// Height of the heading.

@@ -1,13 +1,13 @@
 //! Stress and plastic strain around the contact.
 
 use super::{HEADING, draw_title};
-use crate::output::ShakedownResults;
 use crate::output::plot::{
     Anchor, Axes, Axis, Entry, Frame, INK, Mark, Span, Svg, TextStyle, coordinate, draw_legend, round_step,
     sequence,
 };
-use crate::shakedown::Cycle;
+use crate::output::shakedown::{StoredCycle, StoredState};
 use std::fmt::Write;
+use std::ops::Range;
 
 /// Half-widths on each side of the contact.
 const AROUND: f64 = 2.5;
@@ -20,7 +20,7 @@ const LEVELS: usize = 9;
 struct Panel {
     name: &'static str,
     unit: &'static str,
-    value: fn(&Cycle, usize) -> f64,
+    value: fn(&StoredCycle, usize) -> f64,
 }
 
 const PANELS: [Panel; 2] = [
@@ -39,19 +39,19 @@ const PANELS: [Panel; 2] = [
     },
 ];
 
-pub(super) fn rolled_field(results: &ShakedownResults) -> String {
-    let a = results.rail.contact.half_width;
-    let cycle = &results.stabilised.cycle;
-    let layers = results.stabilised.profile.len();
-    let depths = results.stabilised.layers.interfaces();
-    let columns = shown_columns(&cycle.abscissae, AROUND * a);
+pub(super) fn rolled_field(state: &StoredState) -> String {
+    let a = state.summary.half_width_mm;
+    let cycle = &state.cycle;
+    let layers = cycle.depths.len().saturating_sub(1);
+    let (depths, borders) = (&cycle.depths, &cycle.borders);
+    let columns = shown_columns(borders, AROUND * a);
     let (left, width, height, gap) = (72.0, 400.0, 200.0, 62.0);
     let mut svg = Svg::new(left + width + 240.0, HEADING + 20.0 + 2.0 * (height + gap));
     draw_title(
         &mut svg,
         left,
         width + 220.0,
-        &results.title,
+        &state.summary.title,
         &[Span::plain("The last passage around the contact")],
     );
     for (place, panel) in PANELS.iter().enumerate() {
@@ -60,18 +60,17 @@ pub(super) fn rolled_field(results: &ShakedownResults) -> String {
         let axes =
             Axes { frame, x: Axis::exact(-AROUND * a, AROUND * a, 10), y: Axis::exact(DEPTH * a, 0.0, 6) };
         let value = |i: usize, j: usize| (panel.value)(cycle, i * layers + j);
-        let most = columns.iter().flat_map(|&i| (0..layers).map(move |j| (i, j))).map(|(i, j)| value(i, j));
+        let most = columns.clone().flat_map(|i| (0..layers).map(move |j| (i, j))).map(|(i, j)| value(i, j));
         let step = round_step(most.fold(0.0, f64::max).max(f64::MIN_POSITIVE), LEVELS);
         let class = |i: usize, j: usize| ((value(i, j) / step) as usize).min(LEVELS);
         let mut outlines = vec![String::new(); LEVELS + 1];
         for j in 0..layers {
-            let mut from = 0;
-            while from + 1 < columns.len() {
-                let here = class(columns[from], j);
-                let to = (from + 1..columns.len() - 1).find(|&c| class(columns[c], j) != here);
-                let to = to.unwrap_or(columns.len() - 1);
-                let [x0, y0] = axes.at(cycle.abscissae[columns[from]], depths[j]).map(coordinate);
-                let [x1, y1] = axes.at(cycle.abscissae[columns[to]], depths[j + 1]).map(coordinate);
+            let mut from = columns.start;
+            while from < columns.end {
+                let here = class(from, j);
+                let to = (from + 1..columns.end).find(|&c| class(c, j) != here).unwrap_or(columns.end);
+                let [x0, y0] = axes.at(borders[from], depths[j]).map(coordinate);
+                let [x1, y1] = axes.at(borders[to], depths[j + 1]).map(coordinate);
                 // Writing to a string does not fail.
                 let _ = write!(outlines[here], "M{x0} {y0}H{x1}V{y1}H{x0}z");
                 from = to;
@@ -94,7 +93,7 @@ pub(super) fn rolled_field(results: &ShakedownResults) -> String {
             .collect();
         draw_legend(&mut svg, [frame.right() + 16.0, top], &entries);
     }
-    svg.finish(&format!("Stress and plastic strain around the contact: {}", results.title))
+    svg.finish(&format!("Stress and plastic strain around the contact: {}", state.summary.title))
 }
 
 fn words(level: usize, step: f64) -> String {
@@ -102,9 +101,9 @@ fn words(level: usize, step: f64) -> String {
     format!("{:.decimals$} to {:.decimals$}", level as f64 * step, (level + 1) as f64 * step)
 }
 
-/// Columns within `reach` of the contact, from left to right.
-fn shown_columns(abscissae: &[f64], reach: f64) -> Vec<usize> {
-    let mut columns: Vec<usize> = (0..abscissae.len()).filter(|&i| abscissae[i].abs() <= reach).collect();
-    columns.sort_by(|&a, &b| abscissae[a].total_cmp(&abscissae[b]));
-    columns
+/// Columns that lie at least in part within `reach` of the contact.
+fn shown_columns(borders: &[f64], reach: f64) -> Range<usize> {
+    let first = borders.iter().skip(1).take_while(|&&right| right <= -reach).count();
+    let last = borders.iter().take(borders.len().saturating_sub(1)).take_while(|&&left| left < reach).count();
+    first..last.max(first)
 }

@@ -2,21 +2,45 @@
 
 use super::lines::{Dots, Line, LinePicture};
 use super::rolled_field::rolled_field;
-use crate::output::ShakedownResults;
 use crate::output::plot::{Axis, CATEGORIES, Span, Stroke};
-use crate::shakedown::{DepthBounds, LayerState, PassRecord};
+use crate::output::report::LineChart;
+use crate::output::shakedown::{BoundsRow, StoredLayer, StoredPass, StoredState};
 
-/// Every plot with its file name.
-pub(crate) fn shakedown_plots(results: &ShakedownResults) -> Vec<(&'static str, String)> {
+/// A plot: a chart of lines, or a picture.
+pub(crate) struct ShakedownPlot {
+    name: &'static str,
+    svg: String,
+    chart: Option<LineChart>,
+}
+
+impl ShakedownPlot {
+    /// Name and text of its file.
+    pub(crate) fn file(&self) -> (&'static str, String) {
+        (self.name, self.svg.clone())
+    }
+
+    /// The same for a page; none where it is a picture only.
+    pub(crate) fn chart(&self) -> Option<&LineChart> {
+        self.chart.as_ref()
+    }
+}
+
+/// Every plot, in the order of reading.
+pub(crate) fn shakedown_plots(state: &StoredState) -> Vec<ShakedownPlot> {
+    let lines = |name: &'static str, picture: LinePicture| {
+        let shows: String = super::lines::markup(&picture.shows);
+        let id = name.trim_end_matches(".svg");
+        ShakedownPlot { name, svg: picture.draw(), chart: Some(picture.chart(id, &shows)) }
+    };
     vec![
-        ("residual-stress.svg", residual_stress(results)),
-        ("plastic-strain.svg", plastic_strain(results)),
-        ("passes.svg", passes(results)),
-        ("passes-change.svg", passes_change(results)),
-        ("bounds.svg", bounds(results)),
-        ("shakedown-map.svg", map(results)),
-        ("dang-van.svg", dang_van(results)),
-        ("field.svg", rolled_field(results)),
+        lines("residual-stress.svg", residual_stress(state)),
+        lines("plastic-strain.svg", plastic_strain(state)),
+        lines("dang-van.svg", dang_van(state)),
+        lines("passes.svg", passes(state)),
+        lines("passes-change.svg", passes_change(state)),
+        lines("bounds.svg", bounds(state)),
+        lines("shakedown-map.svg", map(state)),
+        ShakedownPlot { name: "field.svg", svg: rolled_field(state), chart: None },
     ]
 }
 
@@ -34,19 +58,24 @@ fn plain(text: &str) -> Vec<Span> {
 }
 
 /// How far down plots go: a little below the plastic layers.
-fn shown_depth(results: &ShakedownResults) -> f64 {
-    let flown = |layer: &&LayerState| layer.strain.equivalent() > 0.0;
-    let deepest = results.stabilised.profile.iter().rfind(flown).map_or(0.0, |layer| layer.depth);
-    (1.2 * deepest).max(2.0 * results.rail.contact.half_width)
+fn shown_depth(state: &StoredState) -> f64 {
+    let flown = |layer: &&StoredLayer| layer.strain.equivalent() > 0.0;
+    let deepest = state.profile.iter().rfind(flown).map_or(0.0, |layer| layer.depth);
+    (1.2 * deepest).max(2.0 * state.summary.half_width_mm)
 }
 
 /// Values along x, depth downwards.
-fn by_depth(results: &ShakedownResults, shows: &str, x_title: Vec<Span>, lines: Vec<Line>) -> String {
-    let depth = shown_depth(results);
+fn by_depth<'a>(
+    state: &'a StoredState,
+    shows: &str,
+    x_title: Vec<Span>,
+    lines: Vec<Line>,
+) -> LinePicture<'a> {
+    let depth = shown_depth(state);
     let values = lines.iter().flat_map(|line| &line.points).filter(|p| p[1] <= depth).map(|p| p[0]);
     LinePicture {
-        title: &results.title,
-        shows: plain(&format!("{shows} · {}", results.stabilised.state.name())),
+        title: &state.summary.title,
+        shows: plain(&format!("{shows} · {}", state.summary.state)),
         x_title,
         y_title: plain("Depth  (mm)"),
         x: Axis::around(values.chain([0.0]), 8),
@@ -54,61 +83,59 @@ fn by_depth(results: &ShakedownResults, shows: &str, x_title: Vec<Span>, lines: 
         size: [460.0, 420.0],
         lines,
     }
-    .draw()
 }
 
-fn of_layers(results: &ShakedownResults, value: impl Fn(&LayerState) -> f64) -> Vec<[f64; 2]> {
-    results.stabilised.profile.iter().map(|layer| [value(layer), layer.depth]).collect()
+fn of_layers(state: &StoredState, value: impl Fn(&StoredLayer) -> f64) -> Vec<[f64; 2]> {
+    state.profile.iter().map(|layer| [value(layer), layer.depth]).collect()
 }
 
-fn residual_stress(results: &ShakedownResults) -> String {
+fn residual_stress(state: &StoredState) -> LinePicture<'_> {
     let mut lines = vec![
-        line(of_layers(results, |layer| layer.stress.xx), 0, "σxx, along the rail"),
-        line(of_layers(results, |layer| layer.stress.zz), 1, "σzz, out of plane"),
+        line(of_layers(state, |layer| layer.sxx), 0, "σxx, along the rail"),
+        line(of_layers(state, |layer| layer.szz), 1, "σzz, out of plane"),
     ];
-    if let Some(other) = &results.pass_by_pass {
-        for (component, colour, words) in [(0, 0, "σxx, pass by pass"), (1, 1, "σzz, pass by pass")] {
-            let point = |layer: &LayerState| [[layer.stress.xx, layer.stress.zz][component], layer.depth];
-            let points = other.profile.iter().map(point).collect();
+    if let Some(other) = &state.summary.direct_against_pass_by_pass {
+        let sxx = other.profile.iter().map(|point| [point.sxx_mpa, point.depth_mm]).collect();
+        let szz = other.profile.iter().map(|point| [point.szz_mpa, point.depth_mm]).collect();
+        for (points, colour, words) in [(sxx, 0, "σxx, pass by pass"), (szz, 1, "σzz, pass by pass")] {
             lines.push(Line { stroke: stroke(colour, "6 4"), ..line(points, colour, words) });
         }
     }
-    if results.rail.initial.is_some() {
-        let initial = |layer: &LayerState| results.rail.initial_stress(layer.depth);
-        let points = of_layers(results, |layer| initial(layer).xx);
+    if let Some(initial) = &state.summary.initial_residual {
+        let points = initial.iter().map(|point| [point.sxx_mpa, point.depth_mm]).collect();
         lines.push(Line { stroke: stroke(2, "2 3"), ..line(points, 2, "σxx of manufacturing") });
     }
-    by_depth(results, "Residual stress", plain("Residual stress  (MPa)"), lines)
+    by_depth(state, "Residual stress", plain("Residual stress  (MPa)"), lines)
 }
 
-fn plastic_strain(results: &ShakedownResults) -> String {
+fn plastic_strain(state: &StoredState) -> LinePicture<'_> {
     let lines = vec![
-        line(of_layers(results, |layer| 1e3 * layer.strain.xx), 0, "εp xx"),
-        line(of_layers(results, |layer| 1e3 * layer.strain.yy), 1, "εp yy"),
-        line(of_layers(results, |layer| 1e3 * layer.strain.zz), 2, "εp zz"),
-        line(of_layers(results, |layer| 1e3 * layer.strain.xy), 3, "εp xy"),
+        line(of_layers(state, |layer| 1e3 * layer.strain.xx), 0, "εp xx"),
+        line(of_layers(state, |layer| 1e3 * layer.strain.yy), 1, "εp yy"),
+        line(of_layers(state, |layer| 1e3 * layer.strain.zz), 2, "εp zz"),
+        line(of_layers(state, |layer| 1e3 * layer.strain.xy), 3, "εp xy"),
         Line {
             stroke: stroke(6, "6 4"),
-            ..line(of_layers(results, |layer| 1e3 * layer.plastic_per_pass), 6, "path per passage")
+            ..line(of_layers(state, |layer| 1e3 * layer.plastic_per_pass), 6, "path per passage")
         },
     ];
-    by_depth(results, "Plastic strain", plain("Plastic strain  (10⁻³)"), lines)
+    by_depth(state, "Plastic strain", plain("Plastic strain  (10⁻³)"), lines)
 }
 
 /// Words of the legend and what of a passage they are for.
-type Named = (&'static str, fn(&PassRecord) -> f64);
+type Named = (&'static str, fn(&StoredPass) -> f64);
 
-fn over_passes(results: &ShakedownResults, shows: &str, y_title: &str, named: &[Named]) -> String {
-    let passes = &results.stabilised.passes;
+fn over_passes<'a>(state: &'a StoredState, shows: &str, y_title: &str, named: &[Named]) -> LinePicture<'a> {
+    let passes = &state.passes;
     let of = |(colour, (words, value)): (usize, &Named)| Line {
         dots: Dots::Shown,
-        ..line(passes.iter().map(|pass| [pass.pass as f64, value(pass)]).collect(), colour, words)
+        ..line(passes.iter().map(|pass| [pass.pass, value(pass)]).collect(), colour, words)
     };
     let lines: Vec<Line> = named.iter().enumerate().map(of).collect();
     let values = lines.iter().flat_map(|line| &line.points).map(|p| p[1]);
     LinePicture {
-        title: &results.title,
-        shows: plain(&format!("{shows} · {}", results.stabilised.state.name())),
+        title: &state.summary.title,
+        shows: plain(&format!("{shows} · {}", state.summary.state)),
         x_title: plain("Passage"),
         y_title: plain(y_title),
         x: Axis::exact(0.0, passes.len() as f64 + 1.0, 12),
@@ -116,12 +143,11 @@ fn over_passes(results: &ShakedownResults, shows: &str, y_title: &str, named: &[
         size: [560.0, 340.0],
         lines,
     }
-    .draw()
 }
 
-fn passes(results: &ShakedownResults) -> String {
+fn passes(state: &StoredState) -> LinePicture<'_> {
     over_passes(
-        results,
+        state,
         "Plastic strain over the passages, largest over depth",
         "Equivalent plastic strain  (10⁻³)",
         &[
@@ -134,34 +160,34 @@ fn passes(results: &ShakedownResults) -> String {
 /// The smallest change that is drawn, MPa: beyond lies round-off, and the logarithm of zero.
 const SMALLEST: f64 = 1e-6;
 
-fn passes_change(results: &ShakedownResults) -> String {
+fn passes_change(state: &StoredState) -> LinePicture<'_> {
     over_passes(
-        results,
+        state,
         "Change of the residual stress by each passage",
         "log10 of the change  (MPa)",
         &[("σxx or σzz", |pass| pass.stress_change.max(SMALLEST).log10())],
     )
 }
 
-fn bounds(results: &ShakedownResults) -> String {
-    let a = results.rail.contact.half_width;
-    let ratio = results.rail.pressure_ratio();
+fn bounds(state: &StoredState) -> LinePicture<'_> {
+    let rows = &state.summary.bounds_by_depth;
+    let ratio = state.summary.p0_over_k;
     // Far down everything is borne: no more of it than makes the scale readable.
     let most = 2.5 * ratio.max(3.0);
-    let curve = |value: fn(&DepthBounds) -> f64| -> Vec<[f64; 2]> {
-        results.bounds.iter().map(|b| [value(b).min(most), b.depth_over_a * a]).collect()
+    let curve = |value: fn(&BoundsRow) -> f64| -> Vec<[f64; 2]> {
+        rows.iter().map(|b| [value(b).min(most), b.depth_mm]).collect()
     };
-    let deepest = results.bounds.last().map_or(a, |b| b.depth_over_a * a);
+    let deepest = rows.last().map_or(state.summary.half_width_mm, |b| b.depth_mm);
     let lines = vec![
-        line(curve(|b| b.first_yield), 4, "first yield"),
-        line(curve(|b| b.shakedown), 0, "limit of elastic shakedown"),
+        line(curve(|b| b.first_yield_p0_over_k), 4, "first yield"),
+        line(curve(|b| b.shakedown_p0_over_k), 0, "limit of elastic shakedown"),
         Line {
             stroke: stroke(1, "6 4"),
             ..line(vec![[ratio, 0.0], [ratio, deepest]], 1, "p0/k of the case")
         },
     ];
     LinePicture {
-        title: &results.title,
+        title: &state.summary.title,
         shows: plain(
             "What each depth bears: elastic left of first yield, shakedown possible left of the limit",
         ),
@@ -172,24 +198,27 @@ fn bounds(results: &ShakedownResults) -> String {
         size: [460.0, 420.0],
         lines,
     }
-    .draw()
 }
 
-fn map(results: &ShakedownResults) -> String {
-    let here = [results.rail.contact.friction.abs(), results.rail.pressure_ratio()];
-    let most = results.map.last().map_or(0.5, |point| point.friction);
+fn map(state: &StoredState) -> LinePicture<'_> {
+    let here = [state.summary.friction.abs(), state.summary.p0_over_k];
+    let most = state.summary.map.last().map_or(0.5, |point| point.friction);
     let lines = vec![
-        line(results.map.iter().map(|p| [p.friction, p.first_yield]).collect(), 4, "first yield"),
         line(
-            results.map.iter().map(|p| [p.friction, p.shakedown]).collect(),
+            state.summary.map.iter().map(|p| [p.friction, p.first_yield_p0_over_k]).collect(),
+            4,
+            "first yield",
+        ),
+        line(
+            state.summary.map.iter().map(|p| [p.friction, p.shakedown_p0_over_k]).collect(),
             0,
             "limit of elastic shakedown",
         ),
         Line { dots: Dots::Shown, ..line(vec![here], 1, "the case") },
     ];
-    let highest = results.map.iter().map(|p| p.shakedown).fold(here[1], f64::max);
+    let highest = state.summary.map.iter().map(|p| p.shakedown_p0_over_k).fold(here[1], f64::max);
     LinePicture {
-        title: &results.title,
+        title: &state.summary.title,
         shows: plain("Shakedown map: elastic, elastic shakedown, plastic shakedown from below"),
         x_title: vec![Span::plain("Friction |"), Span::Italic("μ"), Span::Sub("w"), Span::plain("|")],
         y_title: vec![Span::Italic("p"), Span::Sub("0"), Span::plain(" / "), Span::Italic("k")],
@@ -198,16 +227,21 @@ fn map(results: &ShakedownResults) -> String {
         size: [520.0, 380.0],
         lines,
     }
-    .draw()
 }
 
-fn dang_van(results: &ShakedownResults) -> String {
-    let limit = results.dang_van.limit;
-    let depth = shown_depth(results);
-    let values = results.initiation.by_depth.iter().map(|at| [at.worst.value, at.depth]).collect();
+fn dang_van(state: &StoredState) -> LinePicture<'_> {
+    let limit = state.summary.dang_van.b_mpa;
+    let depth = shown_depth(state);
+    let surface = [state.summary.dang_van.surface.value_mpa, 0.0];
+    let layers = state.profile.iter().map(|layer| [layer.dang_van, layer.depth]);
+    let values = std::iter::once(surface).chain(layers).collect();
     let lines = vec![
-        Line { dots: Dots::Hidden, ..line(values, 0, "largest τ + a p_h") },
-        Line { stroke: stroke(1, "6 4"), ..line(vec![[limit, 0.0], [limit, depth]], 1, "b") },
+        Line { dots: Dots::Hidden, ..line(values, 0, "largest of the cycle") },
+        Line {
+            stroke: stroke(1, "6 4"),
+            ..line(vec![[limit, 0.0], [limit, depth]], 1, "b: beyond it a crack starts")
+        },
     ];
-    by_depth(results, "Dang Van criterion", plain("τ + a p_h  (MPa)"), lines)
+    let title = vec![Span::plain("τ + a "), Span::Italic("p"), Span::Sub("h"), Span::plain("  (MPa)")];
+    by_depth(state, "Dang Van criterion", title, lines)
 }

@@ -64,6 +64,11 @@ impl Axis {
         Self::exact(low - air, high + air, most)
     }
 
+    /// Its left or lower end and its right or upper one.
+    pub(crate) fn ends(&self) -> [f64; 2] {
+        [self.from, self.to]
+    }
+
     /// Place along the axis, 0 at its start and 1 at its end.
     fn place(&self, value: f64) -> f64 {
         (value - self.from) / (self.to - self.from)

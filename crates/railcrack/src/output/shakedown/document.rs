@@ -2,8 +2,9 @@
 
 use super::ShakedownResults;
 use crate::fatigue::DepthValue;
+use crate::math::Stress;
 use crate::output::VERSION;
-use crate::shakedown::{DepthBounds, first_yield_ratio, shakedown_limit_ratio};
+use crate::shakedown::{DepthBounds, LayerState, MapPoint, first_yield_ratio, shakedown_limit_ratio};
 use serde::{Deserialize, Serialize};
 
 /// The stabilised state in numbers.
@@ -21,6 +22,12 @@ pub struct ShakedownSummary {
     pub passes: usize,
     /// Elastic redistributions of all passages: the cost.
     pub redistributions: usize,
+    /// Peak pressure of the wheel, MPa.
+    pub peak_pressure_mpa: f64,
+    /// Half-width a of the wheel contact, mm.
+    pub half_width_mm: f64,
+    /// Friction of the wheel, signed.
+    pub friction: f64,
     /// p0 over the yield stress in shear.
     pub p0_over_k: f64,
     /// First yield without residual stress.
@@ -29,10 +36,14 @@ pub struct ShakedownSummary {
     pub shakedown_limit: Bound,
     /// The same by depth.
     pub bounds_by_depth: Vec<BoundsRow>,
+    /// The shakedown map: the same over the friction of the wheel.
+    pub map: Vec<MapRow>,
     /// Where plastic strain alternates, in plastic shakedown.
     pub alternating_zone: Option<AlternatingZone>,
     /// The largest magnitude of σ_xx or σ_zz of the residual stress.
     pub peak_residual_stress: PeakStress,
+    /// σ_xx of manufacturing by depth, where the case gives it.
+    pub initial_residual: Option<Vec<ResidualPoint>>,
     /// The Dang Van criterion.
     pub dang_van: DangVanSummary,
     /// What the state holds.
@@ -65,6 +76,28 @@ pub struct BoundsRow {
     pub shakedown_p0_over_k: f64,
     /// `elastic`, `shakedown possible` or `no shakedown` under the load of the case.
     pub verdict: String,
+}
+
+/// A point of the shakedown map.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct MapRow {
+    /// |μ| of the wheel.
+    pub friction: f64,
+    /// p0 / k.
+    pub first_yield_p0_over_k: f64,
+    /// p0 / k.
+    pub shakedown_p0_over_k: f64,
+}
+
+/// Residual stress at a depth.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct ResidualPoint {
+    /// mm.
+    pub depth_mm: f64,
+    /// Along the rail, MPa.
+    pub sxx_mpa: f64,
+    /// Out of plane, MPa.
+    pub szz_mpa: f64,
 }
 
 /// Where plastic strain alternates.
@@ -145,6 +178,8 @@ pub struct MethodComparison {
     pub redistributions: usize,
     /// Largest difference of σ_xx or σ_zz of the residual stress, MPa.
     pub stress_difference_mpa: f64,
+    /// Its residual stress, layer by layer.
+    pub profile: Vec<ResidualPoint>,
 }
 
 impl ShakedownSummary {
@@ -162,16 +197,25 @@ impl ShakedownSummary {
             method: state.method.name().into(),
             passes: state.passes.len(),
             redistributions: state.iterations(),
+            peak_pressure_mpa: rail.contact.peak_pressure,
+            half_width_mm: a,
+            friction,
             p0_over_k: ratio,
             first_yield: Bound { p0_over_k: first.ratio, depth_mm: first.depth_over_a * a },
             shakedown_limit: Bound { p0_over_k: limit.ratio, depth_mm: limit.depth_over_a * a },
             bounds_by_depth: results.bounds.iter().map(|bounds| bounds_row(bounds, a, ratio)).collect(),
+            map: results.map.iter().map(map_row).collect(),
             alternating_zone: state.alternating.map(|zone| AlternatingZone {
                 from_depth_mm: zone.from,
                 to_depth_mm: zone.to,
                 plastic_strain_per_pass: longest,
             }),
             peak_residual_stress: peak(results),
+            initial_residual: rail.initial.as_ref().map(|_| {
+                let point =
+                    |layer: &LayerState| residual_point(layer.depth, rail.initial_stress(layer.depth));
+                state.profile.iter().map(point).collect()
+            }),
             dang_van: dang_van(results),
             admissibility: AdmissibilitySummary {
                 overshoot: state.admissibility.overshoot,
@@ -183,11 +227,28 @@ impl ShakedownSummary {
                 passes: other.passes.len(),
                 redistributions: other.iterations(),
                 stress_difference_mpa: state.stress_difference(other),
+                profile: other
+                    .profile
+                    .iter()
+                    .map(|layer| residual_point(layer.depth, layer.stress))
+                    .collect(),
             }),
             wall_s: results.wall_s,
             warnings: results.warnings.clone(),
         }
     }
+}
+
+fn map_row(point: &MapPoint) -> MapRow {
+    MapRow {
+        friction: point.friction,
+        first_yield_p0_over_k: point.first_yield,
+        shakedown_p0_over_k: point.shakedown,
+    }
+}
+
+fn residual_point(depth: f64, stress: Stress) -> ResidualPoint {
+    ResidualPoint { depth_mm: depth, sxx_mpa: stress.xx, szz_mpa: stress.zz }
 }
 
 fn bounds_row(bounds: &DepthBounds, half_width: f64, ratio: f64) -> BoundsRow {

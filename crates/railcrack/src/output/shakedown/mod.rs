@@ -3,11 +3,16 @@
 mod document;
 mod fields;
 mod recorder;
+mod stored;
 mod tables;
 
+pub(crate) use document::BoundsRow;
 pub use document::ShakedownSummary;
 pub use recorder::{Extent, ShakedownRecorder, ShakedownResults};
 pub use tables::{PASSES_COLUMNS, PROFILE_COLUMNS};
+
+pub(crate) use recorder::rebuild;
+pub(crate) use stored::{StoredCycle, StoredLayer, StoredPass, StoredState};
 
 pub(crate) const PASSES_FILE: &str = "passes.csv";
 pub(crate) const PROFILE_FILE: &str = "profile.csv";

@@ -1,10 +1,11 @@
 //! Writes the folder.
 
 use super::document::ShakedownSummary;
+use super::stored::StoredState;
 use super::{CYCLE_FILE, PASSES_FILE, PLASTIC_FILE, PROFILE_FILE, SHAKEDOWN_FILE, fields, tables};
 use crate::fatigue::{DangVan, Initiation};
 use crate::output::csv::CsvFile;
-use crate::output::figures::{PLOTS_FOLDER, shakedown_plots};
+use crate::output::figures::{PLOTS_FOLDER, ShakedownPlot, shakedown_plots};
 use crate::output::folder::{self, CaseFiles, Durability, Existing};
 use crate::output::{OutputError, report};
 use crate::shakedown::{DepthBounds, MapPoint, PassRecord, RolledRail, StabilisedRail};
@@ -89,19 +90,24 @@ impl ShakedownRecorder {
             write_vtu(&path, &grid).map_err(|error| of_vtu(&path, error))?;
         }
         let summary = ShakedownSummary::of(results);
-        let plots = self.folder.join(PLOTS_FOLDER);
-        std::fs::create_dir_all(&plots).map_err(OutputError::io("create", &plots))?;
-        let pictures = shakedown_plots(results);
-        for (name, picture) in &pictures {
-            replace(&plots.join(name), picture.as_bytes())?;
-        }
-        put(report::REPORT_FILE, report::shakedown_report(&summary, &pictures).as_bytes())?;
         let mut text = serde_json::to_string_pretty(&summary)
             .map_err(|reason| OutputError::damaged(&self.folder.join(SHAKEDOWN_FILE), reason.to_string()))?;
         text.push('\n');
         put(SHAKEDOWN_FILE, text.as_bytes())?;
+        rebuild(&self.folder)?;
         Ok(summary)
     }
+}
+
+/// Writes plots and report of the state in `folder` from its files.
+///
+/// Errors: no such state there; a file of it is damaged; the system refuses.
+pub(crate) fn rebuild(folder: &Path) -> Result<(), OutputError> {
+    let state = StoredState::read(folder)?;
+    let plots = shakedown_plots(&state);
+    let pictures: Vec<(&'static str, String)> = plots.iter().map(ShakedownPlot::file).collect();
+    report::write_plots(&folder.join(PLOTS_FOLDER), &pictures)?;
+    report::put(&folder.join(report::REPORT_FILE), &report::shakedown_page(&state, &plots).html())
 }
 
 fn replace(path: &Path, content: &[u8]) -> Result<(), OutputError> {

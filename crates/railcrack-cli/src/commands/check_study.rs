@@ -1,0 +1,64 @@
+//! What `railcrack check` says of a study.
+
+use railcrack::case::{Axis, RailKey, Study, StudyRun};
+use std::collections::HashMap;
+
+/// Runs that are listed one by one.
+const MOST_LISTED: usize = 50;
+
+/// The study as a few lines: what varies, what is shared, its runs.
+pub fn study_summary(study: &Study) -> String {
+    let count = study.runs.len();
+    let runs = if count == 1 { "1 run".to_owned() } else { format!("{count} runs") };
+    let mut text = format!("{}\n\nstudy\n  {:<20} {runs}, {}\n", study.title, "runs", study.combine.name());
+    for axis in &study.axes {
+        text.push_str(&axis_lines(axis));
+    }
+    if let Some(axis) = study.axes.get(study.colour_axis) {
+        let names: Vec<&str> = axis.variations.iter().map(|v| v.name.as_str()).collect();
+        text.push_str(&format!("  {:<20} {}\n", "colours of the plots", names.join(", ")));
+    }
+    text.push_str(&format!("  {:<20} {}\n", "shared", shared(study)));
+    if let Some(first) = study.runs.first() {
+        let memory = first.case.size().memory_bytes.div_ceil(1 << 20);
+        text.push_str(&format!(
+            "  {:<20} about {memory} MB for the first run, times the threads\n",
+            "memory"
+        ));
+    }
+    text.push_str("\nruns\n");
+    for run in study.runs.iter().take(MOST_LISTED) {
+        let StudyRun { number, label, case, .. } = run;
+        let (engine, steps) = (case.engine.name(), case.growth.steps);
+        text.push_str(&format!("  {number:>5}   {label}   {engine}, {steps} increments\n"));
+    }
+    if count > MOST_LISTED {
+        text.push_str(&format!("  and {} more\n", count - MOST_LISTED));
+    }
+    text
+}
+
+/// The keys of an axis with their values.
+fn axis_lines(axis: &Axis) -> String {
+    let mut text = String::new();
+    for (i, variation) in axis.variations.iter().enumerate() {
+        let values: Vec<String> = (0..axis.len()).map(|index| variation.shown(index)).collect();
+        let name = if i == 0 { "varies" } else { "  together with" };
+        text.push_str(&format!("  {name:<20} {} = {}\n", variation.key, values.join(", ")));
+    }
+    text
+}
+
+/// How many rails are meshed and factored for how many runs.
+fn shared(study: &Study) -> String {
+    let mut rails: HashMap<RailKey, usize> = HashMap::new();
+    for key in study.runs.iter().filter_map(|run| run.case.rail_key()) {
+        *rails.entry(key).or_default() += 1;
+    }
+    let runs: usize = rails.values().sum();
+    match rails.len() {
+        0 => "nothing: the dislocation engine has no mesh".to_owned(),
+        1 => format!("one mesh and factor for {runs} runs"),
+        count => format!("{count} meshes and factors for {runs} runs"),
+    }
+}

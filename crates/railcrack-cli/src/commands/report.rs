@@ -1,0 +1,32 @@
+//! `railcrack report`.
+
+use crate::drive::RunError;
+use crate::exit::{Exit, Failure};
+use crate::print;
+use clap::Args;
+use railcrack::output::report::{FolderKind, rebuild_report};
+use std::path::PathBuf;
+
+/// Build plots and HTML report of a folder again, from its files alone
+///
+/// The folder is that of a run, of a plastic state or of a comparison. What these commands wrote is built again bit for bit;
+/// of a run that was interrupted, the finished steps are shown.
+#[derive(Debug, Args)]
+pub struct ReportArguments {
+    /// The folder
+    #[arg(value_name = "DIR")]
+    pub folder: PathBuf,
+}
+
+/// Builds the report and says where it is.
+pub fn report(arguments: &ReportArguments) -> Result<Exit, Failure> {
+    let folder = &arguments.folder;
+    let kind = rebuild_report(folder).map_err(RunError::from)?;
+    let what = match kind {
+        FolderKind::Run => "run",
+        FolderKind::Shakedown => "plastic state",
+        FolderKind::Comparison => "comparison",
+    };
+    print::stdout(&format!("report of the {what} in {}\n", folder.join("report.html").display()))?;
+    Ok(Exit::Done)
+}

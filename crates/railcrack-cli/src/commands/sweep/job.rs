@@ -1,0 +1,91 @@
+//! One run of a study.
+
+use super::progress::StudyProgress;
+use super::queue::{Next, RailSlot};
+use crate::commands::residual;
+use crate::commands::run::{Job, Stage};
+use crate::drive::{Ending, RunError, drive};
+use crate::exit::Exit;
+use crate::interruption::Interruption;
+use railcrack::case::{SharedRail, StudyRun};
+use railcrack::output::{Existing, Outcome, OutputError, PlannedRun, Recorder, RunEnd, StudyFolder, Summary};
+
+/// Where a run is computed, and who is told.
+pub struct Workplace<'a> {
+    pub folder: &'a StudyFolder,
+    pub progress: &'a StudyProgress,
+    pub interruption: &'a Interruption,
+}
+
+/// A run that failed.
+#[derive(Debug)]
+pub struct FailedRun {
+    pub number: usize,
+    /// Its values.
+    pub label: String,
+    pub end: RunEnd,
+    pub reason: String,
+}
+
+impl Workplace<'_> {
+    /// Computes `run`, or what is missing of it, into its run folder, and remembers there how it ended. One that is interrupted has no
+    /// end yet.
+    pub fn compute(&self, run: &StudyRun, planned: &PlannedRun, next: &Next) -> Option<FailedRun> {
+        let computed = self.steps(run, planned, next.rail.as_ref());
+        let (outcome, told) = match &computed {
+            Ok((Ending::Interrupted, _)) => return None,
+            Ok((Ending::Ended, summary)) => (Outcome::done(), done(summary)),
+            Err(error) => (Outcome::failed(end_of(error), &error.to_string()), format!("failed: {error}")),
+        };
+        let settled = self.folder.settle(planned, &outcome).map_err(RunError::from);
+        self.progress.over(&format!("run {} ({}): {told}", run.number, run.label));
+        let error = computed.err().or(settled.err())?;
+        let (number, label) = (run.number, run.label.clone());
+        Some(FailedRun { number, label, end: end_of(&error), reason: error.to_string() })
+    }
+
+    fn steps(
+        &self,
+        run: &StudyRun,
+        planned: &PlannedRun,
+        rail: Option<&RailSlot>,
+    ) -> Result<(Ending, Summary), RunError> {
+        let job = Job::of(&run.case);
+        let folder = self.folder.run_folder(planned);
+        self.folder.reopen(planned)?;
+        let (mut recorder, state) = match Recorder::resume(&folder, job.case.clone(), job.info.clone()) {
+            Err(OutputError::NoRun { .. }) => {
+                (Recorder::start(&folder, job.case, job.info, Existing::Refuse)?, None)
+            }
+            resumed => resumed?,
+        };
+        let first = state.as_ref().map_or(0, |state| state.step);
+        let progress = self.progress.of_run(job.increments + 1, first);
+        if state.as_ref().is_some_and(|state| state.ended.is_some()) {
+            return Ok((Ending::Ended, recorder.finish()?));
+        }
+        let shared = rail.and_then(|slot| {
+            // A rail that cannot be made is left to the runs, which say what is wrong.
+            slot.get_or_init(|| SharedRail::of(&run.case).ok().flatten()).as_ref()
+        });
+        let stage = Stage { folder: &folder, progress: &progress, shared, state };
+        let (prepared, residual) = residual::prepare(&run.case, &stage)?;
+        if let Some(residual) = residual {
+            residual.record(&mut recorder, &progress)?;
+        }
+        let mut growth = prepared.growth(stage.state);
+        drive(&mut growth, &mut recorder, &progress, self.interruption)
+    }
+}
+
+fn end_of(error: &RunError) -> RunEnd {
+    match error.exit() {
+        Exit::NotConverged => RunEnd::NotConverged,
+        _ => RunEnd::CannotReadOrWrite,
+    }
+}
+
+fn done(summary: &Summary) -> String {
+    let stop = summary.stop.as_deref().unwrap_or("ended");
+    format!("{stop} at step {}, {:.1} s", summary.steps, summary.wall_s)
+}

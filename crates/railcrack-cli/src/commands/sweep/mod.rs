@@ -1,0 +1,10 @@
+//! `railcrack sweep`: the runs of a study.
+
+mod command;
+mod job;
+mod progress;
+mod queue;
+mod shard;
+mod tell;
+
+pub use command::{SweepArguments, sweep};

@@ -1,0 +1,18 @@
+//! A study: a case file with lists in place of values, and the cases that it makes.
+
+mod axes;
+mod declare;
+mod expand;
+mod input;
+mod merge;
+mod names;
+mod read;
+mod schema;
+mod variation;
+
+pub use axes::{Axis, Combine};
+pub use declare::STUDY;
+pub use expand::{Study, StudyRun};
+pub use input::Input;
+pub use schema::study_schema;
+pub use variation::Variation;

@@ -1,0 +1,307 @@
+// What every page does: theme, charts from the data beside them, packed numbers, pictures to keep.
+"use strict";
+
+const railcrack = (() => {
+  const fine = d3.format(".4~g");
+
+  /** A number as people read it: 1 197 467, 0.0464, 2.47e-6. */
+  function words(value) {
+    const size = Math.abs(value);
+    if (size >= 1e4 && size < 1e15) return d3.format(",.0f")(value).replaceAll(",", "\u00a0");
+    if (value === 0 || (size >= 1e-3 && size < 1e4)) return fine(value).replace("-", "\u2212");
+    return d3.format(".3~e")(value).replaceAll("-", "\u2212");
+  }
+
+  /** Marks of indices and powers left out: for places that take plain text only. */
+  const plain = (text) => text.replace(/[_^]\{([^}]*)\}/g, "$1");
+
+  /** Sets `K_{I}` in the texts of an SVG with a lowered index. */
+  function typeset(svg) {
+    for (const text of svg.querySelectorAll("text")) {
+      if (text.children.length || !/[_^]\{/.test(text.textContent)) continue;
+      const parts = text.textContent.split(/([_^]\{[^}]*\})/);
+      text.textContent = "";
+      let shift = 0;
+      for (const part of parts) {
+        const mark = /^([_^])\{(.*)\}$/.exec(part);
+        const span = document.createElementNS("http://www.w3.org/2000/svg", "tspan");
+        const wanted = mark ? (mark[1] === "_" ? 0.3 : -0.4) : 0;
+        span.textContent = mark ? mark[2] : part;
+        // The shift counts in the size of the surrounding letters, so it is taken back by the next part.
+        span.setAttribute("dy", `${((wanted - shift) * 12).toFixed(2)}`);
+        if (mark) span.setAttribute("font-size", "75%");
+        shift = wanted;
+        text.append(span);
+      }
+    }
+    return svg;
+  }
+
+  /** Bytes of base64 text that holds deflated data. */
+  async function unpack(text) {
+    const deflated = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+    const stream = new Blob([deflated]).stream().pipeThrough(new DecompressionStream("deflate"));
+    return new Uint8Array(await new Response(stream).arrayBuffer());
+  }
+
+  /** Numbers in single precision. */
+  const singles = async (text) => new Float32Array((await unpack(text)).buffer);
+
+  /** Whole numbers in rows of `row`: differences from one to the next, first low bytes, then high ones. */
+  async function levels(data, row) {
+    const bytes = await unpack(data);
+    const count = bytes.length / 2;
+    const values = new Uint16Array(count);
+    let level = 0;
+    for (let i = 0; i < count; i++) {
+      const folded = bytes[i] | (bytes[count + i] << 8);
+      const difference = (folded >> 1) ^ -(folded & 1);
+      level = i % row === 0 ? difference & 0xffff : (level + difference) & 0xffff;
+      values[i] = level;
+    }
+    return values;
+  }
+
+  /** Quantised numbers: low + step × level. */
+  const quantised = async ({ low, step, data }, row) => Float64Array.from(await levels(data, row), (level) => low + step * level);
+
+  /** A list of names with the strokes that they stand for. */
+  function legend(entries) {
+    const list = document.createElement("ul");
+    list.className = "legend";
+    for (const { name, colour, colours, dashed, box, dots } of entries) {
+      const item = document.createElement("li");
+      const mark = d3.create("svg").attr("width", colours ? 108 : 26).attr("height", 12).attr("aria-hidden", "true");
+      if (colours) mark.selectAll("rect").data(colours).join("rect").attr("x", (_, i) => 12 * i).attr("width", 12.5).attr("height", 12).attr("fill", String);
+      else if (box) mark.append("rect").attr("x", 7).attr("width", 12).attr("height", 12).attr("fill", colour).attr("stroke", "var(--quiet)");
+      else {
+        if (dots !== "only")
+          mark.append("line").attr("x2", 26).attr("y1", 6).attr("y2", 6).attr("stroke", colour).attr("stroke-width", 2)
+            .attr("stroke-dasharray", dashed ? "6 4" : null);
+        if (dots) mark.append("circle").attr("cx", 13).attr("cy", 6).attr("r", 3).attr("fill", colour);
+      }
+      item.append(mark.node(), plain(name));
+      list.append(item);
+    }
+    return list;
+  }
+
+  /** An axis title in the middle, round ticks; `extent` of the data for a logarithmic axis. */
+  function scale(axis, extent = [1, 10]) {
+    const options = { label: axis.title, labelAnchor: "center", labelArrow: "none", grid: true };
+    if (axis.scale === "log") Object.assign(options, { type: "log", ticks: logarithmic(...extent), tickFormat: short });
+    else options.tickFormat = ticks;
+    if (axis.range) options.domain = axis.scale === "depth" ? [axis.range[1], axis.range[0]] : axis.range;
+    else if (axis.scale === "depth") options.reverse = true;
+    return options;
+  }
+
+  /** Ticks of large numbers in thousands and millions. */
+  const ticks = (value) =>
+    (Math.abs(value) >= 1e4 ? d3.format("~s")(value) : fine(value)).replace("-", "\u2212");
+
+  /** A tick of a logarithmic axis: 14, 4.5e−5. */
+  const short = (value) => (value >= 1e-2 && value < 1e4 ? fine(value) : d3.format(".2~e")(value)).replace("-", "\u2212");
+
+  /** Ticks of a logarithmic axis: powers of ten, over less than four decades also 2 and 5 times these; over less than a factor of 10, round numbers. */
+  function logarithmic(low, high) {
+    if (!(high >= 10 * low)) return d3.ticks(low, high, 4);
+    const digits = high < 1e4 * low ? [1, 2, 5] : [1];
+    const exponents = d3.range(Math.floor(Math.log10(low)), Math.ceil(Math.log10(high)) + 1);
+    return exponents.flatMap((exponent) => digits.map((digit) => digit * 10 ** exponent)).filter((tick) => tick >= low && tick <= high);
+  }
+
+  const drawn = [];
+
+  /** Draws again whenever the width of `element` changes. */
+  function onWidth(element, draw) {
+    let before = 0;
+    const look = () => {
+      const width = Math.floor(element.clientWidth);
+      if (width > 0 && Math.abs(width - before) > 1) {
+        before = width;
+        draw(width);
+      }
+    };
+    drawn.push(look);
+    new ResizeObserver(look).observe(element);
+  }
+
+  // On paper, figures are drawn for its width: scaled down from the screen, their letters would be too small.
+  addEventListener("beforeprint", () => {
+    document.documentElement.dataset.paper = "true";
+    for (const look of drawn) look();
+  });
+  addEventListener("afterprint", () => {
+    delete document.documentElement.dataset.paper;
+    for (const look of drawn) look();
+  });
+
+  const charts = new Map();
+
+  /** Builds the chart of a figure from the data in it. */
+  function chart(figure) {
+    const data = JSON.parse(figure.querySelector("script").textContent);
+    const place = figure.querySelector(".drawing");
+    const log = { x: data.x.scale === "log", y: data.y.scale === "log" };
+    const curves = data.curves.map((curve) => ({
+      ...curve,
+      stroke: `var(--c${curve.colour})`,
+      points: curve.x
+        .map((x, i) => ({ x, y: curve.y[i], name: curve.name }))
+        .filter(({ x, y }) => x !== null && y !== null && !(log.x && x <= 0) && !(log.y && y <= 0)),
+    }));
+    const named = curves.filter((curve) => curve.name);
+    if (named.length) {
+      place.before(
+        legend(named.map(({ name, stroke, look }) => ({
+          name, colour: stroke, dashed: look === "dashed", dots: look === "dots" ? "only" : look === "dotted",
+        }))),
+      );
+    }
+    const self = { svg: null, marks: [], mark };
+    const all = curves.flatMap((curve) => curve.points);
+    const title = ({ x, y, name }) =>
+      [name && plain(name), `${plain(data.x.title)}: ${words(x)}`, `${plain(data.y.title)}: ${words(y)}`].filter(Boolean).join("\n");
+
+    // Room for the ticks and the title beside them, from the usual width of digits.
+    const [low, high] = data.y.range ?? d3.extent(all, (point) => point.y);
+    const letters = log.y ? 6 : d3.max(d3.ticks(low ?? 0, high ?? 1, 6), (value) => ticks(value).length) ?? 4;
+    const room = 36 + 7.4 * Math.max(3, letters);
+
+    function draw(width) {
+      const marks = curves.flatMap(({ points, stroke, look }) => [
+        look === "dots" ? null : Plot.line(points, { x: "x", y: "y", stroke, strokeWidth: 1.8, strokeDasharray: look === "dashed" ? "6 4" : null, clip: true }),
+        look === "dots" || look === "dotted" ? Plot.dot(points, { x: "x", y: "y", fill: stroke, r: 2.6, clip: true }) : null,
+      ]);
+      const svg = Plot.plot({
+        width,
+        height: Math.round(Math.min(320, Math.max(230, 0.55 * width))),
+        marginLeft: room,
+        marginBottom: 44,
+        marginTop: 22,
+        x: scale(data.x, d3.extent(all, (point) => point.x)),
+        y: scale(data.y, [low, high]),
+        // Points at the ends are not cut off by the frame.
+        inset: data.x.range || data.y.range ? 0 : 7,
+        aspectRatio: data.equal ? 1 : undefined,
+        ariaLabel: plain(data.caption),
+        style: { fontSize: "12px", overflow: "visible" },
+        marks: [
+          Plot.frame({ stroke: "var(--line)" }),
+          ...marks,
+          Plot.tip(all, Plot.pointer({ x: "x", y: "y", title, fill: "var(--ground)", fontSize: 12 })),
+        ],
+      });
+      self.svg = typeset(svg);
+      place.replaceChildren(svg);
+      drawMarks();
+    }
+
+    function drawMarks() {
+      if (!self.svg) return;
+      const [x, y] = ["x", "y"].map((name) => self.svg.scale(name));
+      d3.select(self.svg).selectAll("g.marks").data([0]).join("g").attr("class", "marks").attr("pointer-events", "none")
+        .selectAll("circle").data(self.marks.filter((mark) => (!log.x || mark.x > 0) && (!log.y || mark.y > 0))).join("circle")
+        .attr("cx", (mark) => x.apply(mark.x)).attr("cy", (mark) => y.apply(mark.y))
+        .attr("data-x", (mark) => mark.x).attr("data-y", (mark) => mark.y)
+        .attr("r", 6).attr("fill", "none").attr("stroke", "var(--ink)").attr("stroke-width", 2);
+    }
+
+    /** Rings around points that something else on the page points to. */
+    function mark(points) {
+      self.marks = points;
+      drawMarks();
+    }
+
+    onWidth(place, draw);
+    tools(figure);
+    charts.set(figure.id, self);
+    return self;
+  }
+
+  /** The SVG of a figure as a file of its own: colours resolved, on white. */
+  function file(figure) {
+    const svg = figure.querySelector(".drawing svg");
+    const light = document.createElement("div");
+    light.dataset.theme = "light";
+    document.body.append(light);
+    const style = getComputedStyle(light);
+    const copy = svg.cloneNode(true);
+    copy.setAttribute("xmlns", "http://www.w3.org/2000/svg");
+    copy.style.background = "#ffffff";
+    copy.style.fontFamily = "Helvetica, Arial, sans-serif";
+    const text = new XMLSerializer().serializeToString(copy)
+      .replace(/var\((--[\w-]+)\)/g, (all, name) => style.getPropertyValue(name).trim() || all)
+      .replaceAll("currentColor", style.getPropertyValue("--ink").trim());
+    light.remove();
+    return { text, width: svg.clientWidth || +svg.getAttribute("width"), height: svg.clientHeight || +svg.getAttribute("height") };
+  }
+
+  function download(name, url) {
+    const link = document.createElement("a");
+    link.href = url;
+    link.download = name;
+    link.click();
+  }
+
+  /** The figure as PNG at three times the size of the screen. */
+  async function png(figure) {
+    const { text, width, height } = file(figure);
+    const image = new Image();
+    image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(text)}`;
+    await image.decode();
+    const canvas = document.createElement("canvas");
+    [canvas.width, canvas.height] = [3 * width, 3 * height];
+    canvas.getContext("2d").drawImage(image, 0, 0, canvas.width, canvas.height);
+    return canvas.toDataURL("image/png");
+  }
+
+  /** Buttons that keep a figure as a file. */
+  function tools(figure) {
+    const name = figure.dataset.name || figure.id;
+    const bar = document.createElement("div");
+    bar.className = "tools";
+    const button = (label, action) => {
+      const element = document.createElement("button");
+      element.type = "button";
+      element.textContent = label;
+      element.title = `Save this figure as ${label}`;
+      element.setAttribute("aria-label", `Save figure ${name} as ${label}`);
+      element.addEventListener("click", action);
+      bar.append(element);
+    };
+    button("SVG", () => download(`${name}.svg`, `data:image/svg+xml;charset=utf-8,${encodeURIComponent(file(figure).text)}`));
+    button("PNG", async () => download(`${name}.png`, await png(figure)));
+    figure.append(bar);
+  }
+
+  /** The button that changes between the system's theme, light and dark. */
+  function theme() {
+    const button = document.getElementById("theme");
+    const root = document.documentElement;
+    const names = { auto: "Theme: as the system", light: "Theme: light", dark: "Theme: dark" };
+    const show = (name) => {
+      if (name === "auto") delete root.dataset.theme;
+      else root.dataset.theme = name;
+      button.textContent = names[name];
+    };
+    // A page from a file may have no memory: then it begins anew each time.
+    const memory = (action) => { try { return action(localStorage); } catch { return null; } };
+    let now = memory((store) => store.getItem("railcrack-theme"));
+    if (!(now in names)) now = "auto";
+    show(now);
+    button.hidden = false;
+    button.addEventListener("click", () => {
+      const order = Object.keys(names);
+      now = order[(order.indexOf(now) + 1) % order.length];
+      memory((store) => store.setItem("railcrack-theme", now));
+      show(now);
+    });
+  }
+
+  theme();
+  for (const figure of document.querySelectorAll("figure.chart")) chart(figure);
+
+  return { words, plain, typeset, singles, levels, quantised, unpack, legend, scale, ticks, onWidth, tools, charts, png };
+})();

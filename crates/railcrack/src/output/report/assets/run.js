@@ -1,0 +1,628 @@
+// The passage explorer: two sliders, the step of growth and the position of the wheel, and what follows them.
+"use strict";
+
+(async () => {
+  const { words, plain, typeset, singles, quantised, unpack, legend, scale, ticks, onWidth, tools, charts } = railcrack;
+  const find = (id) => document.getElementById(id);
+  const data = JSON.parse(find("run-data").textContent);
+  const a = data.half_width;
+  const positions = data.xc_over_a;
+  const shown = data.steps;
+  const faceStride = data.face_stride;
+  // Beyond seven tips colours would repeat: then the chosen crack has one, and the others are quiet.
+  const many = shown[0].tips.length > 7;
+  const crackColour = (crack) => {
+    if (data.cracks.length === 1) return "var(--c0)";
+    if (many) return crack === state.crack ? "var(--c0)" : "var(--quiet)";
+    return `var(--c${(crack - 1) % 7})`;
+  };
+  const STATUS = ["open", "stick", "slip"];
+  const STATUS_COLOURS = ["#e9ecef", "#0072b2", "#e69f00"];
+  const KEPT_COLOURS = ["var(--c1)", "var(--c2)", "var(--c3)", "var(--c4)", "var(--c5)"];
+
+  // ---- Decoding ------------------------------------------------------------------------------------------------
+
+  const histories = await Promise.all(
+    shown.map((step) =>
+      Promise.all(step.tips.map(async (tip) => ({
+        ki: tip.ki ? await singles(tip.ki) : [],
+        kii: tip.kii ? await singles(tip.kii) : [],
+      }))),
+    ),
+  );
+  const decoded = new Map();
+
+  /** The faces of a shown step, by crack. */
+  function facesOf(index) {
+    if (!decoded.has(index)) decoded.set(index, Promise.all((shown[index].faces ?? []).map(decodeFaces)));
+    return decoded.get(index);
+  }
+
+  async function decodeFaces(faces) {
+    const s = await singles(faces.s);
+    const status = await unpack(faces.status);
+    const row = status.length / s.length;
+    const [opening, slip, pressure, shear] = await Promise.all(
+      [faces.opening, faces.slip, faces.pressure, faces.shear].map((values) => quantised(values, row)),
+    );
+    return { crack: faces.crack, s, row, status, opening, slip, pressure, shear };
+  }
+
+  /** The place among the stored positions of the faces that is nearest to a position. */
+  function faceColumn(faces, position) {
+    if (position === positions.length - 1) return faces.row - 1;
+    return Math.min(Math.round(position / faceStride), faces.row - 1);
+  }
+
+  // ---- State ---------------------------------------------------------------------------------------------------
+
+  const state = { step: 0, position: loudest(0), crack: 1, kept: shown.length > 1 ? [shown.length - 1] : [] };
+
+  /** The position with the largest |K| of a step. */
+  function loudest(index) {
+    let [most, at] = [-1, 0];
+    for (const { ki, kii } of histories[index])
+      for (let i = 0; i < ki.length; i++) {
+        const size = Math.hypot(ki[i], kii[i]);
+        if (size > most) [most, at] = [size, i];
+      }
+    return at;
+  }
+
+  const centre = () => data.origin + positions[state.position] * a;
+  /** Fixed decimals, a true minus sign, no "\u22120.0". */
+  const signed = (value, digits) => value.toFixed(digits).replace(/^-(?=[0.]*$)/, "").replace("-", "\u2212");
+
+  /** Sets the text of an element, `K_{I}` with a lowered index. */
+  function say(id, text) {
+    const parts = text.split(/_\{([^}]*)\}/);
+    find(id).replaceChildren(...parts.map((part, i) => {
+      if (i % 2 === 0) return part;
+      const index = document.createElement("sub");
+      index.textContent = part;
+      return index;
+    }));
+  }
+
+  // ---- Geometry ------------------------------------------------------------------------------------------------
+
+  const polyline = (crack, index) => {
+    const [from, to] = shown[index].cracks[crack - 1];
+    return data.cracks[crack - 1].points.slice(from, to + 1);
+  };
+
+  /** Point, tangent and normal (x2, the tangent turned by +90°) at the arc length `s`. */
+  function frame(points, s) {
+    let rest = s;
+    for (let i = 0; i + 1 < points.length; i++) {
+      const [dx, dy] = [points[i + 1][0] - points[i][0], points[i + 1][1] - points[i][1]];
+      const length = Math.hypot(dx, dy);
+      if (rest <= length || i + 2 === points.length) {
+        const t = [dx / length, dy / length];
+        return { at: [points[i][0] + rest * t[0], points[i][1] + rest * t[1]], t, n: [-t[1], t[0]] };
+      }
+      rest -= length;
+    }
+    return { at: points[0], t: [1, 0], n: [0, 1] };
+  }
+
+  const everyPoint = data.cracks.flatMap((crack) => crack.points);
+
+  // ---- Drawing -------------------------------------------------------------------------------------------------
+
+  const widths = {};
+  const show = (id, svg) => find(id).querySelector(".drawing").replaceChildren(typeset(svg));
+  const style = { fontSize: "12px", overflow: "visible" };
+
+  /** The part of the rail on the picture of the paths. */
+  const view = (() => {
+    const [left, right] = d3.extent(everyPoint, (p) => p[0]);
+    const deepest = -d3.min(everyPoint, (p) => p[1]);
+    const beside = Math.max(1.4 * a, 0.12 * (right - left));
+    const across = right - left + 2 * beside;
+    return { x: [left - beside, right + beside], load: 0.1 * across, depth: Math.max(1.15 * deepest, 0.16 * across) };
+  })();
+  const sceneMargin = { top: 6, right: 14, bottom: 40, left: 56 };
+  const MOST_HEIGHT = 520;
+
+  /** Size of the picture of the paths, and what it shows, at one scale both ways. */
+  function sceneSize(width) {
+    const inside = width - sceneMargin.left - sceneMargin.right;
+    let x = view.x;
+    const y = view.depth + 1.75 * view.load;
+    let perMm = inside / (x[1] - x[0]);
+    if (perMm * y > MOST_HEIGHT) {
+      perMm = MOST_HEIGHT / y;
+      const middle = 0.5 * (x[0] + x[1]);
+      x = [middle - 0.5 * inside / perMm, middle + 0.5 * inside / perMm];
+    }
+    return { x, y: [view.depth, -1.75 * view.load], height: Math.round(perMm * y) + sceneMargin.top + sceneMargin.bottom };
+  }
+
+  const depthAxis = (domain, label) => ({ ...scale({ title: label, scale: "linear" }), domain });
+
+  function drawScene() {
+    if (!widths.scene) return;
+    const { x, y, height } = sceneSize(widths.scene);
+    const xc = centre();
+    // Closer together at the edges, where the pressure rises steeply.
+    const pressure = d3.range(0, 61).map((i) => ({ x: xc - a * Math.cos(Math.PI * i / 60), y: -view.load * Math.sin(Math.PI * i / 60) }));
+    const away = xc + a < x[0] ? -1 : xc - a > x[1] ? 1 : 0;
+    const mu = data.friction ?? 0;
+    const reach = 0.6 * a;
+    const from = Math.min(Math.max(xc, x[0] + (mu < 0 ? reach : 0)), x[1] - (mu > 0 ? reach : 0));
+    const arrow = { x1: from, x2: from + Math.sign(mu) * reach, y: -1.12 * view.load };
+    const name = data.peak_pressure ? `p_{0} = ${words(data.peak_pressure)} MPa` : "wheel";
+    const label = mu ? `${name}, friction ${signed(mu, 3).replace(/0+$/, "")}` : name;
+    const marks = [
+      Plot.rect([0], { x1: x[0], x2: x[1], y1: 0, y2: y[0], fill: "var(--rail)" }),
+      Plot.line([[x[0], 0], [x[1], 0]], { stroke: "var(--ink)", strokeWidth: 2 }),
+    ];
+    data.cracks.forEach((crack, i) => {
+      const depths = (points) => points.map(([px, py]) => [px, -py]);
+      marks.push(Plot.line(depths(crack.points), { stroke: crackColour(i + 1), strokeWidth: 1.6, strokeDasharray: "2 3" }));
+      const now = polyline(i + 1, state.step);
+      marks.push(Plot.line(depths(now), { stroke: data.cracks.length === 1 ? "var(--ink)" : crackColour(i + 1), strokeWidth: 3 }));
+    });
+    marks.push(Plot.dot(shown[state.step].tips, {
+      x: "x", y: (tip) => -tip.y, r: 4, fill: "var(--ground)", stroke: "var(--ink)", strokeWidth: 1.5,
+      channels: { crack: "crack", length: "length" },
+      title: (tip) => `crack ${tip.crack}, tip ${tip.tip}\nx = ${words(tip.x)} mm, depth ${words(-tip.y)} mm\nlength ${words(tip.length)} mm`,
+      tip: { fill: "var(--ground)", fontSize: 12 },
+    }));
+    if (!away) {
+      marks.push(Plot.areaY(pressure, { x: "x", y1: 0, y2: "y", fill: "var(--c1)", fillOpacity: 0.3, stroke: "var(--c1)", clip: true }));
+      marks.push(Plot.ruleX([xc], { y1: 0, y2: -view.load, stroke: "var(--c1)", strokeDasharray: "3 3" }));
+      if (mu) marks.push(Plot.arrow([arrow], { x1: "x1", x2: "x2", y1: "y", y2: "y", stroke: "var(--c1)", strokeWidth: 2, headLength: 9, clip: true }));
+      const middle = Math.min(Math.max(xc, x[0] + 0.14 * (x[1] - x[0])), x[1] - 0.14 * (x[1] - x[0]));
+      marks.push(Plot.text([label], { x: middle, y: -1.42 * view.load, fill: "var(--c1)" }));
+    } else {
+      marks.push(Plot.text([away < 0 ? `\u2190 wheel at x = ${signed(xc, 1)} mm` : `wheel at x = ${signed(xc, 1)} mm \u2192`], {
+        x: away < 0 ? x[0] : x[1], y: -0.6 * view.load, dx: -8 * away, textAnchor: away < 0 ? "start" : "end", fill: "var(--c1)",
+      }));
+    }
+    const svg = Plot.plot({
+      width: widths.scene, height,
+      marginTop: sceneMargin.top, marginRight: sceneMargin.right, marginBottom: sceneMargin.bottom, marginLeft: sceneMargin.left,
+      x: { ...scale({ title: "x (mm)", scale: "linear" }), domain: x, grid: false },
+      y: { ...depthAxis(y, "Depth (mm)"), grid: false, ticks: d3.ticks(0, y[0], Math.max(2, Math.round((height - 60) / 55))) },
+      ariaLabel: "Cracks to scale below the wheel", style, marks,
+    });
+    svg.dataset.centre = xc;
+    show("scene", svg);
+  }
+
+  function drawResidual() {
+    if (!data.residual || !widths.scene) return;
+    const { y, height } = sceneSize(widths.scene);
+    const rows = data.residual.depth.map((depth, i) => ({ depth, sxx: data.residual.sxx[i] }));
+    // Zero beyond the last row, as the computation takes it.
+    const last = rows[rows.length - 1];
+    if (last.depth < y[0]) rows.push({ depth: last.depth, sxx: 0 }, { depth: y[0], sxx: 0 });
+    const svg = Plot.plot({
+      width: 240, height, marginTop: sceneMargin.top, marginBottom: sceneMargin.bottom, marginLeft: 12, marginRight: 12,
+      x: { ...scale({ title: "\u03c3_{xx} (MPa)", scale: "linear" }), ticks: 3, nice: true },
+      y: { domain: y, axis: null },
+      ariaLabel: "Residual stress by depth, beside the cracks at the same scale", style,
+      marks: [
+        Plot.rect([0], { x1: d3.min(rows, (r) => r.sxx), x2: d3.max(rows, (r) => r.sxx), y1: 0, y2: y[0], fill: "var(--rail)" }),
+        Plot.ruleX([0], { y1: 0, y2: y[0], stroke: "var(--quiet)" }),
+        Plot.line(rows, { x: "sxx", y: "depth", stroke: "var(--c0)", strokeWidth: 1.8, clip: true }),
+        Plot.tip(rows.filter((r) => r.depth <= y[0]), Plot.pointerY({ x: "sxx", y: "depth", fill: "var(--ground)", fontSize: 12,
+          title: (r) => `depth ${words(r.depth)} mm\n\u03c3xx = ${words(r.sxx)} MPa` })),
+      ],
+    });
+    show("residual", svg);
+  }
+
+  /** Curves of a K chart: this step, and those that are kept. */
+  function kCurves(mode) {
+    const several = shown[0].tips.length > 1;
+    const curve = (index, colour, dashed, name) =>
+      shown[index].tips.map((tip, i) => ({
+        name: several ? `${tipName(tip)}, step ${shown[index].step}` : name,
+        colour: several ? crackColour(tip.crack) : colour,
+        dashed,
+        tip,
+        points: Array.from(histories[index][i][mode], (k, p) => ({ x: positions[p], k, at: p })),
+      }));
+    const kept = state.kept.filter((index) => index !== state.step);
+    const curves = [
+      ...kept.flatMap((index, i) => curve(index, KEPT_COLOURS[i % KEPT_COLOURS.length], true, `step ${shown[index].step}`)),
+      ...curve(state.step, "var(--c0)", false, `step ${shown[state.step].step}`),
+    ];
+    if (!many) return curves;
+    // Of the quiet cracks this step only, below the chosen one.
+    const isChosen = (curve) => curve.tip.crack === state.crack;
+    return [...curves.filter((curve) => !isChosen(curve) && !curve.dashed), ...curves.filter(isChosen)];
+  }
+
+  const tipName = (tip) => (shown[0].tips.some((other) => other.tip > 1) ? `crack ${tip.crack}, tip ${tip.tip}` : `crack ${tip.crack}`);
+
+  /** The same scale in all steps, so that steps compare. */
+  const extents = Object.fromEntries(["ki", "kii"].map((mode) => {
+    const [low, high] = d3.extent(histories.flat().flatMap((tip) => Array.from(tip[mode])));
+    const air = 0.05 * ((high - low) || 1);
+    return [mode, [Math.min(low, 0) - air, Math.max(high, 0) + air]];
+  }));
+  // A K_I that is hardly there gets the scale of something, not that of noise.
+  const largest = d3.max(Object.values(extents).flat(), Math.abs);
+  if (extents.ki[1] - extents.ki[0] < 0.1 * largest) extents.ki = [-0.01 * largest, 0.1 * largest];
+
+  const kCharts = {};
+
+  function drawK(mode) {
+    const width = widths[mode];
+    if (!width) return;
+    const name = mode === "ki" ? "K_{I}" : "K_{II}";
+    const curves = kCurves(mode);
+    const all = curves.flatMap(({ points, name }) => points.map((point) => ({ ...point, name })));
+    const svg = Plot.plot({
+      width, height: 300, marginLeft: 56, marginBottom: 44, marginTop: 10,
+      x: { ...scale({ title: "Wheel position x_{c}/a", scale: "linear" }), domain: d3.extent(positions) },
+      y: { ...scale({ title: `${name} (MPa\u221am)`, scale: "linear" }), domain: extents[mode] },
+      ariaLabel: `${mode === "ki" ? "K I" : "K II"} against the wheel position`, style,
+      marks: [
+        Plot.frame({ stroke: "var(--line)" }),
+        Plot.ruleY([0], { stroke: "var(--quiet)" }),
+        ...curves.map(({ points, colour, dashed }) => Plot.line(points, { x: "x", y: "k", stroke: colour, strokeOpacity: colour === "var(--quiet)" ? 0.45 : 1,
+          strokeWidth: dashed ? 1.4 : colour === "var(--quiet)" ? 1 : 2.2, strokeDasharray: dashed ? "5 4" : null })),
+        Plot.tip(all, Plot.pointer({ x: "x", y: "k", fill: "var(--ground)", fontSize: 12,
+          title: (d) => `${d.name}\nx_c/a = ${words(d.x)}\n${mode === "ki" ? "K_I" : "K_II"} = ${words(d.k)} MPa\u221am` })),
+      ],
+    });
+    show(mode, svg);
+    const chosen = many ? curves.filter((curve) => curve.tip.crack === state.crack) : curves;
+    const others = many ? [{ name: "other cracks", colour: "var(--quiet)" }] : [];
+    find(mode).querySelector(".legends").replaceChildren(legend([...chosen, ...others]));
+    kCharts[mode] = { svg, curves: chosen.filter((curve) => !curve.dashed) };
+    markK(mode);
+  }
+
+  /** Puts the wheel on a K chart: a line, and a ring on each curve of this step. */
+  function markK(mode) {
+    const chart = kCharts[mode];
+    if (!chart) return;
+    const [x, y] = ["x", "y"].map((name) => chart.svg.scale(name));
+    const at = x.apply(positions[state.position]);
+    const group = d3.select(chart.svg).selectAll("g.marks").data([0]).join("g").attr("class", "marks").attr("pointer-events", "none");
+    group.selectAll("line").data([at]).join("line").attr("x1", at).attr("x2", at)
+      .attr("y1", y.range[0]).attr("y2", y.range[1]).attr("stroke", "var(--c1)").attr("stroke-dasharray", "3 3");
+    group.selectAll("circle").data(chart.curves).join("circle").attr("cx", at)
+      .attr("cy", (curve) => y.apply(curve.points[state.position]?.k ?? 0))
+      .attr("data-x", positions[state.position]).attr("data-y", (curve) => curve.points[state.position]?.k)
+      .attr("r", 5).attr("fill", "var(--ground)").attr("stroke", (curve) => curve.colour).attr("stroke-width", 2.5);
+  }
+
+  /** 1, 2 or 5 times a power of ten, at most `value`. */
+  const roundDown = (value) => {
+    const decade = 10 ** Math.floor(Math.log10(value));
+    return (value / decade >= 5 ? 5 : value / decade >= 2 ? 2 : 1) * decade;
+  };
+
+  function drawDeformed(faces) {
+    if (!widths.deformed) return;
+    if (!faces) return find("deformed").querySelector(".drawing").replaceChildren("No data of the faces.");
+    const points = polyline(faces.crack, state.step);
+    const column = faceColumn(faces, state.position);
+    const length = d3.sum(d3.pairs(points, (p, q) => Math.hypot(q[0] - p[0], q[1] - p[1])));
+    // One magnification for the whole passage, so that its pictures compare.
+    const most = d3.max(faces.opening, (v, i) => Math.hypot(v, faces.slip[i])) || 0;
+    const magnified = most > 0 ? roundDown(0.07 * length / most) : 1;
+    const buried = points[0][1] < -1e-9;
+    const jump = (i) => [faces.slip[i * faces.row + column], faces.opening[i * faces.row + column]];
+    const stations = Array.from(faces.s, (s, i) => ({ s, jump: jump(i), status: faces.status[i * faces.row + column] }));
+    // The jump ends at a tip; at a mouth it goes on.
+    if (stations[0].s > 0) stations.unshift({ s: 0, jump: buried ? [0, 0] : stations[0].jump });
+    if (stations[stations.length - 1].s < length) stations.push({ s: length, jump: [0, 0] });
+    const face = (side) => stations.map(({ s, jump: [slip, opening] }) => {
+      const { at, t, n } = frame(points, s);
+      const move = 0.5 * side * magnified;
+      return [at[0] + move * (slip * t[0] + opening * n[0]), -(at[1] + move * (slip * t[1] + opening * n[1]))];
+    });
+    const [plus, minus] = [face(1), face(-1)];
+    const contact = stations.filter(({ status }) => status > 0).map(({ s, status }) => ({ p: frame(points, s).at, status, s }));
+    const [left, right] = d3.extent(points, (p) => p[0]);
+    const bottom = -d3.min(points, (p) => p[1]);
+    const top = buried ? -d3.max(points, (p) => p[1]) : 0;
+    const air = 0.09 * length;
+    const margins = sceneMargin.left + sceneMargin.right;
+    let x = [left - air, right + air];
+    const y = [bottom + air, buried ? Math.max(top - air, -air) : -air];
+    let perMm = (widths.deformed - margins) / (x[1] - x[0]);
+    if (perMm * (y[0] - y[1]) > 400) {
+      perMm = 400 / (y[0] - y[1]);
+      const half = 0.5 * (widths.deformed - margins) / perMm;
+      x = [0.5 * (left + right) - half, 0.5 * (left + right) + half];
+    }
+    const height = Math.round(perMm * (y[0] - y[1])) + 46;
+    const surface = y[1] < 0 ? 0 : y[1];
+    const svg = Plot.plot({
+      width: widths.deformed, height, marginTop: 6, marginRight: sceneMargin.right, marginBottom: 40, marginLeft: sceneMargin.left,
+      x: { ...scale({ title: "x (mm)", scale: "linear" }), domain: x, grid: false },
+      y: { ...depthAxis(y, "Depth (mm)"), grid: false, ticks: d3.ticks(Math.max(0, y[1]), y[0], Math.max(2, Math.round(height / 60))) },
+      ariaLabel: "Deformed crack", style,
+      marks: [
+        Plot.rect([0], { x1: x[0], x2: x[1], y1: surface, y2: y[0], fill: "var(--rail)" }),
+        Plot.line([...plus, ...[...minus].reverse()], { fill: "var(--ground)", stroke: "none" }),
+        buried ? null : Plot.line([[x[0], 0], [x[1], 0]], { stroke: "var(--ink)", strokeWidth: 1.5 }),
+        Plot.line(points.map(([px, py]) => [px, -py]), { stroke: "var(--quiet)", strokeDasharray: "2 3" }),
+        Plot.line(plus, { stroke: "var(--c0)", strokeWidth: 2.2 }),
+        Plot.line(minus, { stroke: "var(--c1)", strokeWidth: 2.2 }),
+        Plot.dot(contact, { x: (d) => d.p[0], y: (d) => -d.p[1], r: 3.5, symbol: (d) => (d.status === 1 ? "square" : "diamond"),
+          fill: (d) => STATUS_COLOURS[d.status], stroke: "var(--ground)", strokeWidth: 0.8 }),
+      ],
+      symbol: { range: ["square", "diamond"], type: "identity" },
+      color: { type: "identity" },
+    });
+    show("deformed", svg);
+    find("deformed").querySelector(".legends").replaceChildren(legend([
+      { name: "+ face", colour: "var(--c0)" },
+      { name: "\u2212 face", colour: "var(--c1)" },
+      { name: "undeformed", colour: "var(--quiet)", dashed: true },
+      { name: "stick", colour: STATUS_COLOURS[1], dots: "only" },
+      { name: "slip", colour: STATUS_COLOURS[2], dots: "only" },
+    ]));
+    const openings = stations.map(({ jump }) => jump[1]);
+    const slips = stations.map(({ jump }) => Math.abs(jump[0]));
+    find("deformed-caption").textContent =
+      `Crack ${faces.crack}. Jump of displacement magnified ${words(magnified)} times, half of it drawn on each face. ` +
+      `Here the largest opening is ${words(1e3 * d3.max(openings))} \u00b5m, the largest slip ${words(1e3 * d3.max(slips))} \u00b5m.`;
+  }
+
+  // ---- Face maps -----------------------------------------------------------------------------------------------
+
+  const maps = {};
+
+  /** An image of the faces: a pixel for each stored position, rows even in arc length. */
+  function mapImage(faces, length, colour) {
+    const rows = 240;
+    const canvas = document.createElement("canvas");
+    [canvas.width, canvas.height] = [faces.row, rows];
+    const context = canvas.getContext("2d");
+    const image = context.createImageData(faces.row, rows);
+    const backwards = positions[0] > positions[positions.length - 1];
+    for (let j = 0; j < rows; j++) {
+      // The top row is the largest arc length.
+      const point = nearestPoint(faces, length * (rows - 0.5 - j) / rows);
+      for (let i = 0; i < faces.row; i++) {
+        const { r, g, b } = colour(point * faces.row + (backwards ? faces.row - 1 - i : i));
+        image.data.set([r, g, b, 255], 4 * (j * faces.row + i));
+      }
+    }
+    context.putImageData(image, 0, 0);
+    return canvas.toDataURL("image/png");
+  }
+
+  const nearestPoint = (faces, s) => {
+    const right = Math.min(d3.bisectLeft(faces.s, s), faces.s.length - 1);
+    const left = Math.max(right - 1, 0);
+    return s - faces.s[left] < faces.s[right] - s ? left : right;
+  };
+
+  function drawMap(id, faces, colour, ariaLabel) {
+    const width = widths[id];
+    if (!width || !faces) return;
+    const length = d3.sum(d3.pairs(polyline(faces.crack, state.step), (p, q) => Math.hypot(q[0] - p[0], q[1] - p[1])));
+    const url = mapImage(faces, length, colour);
+    const image = (index, { x, y }) => {
+      const [left, right] = d3.extent([x(positions[0]), x(positions[positions.length - 1])]);
+      return d3.create("svg:image").attr("href", url).attr("x", left).attr("y", y(length)).attr("width", right - left)
+        .attr("height", y(0) - y(length)).attr("preserveAspectRatio", "none").attr("style", "image-rendering: pixelated").node();
+    };
+    const svg = Plot.plot({
+      width, height: 250, marginLeft: 56, marginBottom: 44, marginTop: 8,
+      x: { ...scale({ title: "Wheel position x_{c}/a", scale: "linear" }), domain: d3.extent(positions), grid: false },
+      y: { ...scale({ title: "Arc length s (mm)", scale: "linear" }), domain: [0, length], grid: false },
+      ariaLabel, style, marks: [image, Plot.frame({ stroke: "var(--line)" })],
+    });
+    show(id, svg);
+    maps[id] = { svg, faces };
+    const place = (event) => {
+      const [px, py] = d3.pointer(event, svg);
+      const [x, y] = [svg.scale("x").invert(px), svg.scale("y").invert(py)];
+      if (!(y >= 0 && y <= length)) return null;
+      return { position: d3.leastIndex(positions, (p) => Math.abs(p - x)), point: nearestPoint(faces, y) };
+    };
+    svg.style.cursor = "crosshair";
+    svg.addEventListener("pointermove", (event) => {
+      const there = place(event);
+      if (there) say("face-value", faceText(faces, there.position, there.point));
+    });
+    svg.addEventListener("click", (event) => {
+      const there = place(event);
+      if (there) moveTo({ position: there.position });
+    });
+    markMap(id);
+  }
+
+  function faceText(faces, position, point) {
+    const column = faceColumn(faces, position);
+    const at = point * faces.row + column;
+    return `x_{c}/a = ${signed(positions[position], 3)}, s = ${words(faces.s[point])} mm: ${STATUS[faces.status[at]]}, ` +
+      `pressure ${words(faces.pressure[at])} MPa, shear ${words(faces.shear[at])} MPa, ` +
+      `opening ${words(1e3 * faces.opening[at])} \u00b5m, slip ${words(1e3 * faces.slip[at])} \u00b5m`;
+  }
+
+  function markMap(id) {
+    const map = maps[id];
+    if (!map) return;
+    const [x, y] = ["x", "y"].map((name) => map.svg.scale(name));
+    const at = x.apply(positions[state.position]);
+    d3.select(map.svg).selectAll("line.here").data([at]).join("line").attr("class", "here").attr("pointer-events", "none")
+      .attr("x1", at).attr("x2", at).attr("y1", y.range[0]).attr("y2", y.range[1])
+      .attr("data-x", positions[state.position]).attr("stroke", "#d55e00").attr("stroke-width", 2);
+  }
+
+  const statusRgb = STATUS_COLOURS.map((colour) => d3.rgb(colour));
+  const pressureColour = (part) => d3.rgb(d3.interpolateViridis(1 - part));
+
+  function drawMaps(faces) {
+    if (!faces) return;
+    drawMap("face-status", faces, (at) => statusRgb[faces.status[at]], "Status of the crack faces");
+    find("face-status").querySelector(".legends").replaceChildren(
+      legend(STATUS.map((name, i) => ({ name, colour: STATUS_COLOURS[i], box: true }))),
+    );
+    const most = d3.max(faces.pressure) || 1;
+    const table = d3.range(256).map((i) => pressureColour(i / 255));
+    drawMap("face-pressure", faces, (at) =>
+      faces.status[at] === 0 ? statusRgb[0] : table[Math.max(0, Math.min(255, Math.round(255 * faces.pressure[at] / most)))],
+      "Contact pressure on the crack faces");
+    find("face-pressure").querySelector(".legends").replaceChildren(legend([
+      { name: "open", colour: STATUS_COLOURS[0], box: true },
+      { name: `pressure, 0 to ${words(most)} MPa`, colours: d3.range(9).map((i) => pressureColour(i / 8).formatHex()) },
+    ]));
+  }
+
+  // ---- Everything that follows the sliders -----------------------------------------------------------------------
+
+  let asked = 0;
+
+  async function stepChanged() {
+    const turn = ++asked;
+    const all = await facesOf(state.step);
+    // A later step has been asked for meanwhile.
+    if (turn !== asked) return;
+    state.faces = all.find((faces) => faces.crack === state.crack) ?? null;
+    for (const mode of ["ki", "kii"]) drawK(mode);
+    drawMaps(state.faces);
+    for (const tip of shown[state.step].tips) tip.name = tipName(tip);
+    const tips = shown[state.step].tips;
+    charts.get("length-cycles")?.mark(tips.map((tip) => ({ x: tip.cycles, y: tip.length })));
+    charts.get("rate-length")?.mark(tips.map((tip) => ({ x: tip.length, y: tip.rate })));
+    charts.get("rate-delta-k")?.mark(tips.map((tip) => ({ x: tip.delta_keq, y: tip.rate })));
+    positionChanged();
+  }
+
+  function positionChanged() {
+    drawScene();
+    for (const mode of ["ki", "kii"]) markK(mode);
+    drawDeformed(state.faces);
+    for (const id of ["face-status", "face-pressure"]) markMap(id);
+    labels();
+  }
+
+  function labels() {
+    const step = shown[state.step];
+    const lengths = step.tips.filter((tip) => tip.tip === 1);
+    const tip = step.tips.find((tip) => tip.crack === state.crack) ?? step.tips[0];
+    const tonnes = data.axle_load ? `, ${words(tip.cycles * data.axle_load / 1e6)} MGT` : "";
+    const stepText = `${step.step} of ${data.last_step}: ${lengths.length > 1 ? `crack ${tip.crack} ` : ""}${signed(tip.length, 2)} mm, ${words(tip.cycles)} cycles${tonnes}`;
+    const wheelText = `x_{c}/a = ${signed(positions[state.position], 3)} (x_{c} = ${signed(centre(), 2)} mm)`;
+    find("step-value").textContent = stepText;
+    say("wheel-value", wheelText);
+    find("step").value = state.step;
+    find("wheel").value = state.position;
+    find("step").setAttribute("aria-valuetext", `step ${stepText}`);
+    find("wheel").setAttribute("aria-valuetext", plain(wheelText));
+    const k = step.tips.map((tip, i) => {
+      const { ki, kii } = histories[state.step][i];
+      const name = step.tips.length > 1 ? `${tipName(tip)}: ` : "";
+      return `${name}K_{I} = ${signed(ki[state.position] ?? 0, 3)}, K_{II} = ${signed(kii[state.position] ?? 0, 3)} MPa\u221am`;
+    });
+    const shownK = k.length <= 4 ? k.join("; ") : k[Math.max(0, step.tips.indexOf(tip))];
+    const direction = tip.kink === null ? "no kink, the tip is not loaded" : `a kink of ${signed(tip.kink, 1)}\u00b0`;
+    const rival = tip.rival === null ? "" : ` (its rival, ${signed(tip.rival, 1)}\u00b0, would grow ${signed(tip.ratio, 3)} times as fast)`;
+    say("readout", `${shownK}. The step ends with ${direction}${rival}${tip.stop ? `; stop: ${tip.stop}` : ""}.`);
+    find("keep").disabled = state.kept.includes(state.step);
+    find("clear").hidden = state.kept.length === 0;
+  }
+
+  function moveTo(change) {
+    const before = { ...state };
+    Object.assign(state, change);
+    state.step = Math.max(0, Math.min(state.step, shown.length - 1));
+    state.position = Math.max(0, Math.min(state.position, positions.length - 1));
+    if (state.step !== before.step || state.crack !== before.crack) stepChanged();
+    else if (state.position !== before.position) positionChanged();
+  }
+
+  // ---- Controls --------------------------------------------------------------------------------------------------
+
+  find("explorer").hidden = false;
+  find("step").max = shown.length - 1;
+  find("wheel").max = positions.length - 1;
+  find("step").disabled = shown.length < 2;
+  find("step").addEventListener("input", (event) => moveTo({ step: +event.target.value }));
+  find("wheel").addEventListener("input", (event) => moveTo({ position: +event.target.value }));
+  find("keep").hidden = find("clear").hidden = shown.length < 2;
+  find("keep").addEventListener("click", () => {
+    state.kept = [...state.kept, state.step].slice(-KEPT_COLOURS.length);
+    stepChanged();
+  });
+  find("clear").addEventListener("click", () => {
+    state.kept = [];
+    stepChanged();
+  });
+  if (data.cracks.length > 1) {
+    find("which").hidden = false;
+    data.cracks.forEach((_, i) => find("crack").append(new Option(`${i + 1}`, `${i + 1}`)));
+    find("crack").addEventListener("change", (event) => moveTo({ crack: +event.target.value }));
+  }
+
+  let playing = null;
+  function stop() {
+    cancelAnimationFrame(playing);
+    playing = null;
+    find("play").textContent = "Play the passage";
+  }
+  find("play").addEventListener("click", () => {
+    if (playing !== null) return stop();
+    if (state.position === positions.length - 1) moveTo({ position: 0 });
+    find("play").textContent = "Stop";
+    const [begun, from] = [performance.now(), state.position];
+    // The whole passage in eight seconds.
+    const next = (now) => {
+      moveTo({ position: from + Math.floor((now - begun) / 8000 * positions.length) });
+      if (state.position >= positions.length - 1) stop();
+      else playing = requestAnimationFrame(next);
+    };
+    playing = requestAnimationFrame(next);
+  });
+
+  // The page's own keys, where no control wants them.
+  document.addEventListener("keydown", (event) => {
+    if (event.ctrlKey || event.altKey || event.metaKey) return;
+    if (event.target.closest("input, select, textarea, summary, pre, a, button")) {
+      // On a slider the browser moves it itself; up and down change the step from the wheel's slider, too.
+      if (event.target.id !== "wheel" || !["ArrowUp", "ArrowDown"].includes(event.key)) return;
+    }
+    const inView = find("explorer").getBoundingClientRect();
+    if (inView.bottom < 0 || inView.top > innerHeight) return;
+    const change = {
+      ArrowLeft: { position: state.position - 1 },
+      ArrowRight: { position: state.position + 1 },
+      ArrowUp: { step: state.step + 1 },
+      ArrowDown: { step: state.step - 1 },
+    }[event.key];
+    if (!change) return;
+    event.preventDefault();
+    moveTo(change);
+  });
+
+  const again = {
+    scene: () => { drawScene(); drawResidual(); },
+    ki: () => drawK("ki"),
+    kii: () => drawK("kii"),
+    deformed: () => drawDeformed(state.faces),
+    "face-status": () => drawMaps(state.faces),
+    "face-pressure": () => drawMaps(state.faces),
+  };
+  find("residual").hidden = !data.residual;
+  await stepChanged();
+  for (const [id, draw] of Object.entries(again)) {
+    onWidth(find(id).querySelector(".drawing"), (width) => {
+      widths[id] = width;
+      draw();
+    });
+    tools(find(id));
+  }
+  if (data.residual) tools(find("residual"));
+  find("explorer").dataset.ready = "true";
+})().catch((reason) => {
+  const note = document.createElement("p");
+  note.className = "failure";
+  note.textContent = `The explorer cannot be shown: ${reason.message}. It needs a browser of 2023 or later; the plots folder has pictures.`;
+  document.getElementById("explorer").before(note);
+  console.error(reason);
+});

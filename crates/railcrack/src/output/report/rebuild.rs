@@ -1,0 +1,73 @@
+//! Plots and report of a folder, from what is stored in it.
+
+use super::run::run_page;
+use crate::output::OutputError;
+use crate::output::figures::{PLOTS_FOLDER, run_plots};
+use crate::output::folder::{Durability, SUMMARY_FILE, replace_file};
+use std::path::Path;
+
+pub(crate) const REPORT_FILE: &str = "report.html";
+
+/// What a folder holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FolderKind {
+    /// A growth run: `summary.json`.
+    Run,
+    /// A stabilised plastic state: `shakedown.json`.
+    Shakedown,
+    /// Two runs set against each other: `compare.json`.
+    Comparison,
+}
+
+impl FolderKind {
+    /// What `folder` holds.
+    ///
+    /// Errors: none of these; no such folder.
+    pub fn of(folder: &Path) -> Result<Self, OutputError> {
+        let kinds = [
+            (Self::Run, SUMMARY_FILE),
+            (Self::Shakedown, crate::output::shakedown::SHAKEDOWN_FILE),
+            (Self::Comparison, crate::output::compare::JSON_FILE),
+        ];
+        let there = |&(_, file): &(Self, &str)| folder.join(file).is_file();
+        match kinds.into_iter().find(there) {
+            Some((kind, _)) => Ok(kind),
+            None => Err(OutputError::NothingToReport { folder: folder.to_path_buf() }),
+        }
+    }
+}
+
+/// Builds plots and report of `folder` from its tables and summaries alone, in place of those that are there. What a
+/// run, a stabilised state or a comparison wrote is built again bit for bit.
+///
+/// Errors: the folder holds none of these; a file of it is damaged; the system refuses.
+pub fn rebuild_report(folder: &Path) -> Result<FolderKind, OutputError> {
+    let kind = FolderKind::of(folder)?;
+    match kind {
+        FolderKind::Run => rebuild_run(folder)?,
+        FolderKind::Shakedown => crate::output::shakedown::rebuild(folder)?,
+        FolderKind::Comparison => crate::output::compare::rebuild(folder)?,
+    }
+    Ok(kind)
+}
+
+/// Plots and report of a run. Without a finished step there are no plots.
+pub(crate) fn rebuild_run(folder: &Path) -> Result<(), OutputError> {
+    let plots = run_plots(folder)?;
+    write_plots(&folder.join(PLOTS_FOLDER), &plots)?;
+    put(&folder.join(REPORT_FILE), &run_page(folder, &plots)?.html())
+}
+
+/// Writes `plots` (file name and SVG) into `folder`.
+pub(crate) fn write_plots(folder: &Path, plots: &[(&'static str, String)]) -> Result<(), OutputError> {
+    if plots.is_empty() {
+        return Ok(());
+    }
+    std::fs::create_dir_all(folder).map_err(OutputError::io("create", folder))?;
+    plots.iter().try_for_each(|(file, picture)| put(&folder.join(file), picture))
+}
+
+/// Writes `text` to `path` in one piece.
+pub(crate) fn put(path: &Path, text: &str) -> Result<(), OutputError> {
+    replace_file(path, text.as_bytes(), Durability::Cached)
+}

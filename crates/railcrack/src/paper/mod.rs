@@ -1,0 +1,34 @@
+//! The results of Trollé et al. 2014 recomputed: every figure, and every statement of the text set against the numbers.
+//!
+//! [`curves`](CURVES) are the cases of the paper, [`SETUPS`] what it leaves open, [`CLAIMS`] its statements, each with the rule
+//! that decides it. [`reproduce`] computes what the chosen figures need and writes figures, tables and the page.
+
+mod case_run;
+mod claim;
+mod claims;
+mod curve;
+mod edit;
+mod figure;
+mod files;
+mod measure;
+mod page;
+mod path_plot;
+mod path_shape;
+mod plan;
+mod profile_plot;
+mod reproduce;
+mod results;
+mod setup;
+mod sif_plot;
+mod verdict;
+
+pub use case_run::{CaseRun, CrackGrowth, SifCurve, TipState};
+pub use claim::{Claim, Decision, Number};
+pub use claims::CLAIMS;
+pub use curve::{CURVES, Curve};
+pub use figure::{FIGURES, Figure, UnknownFigure, parse_figures};
+pub use path_shape::{Branch, PathShape, Side};
+pub use reproduce::{PaperError, Reproduction, Telling, reproduce};
+pub use results::{Results, SetupResults};
+pub use setup::{Extent, SETUPS, Setup};
+pub use verdict::Verdict;

@@ -1,0 +1,221 @@
+//! From chosen figures to runs, pictures, tables and the page.
+
+use super::figure::{Figure, Kind};
+use super::files::{FIG_21, FIG_22};
+use super::plan::{Job, plan};
+use super::profile_plot::{self, StressProfile};
+use super::{CLAIMS, CaseRun, FIGURES, Results, Verdict, page, path_plot, sif_plot};
+use crate::case::{CarriedStressError, Case, CaseErrors};
+use crate::growth::{GrowthError, Watch};
+use crate::output::OutputError;
+use crate::shakedown::ShakedownError;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, OnceLock};
+use thiserror::Error;
+
+/// Someone who is told how far it is, and may interrupt it.
+pub trait Telling: Watch {
+    /// So many runs are to be done.
+    fn planned(&self, runs: usize);
+    /// The run `name` is done.
+    fn finished(&self, name: &str);
+}
+
+/// What was computed and written.
+pub struct Reproduction {
+    /// All runs.
+    pub results: Results,
+    /// The statements that the chosen figures decide.
+    pub verdicts: Vec<Verdict>,
+    /// Runs that a step ended early, with the reason.
+    pub failures: Vec<(String, String)>,
+    /// Number of runs.
+    pub runs: usize,
+    /// The page.
+    pub page: PathBuf,
+}
+
+/// Why the paper could not be recomputed.
+#[derive(Debug, Error)]
+pub enum PaperError {
+    /// The folder holds an earlier one.
+    #[error(
+        "{} already holds results of the paper ({PAGE}): replace them with --force, or choose another folder with --out",
+        folder.display()
+    )]
+    Exists {
+        /// The folder.
+        folder: PathBuf,
+    },
+    /// A case that is refused.
+    #[error(transparent)]
+    Case(#[from] CaseErrors),
+    /// A run that could not do its first step.
+    #[error("{name}: {source}")]
+    Run {
+        /// The run.
+        name: String,
+        /// Why.
+        source: GrowthError,
+    },
+    /// A stress that the rail cannot carry.
+    #[error("{name}: {source}")]
+    Stress {
+        /// The run.
+        name: String,
+        /// Why.
+        source: CarriedStressError,
+    },
+    /// The plastic state of Fig. 21.
+    #[error(transparent)]
+    Shakedown(#[from] ShakedownError),
+    /// It was interrupted.
+    #[error("interrupted")]
+    Interrupted,
+    /// The system refuses.
+    #[error(transparent)]
+    Output(#[from] OutputError),
+}
+
+/// The page in the folder.
+const PAGE: &str = "paper.md";
+
+/// Computes what `figures` need and writes to `folder`: `cases/` (every case file that was run), `figures/` (a picture and a
+/// table each), `claims.csv` and `paper.md`. Runs go to the threads of rayon; the files do not depend on their number.
+///
+/// Errors: the folder holds such results and may not be replaced; a case cannot be computed at all; the system refuses; `telling`
+/// asks to stop.
+pub fn reproduce(
+    folder: &Path,
+    figures: &[u8],
+    existing: crate::output::Existing,
+    telling: &dyn Telling,
+) -> Result<Reproduction, PaperError> {
+    if existing == crate::output::Existing::Refuse && folder.join(PAGE).exists() {
+        return Err(PaperError::Exists { folder: folder.to_path_buf() });
+    }
+    let jobs = plan(figures);
+    telling.planned(jobs.len());
+    let cases = write_cases(folder, &jobs)?;
+    let computed = compute_all(&jobs, &cases, telling);
+    let mut results = Results::default();
+    let mut failures = Vec::new();
+    for (job, run) in jobs.iter().zip(computed) {
+        let run = Arc::new(run?);
+        if let Some(failure) = &run.failure {
+            failures.push((job.name.clone(), failure.clone()));
+        }
+        for &place in &job.uses {
+            results.runs.insert(place, Arc::clone(&run));
+        }
+    }
+    failures.sort();
+    let wanted = |claim: &&super::Claim| claim.figures.iter().all(|figure| figures.contains(figure));
+    let claims = CLAIMS.iter().flat_map(|section| section.iter()).filter(wanted);
+    let verdicts: Vec<Verdict> = claims.filter_map(|claim| Verdict::of(claim, &results)).collect();
+    let profiles = if figures.contains(&21) { Some(stress_profiles(folder)?) } else { None };
+    write_figures(folder, figures, &results, profiles.as_deref())?;
+    write(&folder.join("claims.csv"), &page::claims_table(&verdicts))?;
+    let page_path = folder.join(PAGE);
+    let text = page::page(figures, &results, &verdicts, profiles.as_deref(), &failures, jobs.len());
+    write(&page_path, &text)?;
+    Ok(Reproduction { results, verdicts, failures, runs: jobs.len(), page: page_path })
+}
+
+/// Every run; the long ones are at the front and start first.
+fn compute_all(jobs: &[Job], cases: &[Case], telling: &dyn Telling) -> Vec<Result<CaseRun, PaperError>> {
+    let compute = |job: &Job, case: &Case| {
+        if telling.interrupted() {
+            return Err(PaperError::Interrupted);
+        }
+        let run = CaseRun::compute(&job.name, case, &Silent(telling))?;
+        telling.finished(&job.name);
+        Ok(run)
+    };
+    let slots: Vec<OnceLock<Result<CaseRun, PaperError>>> = jobs.iter().map(|_| OnceLock::new()).collect();
+    let next = AtomicUsize::new(0);
+    rayon::scope(|scope| {
+        for _ in 0..rayon::current_num_threads() {
+            scope.spawn(|_| {
+                // The order in which runs are taken up does not show in them.
+                while let Some(i) = take(&next, jobs.len()) {
+                    let _ = slots[i].set(compute(&jobs[i], &cases[i]));
+                }
+            });
+        }
+    });
+    slots.into_iter().map(|slot| slot.into_inner().unwrap_or(Err(PaperError::Interrupted))).collect()
+}
+
+/// The next of `count` places, while there is one.
+fn take(next: &AtomicUsize, count: usize) -> Option<usize> {
+    Some(next.fetch_add(1, Ordering::Relaxed)).filter(|place| *place < count)
+}
+
+/// Passes on whether to stop; the progress within a run is nobody's business.
+struct Silent<'a>(&'a dyn Telling);
+
+impl Watch for Silent<'_> {
+    fn progress(&self, _: f64) {}
+
+    fn interrupted(&self) -> bool {
+        self.0.interrupted()
+    }
+}
+
+/// Writes every case with the tables that cases name, and reads it as a user's.
+fn write_cases(folder: &Path, jobs: &[Job]) -> Result<Vec<Case>, PaperError> {
+    let cases = folder.join("cases");
+    make(&cases)?;
+    write(&cases.join(FIG_21.name), FIG_21.text)?;
+    jobs.iter()
+        .map(|job| {
+            let path = cases.join(format!("{}.toml", job.name));
+            write(&path, &job.text)?;
+            Ok(Case::read(&path)?)
+        })
+        .collect()
+}
+
+/// Fig. 21: its table is read like that of a case.
+fn stress_profiles(folder: &Path) -> Result<Vec<StressProfile>, PaperError> {
+    let case = Case::parse(FIG_22.text, FIG_22.name, &folder.join("cases"))?;
+    let Some(given) = &case.residual_stress else { return Ok(Vec::new()) };
+    Ok(profile_plot::profiles(&case, given.profile())?)
+}
+
+fn write_figures(
+    folder: &Path,
+    figures: &[u8],
+    results: &Results,
+    profiles: Option<&[StressProfile]>,
+) -> Result<(), OutputError> {
+    let figures_folder = folder.join("figures");
+    make(&figures_folder)?;
+    let chosen = |figure: &&Figure| figures.contains(&figure.number);
+    for figure in FIGURES.iter().filter(chosen) {
+        let (picture, table) = match figure.kind {
+            Kind::Sif => (sif_plot::draw(figure, results), sif_plot::table(figure, results)),
+            Kind::Paths => (path_plot::draw(figure, results), path_plot::table(figure, results)),
+            Kind::Profile => {
+                let profiles = profiles.unwrap_or_default();
+                (profile_plot::draw(profiles), profile_plot::table(profiles))
+            }
+        };
+        write(&figures_folder.join(format!("{}.svg", figure.file_stem())), &picture)?;
+        write(&figures_folder.join(format!("{}.csv", figure.file_stem())), &table)?;
+    }
+    if let Some(picture) = sif_plot::engines(results) {
+        write(&figures_folder.join("engines.svg"), &picture)?;
+    }
+    Ok(())
+}
+
+fn make(folder: &Path) -> Result<(), OutputError> {
+    std::fs::create_dir_all(folder).map_err(OutputError::io("create", folder))
+}
+
+fn write(path: &Path, text: &str) -> Result<(), OutputError> {
+    std::fs::write(path, text).map_err(OutputError::io("write", path))
+}

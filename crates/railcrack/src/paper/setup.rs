@@ -1,0 +1,208 @@
+//! What the paper leaves open, made explicit: boundary, travel, load steps, criterion, readings.
+
+use super::curve::Curve;
+use super::edit::Edit;
+
+/// Which way the wheel runs with respect to the cracks of 15°, which lean towards +x as they go down.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Travel {
+    /// The cracks lean along the travel: the wheel meets the mouth first, then passes over the tip.
+    With,
+    /// They lean against it: the wheel passes over the tip first. Crack 9 of a network is met first.
+    Against,
+}
+
+/// How far the runs of a set-up go.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Extent {
+    /// Initial cracks and growth.
+    Growth,
+    /// Initial cracks, and growth of the reference case.
+    ReferenceGrowth,
+    /// Initial cracks.
+    Initial,
+}
+
+/// One way of filling in what the paper leaves open.
+pub struct Setup {
+    /// Its name in files and tables.
+    pub name: &'static str,
+    /// What it is.
+    pub words: &'static str,
+    /// How far its runs go.
+    pub extent: Extent,
+    /// The figures that it is computed for.
+    pub figures: &'static [u8],
+    /// The set-up that it is a variation of, by name.
+    pub varies: Option<&'static str>,
+    pub(super) travel: Travel,
+    /// +1: positive friction drags the rail along the travel; −1: against it.
+    pub(super) drag: f64,
+    pub(super) body: Body,
+    pub(super) twist: Twist,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Body {
+    /// Half-plane by dislocations.
+    HalfPlane,
+    /// Half-plane by finite elements.
+    HalfPlaneXfem,
+    Block {
+        bottom: &'static str,
+        sides: &'static str,
+    },
+}
+
+/// One more thing that differs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Twist {
+    None,
+    /// Load steps of 12 a over this number, without control.
+    FixedSteps(usize),
+    /// Direction of growth by another criterion.
+    Direction(&'static str),
+    FaceFriction(f64),
+    /// Fig. 21 read as the plastic stress, which is still to be balanced.
+    PlasticStress,
+    Young(f64),
+}
+
+/// How far one run goes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Stage {
+    Initial,
+    Growth,
+}
+
+/// The figures with results; 26 is a drawing.
+const ALL: &[u8] = &[13, 14, 15, 16, 17, 18, 19, 20, 22, 23, 24, 25, 27, 28, 29, 30];
+/// K of the single crack, and the paths with that of the reference case among them.
+const FEW: &[u8] = &[13, 17, 19, 20, 22];
+/// Those of the single crack.
+const SINGLE: &[u8] = &[13, 14, 15, 16, 17, 18, 19, 20, 22, 23];
+/// In a block, networks grow too slowly.
+const GROWN: &[u8] = &[16, 18, 20, 23];
+const DRAGGED: &[u8] = &[14, 15, 16, 17, 18, 19, 20];
+
+impl Setup {
+    /// The text of the case of `curve` in this set-up.
+    pub(super) fn text(&self, curve: &Curve, stage: Stage) -> String {
+        let mut edits = curve.edits();
+        let sign = if self.travel == Travel::With { self.drag } else { -self.drag };
+        edits.push(Edit::number("contact", "friction", sign * curve.wheel_friction));
+        if self.travel == Travel::Against {
+            edits.push(Edit::number("passage", "to_over_a", -6.0));
+            edits.push(Edit::number("passage", "from_over_a", 6.0));
+        }
+        match self.body {
+            Body::HalfPlane => edits.push(Edit::text("solver", "engine", "dislocation")),
+            Body::HalfPlaneXfem => edits.push(Edit::text("solver", "engine", "xfem")),
+            Body::Block { bottom, sides } => {
+                edits.push(Edit::text("solver", "engine", "xfem"));
+                edits.push(Edit::text("rail", "sides", sides));
+                edits.push(Edit::text("rail", "bottom", bottom));
+                edits.push(Edit::text("rail", "boundary", "block"));
+            }
+        }
+        match self.twist {
+            Twist::None | Twist::PlasticStress => {}
+            Twist::FixedSteps(steps) => {
+                edits.push(Edit::integer("passage", "positions", steps + 1));
+                edits.push(Edit::text("passage", "step_control", "fixed"));
+            }
+            Twist::Direction(criterion) => edits.push(Edit::text("growth", "direction", criterion)),
+            Twist::FaceFriction(friction) => edits.push(Edit::number("crack", "friction", friction)),
+            Twist::Young(modulus) => edits.push(Edit::number("rail", "young_modulus_mpa", modulus)),
+        }
+        if stage == Stage::Initial {
+            edits.push(Edit::integer("growth", "steps", 0));
+        }
+        let text = match self.twist {
+            Twist::PlasticStress => curve.file.text.replace("[residual_stress]", "[plastic_stress]"),
+            _ => curve.file.text.to_owned(),
+        };
+        edits.iter().fold(text, |text, edit| edit.apply(&text))
+    }
+
+    /// Whether the cracks of `curve` grow in this set-up.
+    pub(super) fn grows(&self, curve: &Curve) -> bool {
+        let network = matches!(curve.name, "nine" | "nine-stress" | "pair");
+        match self.extent {
+            Extent::Growth => !(network && matches!(self.body, Body::Block { .. })),
+            Extent::ReferenceGrowth => curve.name == "reference",
+            Extent::Initial => false,
+        }
+    }
+
+    /// Whether `curve` is another case here than in the set-up that this one varies.
+    pub(super) fn concerns(&self, curve: &Curve) -> bool {
+        match self.twist {
+            Twist::PlasticStress => {
+                matches!(curve.name, "stress" | "nine-stress" | "one-stress" | "reference")
+            }
+            Twist::Direction(_) if self.extent == Extent::ReferenceGrowth => curve.name == "reference",
+            _ => true,
+        }
+    }
+}
+
+macro_rules! both_ways {
+    ($(($stem:literal, $words:literal, $extent:ident, $figures:expr, $varies:expr, $drag:expr, $body:expr, $twist:expr)),* $(,)?) => {
+        &[$(
+            Setup {
+                name: concat!($stem, ", with"),
+                words: concat!($words, "; cracks lean along the travel"),
+                extent: Extent::$extent,
+                figures: $figures,
+                varies: match $varies { Some(Main::HalfPlane) => Some("half-plane, with"), Some(Main::Block) => Some("block, with"), None => None },
+                travel: Travel::With,
+                drag: $drag,
+                body: $body,
+                twist: $twist,
+            },
+            Setup {
+                name: concat!($stem, ", against"),
+                words: concat!($words, "; cracks lean against the travel"),
+                extent: Extent::$extent,
+                figures: $figures,
+                varies: match $varies { Some(Main::HalfPlane) => Some("half-plane, against"), Some(Main::Block) => Some("block, against"), None => None },
+                travel: Travel::Against,
+                drag: $drag,
+                body: $body,
+                twist: $twist,
+            },
+        )*]
+    };
+}
+
+/// A main set-up, both ways of travel.
+enum Main {
+    HalfPlane,
+    Block,
+}
+
+const BLOCK: Body = Body::Block { bottom: "clamped", sides: "free" };
+
+/// Every set-up; the first four are the main ones.
+#[rustfmt::skip]
+pub static SETUPS: &[Setup] = both_ways![
+    ("half-plane", "half-plane, dislocations", Growth, ALL, None, 1.0, Body::HalfPlane, Twist::None),
+    ("block", "block, bottom clamped, sides free, finite elements", Growth, ALL, None, 1.0, BLOCK, Twist::None),
+    ("half-plane xfem", "half-plane, finite elements", ReferenceGrowth, FEW, Some(Main::HalfPlane), 1.0, Body::HalfPlaneXfem, Twist::None),
+    ("sides on rollers", "block, bottom clamped, sides on rollers", ReferenceGrowth, FEW, Some(Main::Block), 1.0, Body::Block { bottom: "clamped", sides: "rollers" }, Twist::None),
+    ("sides clamped", "block, bottom and sides clamped", ReferenceGrowth, FEW, Some(Main::Block), 1.0, Body::Block { bottom: "clamped", sides: "clamped" }, Twist::None),
+    ("bottom on rollers", "block, bottom on rollers, sides free", ReferenceGrowth, FEW, Some(Main::Block), 1.0, Body::Block { bottom: "rollers", sides: "free" }, Twist::None),
+    ("all on rollers", "block, bottom and sides on rollers", ReferenceGrowth, FEW, Some(Main::Block), 1.0, Body::Block { bottom: "rollers", sides: "rollers" }, Twist::None),
+    ("drag reversed", "half-plane, positive friction drags the rail against the travel", Growth, DRAGGED, Some(Main::HalfPlane), -1.0, Body::HalfPlane, Twist::None),
+    ("block, drag reversed", "block, positive friction drags the rail against the travel", Growth, &[14, 15, 16], Some(Main::Block), -1.0, BLOCK, Twist::None),
+    ("steps 0.1 a", "half-plane, fixed load steps of 0.1 a", Growth, SINGLE, Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::FixedSteps(120)),
+    ("steps 0.05 a", "half-plane, fixed load steps of 0.05 a", Growth, SINGLE, Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::FixedSteps(240)),
+    ("unclipped", "half-plane, negative k1 counted in the direction", Growth, GROWN, Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::Direction("max-rate-unclipped")),
+    ("block, unclipped", "block, negative k1 counted in the direction", ReferenceGrowth, &[18, 20], Some(Main::Block), 1.0, BLOCK, Twist::Direction("max-rate-unclipped")),
+    ("Fig. 21 plastic", "half-plane, Fig. 21 read as plastic stress before the balance", Growth, &[22, 23], Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::PlasticStress),
+    ("block, Fig. 21 plastic", "block, Fig. 21 read as plastic stress before the balance", Growth, &[22, 23], Some(Main::Block), 1.0, BLOCK, Twist::PlasticStress),
+    ("faces 0.01", "half-plane, friction of the faces 0.01 as in the captions of Figs 24 and 25", Growth, &[24, 25], Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::FaceFriction(0.01)),
+    ("block, faces 0.01", "block, friction of the faces 0.01 as in the captions of Figs 24 and 25", Growth, &[24, 25], Some(Main::Block), 1.0, BLOCK, Twist::FaceFriction(0.01)),
+    ("E 70 GPa", "half-plane, Young's modulus a third", Initial, &[13, 19, 24], Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::Young(70e3)),
+];

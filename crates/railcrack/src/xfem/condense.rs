@@ -1,0 +1,237 @@
+//! The unknowns behind the faces, eliminated: C and S.
+
+use super::body::XfemError;
+use super::border::{Border, Entries};
+use super::columns::ColumnStore;
+use super::interface::Duality;
+use super::sif::SifFunctional;
+use super::space::{Enrichment, Space};
+use crate::bulk::BulkRail;
+use crate::linear::{ReachedColumn, SparseCholesky, SparseColumn, SparseFactor, SpdFactor, gram_of};
+use crate::math::{Matrix, dot};
+use std::sync::Arc;
+
+/// C and S, and what the unknowns under a load follow from.
+pub(super) struct Condensed {
+    /// C.
+    pub compliance: Matrix,
+    /// S.
+    pub sif_influence: Matrix,
+    /// The eliminated unknowns.
+    pub elimination: Elimination,
+}
+
+/// Everything that is condensed.
+pub(super) struct System<'a> {
+    pub rail: &'a BulkRail,
+    pub space: &'a Space,
+    pub border: &'a Border,
+    /// B, row by row.
+    pub jumps: &'a [Entries],
+    pub functionals: &'a [SifFunctional],
+    pub duality: &'a Duality,
+}
+
+/// How the unknowns are eliminated.
+#[derive(Debug, Clone)]
+pub(super) enum Elimination {
+    /// Those of the mesh by the one factor of the rail, then the enriched ones as a dense border.
+    Border {
+        /// K_se.
+        coupling: Arc<Vec<Entries>>,
+        /// S_ee⁻¹ Bᵀ, transposed: row of a component of B.
+        response: Matrix,
+    },
+    /// All together, by a factor of their own.
+    Together {
+        /// Factor of [K_ss K_se; K_es K_ee].
+        factor: Arc<SparseFactor>,
+        /// Bᵀ, transposed.
+        jumps: Vec<Entries>,
+    },
+}
+
+/// Share of the diagonal that is added to the condensed matrix: functions that the others repeat to round-off get no say.
+const REDUNDANT: f64 = 1e-13;
+
+/// Up to this many enriched unknowns over the root of those of the mesh, these are a dense border, whose elimination grows like the third power of
+/// their number. Beyond, a factorisation of everything is faster: it grows like the 1.5th power of the unknowns of the mesh. By their numbers of
+/// operations both take the same time in a growth step at about eight; one crack stays below, nine are at eighteen.
+const DENSE: f64 = 8.0;
+
+impl System<'_> {
+    /// C = B S_ee⁻¹ Bᵀ with S_ee = K_ee − K_es K_ss⁻¹ K_se, as jumps at face points under nodal forces there, and S. What is chosen depends on
+    /// the cracks and the mesh alone, so that a resumed run finds the same bits.
+    pub(super) fn condensed(&self, store: &mut ColumnStore) -> Result<Condensed, XfemError> {
+        let mesh = self.rail.factor().order() as f64;
+        if self.border.columns.len() as f64 <= DENSE * mesh.sqrt() {
+            self.by_border(store)
+        } else {
+            store.clear();
+            self.together()
+        }
+    }
+
+    /// The columns of the border and then the functionals, of the free unknowns of the mesh.
+    fn columns(&self) -> Vec<SparseColumn> {
+        let free = |&(unknown, value): &(usize, f64)| {
+            self.rail.unknowns(unknown / 2)[unknown % 2].map(|free| (free, value))
+        };
+        let own = self.border.columns.iter().chain(self.functionals.iter().map(|f| &f.standard));
+        own.map(|column| SparseColumn { entries: column.iter().filter_map(free).collect() }).collect()
+    }
+
+    fn diagonal(&self, i: usize) -> f64 {
+        self.border.square[i].last().map_or(0.0, |entry| entry.1)
+    }
+
+    pub(super) fn by_border(&self, store: &mut ColumnStore) -> Result<Condensed, XfemError> {
+        let n = self.border.columns.len();
+        let products = store.products(self.rail.factor(), &self.columns())?;
+        let scale: Vec<f64> = (0..n)
+            .map(|i| self.diagonal(i))
+            .map(|own| if own > 0.0 { 1.0 / own.sqrt() } else { 0.0 })
+            .collect();
+        let mut condensed = Matrix::from_fn(n, n, |i, j| -products[(i, j)] * scale[i] * scale[j]);
+        for (i, row) in self.border.square.iter().enumerate() {
+            for &(j, value) in row {
+                condensed[(i, j)] = (value - products[(i, j)]) * scale[i] * scale[j];
+            }
+            condensed[(i, i)] += if scale[i] > 0.0 { REDUNDANT } else { 1.0 };
+        }
+        let factor = SpdFactor::new(&condensed)?;
+        let mut right = Matrix::zeros(self.jumps.len(), n);
+        for (i, row) in self.jumps.iter().enumerate() {
+            row.iter().for_each(|&(unknown, value)| right[(i, unknown)] = value * scale[unknown]);
+        }
+        let mut response = factor.solve_rows(&right);
+        for i in 0..self.jumps.len() {
+            response.row_mut(i).iter_mut().zip(&scale).for_each(|(value, scale)| *value *= scale);
+        }
+        let compliance = Matrix::from_fn(self.jumps.len(), self.jumps.len(), |i, j| {
+            self.jumps[i].iter().map(|&(unknown, value)| value * response[(j, unknown)]).sum()
+        });
+        let influence: Vec<Vec<f64>> = self
+            .functionals
+            .iter()
+            .enumerate()
+            .map(|(k, functional)| {
+                let mut row: Vec<f64> = products.row(n + k)[..n].iter().map(|c| -c).collect();
+                functional.enriched.iter().for_each(|&(unknown, value)| row[unknown] += value);
+                (0..self.jumps.len()).map(|j| dot(&row, response.row(j)) + functional.tractions[j]).collect()
+            })
+            .collect();
+        let coupling = Arc::new(self.border.columns.clone());
+        Ok(self.at_face_points(compliance, &influence, Elimination::Border { coupling, response }))
+    }
+
+    pub(super) fn together(&self) -> Result<Condensed, XfemError> {
+        let mesh = self.rail.factor().order();
+        let mut columns = self.columns();
+        let functionals = columns.split_off(self.border.columns.len());
+        let border: Vec<Entries> = columns.into_iter().map(|column| column.entries).collect();
+        let mut square = self.border.square.clone();
+        for (i, row) in square.iter_mut().enumerate() {
+            let own = self.diagonal(i);
+            row.iter_mut().filter(|entry| entry.0 == i).for_each(|entry| {
+                entry.1 += if own > 0.0 { REDUNDANT * own } else { 1.0 };
+            });
+        }
+        let matrix = self.rail.matrix().bordered(&border, &square)?;
+        drop((border, square));
+        let analysis = SparseCholesky::analyse(Arc::clone(matrix.pattern()), self.order())?;
+        let factor = analysis.factor(&matrix)?;
+        drop((analysis, matrix));
+        let enriched = |entries: &Entries| entries.iter().map(|&(i, v)| (mesh + i, v)).collect::<Entries>();
+        let jumps: Vec<Entries> = self.jumps.iter().map(enriched).collect();
+        let mut columns: Vec<SparseColumn> =
+            jumps.iter().map(|row| SparseColumn { entries: row.clone() }).collect();
+        for (functional, mut standard) in self.functionals.iter().zip(functionals) {
+            standard.entries.extend(enriched(&functional.enriched));
+            columns.push(standard);
+        }
+        let reached = factor.forward(&columns)?;
+        let products = gram_of(&reached.iter().collect::<Vec<&ReachedColumn>>());
+        let faces = jumps.len();
+        let compliance = Matrix::from_fn(faces, faces, |i, j| products[(i, j)]);
+        let influence: Vec<Vec<f64>> = self
+            .functionals
+            .iter()
+            .enumerate()
+            .map(|(k, f)| (0..faces).map(|j| products[(faces + k, j)] + f.tractions[j]).collect())
+            .collect();
+        let elimination = Elimination::Together { factor: Arc::new(factor), jumps };
+        Ok(self.at_face_points(compliance, &influence, elimination))
+    }
+
+    /// The nested dissection of the mesh, where each node brings its enrichments along: they live on the elements around it, like its own functions.
+    fn order(&self) -> Vec<usize> {
+        let mesh = self.rail.factor().order();
+        let mut of_node: Vec<Vec<usize>> = vec![Vec::new(); self.rail.mesh().node_count()];
+        for (i, enrichment) in self.space.enrichments.iter().enumerate() {
+            let (Enrichment::Part { node, .. } | Enrichment::Tip { node, .. }) = enrichment;
+            of_node[*node].extend([mesh + 2 * i, mesh + 2 * i + 1]);
+        }
+        let nodes = self.rail.mesh().nested_dissection();
+        let of = |node| self.rail.unknowns(node).into_iter().flatten().chain(of_node[node].iter().copied());
+        nodes.into_iter().flat_map(of).collect()
+    }
+
+    /// C and S from ∫ λ ⟦w⟧ under tractions λ and K under these.
+    fn at_face_points(
+        &self,
+        compliance: Matrix,
+        influence: &[Vec<f64>],
+        elimination: Elimination,
+    ) -> Condensed {
+        let faces = self.jumps.len();
+        let half = self.duality.nodal_jumps(compliance).transposed();
+        let whole = self.duality.nodal_jumps(half);
+        let compliance = Matrix::from_fn(faces, faces, |i, j| whole[(i.max(j), i.min(j))]);
+        let influence = Matrix::from_fn(faces, influence.len(), |j, k| influence[k][j]);
+        let sif_influence = self.duality.nodal_jumps(influence).transposed();
+        Condensed { compliance, sif_influence, elimination }
+    }
+}
+
+impl Elimination {
+    /// The unknowns of the mesh and the enriched ones under tractions Σ λ_j τ_j on the faces: `tractions` are the τ_j (MPa), along x and y.
+    pub(super) fn unknowns(
+        &self,
+        rail: &BulkRail,
+        tractions: &[f64],
+    ) -> Result<(Vec<f64>, Vec<f64>), XfemError> {
+        let mesh = rail.factor().order();
+        match self {
+            Self::Border { coupling, response } => {
+                let mut enriched = vec![0.0; response.columns()];
+                for (row, traction) in tractions.iter().enumerate() {
+                    enriched.iter_mut().zip(response.row(row)).for_each(|(sum, v)| *sum += traction * v);
+                }
+                let mut standard = vec![0.0; mesh];
+                for (column, value) in coupling.iter().zip(&enriched) {
+                    for &(unknown, entry) in column {
+                        if let Some(free) = rail.unknowns(unknown / 2)[unknown % 2] {
+                            standard[free] -= entry * value;
+                        }
+                    }
+                }
+                rail.factor().solve(&mut standard)?;
+                Ok((standard, enriched))
+            }
+            Self::Together { factor, jumps } => {
+                let mut unknowns = vec![0.0; factor.order()];
+                for (row, traction) in jumps.iter().zip(tractions) {
+                    row.iter().for_each(|&(unknown, value)| unknowns[unknown] += traction * value);
+                }
+                factor.solve(&mut unknowns)?;
+                let enriched = unknowns.split_off(mesh);
+                Ok((unknowns, enriched))
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+#[path = "condense_tests.rs"]
+mod tests;

@@ -1,0 +1,67 @@
+//! How far the domain of integration of a tip reaches.
+
+use super::body::XfemSettings;
+use super::cuts::Cuts;
+use super::sif::SifDomain;
+use crate::crack::point_to_segment;
+use crate::math::Vec2;
+
+/// Smallest outer radius of a domain over the inner one: with that of 1.5 elements, more than an element lies between them. A smaller inner
+/// radius reaches into the elements at the tip and costs 0.9 % of K.
+const SMALLEST: f64 = 2.0;
+
+/// Elements between a tip and its neighbour below which K is not to be trusted: both lie in one element then. Measured against fine elements
+/// of the other engine: within 0.1 % of the largest K down to 1.4 elements, 0.8 % at 0.6 of one, 6 % at 0.4.
+const TRUSTED: f64 = 1.0;
+
+/// What lies next to a tip.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Neighbour {
+    Crack(usize),
+    Surface,
+}
+
+/// The domain of tip `tip`, around which elements are `size` (mm) large: as `settings` say, but no farther than the nearest other crack or
+/// the running surface, down to [`SMALLEST`]. What lies in the smallest domain nevertheless takes part in it with its faces. The remark
+/// tells of a neighbour that is too near.
+pub(super) fn domain_of(
+    cuts: &Cuts,
+    tip: usize,
+    size: f64,
+    settings: &XfemSettings,
+) -> (SifDomain, Option<String>) {
+    let inner = settings.domain_inner * size;
+    let wanted = settings.domain_outer * size;
+    let (distance, neighbour) = nearest(cuts, tip);
+    let outer = wanted.min(distance.max(SMALLEST * inner));
+    let domain = SifDomain { inner, outer };
+    let remark = (distance < TRUSTED * size).then(|| {
+        let path = &cuts.tips[tip];
+        let at = path.position();
+        let near = match neighbour {
+            Neighbour::Crack(crack) => format!("crack {}", crack + 1),
+            Neighbour::Surface => "the running surface".to_owned(),
+        };
+        format!(
+            "crack {}: its tip at ({:.3}, {:.3}) mm is {distance:.3} mm from {near}, {:.2} of an element: its K cannot be trusted; smaller \
+             elements (element_size_mm) resolve it",
+            path.crack + 1,
+            at.x,
+            at.y,
+            distance / size
+        )
+    });
+    (domain, remark)
+}
+
+/// Distance (mm) from a tip to the nearest other crack or the surface.
+fn nearest(cuts: &Cuts, tip: usize) -> (f64, Neighbour) {
+    let path = &cuts.tips[tip];
+    let at: Vec2 = path.position();
+    let others = cuts.paths.iter().enumerate().filter(|(crack, _)| *crack != path.crack);
+    let cracks = others.map(|(crack, other)| {
+        let distances = other.points.windows(2).map(|pair| point_to_segment(at, pair[0], pair[1]));
+        (distances.fold(f64::INFINITY, f64::min), Neighbour::Crack(crack))
+    });
+    cracks.fold((-at.y, Neighbour::Surface), |best, one| if one.0 < best.0 { one } else { best })
+}

@@ -1,0 +1,85 @@
+//! Cracks near each other and near the surface, against the other engine with fine elements.
+
+use crate::common::{Absolute, Meshed, close, joined_body, largest, polyline, sifs_of};
+use railcrack::crack::{Crack, CrackNetwork};
+use railcrack::math::Stress;
+use railcrack::xfem::XfemSettings;
+
+const MIXED: Stress = Stress { xx: 1.0, yy: 0.8, xy: 0.4, zz: 0.0 };
+/// Elements, mm.
+const SIZE: f64 = 0.1;
+/// Elements of the other engine along each crack.
+const FINE: usize = 160;
+
+fn network(cracks: Vec<Crack>) -> CrackNetwork {
+    CrackNetwork::new(cracks).unwrap()
+}
+
+/// Two cracks whose tips overlap by 1 mm, `gap` (mm) from each other.
+fn overlapping(gap: f64) -> CrackNetwork {
+    network(vec![
+        polyline(&[(-3.513, -3.03), (0.487, -3.03)]),
+        polyline(&[(-0.513, -3.03 - gap), (3.487, -3.03 - gap)]),
+    ])
+}
+
+/// A tip that comes to the side of another crack, or to the surface.
+fn coming(gap: f64) -> CrackNetwork {
+    network(vec![polyline(&[(-3.0, -2.53), (-gap, -2.53)]), polyline(&[(0.02, -1.04), (-0.03, -4.02)])])
+}
+
+fn under_the_surface(depth: f64) -> CrackNetwork {
+    network(vec![polyline(&[(0.013, -3.017), (1.013, -depth)])])
+}
+
+/// Largest difference of K from the other engine, over the largest K, and the remarks.
+fn misfit(network: &CrackNetwork, settings: XfemSettings) -> (f64, Vec<String>) {
+    let meshed = Meshed { settings, ..Meshed::of_size(SIZE) };
+    let body = meshed.body_of(network);
+    let other = joined_body(network.cracks(), &[], FINE);
+    let (k, want) = (sifs_of(body.as_ref(), |_| MIXED), sifs_of(&other, |_| MIXED));
+    let off = largest(k.iter().zip(&want).map(|(a, b)| a - b)) / largest(want.iter().copied());
+    (off, body.remarks().to_vec())
+}
+
+/// A name, and the cracks by the distance of a tip, mm.
+type Case = (&'static str, fn(f64) -> CrackNetwork);
+
+/// The warning that names the tip and its distance.
+fn warned(remarks: &[String]) -> bool {
+    remarks.iter().any(|remark| remark.contains("cannot be trusted"))
+}
+
+#[test]
+fn tips_near_others_and_the_surface() {
+    let cases: [Case; 3] =
+        [("overlapping", overlapping), ("coming", coming), ("under the surface", under_the_surface)];
+    for (elements, within) in [(6.0, 1e-3), (2.7, 1e-3), (1.4, 2e-3), (0.6, 1.2e-2)] {
+        for (name, of_gap) in cases {
+            let (off, remarks) = misfit(&of_gap(elements * SIZE), XfemSettings::default());
+            println!("{name}, {elements} elements: {:.3} %", 100.0 * off);
+            close(off, 0.0, Absolute(within), "0.03, 0.03, 0.05 and 0.75 % with elements of a fortieth");
+            assert_eq!(warned(&remarks), elements < 1.0, "{name}, {elements} elements: {remarks:?}");
+        }
+    }
+}
+
+/// Cracks that pass through the same elements all along, so that tips end in elements that the other crack cuts.
+#[test]
+fn several_cracks_in_one_element() {
+    for (gap, within) in [(0.2, 1e-3), (0.1, 1e-2)] {
+        let cracks = [0.0, gap].map(|x| polyline(&[(x, 0.0), (3.0 + x, -3.1)]));
+        let (off, _) = misfit(&network(cracks.to_vec()), XfemSettings::default());
+        println!("parallel, {gap} mm: {:.2} %", 100.0 * off);
+        close(off, 0.0, Absolute(within), "1.4 and 0.7 elements between the faces: 0.02 and 0.67 %");
+    }
+}
+
+/// K does not depend on how far the domain reaches, over a neighbour or not.
+#[test]
+fn domains_over_a_neighbour() {
+    let network = overlapping(2.0 * SIZE);
+    let off = [3.2, 4.5, 7.0]
+        .map(|domain_outer| misfit(&network, XfemSettings { domain_outer, ..XfemSettings::default() }).0);
+    close(largest(off), 0.0, Absolute(1e-3), "faces of the neighbour count in the domain: 0.03 %");
+}
