@@ -9,8 +9,10 @@ use crate::math::{Matrix, axpy, axpy_two, dot};
 /// The inverse G of the equations R of some statuses, the base, is known. What has changed since is a border: a freed component brings its
 /// equation and its column, a held one the condition that it stays where it is and a force in its equation,
 ///
-///     R  C   x     b
-///     D  E   y  =  d,     x = G b − (G C) y,   (E − D G C) y = d − D G b.
+/// ```text
+/// R  C   x     b
+/// D  E   y  =  d,     x = G b − (G C) y,   (E − D G C) y = d − D G b.
+/// ```
 ///
 /// A change costs one product with G at most, and none to be undone; many changes together become a new base.
 pub(super) struct ActiveInverse<'a> {
@@ -410,8 +412,10 @@ impl<'a> ActiveInverse<'a> {
 
     /// Makes the present state a base, by the inverse of the bordered equations
     ///
-    ///     G + (G C) Z (D G)   −(G C) Z
-    ///     −Z (D G)            Z,          Z = (E − D G C)⁻¹.
+    /// ```text
+    /// G + (G C) Z (D G)   −(G C) Z
+    /// −Z (D G)            Z,          Z = (E − D G C)⁻¹.
+    /// ```
     fn fold(&mut self) -> Result<(), LinearError> {
         let (free, coupling) = self.free_now();
         let (n, changes) = (self.base.free.len(), self.changes.len());
