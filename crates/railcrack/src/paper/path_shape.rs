@@ -23,7 +23,7 @@ pub struct Branch {
 /// A path.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PathShape {
-    /// The first increment more than [`BRANCHED`] off the initial crack; none where there is none.
+    /// The first increment more than 20° off the initial crack; none where there is none.
     pub branch: Option<Branch>,
     /// Increments of the path.
     pub increments: usize,
