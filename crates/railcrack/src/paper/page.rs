@@ -169,7 +169,9 @@ fn reference_ranges(results: &Results) -> String {
         };
         let cell = |name: &str| match (range(name), off(name)) {
             (Some((ki, kii)), Some(off)) if parent != r.setup().name => {
-                format!("{} | {} | {}", rounded(ki), rounded(kii), rounded(off))
+                // Below that it is round-off, which is not for a page.
+                let off = if off < 1e-3 { "0".to_owned() } else { rounded(off) };
+                format!("{} | {} | {off}", rounded(ki), rounded(kii))
             }
             (Some((ki, kii)), _) => format!("{} | {} | ", rounded(ki), rounded(kii)),
             (None, _) => " | | ".into(),

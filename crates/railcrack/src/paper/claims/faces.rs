@@ -47,8 +47,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             let (low, high) = ranges.iter().fold((f64::INFINITY, 0.0_f64), |(l, h), &k| (l.min(k), h.max(k)));
             Some(Decision::of(high - low <= 0.05 * high).with_all("\u{394}K_I at", &SIZES, &ranges))
         },
-        why: "Where the crack opens by its own slip over the mouth (little friction, near x_c = \u{2212}0.5 a) friction decides how far. \
-              Where tension of the surface opens it, away from the wheel, friction has no part.",
+        why: "In the half-plane the crack opens near x_c = \u{2212}0.5 a by its own slip, and friction decides how far.",
     },
     Claim {
         id: "5.2-antagonists",
@@ -67,7 +66,7 @@ pub(super) const CLAIMS: &[Claim] = &[
                 Decision::of(falls(&faces) && rises(&wheel)).with_all("\u{394}K_eq, faces", &SIZES, &faces);
             Some(decision.with_all("\u{394}K_eq, wheel", &["0.025", "0.1", "0.4"], &wheel))
         },
-        why: "The faces do what is said everywhere; the wheel does not between 0.025 and 0.1 where the crack leans along the travel.",
+        why: "The faces do what is said; in the half-plane, along the travel, the wheel does not between 0.025 and 0.1.",
     },
     Claim {
         id: "5.2-coplanar-first",
@@ -112,7 +111,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             let holds = first[3] < first[0] && first.windows(2).all(|pair| pair[1] <= pair[0]);
             Some(with_branches(Decision::of(holds), &paths))
         },
-        why: "",
+        why: "In the block, along the travel, it holds from 0.2 to 0.8, and all of these turn down; only 0.1 branches earlier than 0.2.",
     },
     Claim {
         id: "5.2-sides",
@@ -125,6 +124,6 @@ pub(super) const CLAIMS: &[Claim] = &[
             let holds = paths[0].branches(Side::Up) && paths[3].branches(Side::Down);
             Some(with_branches(Decision::of(holds), &paths))
         },
-        why: "",
+        why: "Against the travel friction decides between up and down only where negative k1 counts; there every path branches at once.",
     },
 ];

@@ -33,8 +33,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             let ranges = over(r, CrackGrowth::delta_kii)?;
             Some(Decision::of(rises(&ranges)).with_all("\u{394}K_II at", &ANGLES, &ranges))
         },
-        why: "From 30\u{b0} on it does. The crack of 15\u{b0} slides twice, once as the wheel comes and once, the other way, as it leaves; from \
-              30\u{b0} to 45\u{b0} the friction holds it after the first time.",
+        why: "In the half-plane it does from 30\u{b0} on.",
     },
     Claim {
         id: "5.3-range-1",

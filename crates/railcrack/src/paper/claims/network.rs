@@ -101,10 +101,9 @@ pub(super) const NINE: &[Claim] = &[
         place: "5.5.2, Fig. 28",
         figures: &[28],
         statement: "Cracks 1, 2, 8 and 9 grow as they would alone.",
-        rule: "after five increments the four differ in shape from the crack alone in none: both co-planar or both branched to one side",
+        rule: "within five increments each of the four branches to the same side as the crack alone, or like it not at all",
         decide: |r| {
             let paths = paths(r, "nine")?;
-            // Five increments of the crack alone are the same time.
             let alone = PathShape::of(r.grown("wheel+0.1")?.crack());
             let side = |path: &PathShape| {
                 path.branch.filter(|branch| branch.increment <= 5).map(|branch| branch.side)
@@ -167,7 +166,7 @@ pub(super) const NINE_WITH_STRESS: &[Claim] = &[
             let top = top(&r.run("nine-stress")?.cracks[8]);
             Some(Decision::of(top > 0.1).with("max K_I", top))
         },
-        why: "The crack that the wheel meets first has no neighbour that closes it. It is crack 9 where the cracks lean against the travel.",
+        why: "In the half-plane one crack opens, the one that the wheel meets first where the cracks lean against the travel. That is crack 9.",
     },
     Claim {
         id: "5.5.3-range",

@@ -130,7 +130,6 @@ pub(super) const CLAIMS: &[Claim] = &[
             let depth = grown(r)?.map(|crack| PathShape::of(crack).depth);
             Some(Decision::of(depth[1] > depth[0]).with_all("depth of crack", &["1", "2"], &depth))
         },
-        why: "It is crack 1 that turns up and crack 2 that goes deep where crack 1 leans against the travel; otherwise the two have changed \
-              places.",
+        why: "In the half-plane the crack that leans against the travel turns up and the other one goes deep: crack 1 is the first of these only where it leans against the travel.",
     },
 ];

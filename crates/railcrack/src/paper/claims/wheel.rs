@@ -91,8 +91,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "More friction of a braking wheel widens the range of K_II.",
         rule: "\u{394}K_II rises from 0.025 to 0.1 to 0.4",
         decide: |r| widens(r, BRAKING),
-        why: "Along the travel, a little drag first takes away from the shear that the pressure alone brings: \u{394}K_II has a minimum near \
-              0.1. Against it the drag adds from the beginning.",
+        why: "In the half-plane, along the travel, a little drag first takes away from the shear that the pressure alone brings: the range at 0.1 is the smallest. Against the travel the drag adds from the beginning.",
     },
     Claim {
         id: "5.1-range-driving",
@@ -101,7 +100,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "More friction of a driven wheel widens the range of K_II.",
         rule: "\u{394}K_II rises from \u{2212}0.025 to \u{2212}0.1 to \u{2212}0.4",
         decide: |r| widens(r, DRIVING),
-        why: "The mirror image of the row above.",
+        why: "The mirror image of the row above: here it is against the travel that the range at \u{2212}0.1 is the smallest.",
     },
     Claim {
         id: "5.1-earlier-braking",
@@ -128,7 +127,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "Braking turns the crack up, driving down (caption and text of Fig. 16 read together).",
         rule: "at +0.4 the path branches up, at \u{2212}0.4 down",
         decide: |r| sides(r, Side::Up, Side::Down),
-        why: "",
+        why: "In the half-plane, against the travel, it is as the caption says, and with the drag reversed as the conclusion says: the two differ by the sign of the friction.",
     },
     Claim {
         id: "5.1-sides-conclusion",
