@@ -2,7 +2,7 @@
 
 use super::grid::{gauss_lines, lagrange};
 use super::rail::{BulkError, BulkRail};
-use super::stiffness::lame;
+use crate::material::IsotropicElastic;
 use crate::math::{Stress, Vec2};
 use crate::mesh::shape_functions;
 
@@ -15,9 +15,7 @@ use crate::mesh::shape_functions;
 pub struct StressAtPoints {
     /// Displacement gradients: per point the nodes that take part, with the weights of ∂/∂x and ∂/∂y.
     slopes: Vec<Vec<(usize, Vec2)>>,
-    lambda: f64,
-    mu: f64,
-    poisson: f64,
+    steel: IsotropicElastic,
 }
 
 impl StressAtPoints {
@@ -53,9 +51,8 @@ impl StressAtPoints {
             });
             Ok(slopes)
         };
-        let (lambda, mu) = lame(rail.steel());
         let slopes = points.iter().map(|&point| slopes_at(point)).collect::<Result<_, BulkError>>()?;
-        Ok(Self { slopes, lambda, mu, poisson: rail.steel().poisson() })
+        Ok(Self { slopes, steel: *rail.steel() })
     }
 
     /// The stress (MPa) of the displacements (mm, node by node), point by point.
@@ -68,9 +65,7 @@ impl StressAtPoints {
                 yy += slope.y * u.y;
                 xy += slope.y * u.x + slope.x * u.y;
             }
-            let bulk = self.lambda * (xx + yy);
-            let (xx, yy) = (bulk + 2.0 * self.mu * xx, bulk + 2.0 * self.mu * yy);
-            Stress { xx, yy, zz: self.poisson * (xx + yy), xy: self.mu * xy }
+            self.steel.plane_strain_stress(xx, yy, xy)
         };
         self.slopes.iter().map(at_point).collect()
     }

@@ -1,7 +1,7 @@
 //! Interpolation along the lines of Gauss points of a grid.
 
 /// The two Gauss points of each cell between neighbouring `lines`: increasing.
-pub(super) fn gauss_lines(lines: &[f64]) -> Vec<f64> {
+pub(crate) fn gauss_lines(lines: &[f64]) -> Vec<f64> {
     let at = 1.0 / 3f64.sqrt();
     let pair = |cell: &[f64]| {
         let (middle, half) = (0.5 * (cell[0] + cell[1]), 0.5 * (cell[1] - cell[0]));

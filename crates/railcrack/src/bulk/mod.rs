@@ -14,6 +14,7 @@ pub use boundary::{BottomSupport, Boundary, SideSupport};
 pub use cancel::ElasticField;
 pub use correction::{BlockCorrection, CorrectionAtPoints, WheelAt};
 pub use gauss_stress::StressAtPoints;
+pub(crate) use grid::gauss_lines;
 pub use rail::{BulkError, BulkRail};
 pub use stiffness::RectangleStiffness;
 

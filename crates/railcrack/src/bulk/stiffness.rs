@@ -58,7 +58,7 @@ impl RectangleStiffness {
 }
 
 /// The Lamé constants λ and μ, MPa.
-pub(super) fn lame(steel: &IsotropicElastic) -> (f64, f64) {
+fn lame(steel: &IsotropicElastic) -> (f64, f64) {
     let (mu, nu) = (steel.shear_modulus(), steel.poisson());
     (2.0 * mu * nu / (1.0 - 2.0 * nu), mu)
 }

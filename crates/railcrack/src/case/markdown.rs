@@ -36,10 +36,6 @@ pub fn markdown() -> String {
             SectionPresence::Required => " Required.\n",
             SectionPresence::Repeated => " At least one is required.\n",
         });
-        if let Availability::Later { reason, instead } = section.availability {
-            page.push_str(&format!("\nRefused for now: {reason}; {instead}.\n"));
-            continue;
-        }
         page.push_str(&forms(section));
         page.push_str("\n| key | accepted | default | meaning |\n|---|---|---|---|\n");
         for key in section.keys {

@@ -18,7 +18,6 @@ pub(super) const TOP: Section = Section {
         ..key("title", Kind::Text, Presence::Default(Text("Untitled")), "Heading of plots and reports.")
     }],
     forms: &[],
-    availability: Availability::Now,
 };
 
 pub(super) const RAIL: Section = Section {
@@ -72,7 +71,6 @@ pub(super) const RAIL: Section = Section {
         ),
     ],
     forms: &[],
-    availability: Availability::Now,
 };
 
 pub(super) const CONTACT: Section = Section {
@@ -119,7 +117,6 @@ pub(super) const CONTACT: Section = Section {
         Form { keys: &["peak_pressure_mpa", "half_width_mm"] },
         Form { keys: &["line_load_n_per_mm", "wheel_radius_mm", "rail_radius_mm"] },
     ],
-    availability: Availability::Now,
 };
 
 pub(super) const PASSAGE: Section = Section {
@@ -171,7 +168,6 @@ pub(super) const PASSAGE: Section = Section {
         ),
     ],
     forms: &[],
-    availability: Availability::Now,
 };
 
 pub(super) const CRACK: Section = Section {
@@ -204,7 +200,6 @@ pub(super) const CRACK: Section = Section {
         ),
     ],
     forms: &[Form { keys: &["mouth_mm", "length_mm", "angle_deg"] }, Form { keys: &["points_mm"] }],
-    availability: Availability::Now,
 };
 
 pub(super) const RESIDUAL_STRESS: Section = Section {
@@ -218,7 +213,6 @@ pub(super) const RESIDUAL_STRESS: Section = Section {
         "CSV read by header, depth_mm,sxx_mpa[,szz_mpa]: linear between rows, zero beyond the last.",
     )],
     forms: &[],
-    availability: Availability::Now,
 };
 
 pub(super) const PLASTIC_STRESS: Section = Section {
@@ -241,5 +235,4 @@ pub(super) const PLASTIC_STRESS: Section = Section {
         ),
     ],
     forms: &[Form { keys: &["field"] }, Form { keys: &["profile"] }],
-    availability: Availability::Now,
 };

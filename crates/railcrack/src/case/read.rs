@@ -4,7 +4,7 @@ use super::build::build;
 use super::chosen::{Chosen, Reading};
 use super::error::{CaseErrors, Fault, Report, Source};
 use super::overrides::Overrides;
-use super::section::{SectionValues, is_available, read_section};
+use super::section::{SectionValues, read_section};
 use super::sections::SECTIONS;
 use super::study::STUDY;
 use super::table::{Section, SectionPresence};
@@ -156,9 +156,7 @@ pub(super) fn read_sections(root: &DeTable, reading: Reading, report: &mut Repor
             }
             _ => {
                 for (i, (table, span)) in tables.into_iter().enumerate() {
-                    if is_available(section, &span, report).is_some() {
-                        sections.push(read_section(section, i + 1, Some((table, span)), reading, report));
-                    }
+                    sections.push(read_section(section, i + 1, Some((table, span)), reading, report));
                 }
             }
         }

@@ -2,8 +2,7 @@
 
 use super::sections::SECTIONS;
 use super::table::{
-    Availability, Form, Key, Kind, NumberRange, Presence, Preset, RangeEnd, Section, SectionPresence,
-    available,
+    Form, Key, Kind, NumberRange, Presence, Preset, RangeEnd, Section, SectionPresence, available,
 };
 use serde_json::{Map, Value, json};
 
@@ -11,7 +10,7 @@ use serde_json::{Map, Value, json};
 pub fn json_schema() -> Value {
     let mut properties = Map::new();
     let mut required = Vec::new();
-    for section in SECTIONS.iter().filter(|s| s.availability == Availability::Now) {
+    for section in SECTIONS {
         if section.name.is_empty() {
             for key in section.keys {
                 properties.insert(key.name.into(), key_schema(key));

@@ -7,7 +7,7 @@ use super::overrides::Overrides;
 use super::sections::SECTIONS;
 use super::study::STUDY;
 use super::suggest::nearest;
-use super::table::{Availability, Form, Key, Presence, Section, SectionPresence};
+use super::table::{Form, Key, Presence, Section, SectionPresence};
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -343,22 +343,5 @@ fn required_keys(section: &Section, form: &Form) -> String {
         Some((last, [])) => last.clone(),
         Some((last, others)) => format!("{} and {last}", others.join(", ")),
         None => String::new(),
-    }
-}
-
-/// Whether this version has `section`; an error where it has not.
-pub(super) fn is_available(section: &Section, span: &Range<usize>, report: &mut Report) -> Option<()> {
-    match section.availability {
-        Availability::Now => Some(()),
-        Availability::Later { reason, instead } => {
-            report.add(Fault {
-                message: format!("`{}`: {reason}", section.header()),
-                key: Some(section.name.into()),
-                span: Some(span.clone()),
-                help: Some(instead.into()),
-                also: None,
-            });
-            None
-        }
     }
 }

@@ -1,7 +1,7 @@
 //! Sections that say how it is computed and how cracks grow.
 
 use super::declare::{choice, closed, integer, key, length, now, number, positive};
-use super::table::{Availability, Kind, Presence, Preset, Section, SectionPresence};
+use super::table::{Kind, Presence, Preset, Section, SectionPresence};
 use Preset::{Integer, Number, Numbers, Text};
 
 pub(super) const SHAKEDOWN: Section = Section {
@@ -52,7 +52,6 @@ pub(super) const SHAKEDOWN: Section = Section {
         ),
     ],
     forms: &[],
-    availability: Availability::Now,
 };
 
 pub(super) const GROWTH: Section = Section {
@@ -113,7 +112,6 @@ pub(super) const GROWTH: Section = Section {
         ),
     ],
     forms: &[],
-    availability: Availability::Now,
 };
 
 pub(super) const MESH: Section = Section {
@@ -150,7 +148,6 @@ pub(super) const MESH: Section = Section {
         ),
     ],
     forms: &[],
-    availability: Availability::Now,
 };
 
 pub(super) const SOLVER: Section = Section {
@@ -178,7 +175,6 @@ pub(super) const SOLVER: Section = Section {
         ),
     ],
     forms: &[],
-    availability: Availability::Now,
 };
 
 pub(super) const TRAFFIC: Section = Section {
@@ -192,7 +188,6 @@ pub(super) const TRAFFIC: Section = Section {
         "Load of one axle; one passage is one axle.",
     )],
     forms: &[],
-    availability: Availability::Now,
 };
 
 pub(super) const OUTPUT: Section = Section {
@@ -215,5 +210,4 @@ pub(super) const OUTPUT: Section = Section {
         ),
     ],
     forms: &[],
-    availability: Availability::Now,
 };

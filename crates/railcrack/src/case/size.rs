@@ -1,7 +1,8 @@
 //! How large a run is.
 
-use super::validated::{Case, Engine};
+use super::validated::{Case, Engine, PlasticSource};
 use crate::dislocation;
+use crate::residual::PlasticField;
 
 /// Size of the face problem of a case at its first step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -26,12 +27,20 @@ const MATRICES: usize = 4;
 const BASE: usize = 20 << 20;
 
 impl Case {
+    fn given_plastic(&self) -> Option<PlasticField> {
+        match &self.plastic_stress {
+            Some(PlasticSource::Rolled) | None => None,
+            Some(_) => self.plastic_field(None).ok().flatten(),
+        }
+    }
+
     /// The size of the run.
     pub fn size(&self) -> RunSize {
         let tips = self.cracks.tips().len();
         let (face_points, displacements, factor) = match self.engine {
             Engine::Dislocation => (dislocation::face_points(&self.cracks, self.face_resolution()), 0, 0),
-            Engine::Xfem => match self.xfem_engine().size(&self.cracks) {
+            // What is wrong with a plastic stress, its reader says; the rolled one is not there yet.
+            Engine::Xfem => match self.finite_elements(self.given_plastic().as_ref()).size(&self.cracks) {
                 Ok(size) => {
                     (size.face_points, size.mesh_unknowns + size.enriched_unknowns, size.factor_entries)
                 }

@@ -13,8 +13,6 @@ pub struct Section {
     pub keys: &'static [Key],
     /// Ways of saying the same thing, of which exactly one is chosen; empty where there is only one.
     pub forms: &'static [Form],
-    /// Whether this version has it.
-    pub availability: Availability,
 }
 
 /// How often a section is written.

@@ -3,7 +3,7 @@
 use super::accept::Value;
 use super::sections::SECTIONS;
 use super::table::Kind;
-use super::table::{Availability, Key, Presence, Preset, Section, SectionPresence, available};
+use super::table::{Key, Presence, Preset, Section, SectionPresence, available};
 use super::validated::Case;
 
 impl Case {
@@ -32,7 +32,7 @@ pub fn init_text() -> String {
          # Every key has a default except those of [contact] and [[crack]]: the reference case of Trolle et al.\n\
          # (2014), Table 1.\n\n",
     );
-    for section in SECTIONS.iter().filter(|s| s.availability == Availability::Now) {
+    for section in SECTIONS {
         if !section.name.is_empty() {
             // A section that may be left out is not part of the reference case.
             let comment = if section.presence == SectionPresence::Optional { "# " } else { "" };

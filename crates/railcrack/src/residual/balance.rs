@@ -1,7 +1,7 @@
 //! The elastic balance of a plastic stress on the mesh of the rail.
 
 use super::plastic::PlasticField;
-use crate::bulk::{BulkError, BulkRail};
+use crate::bulk::{BulkError, BulkRail, gauss_lines};
 use crate::field::StressField;
 use crate::math::{Stress, Vec2, gauss_legendre};
 use crate::mesh::{Element, NODES, shape_functions};
@@ -170,15 +170,6 @@ pub struct RailPart {
     pub half_width: f64,
     /// Its depth.
     pub depth: f64,
-}
-
-/// The two Gauss points of each cell between neighbouring `lines`: increasing.
-fn gauss_lines(lines: &[f64]) -> Vec<f64> {
-    let rule = gauss_legendre(2);
-    lines
-        .windows(2)
-        .flat_map(|cell| rule.iter().map(|(s, _)| cell[0] + s * (cell[1] - cell[0])).collect::<Vec<_>>())
-        .collect()
 }
 
 /// The interval of `lines` in which `x` lies, or the nearest one, and where in it.

@@ -34,26 +34,22 @@ pub(super) struct Target {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Elasticity {
     pub steel: IsotropicElastic,
-    lambda: f64,
-    shear: f64,
 }
 
 impl Elasticity {
     pub(super) fn new(steel: IsotropicElastic) -> Self {
-        let (shear, nu) = (steel.shear_modulus(), steel.poisson());
-        Self { steel, lambda: 2.0 * shear * nu / (1.0 - 2.0 * nu), shear }
+        Self { steel }
     }
 
     /// σ_xx, σ_yy, σ_xy.
-    pub(super) fn stress(&self, [xx, yy, xy]: [f64; 3]) -> [f64; 3] {
-        let trace = self.lambda * (xx + yy);
-        [trace + 2.0 * self.shear * xx, trace + 2.0 * self.shear * yy, self.shear * xy]
+    pub(super) fn stress(&self, strain: [f64; 3]) -> [f64; 3] {
+        let stress = self.full_stress(strain);
+        [stress.xx, stress.yy, stress.xy]
     }
 
     /// The four components of plane strain.
-    pub(super) fn full_stress(&self, strain: [f64; 3]) -> Stress {
-        let [xx, yy, xy] = self.stress(strain);
-        Stress { xx, yy, zz: self.steel.poisson() * (xx + yy), xy }
+    pub(super) fn full_stress(&self, [xx, yy, xy]: [f64; 3]) -> Stress {
+        self.steel.plane_strain_stress(xx, yy, xy)
     }
 }
 

@@ -1,7 +1,7 @@
 //! The section of the case file that only a study has.
 
 use crate::case::declare::{choice, key, now};
-use crate::case::table::{Availability, Kind, Presence, Preset, Section, SectionPresence};
+use crate::case::table::{Kind, Presence, Preset, Section, SectionPresence};
 use Preset::{Groups, Text};
 
 /// `[study]`: how the lists of a study are combined.
@@ -33,5 +33,4 @@ pub const STUDY: Section = Section {
         ),
     ],
     forms: &[],
-    availability: Availability::Now,
 };
