@@ -38,9 +38,11 @@ enum BaseState {
     Checked,
 }
 
-/// Components per difference that it takes to make a new base, and how many differences at least.
+/// Components per difference that it takes to make a new base, and how many differences at least and at most: a system of more costs
+/// more than a base.
 const MANY: usize = 16;
 const FEW: usize = 8;
+const MOST: usize = 48;
 /// A new base is made at once beyond this multiple of that number.
 const URGENT: usize = 3;
 /// Residual of the equations, relative to the largest force, above which a base is made afresh.
@@ -88,7 +90,7 @@ impl<'a> Tableau<'a> {
     }
 
     fn many(&self) -> usize {
-        (self.now.len() / MANY).max(FEW)
+        (self.now.len() / MANY).clamp(FEW, MOST)
     }
 
     /// The jumps (mm) and contact forces q (N/mm) of all components under the nodal forces `load`.
