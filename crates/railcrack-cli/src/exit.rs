@@ -81,7 +81,7 @@ impl Failure {
         match self {
             Self::Case(_) | Self::Figure(_) => Exit::BadInput,
             Self::Paper(error) => match error {
-                PaperError::Exists { .. } | PaperError::Case(_) => Exit::BadInput,
+                PaperError::Exists { .. } | PaperError::Case(_) | PaperError::Steel(_) => Exit::BadInput,
                 PaperError::Run { .. } | PaperError::Stress { .. } | PaperError::Shakedown(_) => {
                     Exit::NotConverged
                 }

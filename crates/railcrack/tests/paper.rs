@@ -1,8 +1,9 @@
-//! The paper recomputed: its cheap figures, their tables, what is refused.
+//! The paper recomputed: the cheap statements again, and whether docs/paper.md says what they say.
 
 use railcrack::growth::Watch;
-use railcrack::output::Existing;
-use railcrack::paper::{FIGURES, PaperError, Reproduction, Telling, parse_figures, reproduce};
+use railcrack::paper::{
+    Decision, Earlier, FIGURES, PaperError, Reproduction, SETUPS, Telling, parse_figures, reproduce,
+};
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
@@ -17,7 +18,7 @@ impl Watch for Nobody {
 
 impl Telling for Nobody {
     fn planned(&self, _: usize) {}
-    fn finished(&self, _: &str) {}
+    fn finished(&self, _: &str, _: f64) {}
 }
 
 /// Fig. 13, computed once for all tests, and their folder.
@@ -26,9 +27,122 @@ fn cheap() -> &'static (Reproduction, PathBuf) {
     CHEAP.get_or_init(|| {
         let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("paper");
         let _ = std::fs::remove_dir_all(&folder);
-        let done = reproduce(&folder, &[13], Existing::Refuse, &Nobody).unwrap();
+        let done = reproduce(&folder, &[13], Earlier::Refuse, &Nobody).unwrap();
         (done, folder)
     })
+}
+
+fn docs(name: &str) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs").join(name);
+    std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
+}
+
+/// The paragraph of `page` on the statement `id`: its rule and numbers.
+fn paragraph<'a>(page: &'a str, id: &str) -> &'a str {
+    let start = page.find(&format!("**{id}**")).unwrap_or_else(|| panic!("no {id} on the page"));
+    let rest = &page[start..];
+    rest[2..].find("\n**").or_else(|| rest[2..].find("\n## ")).map_or(rest, |end| &rest[..end + 2])
+}
+
+/// The numbers of a text.
+fn numbers(text: &str) -> Vec<f64> {
+    text.split(|c: char| !(c.is_ascii_digit() || ".-e".contains(c)))
+        .filter_map(|word| word.parse().ok())
+        .collect()
+}
+
+/// Whether `line` of the page says what `decision` says, to the three digits of the page and round-off of another machine.
+fn says(line: &str, setup: &str, decision: &Decision) -> bool {
+    let answer = if decision.holds { "yes; " } else { "no; " };
+    let Some(numbers_there) = line.strip_prefix(&format!("* {setup}: {answer}")) else { return false };
+    let (theirs, ours) = (numbers(numbers_there), numbers(&decision.text()));
+    let close = |(a, b): (&f64, &f64)| (a - b).abs() <= 0.01 * b.abs() + 1e-9;
+    theirs.len() == ours.len() && !ours.is_empty() && theirs.iter().zip(&ours).all(close)
+}
+
+#[test]
+fn the_page_in_docs_has_the_deciding_numbers_of_the_cheap_statements() {
+    let (done, _) = cheap();
+    let page = docs("paper.md");
+    let mut checked = 0;
+    for verdict in &done.verdicts {
+        let lines: Vec<&str> = paragraph(&page, verdict.claim.id).lines().collect();
+        for (at, decision) in &verdict.decisions {
+            let setup = SETUPS[*at].name;
+            // Variants that agree with what they vary are in claims.csv only.
+            let shown = lines.iter().find(|line| line.starts_with(&format!("* {setup}: ")));
+            let Some(line) = shown else { continue };
+            let wanted = decision.text();
+            assert!(
+                says(line, setup, decision),
+                "docs/paper.md, {}: \n{line}\nnow {wanted}",
+                verdict.claim.id
+            );
+            checked += 1;
+        }
+        let row = format!("| {} | {} |", verdict.claim.statement, verdict.claim.place);
+        assert!(page.contains(&row), "docs/paper.md: no row {row}");
+    }
+    assert!(checked >= 4, "{checked} decisions compared");
+}
+
+#[test]
+fn a_line_that_says_something_else_is_seen() {
+    let decision = &cheap().0.verdicts[0].decisions[0].1;
+    let line = |holds: bool, text: &str| format!("* x: {}; {text}", if holds { "yes" } else { "no" });
+    assert!(says(&line(decision.holds, &decision.text()), "x", decision));
+    assert!(!says(&line(!decision.holds, &decision.text()), "x", decision));
+    assert!(!says(&line(decision.holds, &decision.text().replace('.', "9.")), "x", decision));
+    assert!(!says(&line(decision.holds, ""), "x", decision));
+}
+
+#[test]
+fn the_page_in_docs_shows_every_figure_and_set_up() {
+    let page = docs("paper.md");
+    for figure in FIGURES {
+        assert!(page.contains(&format!("(figures/{}.svg)", figure.file_stem())), "Fig. {}", figure.number);
+        assert!(docs(&format!("figures/{}.svg", figure.file_stem())).starts_with("<svg"));
+    }
+    for setup in SETUPS {
+        assert!(page.contains(&format!("| {} | {} |", setup.name, setup.words)), "{}", setup.name);
+    }
+}
+
+#[test]
+fn finished_runs_are_taken_over() {
+    struct Count(std::sync::atomic::AtomicUsize);
+    impl Watch for Count {
+        fn progress(&self, _: f64) {}
+        fn interrupted(&self) -> bool {
+            false
+        }
+    }
+    impl Telling for Count {
+        fn planned(&self, _: usize) {}
+        fn finished(&self, _: &str, wall_s: f64) {
+            self.0.fetch_add(usize::from(wall_s > 0.0), std::sync::atomic::Ordering::Relaxed);
+        }
+    }
+    let (done, from) = cheap();
+    let folder = from.with_file_name("paper-again");
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(folder.join("runs")).unwrap();
+    let runs: Vec<PathBuf> =
+        std::fs::read_dir(from.join("runs")).unwrap().map(|f| f.unwrap().path()).collect();
+    assert_eq!(runs.len(), done.runs);
+    for run in &runs {
+        std::fs::copy(run, folder.join("runs").join(run.file_name().unwrap())).unwrap();
+    }
+    // One of another case under this name, one that is damaged: both are computed.
+    let name = |stem: &str| folder.join("runs").join(format!("{stem}.run"));
+    std::fs::copy(name("fig13-half-plane-against"), name("fig13-half-plane-with")).unwrap();
+    std::fs::write(name("fig13-E-70-GPa-with"), "half").unwrap();
+    let count = Count(0.into());
+    let again = reproduce(&folder, &[13], Earlier::TakeOver, &count).unwrap();
+    assert_eq!(count.0.into_inner(), 2);
+    assert!(again.verdicts.iter().zip(&done.verdicts).all(|(a, b)| a.decisions == b.decisions));
+    let page = |folder: &Path| std::fs::read_to_string(folder.join("paper.md")).unwrap();
+    assert_eq!(page(&folder), page(from));
 }
 
 #[test]
@@ -82,7 +196,7 @@ fn only_the_chosen_figures_are_computed() {
 #[test]
 fn results_are_not_replaced_unasked() {
     let (_, folder) = cheap();
-    let refused = reproduce(folder, &[13], Existing::Refuse, &Nobody).err().unwrap();
+    let refused = reproduce(folder, &[13], Earlier::Refuse, &Nobody).err().unwrap();
     assert!(matches!(refused, PaperError::Exists { .. }), "{refused}");
     assert!(refused.to_string().contains("--force"));
 }

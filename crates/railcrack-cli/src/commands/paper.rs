@@ -7,8 +7,7 @@ use crate::print;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use railcrack::growth::Watch;
-use railcrack::output::Existing;
-use railcrack::paper::{PaperError, Reproduction, SETUPS, Telling, parse_figures, reproduce};
+use railcrack::paper::{Earlier, PaperError, Reproduction, SETUPS, Telling, parse_figures, reproduce};
 use std::io::{IsTerminal, Write};
 use std::path::PathBuf;
 use std::sync::Mutex;
@@ -30,20 +29,27 @@ pub struct PaperArguments {
     #[arg(long)]
     quiet: bool,
     /// Replace the results in the folder
-    #[arg(long)]
+    #[arg(long, conflicts_with = "resume")]
     force: bool,
+    /// Take over the runs in the folder that are of the same cases and version, and compute the rest
+    #[arg(long)]
+    resume: bool,
 }
 
 /// Recomputes the paper.
 pub fn paper(arguments: &PaperArguments) -> Result<Exit, Failure> {
     let figures = parse_figures(&arguments.only)?;
-    let existing = if arguments.force { Existing::Replace } else { Existing::Refuse };
+    let earlier = match (arguments.force, arguments.resume) {
+        (true, _) => Earlier::Replace,
+        (_, true) => Earlier::TakeOver,
+        _ => Earlier::Refuse,
+    };
     let told = Told {
         interruption: run::listen()?,
         display: Display::of(arguments.quiet),
         done: Mutex::new((0, 0)),
     };
-    let computed = reproduce(&arguments.out, &figures, existing, &told);
+    let computed = reproduce(&arguments.out, &figures, earlier, &told);
     told.close();
     match computed {
         Ok(reproduction) => {
@@ -51,7 +57,7 @@ pub fn paper(arguments: &PaperArguments) -> Result<Exit, Failure> {
             Ok(if reproduction.failures.is_empty() { Exit::Done } else { Exit::NotConverged })
         }
         Err(PaperError::Interrupted) => {
-            print::stdout("interrupted: no figure is written; start again\n")?;
+            print::stdout("interrupted: no figure is written, finished runs are kept; --resume goes on\n")?;
             Ok(Exit::Interrupted)
         }
         Err(error) => Err(error.into()),
@@ -133,7 +139,7 @@ impl Telling for Told {
         *self.done.lock().unwrap_or_else(|poisoned| poisoned.into_inner()) = (0, runs);
     }
 
-    fn finished(&self, name: &str) {
+    fn finished(&self, name: &str, wall_s: f64) {
         let mut done = self.done.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
         done.0 += 1;
         match &self.display {
@@ -141,7 +147,9 @@ impl Telling for Told {
                 bar.set_message(name.to_owned());
                 bar.set_position(done.0 as u64);
             }
-            Display::Lines => drop(writeln!(std::io::stderr().lock(), "{}/{} {name}", done.0, done.1)),
+            Display::Lines => {
+                drop(writeln!(std::io::stderr().lock(), "{}/{} {name}, {wall_s:.1} s", done.0, done.1))
+            }
             Display::Quiet => {}
         }
     }

@@ -2,8 +2,12 @@
 
 use super::*;
 
-const ALL: [DirectionCriterion; 3] =
-    [DirectionCriterion::MaxRate, DirectionCriterion::MaxDeltaK1, DirectionCriterion::MaxK1];
+const ALL: [DirectionCriterion; 4] = [
+    DirectionCriterion::MaxRate,
+    DirectionCriterion::MaxRateUnclipped,
+    DirectionCriterion::MaxDeltaK1,
+    DirectionCriterion::MaxK1,
+];
 
 fn with(criterion: DirectionCriterion) -> HourlierPineau {
     HourlierPineau { law: ParisLaw::RAIL_STEEL, criterion }
@@ -59,6 +63,21 @@ fn clipping_makes_alternating_mode_two_coplanar() {
     let kink = with(DirectionCriterion::MaxRate).kink(&history([(0.0, 100.0), (0.0, -100.0)])).unwrap();
     assert!(kink.angle.abs() < 1e-6, "{kink:?}");
     assert!((kink.delta_k2 - 200.0).abs() < 1e-6 && kink.delta_k1 < 1e-3, "{kink:?}");
+}
+
+#[test]
+fn counting_negative_k1_makes_alternating_mode_two_branch() {
+    // Unclipped, Δk1 at ±76.6° is 2 · 1.2316 K_II, more than √0.772 · 2 K_II straight ahead. Without weight of mode II the kink is
+    // where k1 is largest; with it a little off.
+    let alternating = history([(0.0, 100.0), (0.0, -100.0)]);
+    let rule = with(DirectionCriterion::MaxRateUnclipped);
+    let mode_1 = HourlierPineau { law: ParisLaw { mode_2_weight: 0.0, ..rule.law }, ..rule };
+    let kink = mode_1.kink(&alternating).unwrap();
+    assert!((kink.angle.to_degrees() - 76.6).abs() < 0.05, "{kink:?}");
+    let kink = rule.kink(&alternating).unwrap();
+    let rival = kink.rival.unwrap();
+    assert!((kink.angle.to_degrees() - 76.6).abs() < 10.0, "{kink:?}");
+    assert_eq!((rival.angle, rival.ratio), (-kink.angle, 1.0));
 }
 
 #[test]

@@ -1,14 +1,15 @@
 //! What the figures and statements need of one run.
 
 use super::PaperError;
-use crate::case::Case;
+use crate::case::{Case, SharedRail};
 use crate::contact::FaceStatus;
 use crate::crack::Crack;
 use crate::growth::{GrowthError, StepRecord, Watch};
 use crate::math::MPA_SQRT_MM;
+use serde::{Deserialize, Serialize};
 
 /// K_I and K_II of one tip of the initial cracks over the stabilised passage.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct SifCurve {
     /// Wheel positions over a, counted along the travel from x = 0, the mouth of crack 1.
     pub position: Vec<f64>,
@@ -21,7 +22,7 @@ pub struct SifCurve {
 }
 
 /// A tip at the start of a growth step.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct TipState {
     /// Length of the crack, mm.
     pub length: f64,
@@ -42,7 +43,7 @@ pub struct TipState {
 }
 
 /// One crack of a run.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CrackGrowth {
     /// K of the initial crack.
     pub sif: SifCurve,
@@ -53,11 +54,11 @@ pub struct CrackGrowth {
     /// Points of the initial crack among them.
     pub initial_points: usize,
     /// Why its tip stopped; none where it did not.
-    pub stop: Option<&'static str>,
+    pub stop: Option<String>,
 }
 
 /// One run: a case in one set-up.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CaseRun {
     /// Its cracks, as the case numbers them.
     pub cracks: Vec<CrackGrowth>,
@@ -65,15 +66,39 @@ pub struct CaseRun {
     pub steps_wanted: usize,
     /// Why it ended early, where a step could not be computed.
     pub failure: Option<String>,
+    /// What it took.
+    pub effort: Effort,
+}
+
+/// What a run took: the one thing that two computations of it do not share.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct Effort {
+    /// Steps.
+    pub steps: usize,
+    /// Contact solutions.
+    pub solves: usize,
+    /// Wall time of C and S, s; of a rail that runs share, only in the run that made it.
+    pub body_s: f64,
+    /// Wall time of contact, s.
+    pub contact_s: f64,
+    /// Wall time of all, s.
+    pub wall_s: f64,
 }
 
 impl CaseRun {
-    /// Computes `case`. A step that cannot be computed ends the run; one without its first step is an error.
-    pub(super) fn compute(name: &str, case: &Case, watch: &dyn Watch) -> Result<Self, PaperError> {
+    /// Computes `case`, on `rail` where another run has made it. A step that cannot be computed ends the run; one without its first
+    /// step is an error.
+    pub(super) fn compute(
+        name: &str,
+        case: &Case,
+        rail: Option<&SharedRail>,
+        watch: &dyn Watch,
+    ) -> Result<Self, PaperError> {
         let failed = |source| PaperError::Run { name: name.to_owned(), source };
         let stress = |source| PaperError::Stress { name: name.to_owned(), source };
-        let mut growth = case.prepare(None).map_err(stress)?.growth(None);
-        let mut run = Self { cracks: Vec::new(), steps_wanted: case.growth.steps, failure: None };
+        let mut growth = case.prepare_sharing(None, rail).map_err(stress)?.growth(None);
+        let effort = Effort::default();
+        let mut run = Self { cracks: Vec::new(), steps_wanted: case.growth.steps, failure: None, effort };
         loop {
             match growth.next_step(watch) {
                 Ok(Some(record)) => run.add(case, &record),
@@ -90,12 +115,16 @@ impl CaseRun {
     }
 
     fn add(&mut self, case: &Case, record: &StepRecord) {
+        self.effort.steps += 1;
+        self.effort.solves += record.counts.solves;
+        self.effort.body_s += record.times.body_s;
+        self.effort.contact_s += record.times.contact_s;
         if record.step == 0 {
             self.cracks = initial(case, record);
         }
         for ((crack, tip), grown) in record.cracks.iter().zip(&record.tips).zip(&mut self.cracks) {
             grown.points = points(crack);
-            grown.stop = tip.stop.map(|stop| stop.name());
+            grown.stop = tip.stop.map(|stop| stop.name().to_owned());
             grown.steps.push(TipState {
                 length: tip.length,
                 delta_ki: tip.delta_ki / MPA_SQRT_MM,

@@ -63,9 +63,15 @@ impl Decision {
     }
 }
 
+/// K in MPa√m, degrees, millimetres and per cent smaller than that are round-off or tolerance.
+const NOTHING: f64 = 5e-4;
+
 /// Three significant digits; more would not be known, fewer would hide differences of a per cent.
 pub(super) fn rounded(value: f64) -> String {
-    if value == 0.0 || !value.is_finite() {
+    if value.abs() < NOTHING {
+        return "0".into();
+    }
+    if !value.is_finite() {
         return format!("{value}");
     }
     let size = value.abs().log10().floor() as i32;

@@ -60,10 +60,10 @@ const fn curve(
 
 /// Every curve.
 pub static CURVES: &[Curve] = &[
-    Curve { file: &FIG_13, ..curve("fig13", "Fig. 13", 0.4, Variation::None, &[13]) },
+    Curve { file: &FIG_13, ..curve("fig13", "faces 0.1, wheel friction 0.4", 0.4, Variation::None, &[13]) },
     curve("reference", "Table 1", 0.025, Variation::None, &[14, 15, 16, 17, 18, 19, 20, 22, 23, 24, 25]),
-    curve("wheel+0.1", "wheel friction 0.1", 0.1, Variation::None, &[14, 16, 17, 18, 27, 28, 29, 30]),
-    curve("wheel+0.4", "wheel friction 0.4", 0.4, Variation::None, &[14, 16, 17, 18]),
+    curve("wheel+0.1", "wheel friction 0.1", 0.1, Variation::None, &[14, 16, 17, 27, 28, 29, 30]),
+    curve("wheel+0.4", "wheel friction 0.4", 0.4, Variation::None, &[14, 16, 17]),
     curve("wheel-0.025", "wheel friction \u{2212}0.025", -0.025, Variation::None, &[15, 16]),
     curve("wheel-0.1", "wheel friction \u{2212}0.1", -0.1, Variation::None, &[15, 16]),
     curve("wheel-0.4", "wheel friction \u{2212}0.4", -0.4, Variation::None, &[15, 16]),
@@ -85,8 +85,5 @@ pub static CURVES: &[Curve] = &[
     ),
     Curve { file: &FIG_27, ..curve("nine", "nine cracks", 0.1, Variation::None, &[27, 28, 29, 30]) },
     Curve { file: &FIG_29, ..curve("nine-stress", "nine with Fig. 21", 0.1, Variation::None, &[29, 30]) },
-    Curve {
-        file: &FIG_29,
-        ..curve("one-stress", "one with Fig. 21", 0.1, Variation::OneOfNetwork, &[29, 30])
-    },
+    Curve { file: &FIG_29, ..curve("one-stress", "one with Fig. 21", 0.1, Variation::OneOfNetwork, &[29]) },
 ];

@@ -1,5 +1,6 @@
 //! The figures: what each shows.
 
+use super::Curve;
 use thiserror::Error;
 
 /// A figure of the paper.
@@ -42,8 +43,8 @@ pub static FIGURES: &[Figure] = &[
     figure(21, Kind::Profile, "Stress by depth", &[]),
     figure(22, Kind::Sif, "K with the stress of Fig. 21", &["reference", "stress"]),
     figure(23, Kind::Paths, "Paths with the stress of Fig. 21", &["reference", "stress"]),
-    figure(24, Kind::Sif, "K of two cracks", &["pair", "reference", "crack-2-alone"]),
-    figure(25, Kind::Paths, "Paths of two cracks", &["pair", "reference", "crack-2-alone"]),
+    figure(24, Kind::Sif, "K of two cracks", &["reference", "crack-2-alone", "pair"]),
+    figure(25, Kind::Paths, "Paths of two cracks", &["reference", "crack-2-alone", "pair"]),
     figure(27, Kind::Sif, "K of nine cracks", &["nine", "wheel+0.1"]),
     figure(28, Kind::Paths, "Paths of nine cracks", &["nine"]),
     figure(29, Kind::Sif, "K of nine cracks with the stress of Fig. 21", &["nine-stress", "one-stress"]),
@@ -54,6 +55,19 @@ impl Figure {
     /// `fig13`, the name of its files.
     pub fn file_stem(&self) -> String {
         format!("fig{}", self.number)
+    }
+
+    /// The words of `curve` in its legend: the reference case is called by the value that the figure varies.
+    pub(super) fn words(&self, curve: &Curve) -> &'static str {
+        match (self.number, curve.name) {
+            (14..=16, "reference") => "wheel friction 0.025",
+            (17 | 18, "reference") => "faces 0.5",
+            (19 | 20, "reference") => "15\u{b0}",
+            (22 | 23, "reference") => "without stress",
+            (24 | 25, "reference") => "crack 1 alone",
+            (27 | 29, "wheel+0.1" | "one-stress") => "one crack",
+            _ => curve.legend,
+        }
     }
 
     /// Whether cracks grow in it.

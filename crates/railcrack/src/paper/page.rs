@@ -2,15 +2,17 @@
 
 use super::claim::rounded;
 use super::profile_plot::StressProfile;
+use super::rolled::ROLLED_CLAIMS;
 use super::verdict::MAIN;
 use super::{FIGURES, Results, SETUPS, Verdict};
+use crate::output::VERSION;
 use crate::shakedown::RailState;
 
 /// The columns of `claims.csv`.
 pub const CLAIMS_COLUMNS: &str = "claim,place,setup,holds,number,value";
 
 /// Every decision and every number that it rests on.
-pub(super) fn claims_table(verdicts: &[Verdict]) -> String {
+pub(super) fn claims_table(verdicts: &[Verdict], profiles: &[StressProfile]) -> String {
     let mut text = format!("{CLAIMS_COLUMNS}\n");
     for verdict in verdicts {
         for (at, decision) in &verdict.decisions {
@@ -22,12 +24,17 @@ pub(super) fn claims_table(verdicts: &[Verdict]) -> String {
             }
         }
     }
+    for claim in ROLLED_CLAIMS {
+        for (steel, holds) in claim.decisions(profiles) {
+            text.push_str(&format!("{},\"{}\",\"{steel}\",{holds},,\n", claim.id, claim.place));
+        }
+    }
     text
 }
 
 const HEAD: &str = "# The paper, recomputed
 
-Written by `railcrack paper`; not by hand, apart from the sentences in the column *why*, which are ours.
+COMMAND
 
 Trollé, Baietto, Gravouil, Mai & Prabel, *2D fatigue crack propagation in rails taking into account actual plastic stresses*,
 Eng. Fract. Mech. 123 (2014) 163\u{2013}181, leaves open what its results depend on: the supports of its block, whether the cracks lean along the
@@ -51,11 +58,12 @@ pub(super) fn page(
     failures: &[(String, String)],
     runs: usize,
 ) -> String {
-    let mut text = HEAD.to_owned();
+    let mut text = HEAD.replace("COMMAND", &command(figures));
     text.push_str(&summary(verdicts, runs));
     text.push_str(&statements(verdicts));
     text.push_str(&numbers(verdicts));
     text.push_str(&reference_ranges(results));
+    text.push_str(&fixed_steps(verdicts));
     if let Some(profiles) = profiles {
         text.push_str(&profile_section(profiles));
     }
@@ -69,6 +77,20 @@ pub(super) fn page(
         text.push('\n');
     }
     text.trim_end().to_owned() + "\n"
+}
+
+/// How this page came about.
+fn command(figures: &[u8]) -> String {
+    let only = if figures.len() == FIGURES.len() {
+        String::new()
+    } else {
+        let numbers: Vec<String> = figures.iter().map(u8::to_string).collect();
+        format!(" --only {}", numbers.join(" "))
+    };
+    format!(
+        "`paper.md` in the folder that `railcrack paper{only}` writes (version {VERSION}): computed, apart from the sentences in the column *why*, which are ours. \
+         The folder also has the case files, the numbers behind every picture (`figures/*.csv`) and decision (`claims.csv`), and what each run took (`runs.csv`)."
+    )
 }
 
 fn summary(verdicts: &[Verdict], runs: usize) -> String {
@@ -162,6 +184,9 @@ fn reference_ranges(results: &Results) -> String {
     for r in results.setups() {
         let range = |name: &str| r.run(name).map(|run| (run.crack().delta_ki(), run.crack().delta_kii()));
         let parent = r.setup().varies.unwrap_or(r.setup().name);
+        if parent != r.setup().name && !r.setup().changes_k() {
+            continue;
+        }
         // How far K of the curve is from that in the set-up it varies, where the positions are the same.
         let off = |name: &str| {
             let (mine, other) = (r.run(name)?, r.elsewhere(parent, name)?);
@@ -196,6 +221,35 @@ steps, engines, Young's modulus. Fixed steps of 0.1 a and 0.05 a are what a code
     )
 }
 
+/// What fixed load steps do to the verdicts.
+fn fixed_steps(verdicts: &[Verdict]) -> String {
+    let of = |verdict: &Verdict, departing: bool| -> Vec<&'static str> {
+        let places: Vec<usize> = if departing {
+            verdict.departures().iter().map(|(at, _)| *at).collect()
+        } else {
+            verdict.decisions.iter().map(|(at, _)| *at).collect()
+        };
+        places.into_iter().filter(|at| SETUPS[*at].has_fixed_steps()).map(|at| SETUPS[at].name).collect()
+    };
+    let decided: usize = verdicts.iter().map(|verdict| of(verdict, false).len()).sum();
+    if decided == 0 {
+        return String::new();
+    }
+    let mut text = format!("Of the {decided} decisions with fixed steps ");
+    let rows: Vec<String> = verdicts
+        .iter()
+        .filter(|verdict| !of(verdict, true).is_empty())
+        .map(|verdict| format!("{} ({})", verdict.claim.id, of(verdict, true).join("; ")))
+        .collect();
+    match rows.is_empty() {
+        true => text.push_str("none differs from that with controlled steps.\n\n"),
+        false => {
+            text.push_str(&format!("these differ from that with controlled steps: {}.\n\n", rows.join(", ")))
+        }
+    }
+    text
+}
+
 fn profile_section(profiles: &[StressProfile]) -> String {
     let mut text = "## Fig. 21
 
@@ -212,11 +266,34 @@ The largest \u{3c3}_xx that rolling alone leaves under the wheel of Table 1, for
         text.push_str(&format!("| {} | {state} | {} | {depth} |\n", profile.name, rounded(stress)));
     }
     text.push('\n');
+    text.push_str("What the paper says of the state itself, in each of these steels, in that order:\n\n| statement | where | rule |");
+    let steels = profiles.iter().filter(|profile| profile.state.is_some()).count();
+    text.push_str(&format!(
+        "{} verdict |\n|---|---|---|{}---|\n",
+        " |".repeat(steels),
+        "---|".repeat(steels)
+    ));
+    for claim in ROLLED_CLAIMS {
+        let decisions = claim.decisions(profiles);
+        let cells: String =
+            decisions.iter().map(|(_, holds)| if *holds { " yes |" } else { " no |" }).collect();
+        let holding = decisions.iter().filter(|(_, holds)| *holds).count();
+        let verdict = match holding {
+            0 => "does not hold".to_owned(),
+            all if all == decisions.len() => "holds".to_owned(),
+            some => format!("holds in {some} of {}", decisions.len()),
+        };
+        text.push_str(&format!(
+            "| {} | {} | {} |{cells} {verdict} |\n",
+            claim.statement, claim.place, claim.rule
+        ));
+    }
+    text.push('\n');
     text
 }
 
 fn pictures(figures: &[u8], results: &Results) -> String {
-    let mut text = "## Figures\n\nSolid: half-plane; dashed: block. The numbers of all set-ups are in the table beside each picture.\n\n".to_owned();
+    let mut text = "## Figures\n\nSolid: half-plane; dashed: block. The numbers of all set-ups are in `figures/*.csv` of the folder.\n\n".to_owned();
     for figure in FIGURES.iter().filter(|figure| figures.contains(&figure.number)) {
         let stem = figure.file_stem();
         text.push_str(&format!("![Fig. {}: {}](figures/{stem}.svg)\n\n", figure.number, figure.title));

@@ -78,7 +78,7 @@ fn lines<'a>(figure: &Figure, results: &'a Results, setup: &str) -> Vec<Line<'a>
         else {
             continue;
         };
-        let words = if (figure.number, *name) == (25, "reference") { "crack 1 alone" } else { curve.legend };
+        let words = figure.words(curve);
         let colour = CATEGORIES[place % CATEGORIES.len()];
         lines.extend(run.cracks.iter().map(|crack| Line { words, colour, crack }));
     }

@@ -34,6 +34,8 @@ pub struct PathShape {
     pub inclination: Option<f64>,
     /// The same from where it has branched.
     pub inclination_after: Option<f64>,
+    /// How far it goes towards +x from there, mm.
+    pub along_after: Option<f64>,
 }
 
 /// Deviation (degrees) from the initial crack that counts as a branch: more than the slow turns of co-planar growth, less than
@@ -73,6 +75,7 @@ impl PathShape {
             depth: points.last().map_or(0.0, |p| p[1]),
             inclination: inclination(tip),
             inclination_after: branch.and_then(inclination),
+            along_after: branch.and_then(|i| Some(points.last()?[0] - points[i][0])),
         }
     }
 
@@ -132,6 +135,7 @@ mod tests {
             let up = path(&[at(0.0, 0.0), at(6.0, 2.0), at(7.0, 1.9)]);
             assert_eq!(up.branch, Some(Branch { increment: 1, side: Side::Up }));
             assert!(up.runs_parallel() && up.inclination_after.unwrap() < 0.0);
+            assert!((up.along_after.unwrap() - sign).abs() < 1e-12, "{up:?}");
             // Straight up, past the vertical.
             let back = path(&[at(0.0, 0.0), at(6.0, 2.0), at(5.9, 1.0)]);
             assert_eq!(back.branch.map(|b| b.side), Some(Side::Up));

@@ -1,24 +1,13 @@
 //! Fig. 21: the stress by depth that the paper describes, its two readings, and what rolling alone leaves.
 
-use crate::case::Case;
+use super::steel::Steel;
 use crate::field::{DepthProfile, StressField};
-use crate::load::HertzianContact;
-use crate::material::KinematicHardening;
 use crate::math::Vec2;
 use crate::output::plot::{
     Anchor, Axes, Axis, CATEGORIES, Entry, Frame, INK, Mark, Span, Stroke, Svg, TextStyle, draw_legend,
     legend_width,
 };
-use crate::shakedown::{RailState, RolledRail, ShakedownError, Stabilisation, Travel, stabilise};
-
-/// A steel under the wheel of Table 1: yield stress and modulus C in MPa, and the friction of the wheel.
-const STEELS: [(f64, f64, f64); 5] = [
-    (500.0, 20e3, 0.025),
-    (430.0, 20e3, 0.025),
-    (380.0, 20e3, 0.025),
-    (380.0, 5e3, 0.025),
-    (500.0, 20e3, 0.4),
-];
+use crate::shakedown::{RailState, StabilisedRail};
 
 /// Depths of the table and the picture, mm.
 const DEEPEST: f64 = 16.0;
@@ -29,6 +18,8 @@ pub(super) struct StressProfile {
     pub name: String,
     /// σ_xx at every multiple of [`SPACING`] down to [`DEEPEST`], MPa.
     pub sxx: Vec<f64>,
+    /// Depth, mm, and plastic shear ε_p,xy of every layer, where it was computed.
+    pub plastic_shear: Vec<[f64; 2]>,
     /// The state that repeated passages lead to, where it was computed.
     pub state: Option<RailState>,
 }
@@ -47,34 +38,24 @@ fn depths() -> impl Iterator<Item = f64> {
     (0..=(DEEPEST / SPACING).round() as usize).map(|i| i as f64 * SPACING)
 }
 
-/// The lines: the table `given` in both readings, then the residual stress that the wheel of `case` leaves in steels of several yield
-/// stresses. A plastic stress along the rail that depends on depth alone leaves its opposite in a half-plane.
-pub(super) fn profiles(case: &Case, given: &DepthProfile) -> Result<Vec<StressProfile>, ShakedownError> {
+/// The lines: the table `given` in both readings, then the residual stress that `rolled` rails keep. A plastic stress along the rail
+/// that depends on depth alone leaves its opposite in a half-plane.
+pub(super) fn profiles(given: &DepthProfile, rolled: &[(Steel, StabilisedRail)]) -> Vec<StressProfile> {
     let readings =
         [("read as balanced stress", 1.0), ("read as plastic stress, balanced in a half-plane", -1.0)];
     let reading = |(name, factor): (&str, f64)| StressProfile {
         name: name.into(),
         sxx: depths().map(|depth| factor * given.stress(Vec2::new(0.0, -depth)).xx).collect(),
+        plastic_shear: Vec::new(),
         state: None,
     };
-    let mut lines: Vec<StressProfile> = readings.map(reading).into();
-    for (yield_stress, modulus, friction) in STEELS {
-        let Ok(hardening) = KinematicHardening::new(yield_stress, modulus) else { continue };
-        let rail = RolledRail {
-            steel: case.steel,
-            hardening,
-            contact: HertzianContact { friction, ..case.contact },
-            travel: Travel::Forward,
-            initial: None,
-        };
-        let stabilised = stabilise(&rail, &Stabilisation::default(), |_| ())?;
-        lines.push(StressProfile {
-            name: format!("rolled: yield {yield_stress} MPa, C {modulus} MPa, friction {friction}"),
-            sxx: depths().map(|depth| stabilised.residual_stress(depth).xx).collect(),
-            state: Some(stabilised.state),
-        });
-    }
-    Ok(lines)
+    let kept = |(steel, rail): &(Steel, StabilisedRail)| StressProfile {
+        name: steel.words(),
+        sxx: depths().map(|depth| rail.residual_stress(depth).xx).collect(),
+        plastic_shear: rail.profile.iter().map(|layer| [layer.depth, layer.strain.xy]).collect(),
+        state: Some(rail.state),
+    };
+    readings.map(reading).into_iter().chain(rolled.iter().map(kept)).collect()
 }
 
 /// The picture of Fig. 21.

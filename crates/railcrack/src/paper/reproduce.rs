@@ -1,25 +1,39 @@
 //! From chosen figures to runs, pictures, tables and the page.
 
+use super::computation::{Computation, runs_table};
 use super::figure::{Figure, Kind};
-use super::files::{FIG_21, FIG_22};
+use super::files::{FIG_21, FIG_22, TABLE_1};
 use super::plan::{Job, plan};
 use super::profile_plot::{self, StressProfile};
-use super::{CLAIMS, CaseRun, FIGURES, Results, Verdict, page, path_plot, sif_plot};
+use super::steel::{STEELS, Steel};
+use super::stored::RUNS;
+use super::{CLAIMS, FIGURES, Results, Verdict, page, path_plot, sif_plot};
 use crate::case::{CarriedStressError, Case, CaseErrors};
 use crate::growth::{GrowthError, Watch};
+use crate::material::HardeningError;
 use crate::output::OutputError;
-use crate::shakedown::ShakedownError;
+use crate::shakedown::{ShakedownError, StabilisedRail};
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 use thiserror::Error;
 
 /// Someone who is told how far it is, and may interrupt it.
 pub trait Telling: Watch {
     /// So many runs are to be done.
     fn planned(&self, runs: usize);
-    /// The run `name` is done.
-    fn finished(&self, name: &str);
+    /// The run `name` is done, after `wall_s` seconds.
+    fn finished(&self, name: &str, wall_s: f64);
+}
+
+/// What becomes of results that are in the folder.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Earlier {
+    /// They stay: an error.
+    Refuse,
+    /// They are replaced.
+    Replace,
+    /// Runs of the same cases by the same version are taken over, the rest is computed.
+    TakeOver,
 }
 
 /// What was computed and written.
@@ -41,7 +55,7 @@ pub struct Reproduction {
 pub enum PaperError {
     /// The folder holds an earlier one.
     #[error(
-        "{} already holds results of the paper ({PAGE}): replace them with --force, or choose another folder with --out",
+        "{} already holds results of the paper ({PAGE}): replace them with --force, take its runs over with --resume, or choose another folder with --out",
         folder.display()
     )]
     Exists {
@@ -70,6 +84,9 @@ pub enum PaperError {
     /// The plastic state of Fig. 21.
     #[error(transparent)]
     Shakedown(#[from] ShakedownError),
+    /// A steel of Fig. 21.
+    #[error(transparent)]
+    Steel(#[from] HardeningError),
     /// It was interrupted.
     #[error("interrupted")]
     Interrupted,
@@ -82,93 +99,75 @@ pub enum PaperError {
 const PAGE: &str = "paper.md";
 
 /// Computes what `figures` need and writes to `folder`: `cases/` (every case file that was run), `figures/` (a picture and a
-/// table each), `claims.csv` and `paper.md`. Runs go to the threads of rayon; the files do not depend on their number.
+/// table each), `claims.csv`, `runs.csv`, `paper.md`, and `runs/` as runs finish. Runs go to the threads of rayon; apart from times the
+/// files do not depend on their number.
 ///
 /// Errors: the folder holds such results and may not be replaced; a case cannot be computed at all; the system refuses; `telling`
 /// asks to stop.
 pub fn reproduce(
     folder: &Path,
     figures: &[u8],
-    existing: crate::output::Existing,
+    earlier: Earlier,
     telling: &dyn Telling,
 ) -> Result<Reproduction, PaperError> {
-    if existing == crate::output::Existing::Refuse && folder.join(PAGE).exists() {
+    if earlier == Earlier::Refuse && (folder.join(PAGE).exists() || folder.join(RUNS).exists()) {
         return Err(PaperError::Exists { folder: folder.to_path_buf() });
     }
     let jobs = plan(figures);
     telling.planned(jobs.len());
-    let cases = write_cases(folder, &jobs)?;
-    let computed = compute_all(&jobs, &cases, telling);
+    let rolled = rolled_rails(figures)?;
+    let cases = write_cases(folder, &jobs, &rolled)?;
+    make(&folder.join(RUNS))?;
+    let computed = Computation { folder, earlier, jobs: &jobs, cases: &cases, telling }.run();
     let mut results = Results::default();
     let mut failures = Vec::new();
-    for (job, run) in jobs.iter().zip(computed) {
-        let run = Arc::new(run?);
+    let runs = computed.into_iter().map(|run| Ok(Arc::new(run?))).collect::<Result<Vec<_>, PaperError>>()?;
+    write(&folder.join("runs.csv"), &runs_table(&jobs, &runs))?;
+    for (job, run) in jobs.iter().zip(&runs) {
         if let Some(failure) = &run.failure {
             failures.push((job.name.clone(), failure.clone()));
         }
         for &place in &job.uses {
-            results.runs.insert(place, Arc::clone(&run));
+            results.runs.insert(place, Arc::clone(run));
         }
     }
     failures.sort();
     let wanted = |claim: &&super::Claim| claim.figures.iter().all(|figure| figures.contains(figure));
     let claims = CLAIMS.iter().flat_map(|section| section.iter()).filter(wanted);
     let verdicts: Vec<Verdict> = claims.filter_map(|claim| Verdict::of(claim, &results)).collect();
-    let profiles = if figures.contains(&21) { Some(stress_profiles(folder)?) } else { None };
+    let profiles = if figures.contains(&21) { Some(stress_profiles(folder, &rolled)?) } else { None };
     write_figures(folder, figures, &results, profiles.as_deref())?;
-    write(&folder.join("claims.csv"), &page::claims_table(&verdicts))?;
+    write(
+        &folder.join("claims.csv"),
+        &page::claims_table(&verdicts, profiles.as_deref().unwrap_or_default()),
+    )?;
     let page_path = folder.join(PAGE);
     let text = page::page(figures, &results, &verdicts, profiles.as_deref(), &failures, jobs.len());
     write(&page_path, &text)?;
     Ok(Reproduction { results, verdicts, failures, runs: jobs.len(), page: page_path })
 }
 
-/// Every run; the long ones are at the front and start first.
-fn compute_all(jobs: &[Job], cases: &[Case], telling: &dyn Telling) -> Vec<Result<CaseRun, PaperError>> {
-    let compute = |job: &Job, case: &Case| {
-        if telling.interrupted() {
-            return Err(PaperError::Interrupted);
-        }
-        let run = CaseRun::compute(&job.name, case, &Silent(telling))?;
-        telling.finished(&job.name);
-        Ok(run)
-    };
-    let slots: Vec<OnceLock<Result<CaseRun, PaperError>>> = jobs.iter().map(|_| OnceLock::new()).collect();
-    let next = AtomicUsize::new(0);
-    rayon::scope(|scope| {
-        for _ in 0..rayon::current_num_threads() {
-            scope.spawn(|_| {
-                // The order in which runs are taken up does not show in them.
-                while let Some(i) = take(&next, jobs.len()) {
-                    let _ = slots[i].set(compute(&jobs[i], &cases[i]));
-                }
-            });
-        }
-    });
-    slots.into_iter().map(|slot| slot.into_inner().unwrap_or(Err(PaperError::Interrupted))).collect()
-}
-
-/// The next of `count` places, while there is one.
-fn take(next: &AtomicUsize, count: usize) -> Option<usize> {
-    Some(next.fetch_add(1, Ordering::Relaxed)).filter(|place| *place < count)
-}
-
-/// Passes on whether to stop; the progress within a run is nobody's business.
-struct Silent<'a>(&'a dyn Telling);
-
-impl Watch for Silent<'_> {
-    fn progress(&self, _: f64) {}
-
-    fn interrupted(&self) -> bool {
-        self.0.interrupted()
+/// The rails that Figs 21 to 23 show or carry.
+fn rolled_rails(figures: &[u8]) -> Result<Vec<(Steel, StabilisedRail)>, PaperError> {
+    if !figures.iter().any(|figure| (21..=23).contains(figure)) {
+        return Ok(Vec::new());
     }
+    let case = Case::parse(TABLE_1.text, TABLE_1.name, Path::new(""))?;
+    STEELS.iter().map(|steel| Ok((*steel, steel.rolled(&case)?))).collect()
 }
 
 /// Writes every case with the tables that cases name, and reads it as a user's.
-fn write_cases(folder: &Path, jobs: &[Job]) -> Result<Vec<Case>, PaperError> {
+fn write_cases(
+    folder: &Path,
+    jobs: &[Job],
+    rolled: &[(Steel, StabilisedRail)],
+) -> Result<Vec<Case>, PaperError> {
     let cases = folder.join("cases");
     make(&cases)?;
     write(&cases.join(FIG_21.name), FIG_21.text)?;
+    for (steel, rail) in rolled {
+        write(&cases.join(steel.profile_file()), &steel.profile_table(rail))?;
+    }
     jobs.iter()
         .map(|job| {
             let path = cases.join(format!("{}.toml", job.name));
@@ -179,10 +178,13 @@ fn write_cases(folder: &Path, jobs: &[Job]) -> Result<Vec<Case>, PaperError> {
 }
 
 /// Fig. 21: its table is read like that of a case.
-fn stress_profiles(folder: &Path) -> Result<Vec<StressProfile>, PaperError> {
+fn stress_profiles(
+    folder: &Path,
+    rolled: &[(Steel, StabilisedRail)],
+) -> Result<Vec<StressProfile>, PaperError> {
     let case = Case::parse(FIG_22.text, FIG_22.name, &folder.join("cases"))?;
     let Some(given) = &case.residual_stress else { return Ok(Vec::new()) };
-    Ok(profile_plot::profiles(&case, given.profile())?)
+    Ok(profile_plot::profiles(given.profile(), rolled))
 }
 
 fn write_figures(

@@ -2,6 +2,7 @@
 
 use super::curve::Curve;
 use super::edit::Edit;
+use super::steel::{STEELS, Steel};
 
 /// Which way the wheel runs with respect to the cracks of 15°, which lean towards +x as they go down.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -65,6 +66,8 @@ pub(super) enum Twist {
     FaceFriction(f64),
     /// Fig. 21 read as the plastic stress, which is still to be balanced.
     PlasticStress,
+    /// The residual stress that rolling leaves in this steel instead of Fig. 21.
+    Rolled(&'static Steel),
     Young(f64),
 }
 
@@ -80,10 +83,13 @@ const ALL: &[u8] = &[13, 14, 15, 16, 17, 18, 19, 20, 22, 23, 24, 25, 27, 28, 29,
 /// K of the single crack, and the paths with that of the reference case among them.
 const FEW: &[u8] = &[13, 17, 19, 20, 22];
 /// Those of the single crack.
-const SINGLE: &[u8] = &[13, 14, 15, 16, 17, 18, 19, 20, 22, 23];
-/// In a block, networks grow too slowly.
-const GROWN: &[u8] = &[16, 18, 20, 23];
-const DRAGGED: &[u8] = &[14, 15, 16, 17, 18, 19, 20];
+/// Without the paths of Fig. 20: under a thin ligament a fixed step costs thousands of iterations.
+const SINGLE: &[u8] = &[13, 14, 15, 16, 17, 18, 19, 22, 23];
+/// Paths of the single crack. With the stress of Fig. 21 and negative k1 counted the crack turns back under a ligament so thin that its contact
+/// takes hours.
+const GROWN: &[u8] = &[16, 18, 20];
+/// Those that friction of the wheel drives, and K for the inclination.
+const DRAGGED: &[u8] = &[14, 15, 16, 17, 18, 19];
 
 impl Setup {
     /// The text of the case of `curve` in this set-up.
@@ -113,11 +119,16 @@ impl Setup {
             }
             Twist::Direction(criterion) => edits.push(Edit::text("growth", "direction", criterion)),
             Twist::FaceFriction(friction) => edits.push(Edit::number("crack", "friction", friction)),
+            Twist::Rolled(steel) => {
+                edits.push(Edit::text("residual_stress", "profile", &steel.profile_file()))
+            }
             Twist::Young(modulus) => edits.push(Edit::number("rail", "young_modulus_mpa", modulus)),
         }
         if stage == Stage::Initial {
             edits.push(Edit::integer("growth", "steps", 0));
         }
+        // No figure shows fields, and one costs as much as a growth step.
+        edits.push(Edit::integer("output", "fields_every", 0));
         let text = match self.twist {
             Twist::PlasticStress => curve.file.text.replace("[residual_stress]", "[plastic_stress]"),
             _ => curve.file.text.to_owned(),
@@ -125,23 +136,36 @@ impl Setup {
         edits.iter().fold(text, |text, edit| edit.apply(&text))
     }
 
+    /// Whether its load steps are fixed.
+    pub(super) fn has_fixed_steps(&self) -> bool {
+        matches!(self.twist, Twist::FixedSteps(_))
+    }
+
+    /// Whether it changes K of an initial crack without stress.
+    pub(super) fn changes_k(&self) -> bool {
+        !matches!(self.twist, Twist::Direction(_) | Twist::PlasticStress | Twist::Rolled(_))
+    }
+
     /// Whether the cracks of `curve` grow in this set-up.
     pub(super) fn grows(&self, curve: &Curve) -> bool {
-        let network = matches!(curve.name, "nine" | "nine-stress" | "pair");
-        match self.extent {
-            Extent::Growth => !(network && matches!(self.body, Body::Block { .. })),
-            Extent::ReferenceGrowth => curve.name == "reference",
-            Extent::Initial => false,
+        if matches!(curve.name, "nine" | "nine-stress" | "pair") && matches!(self.body, Body::Block { .. }) {
+            return false;
+        }
+        match (self.extent, self.twist) {
+            // Each crack alone is there for its K.
+            (Extent::Growth, Twist::FaceFriction(_)) => curve.name == "pair",
+            (Extent::Growth, _) => true,
+            (Extent::ReferenceGrowth, _) => curve.name == "reference",
+            (Extent::Initial, _) => false,
         }
     }
 
     /// Whether `curve` is another case here than in the set-up that this one varies.
     pub(super) fn concerns(&self, curve: &Curve) -> bool {
         match self.twist {
-            Twist::PlasticStress => {
+            Twist::PlasticStress | Twist::Rolled(_) => {
                 matches!(curve.name, "stress" | "nine-stress" | "one-stress" | "reference")
             }
-            Twist::Direction(_) if self.extent == Extent::ReferenceGrowth => curve.name == "reference",
             _ => true,
         }
     }
@@ -190,18 +214,20 @@ pub static SETUPS: &[Setup] = both_ways![
     ("half-plane", "half-plane, dislocations", Growth, ALL, None, 1.0, Body::HalfPlane, Twist::None),
     ("block", "block, bottom clamped, sides free, finite elements", Growth, ALL, None, 1.0, BLOCK, Twist::None),
     ("half-plane xfem", "half-plane, finite elements", ReferenceGrowth, FEW, Some(Main::HalfPlane), 1.0, Body::HalfPlaneXfem, Twist::None),
-    ("sides on rollers", "block, bottom clamped, sides on rollers", ReferenceGrowth, FEW, Some(Main::Block), 1.0, Body::Block { bottom: "clamped", sides: "rollers" }, Twist::None),
-    ("sides clamped", "block, bottom and sides clamped", ReferenceGrowth, FEW, Some(Main::Block), 1.0, Body::Block { bottom: "clamped", sides: "clamped" }, Twist::None),
-    ("bottom on rollers", "block, bottom on rollers, sides free", ReferenceGrowth, FEW, Some(Main::Block), 1.0, Body::Block { bottom: "rollers", sides: "free" }, Twist::None),
-    ("all on rollers", "block, bottom and sides on rollers", ReferenceGrowth, FEW, Some(Main::Block), 1.0, Body::Block { bottom: "rollers", sides: "rollers" }, Twist::None),
+    ("sides on rollers", "block, bottom clamped, sides on rollers", Initial, FEW, Some(Main::Block), 1.0, Body::Block { bottom: "clamped", sides: "rollers" }, Twist::None),
+    ("sides clamped", "block, bottom and sides clamped", Initial, FEW, Some(Main::Block), 1.0, Body::Block { bottom: "clamped", sides: "clamped" }, Twist::None),
+    ("bottom on rollers", "block, bottom on rollers, sides free", Initial, FEW, Some(Main::Block), 1.0, Body::Block { bottom: "rollers", sides: "free" }, Twist::None),
+    ("all on rollers", "block, bottom and sides on rollers", Initial, FEW, Some(Main::Block), 1.0, Body::Block { bottom: "rollers", sides: "rollers" }, Twist::None),
     ("drag reversed", "half-plane, positive friction drags the rail against the travel", Growth, DRAGGED, Some(Main::HalfPlane), -1.0, Body::HalfPlane, Twist::None),
     ("block, drag reversed", "block, positive friction drags the rail against the travel", Growth, &[14, 15, 16], Some(Main::Block), -1.0, BLOCK, Twist::None),
     ("steps 0.1 a", "half-plane, fixed load steps of 0.1 a", Growth, SINGLE, Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::FixedSteps(120)),
     ("steps 0.05 a", "half-plane, fixed load steps of 0.05 a", Growth, SINGLE, Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::FixedSteps(240)),
     ("unclipped", "half-plane, negative k1 counted in the direction", Growth, GROWN, Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::Direction("max-rate-unclipped")),
-    ("block, unclipped", "block, negative k1 counted in the direction", ReferenceGrowth, &[18, 20], Some(Main::Block), 1.0, BLOCK, Twist::Direction("max-rate-unclipped")),
+    ("block, unclipped", "block, negative k1 counted in the direction", Growth, &[18], Some(Main::Block), 1.0, BLOCK, Twist::Direction("max-rate-unclipped")),
     ("Fig. 21 plastic", "half-plane, Fig. 21 read as plastic stress before the balance", Growth, &[22, 23], Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::PlasticStress),
     ("block, Fig. 21 plastic", "block, Fig. 21 read as plastic stress before the balance", Growth, &[22, 23], Some(Main::Block), 1.0, BLOCK, Twist::PlasticStress),
+    ("rolled 430 MPa", "half-plane, the residual stress that rolling leaves at a yield stress of 430 MPa and C = 20 GPa instead of Fig. 21", Growth, &[22, 23], Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::Rolled(&STEELS[1])),
+    ("rolled 380 MPa", "half-plane, the residual stress that rolling leaves at a yield stress of 380 MPa and C = 20 GPa instead of Fig. 21", Growth, &[22, 23], Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::Rolled(&STEELS[2])),
     ("faces 0.01", "half-plane, friction of the faces 0.01 as in the captions of Figs 24 and 25", Growth, &[24, 25], Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::FaceFriction(0.01)),
     ("block, faces 0.01", "block, friction of the faces 0.01 as in the captions of Figs 24 and 25", Growth, &[24, 25], Some(Main::Block), 1.0, BLOCK, Twist::FaceFriction(0.01)),
     ("E 70 GPa", "half-plane, Young's modulus a third", Initial, &[13, 19, 24], Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::Young(70e3)),

@@ -91,21 +91,11 @@ fn lines<'a>(figure: &Figure, r: SetupResults<'a>) -> Vec<Line<'a>> {
                 place += 1;
                 colour
             };
-            let words =
-                if count > 1 { format!("crack {}", i + 1) } else { alone(curve.name, curve.legend, figure) };
+            let words = if count > 1 { format!("crack {}", i + 1) } else { figure.words(curve).to_owned() };
             lines.push(Line { words, colour, crack, dashes });
         }
     }
     lines
-}
-
-/// The words of a single crack beside a network.
-fn alone(name: &str, legend: &str, figure: &Figure) -> String {
-    match (figure.number, name) {
-        (24, "reference") => "crack 1 alone".into(),
-        (27 | 29, _) => "one crack".into(),
-        _ => legend.to_owned(),
-    }
 }
 
 fn panel(svg: &mut Svg, [column, row]: [usize; 2], lines: &[Line], all: &[Vec<Line>; 2]) {

@@ -4,6 +4,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod closed_kink;
 mod closed_tip;
 mod collinear_cracks;
 mod contact_pressure;

@@ -1,6 +1,7 @@
 //! Sections 5.5.2 and 5.5.3: nine parallel cracks.
 
 use crate::paper::path_shape::{PathShape, Side};
+use crate::paper::setup::Travel;
 use crate::paper::{Claim, CrackGrowth, Decision, SetupResults};
 
 const NAMES: [&str; 9] = ["1", "2", "3", "4", "5", "6", "7", "8", "9"];
@@ -166,7 +167,7 @@ pub(super) const NINE_WITH_STRESS: &[Claim] = &[
             let top = top(&r.run("nine-stress")?.cracks[8]);
             Some(Decision::of(top > 0.1).with("max K_I", top))
         },
-        why: "In the half-plane one crack opens, the one that the wheel meets first where the cracks lean against the travel. That is crack 9.",
+        why: "Against the travel crack 9 is the one that the wheel meets first.",
     },
     Claim {
         id: "5.5.3-range",
@@ -187,11 +188,14 @@ pub(super) const NINE_WITH_STRESS: &[Claim] = &[
         id: "5.5.3-parallel",
         place: "5.5.3, Fig. 30",
         figures: &[30],
-        statement: "All cracks branch and run parallel to the surface.",
-        rule: "all nine paths branch, and from there run within 10\u{b0} of the surface's direction",
+        statement: "All cracks branch and run parallel to the surface, in the direction of the moving load.",
+        rule: "all nine paths branch, and from there run within 10\u{b0} of the surface's direction, along the travel",
         decide: |r| {
             let paths = paths(r, "nine-stress")?;
-            Some(with_paths(Decision::of(paths.iter().all(PathShape::runs_parallel)), &paths))
+            let travel = if r.setup().travel == Travel::With { 1.0 } else { -1.0 };
+            let along = |path: &PathShape| path.along_after.is_some_and(|way| way * travel > 0.0);
+            let holds = paths.iter().all(|path| path.runs_parallel() && along(path));
+            Some(with_paths(Decision::of(holds), &paths))
         },
         why: "",
     },

@@ -15,7 +15,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             let (with, without) = (top("stress")?, top("reference")?);
             Some(Decision::of(with <= 0.1).with("max K_I", with).with("without", without))
         },
-        why: "",
+        why: "In the half-plane it is closed without the stress as well.",
     },
     Claim {
         id: "5.4-range",
@@ -28,7 +28,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             let (with, without) = (range("stress")?, range("reference")?);
             Some(Decision::of(with < without).with("\u{394}K_II with", with).with("without", without))
         },
-        why: "",
+        why: "What rolling leaves in the steels of the variants lies deeper than the tip, and changes nothing yet.",
     },
     Claim {
         id: "5.4-rate",
@@ -62,7 +62,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             let decision = Decision::of(with > without).with("branches in increment, with", with as f64);
             Some(decision.with("without", without as f64))
         },
-        why: "",
+        why: "With the stress the crack turns up in the first increment in all four.",
     },
     Claim {
         id: "5.4-up",

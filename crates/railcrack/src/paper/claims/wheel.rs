@@ -43,8 +43,8 @@ fn adds_or_subtracts(r: SetupResults, which: usize) -> Option<Decision> {
     let [up_driving, down_driving] = rise_and_fall(of("wheel-0.025")?, of("wheel-0.4")?, which);
     let share = 0.05 * of("wheel+0.4")?.peak();
     let both = [up, -down, up_driving, -down_driving].iter().filter(|change| **change >= share).count();
-    let decision = Decision::of(both >= 3).with("rise +", up).with("fall +", down);
-    Some(decision.with("rise \u{2212}", up_driving).with("fall \u{2212}", down_driving))
+    let decision = Decision::of(both >= 3).with("braking rises", up).with("falls", down);
+    Some(decision.with("driving rises", up_driving).with("falls", down_driving))
 }
 
 fn sides(r: SetupResults, braking: Side, driving: Side) -> Option<Decision> {
@@ -69,7 +69,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "5.1-opening",
         place: "5.1, Figs 14a, 15a",
         figures: &[14, 15],
-        statement: "Either sign of the wheel's friction opens the crack, at different positions.",
+        statement: "So they do in the opening: it depends on sign and position, and either sign opens the crack somewhere else.",
         rule: "max K_I at +0.4 and at \u{2212}0.4 >= 1 MPa\u{221a}m, positions >= a apart",
         decide: |r| {
             let top = |curve: &str| {
@@ -91,7 +91,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "More friction of a braking wheel widens the range of K_II.",
         rule: "\u{394}K_II rises from 0.025 to 0.1 to 0.4",
         decide: |r| widens(r, BRAKING),
-        why: "In the half-plane, along the travel, a little drag first takes away from the shear that the pressure alone brings: the range at 0.1 is the smallest. Against the travel the drag adds from the beginning.",
+        why: "Along the travel a little drag first takes away from the shear that the pressure alone brings: the range at 0.1 is the smallest. Against the travel the drag adds from the beginning.",
     },
     Claim {
         id: "5.1-range-driving",
@@ -100,7 +100,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "More friction of a driven wheel widens the range of K_II.",
         rule: "\u{394}K_II rises from \u{2212}0.025 to \u{2212}0.1 to \u{2212}0.4",
         decide: |r| widens(r, DRIVING),
-        why: "The mirror image of the row above: here it is against the travel that the range at \u{2212}0.1 is the smallest.",
+        why: "The other way round: against the travel it is the range at \u{2212}0.1 that is the smallest.",
     },
     Claim {
         id: "5.1-earlier-braking",
@@ -109,7 +109,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "More friction of a braking wheel makes the crack branch earlier.",
         rule: "first increment > 20\u{b0} off the initial line: not later from 0.025 to 0.1 to 0.4, and earlier at 0.4",
         decide: |r| branches_earlier(r, BRAKING),
-        why: "",
+        why: "Against the travel the crack turns up in the first increment at any friction.",
     },
     Claim {
         id: "5.1-earlier-driving",
@@ -118,7 +118,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "More friction of a driven wheel makes the crack branch earlier.",
         rule: "as above, from \u{2212}0.025 to \u{2212}0.1 to \u{2212}0.4",
         decide: |r| branches_earlier(r, DRIVING),
-        why: "",
+        why: "At \u{2212}0.4 the crack branches earlier than at \u{2212}0.1 everywhere; from \u{2212}0.025 to \u{2212}0.1 it branches later, except along the travel in the half-plane, where neither branches.",
     },
     Claim {
         id: "5.1-sides-caption",
@@ -127,7 +127,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "Braking turns the crack up, driving down (caption and text of Fig. 16 read together).",
         rule: "at +0.4 the path branches up, at \u{2212}0.4 down",
         decide: |r| sides(r, Side::Up, Side::Down),
-        why: "In the half-plane, against the travel, it is as the caption says, and with the drag reversed as the conclusion says: the two differ by the sign of the friction.",
+        why: "Against the travel it is as the caption says, and with the drag reversed as the conclusion says: the two differ by the sign of the friction. Along the travel both turn down.",
     },
     Claim {
         id: "5.1-sides-conclusion",
