@@ -9,8 +9,8 @@ use std::path::PathBuf;
 
 /// Build plots and HTML report of a folder again, from its files alone
 ///
-/// The folder is that of a run, of a plastic state or of a comparison. What these commands wrote is built again bit for bit;
-/// of a run that was interrupted, the finished steps are shown.
+/// The folder is that of a run, of a plastic state, of a comparison, of a study or of the paper. What these commands wrote is built again
+/// bit for bit; of a run that was interrupted, the finished steps are shown, and of a study the runs that are there.
 #[derive(Debug, Args)]
 pub struct ReportArguments {
     /// The folder
@@ -26,6 +26,8 @@ pub fn report(arguments: &ReportArguments) -> Result<Exit, Failure> {
         FolderKind::Run => "run",
         FolderKind::Shakedown => "plastic state",
         FolderKind::Comparison => "comparison",
+        FolderKind::Study => "study",
+        FolderKind::Paper => "paper",
     };
     print::stdout(&format!("report of the {what} in {}\n", folder.join("report.html").display()))?;
     Ok(Exit::Done)

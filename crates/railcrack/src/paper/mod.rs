@@ -16,6 +16,7 @@ mod path_plot;
 mod path_shape;
 mod plan;
 mod profile_plot;
+mod record;
 mod reproduce;
 mod results;
 mod setup;

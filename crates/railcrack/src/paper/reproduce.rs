@@ -4,10 +4,12 @@ use super::figure::{Figure, Kind};
 use super::files::{FIG_21, FIG_22};
 use super::plan::{Job, plan};
 use super::profile_plot::{self, StressProfile};
+use super::record::record;
 use super::{CLAIMS, CaseRun, FIGURES, Results, Verdict, page, path_plot, sif_plot};
 use crate::case::{CarriedStressError, Case, CaseErrors};
 use crate::growth::{GrowthError, Watch};
 use crate::output::OutputError;
+use crate::output::report::rebuild_report;
 use crate::shakedown::ShakedownError;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -82,7 +84,7 @@ pub enum PaperError {
 const PAGE: &str = "paper.md";
 
 /// Computes what `figures` need and writes to `folder`: `cases/` (every case file that was run), `figures/` (a picture and a
-/// table each), `claims.csv` and `paper.md`. Runs go to the threads of rayon; the files do not depend on their number.
+/// table each), `claims.csv`, `paper.md`, `statements.json` and `report.html`. Runs go to the threads of rayon; the files do not depend on their number.
 ///
 /// Errors: the folder holds such results and may not be replaced; a case cannot be computed at all; the system refuses; `telling`
 /// asks to stop.
@@ -120,6 +122,8 @@ pub fn reproduce(
     let page_path = folder.join(PAGE);
     let text = page::page(figures, &results, &verdicts, profiles.as_deref(), &failures, jobs.len());
     write(&page_path, &text)?;
+    record(figures, &results, &verdicts, &failures, jobs.len()).write(folder)?;
+    rebuild_report(folder)?;
     Ok(Reproduction { results, verdicts, failures, runs: jobs.len(), page: page_path })
 }
 
