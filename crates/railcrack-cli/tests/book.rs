@@ -151,7 +151,11 @@ fn run_block(place: &Place, block: &Block) -> Result<(), String> {
     if let Some(name) = file_name(block) {
         let path = place.folder.join(name);
         fs::write(&path, &block.text).unwrap();
-        return if block.language == "toml" { succeed(place, &format!("railcrack check {name}")) } else { Ok(()) };
+        return if block.language == "toml" {
+            succeed(place, &format!("railcrack check {name}"))
+        } else {
+            Ok(())
+        };
     }
     match block.language.as_str() {
         // The reader's own test has fragments of cases.

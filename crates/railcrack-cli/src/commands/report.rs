@@ -2,7 +2,7 @@
 
 use crate::drive::RunError;
 use crate::exit::{Exit, Failure};
-use crate::print;
+use crate::{png, print};
 use clap::Args;
 use railcrack::output::report::{FolderKind, rebuild_report};
 use std::path::PathBuf;
@@ -16,6 +16,9 @@ pub struct ReportArguments {
     /// The folder
     #[arg(value_name = "DIR")]
     pub folder: PathBuf,
+    /// Draw every plot as a PNG file, too
+    #[arg(long)]
+    pub png: bool,
 }
 
 /// Builds the report and says where it is.
@@ -29,6 +32,10 @@ pub fn report(arguments: &ReportArguments) -> Result<Exit, Failure> {
         FolderKind::Study => "study",
         FolderKind::Paper => "paper",
     };
-    print::stdout(&format!("report of the {what} in {}\n", folder.join("report.html").display()))?;
+    let mut text = format!("report of the {what} in {}\n", folder.join("report.html").display());
+    if arguments.png {
+        text.push_str(&format!("{} plots as PNG beside their SVG files\n", png::write_beside_plots(folder)?));
+    }
+    print::stdout(&text)?;
     Ok(Exit::Done)
 }

@@ -8,8 +8,6 @@ use std::process::{Command, Output};
 
 /// A quick case: few positions, few elements, frictional faces, a kink in the path.
 pub const QUICK_CASE: &str = r#"
-title = "Quick"
-
 [contact]
 peak_pressure_mpa = 845.0
 half_width_mm = 6.75
@@ -29,9 +27,6 @@ interface_elements = 16
 
 [growth]
 steps = 2
-
-[solver]
-engine = "dislocation"
 "#;
 
 /// An empty folder for the test `name` of the file `tests`.
@@ -76,4 +71,34 @@ pub fn stdout(output: &Output) -> String {
 /// Standard error.
 pub fn stderr(output: &Output) -> String {
     String::from_utf8(output.stderr.clone()).unwrap()
+}
+
+/// The text of a file.
+#[track_caller]
+pub fn read(path: &Path) -> String {
+    std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+/// The fields of the column `name` of a table. None of its fields has a comma.
+#[track_caller]
+pub fn column(path: &Path, name: &str) -> Vec<String> {
+    let text = read(path);
+    let mut lines = text.lines().filter(|line| !line.starts_with('#'));
+    let at = lines.next().unwrap().split(',').position(|column| column == name).unwrap();
+    lines.map(|line| line.split(',').nth(at).unwrap().to_owned()).collect()
+}
+
+/// The numbers of the column `name` of a table; empty fields are left out.
+#[track_caller]
+pub fn numbers(path: &Path, name: &str) -> Vec<f64> {
+    column(path, name).iter().filter_map(|field| field.parse().ok()).collect()
+}
+
+/// The names of what is in `folder`, in order.
+pub fn names(folder: &Path) -> Vec<String> {
+    let entries = std::fs::read_dir(folder).unwrap();
+    let mut names: Vec<String> =
+        entries.map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned()).collect();
+    names.sort();
+    names
 }

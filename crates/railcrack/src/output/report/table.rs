@@ -117,9 +117,10 @@ pub(crate) const MISSING: &str = "\u{2013}";
 
 /// Whether a cell holds nothing but a number, or says that there is none: such cells are aligned at their right.
 fn is_number(cell: &str) -> bool {
+    let digits = cell.trim_start_matches(['\u{2212}', '-']);
     cell == MISSING
-        || cell.starts_with(|letter: char| letter.is_ascii_digit() || letter == '\u{2212}')
-            && cell.chars().all(|letter| letter.is_ascii_digit() || "\u{2212}\u{a0}.e+ ".contains(letter))
+        || digits.starts_with(|letter: char| letter.is_ascii_digit())
+            && digits.chars().all(|letter| letter.is_ascii_digit() || "\u{2212}-\u{a0}.e+ ".contains(letter))
 }
 
 #[cfg(test)]
@@ -137,6 +138,14 @@ mod tests {
             page.contains("<tr><th scope=\"row\">&lt;b&gt;</th><td class=\"number\">\u{2212}1.5</td>"),
             "{page}"
         );
+    }
+
+    #[test]
+    fn numbers_are_told_from_words() {
+        assert!(
+            ["0", "-0.1", "1e-6", "\u{2212}2.5e\u{2212}4", "1\u{a0}197", MISSING].into_iter().all(is_number)
+        );
+        assert!(!["", "-", "6.00 \u{2192} 8.21", "spall", "0 to 1.70"].into_iter().any(is_number));
     }
 
     #[test]

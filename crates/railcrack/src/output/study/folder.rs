@@ -2,7 +2,7 @@
 
 use super::outcome::{OUTCOME_FILE, Outcome};
 use super::plan::{PlannedRun, StudyPlan};
-use crate::output::folder::{clear_run, read_if_there, remove, run_file_in};
+use crate::output::folder::{clear_run, read_if_there, remove, run_file_in, run_file_in_study};
 use crate::output::{CaseFiles, OutputError, Recorder};
 use std::path::{Path, PathBuf};
 use std::time::{SystemTime, UNIX_EPOCH};
@@ -87,7 +87,8 @@ impl StudyFolder {
     }
 
     fn may_enter(&self, stored: Option<&StudyPlan>, entry: Entry) -> Result<(), OutputError> {
-        if let (Some(file), false) = (run_file_in(&self.path), entry == Entry::Replace) {
+        let of_run = if stored.is_some() { run_file_in_study(&self.path) } else { run_file_in(&self.path) };
+        if let (Some(file), false) = (of_run, entry == Entry::Replace) {
             return Err(OutputError::HoldsRun { folder: self.path.clone(), file });
         }
         if let (Some(stored), false) = (stored, matches!(entry, Entry::Replace | Entry::Begin))

@@ -265,7 +265,7 @@ const railcrack = (() => {
           data.equal && data.y.scale === "depth" ? Plot.ruleY([0], { stroke: "var(--ink)", strokeWidth: 2 }) : null,
           ...["x", "y"].flatMap((name) => (log[name] && all.length ? logarithmicAxis(name, data[name].title, d3.extent(all, (point) => point[name])) : [])),
           ...marks,
-          Plot.tip(under, Plot.pointer({ x: "x", y: "y", title, fill: "var(--ground)", fontSize: 12 })),
+          Plot.tip(under, Plot.pointer({ x: "x", y: "y", title, fill: "var(--ground)", fontSize: 12, lineWidth: 32 })),
         ],
       });
       self.svg = typeset(svg);

@@ -195,6 +195,7 @@ pub(super) fn warnings(all: &[StudyRun]) -> Vec<String> {
             "near-tie" => "Near ties of directions: read the path as one of several",
             "passages" => "Passages did not repeat within their limit",
             "contact-fallback" => "The other contact solver took over",
+            "substeps" => "Load steps at their limit",
             "engine" => "The engine remarks on something",
             "residual-stress" => "Remarks on the residual stress",
             other => other,
