@@ -186,24 +186,3 @@ fn column(table: &[Vec<String>], name: &str) -> Vec<String> {
     let at = table[0].iter().position(|column| column == name).unwrap_or_else(|| panic!("no column {name}"));
     table[1..].iter().map(|row| row[at].clone()).collect()
 }
-
-#[test]
-fn load_steps_at_their_limit_are_told() {
-    let folder = workplace("limit");
-    let warnings = |out: &str| -> Vec<String> {
-        let text = common::read(&folder.join(out).join("summary.json"));
-        let summary: serde_json::Value = serde_json::from_str(&text).unwrap();
-        let kinds = summary["warnings"].as_array().unwrap().iter();
-        kinds.map(|warning| warning["kind"].as_str().unwrap().to_owned()).collect()
-    };
-    let line = ["--engine", "dislocation", "--steps", "0", "--quiet"];
-    assert_eq!(run(&folder, &[&line[..], &["--out", "usual"]].concat()).status.code(), Some(0));
-    assert!(!warnings("usual").contains(&"substeps".to_owned()), "{:?}", warnings("usual"));
-    // A tolerance that round-off does not allow.
-    let strict = case().replace("positions = 61", "positions = 11\nstep_tolerance = 1e-12");
-    fs::write(folder.join("case.toml"), strict).unwrap();
-    assert_eq!(run(&folder, &[&line[..], &["--out", "strict"]].concat()).status.code(), Some(0));
-    assert!(warnings("strict").contains(&"substeps".to_owned()), "{:?}", warnings("strict"));
-    let page = common::read(&folder.join("strict/report.html"));
-    assert!(page.contains("Load steps at their limit. Step 0: "), "not in the report");
-}

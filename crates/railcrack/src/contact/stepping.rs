@@ -42,8 +42,6 @@ pub enum SteppingError {
 pub struct SteppingCounts {
     /// Accepted steps that end between stations.
     pub substeps: usize,
-    /// Accepted steps that would have been cut were they not the smallest already: locked slip is then known to less than the tolerance.
-    pub at_limit: usize,
     /// Contact solutions, rejected ones included.
     pub solves: usize,
     /// Contact iterations of all solutions.
@@ -201,14 +199,9 @@ impl<'a> Stepper<'a> {
         let forecasts = self.foresee(&load, step);
         let events = forecasts.iter().enumerate().filter(|(j, _)| self.problem.friction(*j) > 0.0);
         let wishes = events.filter_map(|(j, forecast)| forecast.cut(self.allowed(j), step));
-        match (wishes.reduce(shortest), cutting) {
-            (Some(shorter), Cutting::Allowed) => {
-                self.faces.restore();
-                return Ok(Some(shorter));
-            }
-            // A fixed step is not cut because nobody wants it to be.
-            (Some(_), Cutting::Over) if self.control == StepControl::Adaptive => self.counts.at_limit += 1,
-            _ => {}
+        if let (Some(shorter), Cutting::Allowed) = (wishes.reduce(shortest), cutting) {
+            self.faces.restore();
+            return Ok(Some(shorter));
         }
         let reference_slip: Vec<f64> = match self.control {
             StepControl::Adaptive => forecasts.iter().map(|f| f.slip).collect(),

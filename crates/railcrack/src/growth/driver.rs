@@ -180,7 +180,6 @@ impl Growth {
             warnings.extend(self.near_tie(tip));
         }
         warnings.extend(self.unrepeated(&passage));
-        warnings.extend(self.uncut(&passage));
         let drives: Vec<TipDrive> = tips.iter().map(|tip| self.drive(tip)).collect();
         let way = advance(
             &StepState {
@@ -336,17 +335,6 @@ impl Growth {
             rival.to_degrees()
         );
         Some(Warning { step: self.state.step, kind: "near-tie".into(), text })
-    }
-
-    fn uncut(&self, passage: &StabilisedPassage) -> Option<Warning> {
-        let count = passage.counts.substeps_at_limit;
-        (count > 0).then(|| Warning {
-            step: self.state.step,
-            kind: "substeps".into(),
-            text: format!(
-                "{count} load steps are as small as they may be and change K by more than step_tolerance; locked slip is less certain"
-            ),
-        })
     }
 
     fn unrepeated(&self, passage: &StabilisedPassage) -> Option<Warning> {

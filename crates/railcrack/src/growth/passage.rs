@@ -255,7 +255,6 @@ impl Wheel<'_> {
         SolverCounts {
             passages,
             substeps: effort.substeps + self.edge_steps,
-            substeps_at_limit: effort.at_limit,
             solves: effort.solves,
             iterations: effort.iterations,
             iterations_max: effort.iterations_max,

@@ -178,8 +178,6 @@ pub struct SolverCounts {
     pub passages: usize,
     /// Load steps between output positions, beyond the one that each position needs.
     pub substeps: usize,
-    /// Those of them that should have been cut further and could not.
-    pub substeps_at_limit: usize,
     /// Contact solutions.
     pub solves: usize,
     /// Contact iterations, all solutions together.

@@ -33,3 +33,50 @@ pub(crate) fn cycles_to<R: Borrow<TipRow>>(rows: &[R], length: f64) -> Option<f6
     let part = (length - from.length) / (to.length - from.length);
     Some(from.load_cycles + part * (to.load_cycles - from.load_cycles))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn row(step: usize, crack: usize, length: f64, delta_keq: f64) -> TipRow {
+        TipRow {
+            step,
+            crack,
+            tip: 1,
+            place: [0.0, 0.0],
+            length,
+            ki_max: 0.0,
+            delta_ki: 0.0,
+            delta_kii: 0.0,
+            delta_keq,
+            kink_deg: None,
+            rival_deg: None,
+            rival_ratio: None,
+            increment: 0.0,
+            rate: 0.0,
+            load_cycles: 100.0 * step as f64,
+            stop: String::new(),
+        }
+    }
+
+    #[test]
+    fn the_crack_that_grew_most_stands_for_the_run() {
+        let growth = [row(0, 1, 6.0, 9.0), row(0, 2, 3.0, 1.0), row(1, 1, 6.1, 9.0), row(1, 2, 3.2, 1.0)];
+        let leader = leading_tip(&growth).unwrap();
+        assert_eq!(leader.iter().map(|row| (row.step, row.crack)).collect::<Vec<_>>(), [(0, 2), (1, 2)]);
+        // Without growth the one that is loaded most, then the first.
+        assert_eq!(leading_tip(&growth[..2]).unwrap()[0].crack, 1);
+        assert_eq!(leading_tip(&[row(0, 1, 6.0, 1.0), row(0, 2, 3.0, 1.0)]).unwrap()[0].crack, 1);
+        assert!(leading_tip(&[]).is_none());
+    }
+
+    #[test]
+    fn cycles_are_linear_in_the_length_between_steps() {
+        let rows = [row(0, 1, 6.0, 1.0), row(1, 1, 6.4, 1.0), row(2, 1, 7.2, 1.0)];
+        for (length, cycles) in [(6.8, 150.0), (7.2, 200.0)] {
+            let found = cycles_to(&rows, length).unwrap();
+            assert!((found - cycles).abs() < 1e-9, "{length} mm: {found}");
+        }
+        assert_eq!([cycles_to(&rows, 6.0), cycles_to(&rows, 7.3)], [None, None]);
+    }
+}

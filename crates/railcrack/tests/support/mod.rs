@@ -117,7 +117,6 @@ pub fn step(size: Size, step: usize) -> (StepRecord, GrowthState) {
         counts: SolverCounts {
             passages: 2,
             substeps: 300 + step,
-            substeps_at_limit: 0,
             solves: 700 + step,
             iterations: 3 * (700 + step),
             iterations_max: 9,

@@ -19,7 +19,7 @@ use std::sync::{Mutex, PoisonError};
 
 /// Compute the runs of a study: a case file with lists in place of values
 ///
-/// Every run has a run folder of its own; summary.csv has a row per run, plots/ shows all runs together. Runs are computed on all
+/// Every run has a run folder of its own; summary.csv has a row per run, plots/ and report.html show all runs together. Runs are computed on all
 /// cores; a run that fails is reported, and the others go on. An interrupted study keeps what was computed.
 #[derive(Debug, Args)]
 pub struct SweepArguments {

@@ -197,3 +197,32 @@ fn leave_out<'a>(charts: impl Iterator<Item = &'a mut LineChart>) -> Whole {
     }
     whole
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn variants_are_left_out_before_main_set_ups_on_all_charts() {
+        let chart = |setups: &[usize], points: usize| LineChart {
+            curves: setups
+                .iter()
+                .map(|&setup| Curve::line("", vec![[0.0, 0.0]; points]).with_choices(vec![setup]))
+                .collect(),
+            ..LineChart::default()
+        };
+        let shown = |charts: &[LineChart]| -> Vec<Vec<usize>> {
+            charts.iter().map(|chart| chart.curves.iter().map(|curve| curve.choices[0]).collect()).collect()
+        };
+        let mut charts = [chart(&[0, 1, 2], POINTS / 4), chart(&[0, 2], POINTS / 4)];
+        assert_eq!(leave_out(charts.iter_mut()), Whole::No);
+        assert_eq!(shown(&charts), [vec![0, 1], vec![0]]);
+        let mut charts = [chart(&[0, 1, 2], 10)];
+        assert_eq!(leave_out(charts.iter_mut()), Whole::Yes);
+        assert_eq!(shown(&charts), [vec![0, 1, 2]]);
+        // The first set-up is there whatever it takes.
+        let mut charts = [chart(&[0, 1], 2 * POINTS)];
+        leave_out(charts.iter_mut());
+        assert_eq!(shown(&charts), [vec![0]]);
+    }
+}

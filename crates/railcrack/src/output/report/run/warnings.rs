@@ -41,7 +41,6 @@ fn grouped_text(kind: &str, warnings: &[&Warning]) -> String {
         "near-tie" => "Near ties of directions: read the path as one of several",
         "passages" => "Passages did not repeat within their limit",
         "contact-fallback" => "The other contact solver took over",
-        "substeps" => "Load steps at their limit",
         "engine" => "The engine remarks",
         "residual-stress" => "Residual stress",
         other => other,

@@ -166,7 +166,7 @@ pub(super) fn warnings(all: &[StudyRun]) -> Vec<String> {
         texts.push(format!("{} failed: {reason}{dot}", run.name.replacen("run", "Run", 1)));
     }
     if failed.len() > MOST_TOLD {
-        texts.push(format!("{} more runs failed: the table below has them.", failed.len() - MOST_TOLD));
+        texts.push(format!("{} more runs failed: summary.csv has the reasons.", failed.len() - MOST_TOLD));
     }
     let mut list = |heading: &str, runs: Vec<usize>| {
         if !runs.is_empty() {
@@ -195,7 +195,6 @@ pub(super) fn warnings(all: &[StudyRun]) -> Vec<String> {
             "near-tie" => "Near ties of directions: read the path as one of several",
             "passages" => "Passages did not repeat within their limit",
             "contact-fallback" => "The other contact solver took over",
-            "substeps" => "Load steps at their limit",
             "engine" => "The engine remarks on something",
             "residual-stress" => "Remarks on the residual stress",
             other => other,

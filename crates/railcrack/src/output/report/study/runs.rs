@@ -58,7 +58,7 @@ fn cells(plan: &StudyPlan, run: &StudyRun, has_tonnes: bool) -> Vec<Cell> {
     cells.push(run.heading().map_or_else(missing, |heading| heading.word().into()));
     cells.push(match &run.row.state {
         RunState::Done => summary.and_then(|s| s.stop.as_deref()).unwrap_or("").replace('-', " ").into(),
-        RunState::Failed { .. } => "failed, see above".into(),
+        RunState::Failed { .. } => "failed".into(),
         state => state.name().replace('-', " ").into(),
     });
     cells.push(summary.map_or_else(missing, |summary| summary.warnings.len().to_string().into()));
