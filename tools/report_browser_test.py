@@ -110,7 +110,7 @@ def check_page(browser, checks, name, path):
     checks.that(browser.run("document.documentElement.dataset.theme") == "dark", f"{name}: the button changes the theme")
     browser.run("document.getElementById('theme').click()")
     bottom = browser.run("document.querySelector('.facts').getBoundingClientRect().bottom")
-    checks.that(bottom < 900, f"{name}: verdict and facts are on the first screen", bottom)
+    checks.that(bottom < 700, f"{name}: verdict and facts are on the first screen", bottom)
     figures = browser.run("[...document.querySelectorAll('figure')].filter((f) => f.querySelector('.drawing svg') && f.querySelector('.tools')).map((f) => f.id)")
     for figure in figures:
         data = browser.run(f"railcrack.png(document.getElementById({json.dumps(figure)}))")
@@ -128,6 +128,11 @@ def check_page(browser, checks, name, path):
         " + 0.5 * e.parentElement.clientWidth + 10).map((e) => e.textContent.slice(0, 40));"
         " dispatchEvent(new Event('afterprint')); return wide; })()")
     checks.that(not cut, f"{name}: on paper, tables end before what stands beside them", cut)
+    cut = browser.run(
+        "(() => { dispatchEvent(new Event('beforeprint')); const edge = document.body.getBoundingClientRect().right;"
+        " const wide = [...document.querySelectorAll('section > .wide table')].filter((t) => t.getBoundingClientRect().right > edge + 8)"
+        ".map((t) => t.textContent.slice(0, 40)); dispatchEvent(new Event('afterprint')); return wide; })()")
+    checks.that(not cut, f"{name}: on paper, tables end within the page", cut)
     browser.media()
     check_without_scripts(browser, checks, name, path)
 
@@ -138,7 +143,7 @@ def check_without_scripts(browser, checks, name, path):
     document = browser.send("DOM.getDocument", depth=0)["root"]["nodeId"]
     count = lambda selector: len(browser.send("DOM.querySelectorAll", nodeId=document, selector=selector)["nodeIds"])
     checks.that(count(".verdict") == 1 and count(".facts div") > 2, f"{name}: without scripts the result is there")
-    checks.that(count("noscript img, .picture img") > 0 or count("#explorer") == 0, f"{name}: without scripts there are pictures")
+    checks.that(count("noscript img, .picture img") > 0 or count("#explorer, #choices") == 0 or count("a[href$='.svg']") > 0, f"{name}: without scripts there are pictures")
     browser.send("Emulation.setScriptExecutionDisabled", value=False)
 
 
@@ -290,6 +295,128 @@ def check_faces(browser, checks, name, folder, step, position):
     checks.that(abs(opening - largest) <= 2e-3 * largest + 2e-2, f"{name}: opening of the deformed crack", caption, largest)
 
 
+def visible_paths(browser, figure):
+    """Number of lines that a chart shows."""
+    return browser.run(f"document.querySelectorAll('#{figure} g[aria-label=line] path').length")
+
+
+def tick(browser, group, value):
+    """Clicks the switch of a value."""
+    browser.run(f"document.querySelectorAll('#choices fieldset')[{group}].querySelectorAll('input')[{value}].click()")
+    browser.settle()
+
+
+def check_switches(browser, checks, name, folder):
+    """Switches hide and show curves and rows; the pointer brings a run out; curves and rows are those of the tables."""
+    browser.open(folder / "report.html")
+    runs = table(folder / "summary.csv")
+    data = json.loads((folder / "study.json").read_text())
+    drawn = [row for row in runs if row["state"] in ("done", "unfinished") or row["length_mm"]]
+    axes = [axis["keys"][0]["values"] for axis in data["axes"]]
+    rows = "[...document.querySelectorAll('tr[data-choices]')].filter((r) => !r.hidden).length"
+    checks.that(browser.run(rows) == len(runs), f"{name}: a row for each run")
+    checks.that(visible_paths(browser, "kii") == len(drawn), f"{name}: a curve of K_II for each run with a step", visible_paths(browser, "kii"))
+    for row in runs:
+        link = f"runs/{row['folder']}/report.html"
+        there = browser.run(f"Boolean(document.querySelector('a[href=\"{link}\"]'))")
+        checks.that(there == bool(row["length_mm"]), f"{name}: a run with a finished step leads to its report", link)
+        if there:
+            checks.that((folder / link).exists(), f"{name}: the report of run {row['run']} is there", link)
+    # Growth and K of every run, as the chart has them.
+    figure, column = "length-cycles", "length_mm"
+    if browser.run(f"railcrack.charts.has('{figure}')"):
+        curves = browser.run(f"railcrack.charts.get('{figure}').curves.map((c) => [c.name, c.points.at(-1).x, c.points.at(-1).y])")
+        for curve, row in zip(curves, drawn):
+            checks.that(curve[0].startswith(f"run {row['run']}: "), f"{name}: {figure} has run {row['run']}", curve)
+            checks.near(curve[1], float(row["load_cycles"]), f"{name}: {figure}, cycles of run {row['run']}")
+            checks.near(curve[2], float(row[column]), f"{name}: {figure}, {column} of run {row['run']}")
+    # The last axis: switching its first value off leaves the others.
+    group = len(axes) - 1
+    tick(browser, group, 0)
+    left = [run for run in data["runs"] if run["choice"][group] != 0]
+    checks.that(browser.run(rows) == len(left), f"{name}: a value that is off hides its rows", browser.run(rows))
+    numbers = {str(run["number"]) for run in left}
+    expected = sum(1 for row in drawn if row["run"] in numbers)
+    checks.that(visible_paths(browser, "kii") == expected, f"{name}: and its curves", visible_paths(browser, "kii"), expected)
+    tick(browser, group, 0)
+    checks.that(browser.run(rows) == len(runs), f"{name}: on again, they are back")
+    # By keyboard.
+    browser.run("document.querySelector('#choices input').focus()")
+    browser.key(" ")
+    checks.that(browser.run(rows) < len(runs), f"{name}: the space key works a switch")
+    browser.key(" ")
+    browser.box("#kii .drawing svg")
+    left, top = browser.run(
+        "(() => { const svg = document.querySelector('#kii .drawing svg'); const box = svg.getBoundingClientRect(); const c = railcrack.charts.get('kii').curves[0];"
+        " const p = c.points.reduce((a, b) => (Math.abs(b.y) > Math.abs(a.y) ? b : a)); return [box.left + svg.scale('x').apply(p.x), box.top + svg.scale('y').apply(p.y)]; })()")
+    browser.mouse(left, top)
+    text = browser.run("document.querySelector('#kii [aria-label=tip]')?.textContent ?? ''")
+    checks.that("run " in text and "KII" in text, f"{name}: hover names the run and its value", text)
+    out = browser.run("[...document.querySelectorAll('tr.out')].map((r) => r.dataset.name)")
+    checks.that(len(out) == 1 and out[0].split(":")[0] in text, f"{name}: hover brings out the row of the run", out, text)
+    quiet = browser.run("[...document.querySelectorAll('#length-cycles g[aria-label=line], #paths g[aria-label=line]')].filter((g) => g.style.opacity === '0.25').length")
+    checks.that(len(drawn) < 2 or quiet > 0, f"{name}: the others step back on the other charts", quiet)
+    # What is said to be to scale is.
+    scales = browser.run("(() => { const s = document.querySelector('#paths .drawing svg'); const per = (a) => Math.abs(s.scale(a).apply(1) - s.scale(a).apply(0)); return [per('x'), per('y')]; })()")
+    checks.near(scales[0], scales[1], f"{name}: paths are to scale", relative=0.02)
+    checks.that(not browser.complaints, f"{name}: no complaints after all this", browser.complaints)
+
+
+def check_paper(browser, checks, name, folder):
+    """Statements and figures are those of the files."""
+    browser.open(folder / "report.html")
+    record = json.loads((folder / "statements.json").read_text())
+    text = browser.run("document.getElementById('statements')?.textContent ?? ''")
+    for statement in record["statements"]:
+        checks.that(statement["verdict"] in text and f"{statement['id']} (" in text, f"{name}: {statement['id']} has its verdict")
+        for decision in statement["decisions"]:
+            checks.that(decision["setup"] in text, f"{name}: {statement['id']} has the set-up {decision['setup']}")
+    for figure in record["figures"]:
+        stem = f"fig{figure['number']}"
+        rows = table(folder / "figures" / f"{stem}.csv")
+        figures = browser.run(f"[...document.querySelectorAll('figure')].map((f) => f.id).filter((id) => id.startsWith('{stem}-'))")
+        checks.that(len(figures) == (2 if "ki_mpa_sqrt_m" in rows[0] else 1), f"{name}: the charts of {stem}", figures)
+        column = {"ki": "ki_mpa_sqrt_m", "kii": "kii_mpa_sqrt_m", "paths": "depth_mm", "profile": "depth_mm"}
+        for chart in figures:
+            values = [float(row[column[chart.split("-")[1]]]) for row in rows]
+            low, high = browser.run(f"d3.extent(railcrack.charts.get('{chart}').curves.flatMap((c) => c.points), (p) => p.y)")
+            checks.near(low, min(values), f"{name}: the lowest value of {chart}")
+            checks.near(high, max(values), f"{name}: the highest value of {chart}")
+            before = visible_paths(browser, chart)
+            if "setup" in rows[0] and len(record["setups"]) > 1:
+                tick(browser, 0, 1)
+                other = sum(1 for _ in {(row["curve"], row["crack"]) for row in rows if row["setup"] == record["setups"][1]["name"]})
+                checks.that(visible_paths(browser, chart) == before + other, f"{name}: another set-up is drawn on {chart}", before, other)
+                tick(browser, 0, 1)
+        for ending in ["svg", "csv"]:
+            checks.that(browser.run(f"Boolean(document.querySelector('a[href=\"figures/{stem}.{ending}\"]'))"), f"{name}: {stem}.{ending} is linked")
+    checks.that(not browser.complaints, f"{name}: no complaints after all this", browser.complaints)
+
+
+def check_pieces(browser, checks, name, folder):
+    """Spalls and junctions are in the first lines and in the picture of the last step."""
+    summary = json.loads((folder / "summary.json").read_text())
+    if not summary.get("pieces") and not summary.get("junctions"):
+        return
+    browser.open(folder / "report.html")
+    verdict = browser.run("document.querySelector('.verdict').textContent")
+    shown = browser.run("JSON.parse(document.getElementById('run-data').textContent)")
+    for piece in summary["pieces"][:3]:
+        checks.that(f"{piece['area_mm2']:.3f}"[:4] in verdict and f"crack {piece['crack']}" in verdict, f"{name}: the piece is in the first lines", verdict)
+        area = 0.0
+        corners = next(p for p in shown["pieces"] if p["crack"] == piece["crack"])["outline"]
+        for (x, y), (u, v) in zip(corners, corners[1:] + corners[:1]):
+            area += 0.5 * (x * v - u * y)
+        checks.near(abs(area), piece["area_mm2"], f"{name}: the outline has the area", relative=1e-4)
+    for junction in summary["junctions"][:3]:
+        checks.that(f"Crack {junction['crack']} joins crack {junction['onto']}" in verdict, f"{name}: the junction is in the first lines", verdict)
+    checks.that(browser.run("document.querySelector('#scene svg').dataset.pieces") == "0", f"{name}: no piece at the beginning")
+    browser.run("document.getElementById('step').focus()")
+    browser.key("End")
+    browser.settle()
+    checks.that(browser.run("document.querySelector('#scene svg').dataset.pieces") == str(len(summary["pieces"])), f"{name}: the pieces are drawn at the end")
+
+
 def pictures(browser, name, folder, out):
     for theme in ["light", "dark"]:
         browser.open(folder / "report.html", theme=theme)
@@ -315,6 +442,11 @@ def main():
             if (folder / "sif.csv").exists():
                 check_explorer(browser, checks, name, folder)
                 check_fields(browser, checks, name, folder)
+                check_pieces(browser, checks, name, folder)
+            elif (folder / "study.json").exists():
+                check_switches(browser, checks, name, folder)
+            elif (folder / "statements.json").exists():
+                check_paper(browser, checks, name, folder)
             pictures(browser, name, folder, out)
             print(f"{name}: {'ok' if checks.failed == before else 'FAILED'}", flush=True)
     finally:

@@ -2,9 +2,11 @@
 
 mod arguments;
 mod commands;
+mod display;
 mod drive;
 mod exit;
 mod interruption;
+mod png;
 mod print;
 mod progress;
 

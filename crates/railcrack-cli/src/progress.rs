@@ -1,29 +1,13 @@
 //! How far a run is: a bar on a terminal, a line per step elsewhere.
 
-use indicatif::{ProgressBar, ProgressStyle};
+use crate::display::{Display, Verbosity, styled_bar};
+use indicatif::ProgressBar;
 use railcrack::growth::{StepRecord, TipRecord, TipStop};
-use std::io::{IsTerminal, Write};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
 /// Parts of a step on the bar.
 const PARTS: u64 = 1000;
-
-/// What a run says while it computes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Verbosity {
-    /// A bar on a terminal, lines elsewhere.
-    Progress,
-    /// Nothing.
-    Quiet,
-}
-
-#[derive(Debug)]
-enum Display {
-    Bar(ProgressBar),
-    Lines,
-    Quiet,
-}
 
 /// Who is told how far a run is.
 pub trait Tell: Sync {
@@ -51,27 +35,14 @@ pub struct Progress {
 impl Progress {
     /// A run of `increments` increments that goes on with step `first`.
     pub fn new(verbosity: Verbosity, increments: usize, first: usize) -> Self {
-        let display = match verbosity {
-            Verbosity::Quiet => Display::Quiet,
-            Verbosity::Progress if std::io::stderr().is_terminal() => Display::Bar(bar(increments, first)),
-            Verbosity::Progress => Display::Lines,
-        };
+        let display = Display::new(verbosity, || bar(increments, first));
         Self { display, increments, step: AtomicUsize::new(first), begun: Instant::now() }
-    }
-
-    /// A line of text; nobody is left to tell when standard error itself is gone.
-    pub fn say(&self, line: &str) {
-        match &self.display {
-            Display::Bar(bar) => bar.println(line),
-            Display::Lines => drop(writeln!(std::io::stderr().lock(), "{line}")),
-            Display::Quiet => {}
-        }
     }
 }
 
 impl Tell for Progress {
     fn fraction(&self, fraction: f64) {
-        if let Display::Bar(bar) = &self.display {
+        if let Some(bar) = self.display.bar() {
             let parts = (fraction.clamp(0.0, 1.0) * PARTS as f64) as u64;
             bar.set_position(self.step.load(Ordering::Relaxed) as u64 * PARTS + parts);
         }
@@ -80,10 +51,10 @@ impl Tell for Progress {
     fn finished(&self, record: &StepRecord) {
         self.step.store(record.step + 1, Ordering::Relaxed);
         for warning in &record.warnings {
-            self.say(&format!("warning, step {}, {}: {}", warning.step, warning.kind, warning.text));
+            self.display.say(&format!("warning, step {}, {}: {}", warning.step, warning.kind, warning.text));
         }
         for event in events(record) {
-            self.say(&format!("step {}: {event}", record.step));
+            self.display.say(&format!("step {}: {event}", record.step));
         }
         match &self.display {
             Display::Bar(bar) => {
@@ -92,7 +63,7 @@ impl Tell for Progress {
                 bar.set_message(state_of(record));
                 self.fraction(0.0);
             }
-            Display::Lines => self.say(&format!(
+            Display::Lines => self.display.say(&format!(
                 "step {}/{}  {}  cycles {}  {} passages  {:.1} s",
                 record.step,
                 self.increments,
@@ -108,28 +79,22 @@ impl Tell for Progress {
     fn stage(&self, text: &str) {
         match &self.display {
             Display::Bar(bar) => bar.set_message(text.to_owned()),
-            Display::Lines | Display::Quiet => self.say(text),
+            Display::Lines | Display::Quiet => self.display.say(text),
         }
     }
 
     fn note(&self, text: &str) {
-        self.say(&format!("note: {text}"));
+        self.display.say(&format!("note: {text}"));
     }
 
     fn close(&self) {
-        if let Display::Bar(bar) = &self.display {
-            bar.finish_and_clear();
-        }
+        self.display.close();
     }
 }
 
 fn bar(increments: usize, first: usize) -> ProgressBar {
-    let bar = ProgressBar::new((increments as u64 + 1) * PARTS).with_position(first as u64 * PARTS);
     let template = "step {prefix} [{bar:28}] {percent}%  {msg}  {elapsed} elapsed, {eta} left";
-    // A template that does not parse leaves the plain bar.
-    if let Ok(style) = ProgressStyle::with_template(template) {
-        bar.set_style(style.progress_chars("=> "));
-    }
+    let bar = styled_bar((increments as u64 + 1) * PARTS, template).with_position(first as u64 * PARTS);
     bar.set_prefix(format!("{first}/{increments}"));
     // Time left follows from the pace since now, not from steps that were done before.
     bar.reset_eta();

@@ -1,39 +1,12 @@
 //! The commands that read and write case files: exit codes, what they say, what they write.
 
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+mod common;
 
-fn folder(name: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
-    let _ = std::fs::remove_dir_all(&folder);
-    std::fs::create_dir_all(&folder).unwrap();
-    folder
-}
-
-fn railcrack(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_railcrack")).args(arguments).current_dir(folder).output().unwrap()
-}
-
-fn stdout(output: &Output) -> String {
-    String::from_utf8(output.stdout.clone()).unwrap()
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8(output.stderr.clone()).unwrap()
-}
-
-fn names(folder: &Path) -> Vec<String> {
-    let mut names: Vec<String> = std::fs::read_dir(folder)
-        .unwrap()
-        .map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned())
-        .collect();
-    names.sort();
-    names
-}
+use common::{names, railcrack, stderr, stdout};
 
 #[test]
 fn init_then_check() {
-    let folder = folder("init-then-check");
+    let folder = common::folder("case-commands", "init-then-check");
     let output = railcrack(&folder, &["init"]);
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
     assert_eq!(names(&folder), ["case.toml"]);
@@ -54,7 +27,7 @@ fn init_then_check() {
 
 #[test]
 fn init_never_overwrites_unasked() {
-    let folder = folder("init-overwrite");
+    let folder = common::folder("case-commands", "init-overwrite");
     std::fs::write(folder.join("a.toml"), "mine").unwrap();
     let output = railcrack(&folder, &["init", "a.toml"]);
     assert_eq!(output.status.code(), Some(4));
@@ -73,7 +46,7 @@ fn init_never_overwrites_unasked() {
 
 #[test]
 fn bad_files_exit_with_2_and_write_nothing() {
-    let folder = folder("bad-files");
+    let folder = common::folder("case-commands", "bad-files");
     std::fs::create_dir(folder.join("dir.toml")).unwrap();
     std::fs::write(folder.join("empty.toml"), "").unwrap();
     std::fs::write(folder.join("latin1.toml"), b"# \nx = 1\ntitle = \"\xe9t\xe9\"\n").unwrap();
@@ -99,7 +72,7 @@ fn bad_files_exit_with_2_and_write_nothing() {
 
 #[test]
 fn usage_errors_exit_with_2() {
-    let folder = folder("usage");
+    let folder = common::folder("case-commands", "usage");
     for arguments in [&["frobnicate"][..], &["check"], &["check", "a", "b"], &["init", "--nonsense"], &[]] {
         let output = railcrack(&folder, arguments);
         assert_eq!(output.status.code(), Some(2), "{arguments:?}: {}", stderr(&output));
@@ -109,7 +82,7 @@ fn usage_errors_exit_with_2() {
 
 #[test]
 fn help_and_schema() {
-    let folder = folder("help");
+    let folder = common::folder("case-commands", "help");
     let help = railcrack(&folder, &["--help"]);
     assert_eq!(help.status.code(), Some(0));
     for word in ["init", "check", "schema", "Exit codes"] {

@@ -1,31 +1,10 @@
 //! `railcrack compare` as a user meets it.
 
+mod common;
+
+use common::{QUICK_CASE, names, numbers as column, railcrack, stderr, stdout};
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
-
-/// A quick case.
-const CASE: &str = r#"
-[contact]
-peak_pressure_mpa = 845.0
-half_width_mm = 6.75
-friction = 0.3
-
-[[crack]]
-mouth_mm = 0.0
-length_mm = 6.0
-angle_deg = 40.0
-friction = 0.2
-
-[passage]
-positions = 61
-
-[mesh]
-interface_elements = 16
-
-[growth]
-steps = 2
-"#;
 
 const FILES: [&str; 7] = [
     "compare-paths.svg",
@@ -39,42 +18,19 @@ const FILES: [&str; 7] = [
 
 /// A folder with the runs `one` and, with another friction of the crack, `other`.
 fn workplace(name: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("compare-command").join(name);
-    let _ = fs::remove_dir_all(&folder);
-    fs::create_dir_all(&folder).unwrap();
-    fs::write(folder.join("one.toml"), CASE).unwrap();
-    fs::write(folder.join("other.toml"), CASE.replace("friction = 0.2", "friction = 0.1")).unwrap();
+    let folder = common::folder("compare-command", name);
+    fs::write(folder.join("one.toml"), QUICK_CASE).unwrap();
+    fs::write(folder.join("other.toml"), QUICK_CASE.replace("friction = 0.2", "friction = 0.1")).unwrap();
     for case in ["one.toml", "other.toml"] {
         assert_eq!(railcrack(&folder, &["run", case, "--quiet"]).status.code(), Some(0));
     }
     folder
 }
 
-fn railcrack(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_railcrack")).args(arguments).current_dir(folder).output().unwrap()
-}
-
 /// Exit code, standard output, standard error.
 fn compare(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
     let output = railcrack(folder, &[&["compare"], arguments].concat());
-    let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
-    (output.status.code(), text(output.stdout), text(output.stderr))
-}
-
-/// The numbers of a column; empty fields are left out.
-fn column(path: &Path, name: &str) -> Vec<f64> {
-    let text = fs::read_to_string(path).unwrap();
-    let mut lines = text.lines().filter(|line| !line.starts_with('#'));
-    let at = lines.next().unwrap().split(',').position(|column| column == name).unwrap();
-    lines.filter_map(|line| line.split(',').nth(at).unwrap().parse().ok()).collect()
-}
-
-fn names(folder: &Path) -> Vec<String> {
-    let names = fs::read_dir(folder).unwrap();
-    let mut names: Vec<String> =
-        names.map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned()).collect();
-    names.sort();
-    names
+    (output.status.code(), stdout(&output), stderr(&output))
 }
 
 #[test]
@@ -180,7 +136,7 @@ fn both_engines_on_one_case() {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("compare-command").join("engines");
     let _ = fs::remove_dir_all(&folder);
     fs::create_dir_all(&folder).unwrap();
-    fs::write(folder.join("one.toml"), CASE.replace("interface_elements = 16", "")).unwrap();
+    fs::write(folder.join("one.toml"), QUICK_CASE.replace("interface_elements = 16", "")).unwrap();
     let tolerance = ENGINES_APART.to_string();
     let (code, out, err) = compare(&folder, &["one.toml", "--engines", "--quiet", "--tolerance", &tolerance]);
     assert_eq!(code, Some(0), "{err}");

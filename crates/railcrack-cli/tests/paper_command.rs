@@ -1,32 +1,21 @@
 //! `railcrack paper` as a user meets it.
 
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+mod common;
 
-fn railcrack(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_railcrack")).args(arguments).output().unwrap()
-}
-
-fn fresh(name: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
-    let _ = std::fs::remove_dir_all(&folder);
-    folder
-}
-
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8(bytes.to_vec()).unwrap()
-}
+use common::{railcrack, stderr, stdout};
 
 #[test]
 fn one_figure() {
-    let folder = fresh("paper-one");
-    let out = folder.to_str().unwrap();
-    let done = railcrack(&["paper", "--only", "13", "--out", out, "--quiet"]);
-    assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
-    assert!(done.stderr.is_empty(), "{}", text(&done.stderr));
-    assert!(text(&done.stdout).contains("4-agreement: holds in the 2 decided\n"), "{}", text(&done.stdout));
+    let place = common::folder("paper-command", "one");
+    let (folder, out) = (place.join("paper"), "paper");
+    let done = railcrack(&place, &["paper", "--only", "13", "--out", out, "--quiet"]);
+    assert_eq!(done.status.code(), Some(0), "{}", stderr(&done));
+    assert!(done.stderr.is_empty(), "{}", stderr(&done));
+    assert!(stdout(&done).contains("4-agreement: holds in the 2 decided\n"), "{}", stdout(&done));
     for file in [
         "paper.md",
+        "statements.json",
+        "report.html",
         "claims.csv",
         "figures/fig13.svg",
         "figures/fig13.csv",
@@ -36,26 +25,34 @@ fn one_figure() {
     }
     assert!(!folder.join("figures/fig14.svg").exists());
 
+    // The page, from the other files alone.
+    let page = std::fs::read(folder.join("report.html")).unwrap();
+    assert!(String::from_utf8_lossy(&page).contains("holds in the 2 decided"));
+    std::fs::remove_file(folder.join("report.html")).unwrap();
+    let said = common::done(&place, &["report", out]);
+    assert!(said.starts_with("report of the paper in "), "{said}");
+    assert!(std::fs::read(folder.join("report.html")).unwrap() == page);
+
     // The case files are there to be run and changed.
     let case = folder.join("cases/fig13-half-plane-with.toml");
-    let check = railcrack(&["check", case.to_str().unwrap()]);
-    assert_eq!(check.status.code(), Some(0), "{}", text(&check.stderr));
+    let check = railcrack(&place, &["check", case.to_str().unwrap()]);
+    assert_eq!(check.status.code(), Some(0), "{}", stderr(&check));
 
-    let again = railcrack(&["paper", "--only", "13", "--out", out, "--quiet"]);
+    let again = railcrack(&place, &["paper", "--only", "13", "--out", out, "--quiet"]);
     assert_eq!(again.status.code(), Some(2));
-    assert!(text(&again.stderr).contains("--force"), "{}", text(&again.stderr));
+    assert!(stderr(&again).contains("--force"), "{}", stderr(&again));
 }
 
 #[test]
 fn a_figure_that_is_not_there() {
-    let folder = fresh("paper-none");
-    let refused = railcrack(&["paper", "--only", "13", "26", "--out", folder.to_str().unwrap()]);
+    let place = common::folder("paper-command", "none");
+    let refused = railcrack(&place, &["paper", "--only", "13", "26", "--out", "paper"]);
     assert_eq!(refused.status.code(), Some(2));
-    let said = text(&refused.stderr);
+    let said = stderr(&refused);
     assert!(
         said.contains("`26`")
             && said.contains("13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 27, 28, 29, 30"),
         "{said}"
     );
-    assert!(!folder.exists(), "something was written");
+    assert!(!place.join("paper").exists(), "something was written");
 }

@@ -1,7 +1,9 @@
 //! Runs in a rail with plastic stress: computed first, from a file, from a file of another program.
 
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+mod common;
+
+use common::{ends, numbers as column, railcrack, read, stderr};
+use std::path::Path;
 
 /// A load that yields, a short passage, the cheaper engine.
 const CASE: &str = "\
@@ -25,44 +27,19 @@ steps = 2
 engine = \"dislocation\"
 ";
 
-fn folder(name: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
-    let _ = std::fs::remove_dir_all(&folder);
-    std::fs::create_dir_all(&folder).unwrap();
-    folder
-}
-
-fn railcrack(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_railcrack")).args(arguments).current_dir(folder).output().unwrap()
-}
-
+/// What the program says on standard error where it succeeds.
 #[track_caller]
 fn succeeds(folder: &Path, arguments: &[&str]) -> String {
-    let output = railcrack(folder, arguments);
-    let said = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {said}");
-    said
-}
-
-fn read(path: &Path) -> String {
-    std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+    stderr(&ends(folder, arguments, 0))
 }
 
 fn summary(run: &Path) -> serde_json::Value {
     serde_json::from_str(&read(&run.join("summary.json"))).unwrap()
 }
 
-/// Rows of numbers, by the header's names.
-fn column(path: &Path, name: &str) -> Vec<f64> {
-    let text = read(path);
-    let mut lines = text.lines().filter(|line| !line.starts_with('#'));
-    let at = lines.next().unwrap().split(',').position(|column| column == name).unwrap();
-    lines.map(|line| line.split(',').nth(at).unwrap().parse().unwrap()).collect()
-}
-
 #[test]
 fn one_run_computes_the_plastic_state_and_the_crack_in_it() {
-    let folder = folder("plastic-chain");
+    let folder = common::folder("plastic-stress-command", "plastic-chain");
     std::fs::write(folder.join("chain.toml"), format!("{CASE}[plastic_stress]\n")).unwrap();
     let said = succeeds(&folder, &["run", "chain.toml"]);
     let order = ["plastic state, passage 1:", "projecting and balancing", "step 0/2", "step 2/2"];
@@ -118,7 +95,7 @@ fn one_run_computes_the_plastic_state_and_the_crack_in_it() {
 
 #[test]
 fn a_run_folder_is_complete_and_a_replaced_one_clean() {
-    let folder = folder("plastic-folder");
+    let folder = common::folder("plastic-stress-command", "plastic-folder");
     std::fs::write(folder.join("chain.toml"), format!("{CASE}[plastic_stress]\n")).unwrap();
     succeeds(&folder, &["run", "chain.toml", "--quiet", "--steps", "0"]);
     // The case of the folder, run from there, and the file that another case names.
@@ -140,7 +117,7 @@ fn a_run_folder_is_complete_and_a_replaced_one_clean() {
 
 #[test]
 fn a_field_of_another_program_on_triangles_that_vary_along_the_rail() {
-    let folder = folder("plastic-foreign");
+    let folder = common::folder("plastic-stress-command", "plastic-foreign");
     // Two triangles over x = -30 to 30 mm and down to 12 mm, decimal, as other programs write it.
     let field = "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\">\n<UnstructuredGrid>\n\
         <Piece NumberOfPoints=\"4\" NumberOfCells=\"2\">\n<PointData>\n\
@@ -168,7 +145,7 @@ fn a_field_of_another_program_on_triangles_that_vary_along_the_rail() {
 
 #[test]
 fn what_cannot_be_used_is_said_before_anything_is_written() {
-    let folder = folder("plastic-bad");
+    let folder = common::folder("plastic-stress-command", "plastic-bad");
     let no_array = "<VTKFile type=\"UnstructuredGrid\"><UnstructuredGrid><Piece NumberOfPoints=\"0\" NumberOfCells=\"0\">\
         </Piece></UnstructuredGrid></VTKFile>";
     std::fs::write(folder.join("empty.vtu"), no_array).unwrap();
@@ -195,7 +172,7 @@ fn what_cannot_be_used_is_said_before_anything_is_written() {
 
 #[test]
 fn free_sides_of_a_block_release_a_part_and_the_run_says_so() {
-    let folder = folder("plastic-block");
+    let folder = common::folder("plastic-stress-command", "plastic-block");
     std::fs::write(folder.join("p.csv"), "depth_mm,sxx_mpa\n0,-200\n10,-200\n10.1,0\n").unwrap();
     let block = CASE.replace("engine = \"dislocation\"", "engine = \"xfem\"");
     for (name, section, carried) in

@@ -1,47 +1,22 @@
 //! `railcrack report` as a user meets it: the same files from the folder alone, and what it refuses.
 
+mod common;
+
+use common::{QUICK_CASE, done, railcrack};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
 
-const CASE: &str = r#"
-title = "Quick"
-[contact]
-peak_pressure_mpa = 1000.0
-half_width_mm = 6.75
-friction = 0.1
-[[crack]]
-mouth_mm = 0.0
-length_mm = 6.0
-angle_deg = 40.0
-friction = 0.2
-[passage]
-positions = 61
-[mesh]
-interface_elements = 16
-[growth]
-steps = 2
-[solver]
-engine = "dislocation"
-"#;
+/// A load that yields, and the cheaper engine.
+fn case() -> String {
+    let case = QUICK_CASE.replace("845.0", "1000.0").replace("friction = 0.3", "friction = 0.1");
+    format!("title = \"Quick\"\n{case}[solver]\nengine = \"dislocation\"\n")
+}
 
 fn folder(name: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("report-command").join(name);
-    let _ = fs::remove_dir_all(&folder);
-    fs::create_dir_all(&folder).unwrap();
-    fs::write(folder.join("case.toml"), CASE).unwrap();
+    let folder = common::folder("report-command", name);
+    fs::write(folder.join("case.toml"), case()).unwrap();
     folder
-}
-
-fn railcrack(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_railcrack")).args(arguments).current_dir(folder).output().unwrap()
-}
-
-fn done(folder: &Path, arguments: &[&str]) -> String {
-    let output = railcrack(folder, arguments);
-    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
-    String::from_utf8(output.stdout).unwrap()
 }
 
 /// Report and pictures of a folder.
@@ -95,9 +70,53 @@ fn runs_states_and_comparisons_are_built_again_bit_for_bit() {
 }
 
 #[test]
+fn a_study_is_built_again_bit_for_bit() {
+    let folder = folder("study");
+    let study = case().replace("angle_deg = 40.0", "angle_deg = [20.0, 40.0]");
+    fs::write(folder.join("study.toml"), study.replace("steps = 2", "steps = 1")).unwrap();
+    done(&folder, &["sweep", "study.toml", "--out", "study", "--quiet"]);
+    again(&folder, "study", "study");
+    let page = fs::read_to_string(folder.join("study/report.html")).unwrap();
+    let rates = common::column(&folder.join("study/summary.csv"), "rate_mm_per_cycle");
+    assert!(page.contains("<a href=\"runs/001-angle_deg-20/report.html\">1</a>"), "no link to the first run");
+    for rate in rates {
+        let words = format!("{:.3e}", rate.parse::<f64>().unwrap()).replace('-', "\u{2212}");
+        assert!(page.contains(&format!("<td class=\"number\">{words}</td>")), "{words}");
+    }
+    // What is no longer there is said to be missing, and its curves are not.
+    fs::remove_dir_all(folder.join("study/runs/002-angle_deg-40")).unwrap();
+    done(&folder, &["report", "study"]);
+    let page = fs::read_to_string(folder.join("study/report.html")).unwrap();
+    assert!(page.contains("Not computed yet, or in another folder: run 2."), "nothing said of run 2");
+}
+
+#[test]
+fn plots_are_drawn_as_png() {
+    let folder = folder("png");
+    done(&folder, &["run", "case.toml", "--out", "run", "--steps", "0", "--quiet"]);
+    let said = done(&folder, &["report", "run", "--png"]);
+    let svg = shown(&folder.join("run")).keys().filter(|path| path.extension().unwrap() == "svg").count();
+    assert!(said.ends_with(&format!("{svg} plots as PNG beside their SVG files\n")) && svg > 3, "{said}");
+    let bytes = fs::read(folder.join("run/plots/kii.png")).unwrap();
+    assert_eq!(&bytes[..8], b"\x89PNG\r\n\x1a\n");
+    // 2.8 pixels for a unit of the SVG file.
+    let size = |at: usize| u32::from_be_bytes(bytes[at..at + 4].try_into().unwrap());
+    let picture = common::read(&folder.join("run/plots/kii.svg"));
+    let width: f32 = picture.split("width=\"").nth(1).unwrap().split('"').next().unwrap().parse().unwrap();
+    assert_eq!(size(16), (2.8 * width).ceil() as u32);
+    // A picture that is none is told of, and a new run leaves no picture of the one before.
+    fs::write(folder.join("run/note.svg"), "no picture").unwrap();
+    let failed = railcrack(&folder, &["report", "run", "--png"]);
+    assert_eq!(failed.status.code(), Some(4));
+    assert!(common::stderr(&failed).contains("note.svg"), "{}", common::stderr(&failed));
+    done(&folder, &["run", "case.toml", "--out", "run", "--steps", "0", "--quiet", "--force"]);
+    assert!(!folder.join("run/plots/kii.png").exists());
+}
+
+#[test]
 fn a_direct_state_shows_what_passages_lead_to() {
     let folder = folder("direct");
-    fs::write(folder.join("case.toml"), format!("{CASE}[shakedown]\nmethod = \"direct\"\n")).unwrap();
+    fs::write(folder.join("case.toml"), format!("{}[shakedown]\nmethod = \"direct\"\n", case())).unwrap();
     done(&folder, &["shakedown", "case.toml", "--out", "state", "--quiet"]);
     again(&folder, "state", "plastic state");
     let page = fs::read_to_string(folder.join("state/report.html")).unwrap();

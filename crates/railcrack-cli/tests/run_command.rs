@@ -1,32 +1,12 @@
 //! `railcrack run` as a user meets it.
 
+mod common;
+
+use common::QUICK_CASE;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::time::{Duration, Instant};
-
-/// A quick case: few positions, few elements, frictional faces, a kink in the path.
-const CASE: &str = r#"
-[contact]
-peak_pressure_mpa = 845.0
-half_width_mm = 6.75
-friction = 0.3
-
-[[crack]]
-mouth_mm = 0.0
-length_mm = 6.0
-angle_deg = 40.0
-friction = 0.2
-
-[passage]
-positions = 61
-
-[mesh]
-interface_elements = 16
-
-[growth]
-steps = 12
-"#;
 
 /// What two runs of one case must have in common.
 const FILES: [&str; 8] = [
@@ -40,18 +20,19 @@ const FILES: [&str; 8] = [
     "plots/faces.svg",
 ];
 
+/// The quick case through more steps.
+fn case() -> String {
+    QUICK_CASE.replace("steps = 2", "steps = 12")
+}
+
 fn workplace(name: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("run-command").join(name);
-    let _ = fs::remove_dir_all(&folder);
-    fs::create_dir_all(&folder).unwrap();
-    fs::write(folder.join("case.toml"), CASE).unwrap();
+    let folder = common::folder("run-command", name);
+    fs::write(folder.join("case.toml"), case()).unwrap();
     folder
 }
 
 fn command(folder: &Path, arguments: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_railcrack"));
-    command.current_dir(folder).args(["run", "case.toml"]).args(arguments);
-    command
+    common::command(folder, &[&["run", "case.toml"], arguments].concat())
 }
 
 fn run(folder: &Path, arguments: &[&str]) -> Output {

@@ -1,7 +1,9 @@
 //! `railcrack shakedown`: files, columns, exit codes.
 
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+mod common;
+
+use common::{railcrack, read, stderr, stdout};
+use std::path::Path;
 
 const CASE: &str = "\
 title = \"Rolled\"
@@ -16,25 +18,6 @@ angle_deg = 15.0
 friction = 0.5
 ";
 
-fn folder(name: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
-    let _ = std::fs::remove_dir_all(&folder);
-    std::fs::create_dir_all(&folder).unwrap();
-    folder
-}
-
-fn railcrack(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_railcrack")).args(arguments).current_dir(folder).output().unwrap()
-}
-
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8(bytes.to_vec()).unwrap()
-}
-
-fn read(path: &Path) -> String {
-    std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
-}
-
 /// Header and rows without comments.
 fn table(path: &Path) -> (String, Vec<Vec<f64>>) {
     let text = read(path);
@@ -45,16 +28,12 @@ fn table(path: &Path) -> (String, Vec<Vec<f64>>) {
 
 #[test]
 fn writes_what_the_formats_promise() {
-    let folder = folder("shakedown-files");
+    let folder = common::folder("shakedown-command", "shakedown-files");
     std::fs::write(folder.join("rolled.toml"), CASE).unwrap();
     let output = railcrack(&folder, &["shakedown", "rolled.toml"]);
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-    assert!(text(&output.stdout).starts_with("elastic shakedown after "), "{}", text(&output.stdout));
-    assert!(
-        text(&output.stderr).starts_with("passage 1: residual stress changes by "),
-        "{}",
-        text(&output.stderr)
-    );
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    assert!(stdout(&output).starts_with("elastic shakedown after "), "{}", stdout(&output));
+    assert!(stderr(&output).starts_with("passage 1: residual stress changes by "), "{}", stderr(&output));
     let run = folder.join("rolled");
     let summary: serde_json::Value = serde_json::from_str(&read(&run.join("shakedown.json"))).unwrap();
     assert_eq!(summary["state"], "elastic shakedown");
@@ -91,17 +70,17 @@ fn writes_what_the_formats_promise() {
     assert!(read(&run.join("plastic.vtu")).contains("Name=\"plastic_stress_mpa\""));
     // The same case again: refused without --force, the same bits with it.
     let output = railcrack(&folder, &["shakedown", "rolled.toml"]);
-    assert_eq!(output.status.code(), Some(2), "{}", text(&output.stderr));
+    assert_eq!(output.status.code(), Some(2), "{}", stderr(&output));
     let before = (read(&run.join("profile.csv")), read(&run.join("passes.csv")));
     let output = railcrack(&folder, &["shakedown", "rolled.toml", "--force", "--quiet"]);
-    assert_eq!((output.status.code(), text(&output.stderr).as_str()), (Some(0), ""));
+    assert_eq!((output.status.code(), stderr(&output).as_str()), (Some(0), ""));
     assert_eq!(before, (read(&run.join("profile.csv")), read(&run.join("passes.csv"))));
 }
 
 /// The residual profile of one state is what another case takes as its balanced residual stress and as its stress of manufacturing.
 #[test]
 fn profile_goes_into_another_case() {
-    let folder = folder("shakedown-profile");
+    let folder = common::folder("shakedown-command", "shakedown-profile");
     std::fs::write(folder.join("rolled.toml"), CASE).unwrap();
     assert_eq!(railcrack(&folder, &["shakedown", "rolled.toml", "--quiet"]).status.code(), Some(0));
     let again = format!(
@@ -109,37 +88,33 @@ fn profile_goes_into_another_case() {
     );
     std::fs::write(folder.join("again.toml"), again).unwrap();
     let output = railcrack(&folder, &["check", "again.toml"]);
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
     let output = railcrack(&folder, &["shakedown", "again.toml", "--quiet"]);
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
     assert!(folder.join("again/inputs/initial-residual.csv").is_file());
 }
 
 #[test]
 fn direct_shows_its_difference_and_too_few_passages_their_end() {
-    let folder = folder("shakedown-ways");
+    let folder = common::folder("shakedown-command", "shakedown-ways");
     std::fs::write(folder.join("direct.toml"), format!("{CASE}[shakedown]\nmethod = \"direct\"\n")).unwrap();
     let output = railcrack(&folder, &["shakedown", "direct.toml", "--out", "d"]);
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-    assert!(
-        text(&output.stdout).contains("the residual stress differs by up to "),
-        "{}",
-        text(&output.stdout)
-    );
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    assert!(stdout(&output).contains("the residual stress differs by up to "), "{}", stdout(&output));
     let summary: serde_json::Value = serde_json::from_str(&read(&folder.join("d/shakedown.json"))).unwrap();
     let other = &summary["direct_against_pass_by_pass"];
     assert!(other["stress_difference_mpa"].as_f64().unwrap() > 1.0, "{other}");
     assert!(3 * summary["redistributions"].as_u64().unwrap() <= other["redistributions"].as_u64().unwrap());
     std::fs::write(folder.join("few.toml"), format!("{CASE}[shakedown]\nmax_passes = 2\n")).unwrap();
     let output = railcrack(&folder, &["shakedown", "few.toml", "--out", "f"]);
-    assert_eq!(output.status.code(), Some(3), "{}", text(&output.stderr));
-    assert!(text(&output.stdout).starts_with("not stabilised after 2 passages"), "{}", text(&output.stdout));
+    assert_eq!(output.status.code(), Some(3), "{}", stderr(&output));
+    assert!(stdout(&output).starts_with("not stabilised after 2 passages"), "{}", stdout(&output));
     assert_eq!(table(&folder.join("f/passes.csv")).1.len(), 2);
 }
 
 #[test]
 fn bad_input_exits_with_2_and_writes_nothing() {
-    let folder = folder("shakedown-bad");
+    let folder = common::folder("shakedown-command", "shakedown-bad");
     let heavy = CASE.replace("1000.0", "9000.0");
     for (name, case, says) in [
         (
@@ -157,9 +132,9 @@ fn bad_input_exits_with_2_and_writes_nothing() {
     ] {
         std::fs::write(folder.join("bad.toml"), case).unwrap();
         let output = railcrack(&folder, &["shakedown", "bad.toml", "--out", name]);
-        assert_eq!(output.status.code(), Some(2), "{name}: {}", text(&output.stderr));
-        assert!(text(&output.stderr).contains(says), "{name}: {}", text(&output.stderr));
-        assert_eq!(text(&output.stdout), "", "{name}");
+        assert_eq!(output.status.code(), Some(2), "{name}: {}", stderr(&output));
+        assert!(stderr(&output).contains(says), "{name}: {}", stderr(&output));
+        assert_eq!(stdout(&output), "", "{name}");
         assert!(!folder.join(name).exists(), "{name} wrote a folder");
     }
 }

@@ -1,9 +1,12 @@
 //! `railcrack sweep` as a user meets it.
 
+mod common;
+
+use common::command;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
 /// A quick study of six runs.
@@ -34,23 +37,15 @@ engine = "dislocation"
 "#;
 
 fn workplace(name: &str, study: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("sweep-command").join(name);
-    let _ = fs::remove_dir_all(&folder);
-    fs::create_dir_all(&folder).unwrap();
+    let folder = common::folder("sweep-command", name);
     fs::write(folder.join("study.toml"), study).unwrap();
     folder
 }
 
-fn command(folder: &Path, arguments: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_railcrack"));
-    command.current_dir(folder).args(arguments);
-    command
-}
-
 /// Exit code, standard output, standard error.
 fn railcrack(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
-    let Output { status, stdout, stderr } = command(folder, arguments).output().unwrap();
-    (status.code(), String::from_utf8(stdout).unwrap(), String::from_utf8(stderr).unwrap())
+    let output = common::railcrack(folder, arguments);
+    (output.status.code(), common::stdout(&output), common::stderr(&output))
 }
 
 fn sweep(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
@@ -86,12 +81,9 @@ fn same_files(one: &Path, other: &Path) {
     }
 }
 
-/// A column of `summary.csv`; none of its fields here has a comma.
+/// A column of `summary.csv`.
 fn column(folder: &Path, name: &str) -> Vec<String> {
-    let text = fs::read_to_string(folder.join("summary.csv")).unwrap();
-    let mut lines = text.lines().filter(|line| !line.starts_with('#'));
-    let at = lines.next().unwrap().split(',').position(|column| column == name).unwrap();
-    lines.map(|line| line.split(',').nth(at).unwrap().to_owned()).collect()
+    common::column(&folder.join("summary.csv"), name)
 }
 
 #[test]

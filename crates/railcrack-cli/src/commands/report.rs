@@ -2,20 +2,23 @@
 
 use crate::drive::RunError;
 use crate::exit::{Exit, Failure};
-use crate::print;
+use crate::{png, print};
 use clap::Args;
 use railcrack::output::report::{FolderKind, rebuild_report};
 use std::path::PathBuf;
 
 /// Build plots and HTML report of a folder again, from its files alone
 ///
-/// The folder is that of a run, of a plastic state or of a comparison. What these commands wrote is built again bit for bit;
-/// of a run that was interrupted, the finished steps are shown.
+/// The folder is that of a run, of a plastic state, of a comparison, of a study or of the paper. What these commands wrote is built again
+/// bit for bit; of a run that was interrupted, the finished steps are shown, and of a study the runs that are there.
 #[derive(Debug, Args)]
 pub struct ReportArguments {
     /// The folder
     #[arg(value_name = "DIR")]
     pub folder: PathBuf,
+    /// Draw every plot as a PNG file, too
+    #[arg(long)]
+    pub png: bool,
 }
 
 /// Builds the report and says where it is.
@@ -26,7 +29,13 @@ pub fn report(arguments: &ReportArguments) -> Result<Exit, Failure> {
         FolderKind::Run => "run",
         FolderKind::Shakedown => "plastic state",
         FolderKind::Comparison => "comparison",
+        FolderKind::Study => "study",
+        FolderKind::Paper => "paper",
     };
-    print::stdout(&format!("report of the {what} in {}\n", folder.join("report.html").display()))?;
+    let mut text = format!("report of the {what} in {}\n", folder.join("report.html").display());
+    if arguments.png {
+        text.push_str(&format!("{} plots as PNG beside their SVG files\n", png::write_beside_plots(folder)?));
+    }
+    print::stdout(&text)?;
     Ok(Exit::Done)
 }

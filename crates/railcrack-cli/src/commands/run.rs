@@ -1,11 +1,12 @@
 //! `railcrack run`.
 
 use crate::commands::residual::{self, Residual};
+use crate::display::Verbosity;
 use crate::drive::{Ending, RunError, StepSource, drive};
 use crate::exit::{Exit, Failure};
 use crate::interruption::Interruption;
 use crate::print;
-use crate::progress::{Progress, Tell, Verbosity, cycles};
+use crate::progress::{Progress, Tell, cycles};
 use clap::Args;
 use railcrack::case::{Case, Overrides, SharedRail};
 use railcrack::growth::GrowthState;
@@ -148,19 +149,35 @@ pub fn execute<S: StepSource>(
     start: impl FnOnce(Stage) -> Result<(S, Option<Residual>), RunError>,
 ) -> Result<Finished, RunError> {
     let folder = arguments.out.clone().unwrap_or_else(|| default_folder(&arguments.case));
-    let (mut recorder, state) = open(arguments, &folder, job.case, job.info)?;
-    if state.as_ref().is_some_and(|state| state.ended.is_some()) {
-        return Ok(Finished { ending: Ending::Ended, summary: recorder.finish()?, folder });
-    }
-    let first = state.as_ref().map_or(0, |state| state.step);
+    let opened = open(arguments, &folder, job.case, job.info)?;
     let verbosity = if arguments.quiet { Verbosity::Quiet } else { Verbosity::Progress };
-    let progress = Progress::new(verbosity, job.increments, first);
-    let (mut source, residual) = start(Stage { folder: &folder, progress: &progress, shared: None, state })?;
+    let progress = |first| Progress::new(verbosity, job.increments, first);
+    let (ending, summary) = carry_out(&folder, opened, progress, interruption, start)?;
+    Ok(Finished { ending, summary, folder })
+}
+
+/// Goes on with a run in `folder`, which is `opened` (its recorder, and the state after its last finished step): tells `progress`, made for its
+/// first step, has `start` build what computes the steps, and writes step by step.
+///
+/// Errors: see [`RunError`].
+pub fn carry_out<S: StepSource, T: Tell>(
+    folder: &Path,
+    opened: (Recorder, Option<GrowthState>),
+    progress: impl FnOnce(usize) -> T,
+    interruption: &Interruption,
+    start: impl FnOnce(Stage) -> Result<(S, Option<Residual>), RunError>,
+) -> Result<(Ending, Summary), RunError> {
+    let (mut recorder, state) = opened;
+    let progress = progress(state.as_ref().map_or(0, |state| state.step));
+    if state.as_ref().is_some_and(|state| state.ended.is_some()) {
+        progress.close();
+        return Ok((Ending::Ended, recorder.finish()?));
+    }
+    let (mut source, residual) = start(Stage { folder, progress: &progress, shared: None, state })?;
     if let Some(residual) = residual {
         residual.record(&mut recorder, &progress)?;
     }
-    let (ending, summary) = drive(&mut source, &mut recorder, &progress, interruption)?;
-    Ok(Finished { ending, summary, folder })
+    drive(&mut source, &mut recorder, &progress, interruption)
 }
 
 /// Has all parallel parts use `threads` threads; all of the machine where none are given. Once per program.

@@ -149,9 +149,11 @@ fn clear_results(folder: &Path) -> Result<(), OutputError> {
         remove(&partial_of(&folder.join(file)))?;
     }
     let plots = folder.join(PLOTS_FOLDER);
-    for file in PLOT_FILES {
-        remove(&plots.join(file))?;
-        remove(&partial_of(&plots.join(file)))?;
+    for file in PLOT_FILES.map(|file| plots.join(file)) {
+        remove(&file)?;
+        remove(&partial_of(&file))?;
+        // Drawn from it by `railcrack report --png`.
+        remove(&file.with_extension("png"))?;
     }
     let fields = folder.join(FIELDS_FOLDER);
     clear_fields(&fields)?;
@@ -233,6 +235,12 @@ pub(crate) fn clear_run(folder: &Path) -> Result<(), OutputError> {
 /// A file of a run that stands in `folder`, where one does.
 pub(crate) fn run_file_in(folder: &Path) -> Option<&'static str> {
     std::iter::once(CASE_FILE).chain(RUN_FILES).find(|file| folder.join(file).exists())
+}
+
+/// The same in the folder of a study, which has a report of its own.
+pub(crate) fn run_file_in_study(folder: &Path) -> Option<&'static str> {
+    let of_run = RUN_FILES.into_iter().filter(|file| *file != REPORT_FILE);
+    std::iter::once(CASE_FILE).chain(of_run).find(|file| folder.join(file).exists())
 }
 
 /// Removes a file where it is there.

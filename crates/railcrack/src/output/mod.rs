@@ -10,7 +10,9 @@ mod error;
 mod fields;
 mod figures;
 mod folder;
+mod leader;
 mod memory;
+mod paper;
 pub(crate) mod plot;
 mod recorder;
 pub mod report;
@@ -28,6 +30,10 @@ pub use csv::{FACES_COLUMNS, GROWTH_COLUMNS, RESIDUAL_COLUMNS, ResidualRow, SIF_
 pub use error::OutputError;
 pub use figures::rebuild_plots;
 pub use folder::{CaseFiles, Existing, ROLLED_FOLDER};
+pub use paper::{
+    CurveRecord, DecisionRecord, FailureRecord, FigureRecord, NumberRecord, PaperRecord, SetupRecord,
+    StatementRecord,
+};
 pub use recorder::{Recorder, RunInfo};
 pub use residual::{ProjectionSummary, ReleaseSummary, ResidualSummary, RolledSummary};
 pub use shakedown::{

@@ -18,6 +18,7 @@ mod path_shape;
 mod plan;
 mod profile_plot;
 mod queue;
+mod record;
 mod reproduce;
 mod results;
 mod rolled;

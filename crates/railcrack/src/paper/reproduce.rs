@@ -5,6 +5,7 @@ use super::figure::{Figure, Kind};
 use super::files::{FIG_21, FIG_22, TABLE_1};
 use super::plan::{Job, plan};
 use super::profile_plot::{self, StressProfile};
+use super::record::record;
 use super::steel::{STEELS, Steel};
 use super::stored::RUNS;
 use super::{CLAIMS, FIGURES, Results, Verdict, page, path_plot, sif_plot};
@@ -12,6 +13,7 @@ use crate::case::{CarriedStressError, Case, CaseErrors};
 use crate::growth::{GrowthError, Watch};
 use crate::material::HardeningError;
 use crate::output::OutputError;
+use crate::output::report::rebuild_report;
 use crate::shakedown::{ShakedownError, StabilisedRail};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -99,8 +101,8 @@ pub enum PaperError {
 const PAGE: &str = "paper.md";
 
 /// Computes what `figures` need and writes to `folder`: `cases/` (every case file that was run), `figures/` (a picture and a
-/// table each), `claims.csv`, `runs.csv`, `paper.md`, and `runs/` as runs finish. Runs go to the threads of rayon; apart from times the
-/// files do not depend on their number.
+/// table each), `claims.csv`, `runs.csv`, `paper.md`, `statements.json`, `report.html`, and `runs/` as runs finish. Runs go to the threads of
+/// rayon; apart from times the files do not depend on their number.
 ///
 /// Errors: the folder holds such results and may not be replaced; a case cannot be computed at all; the system refuses; `telling`
 /// asks to stop.
@@ -144,6 +146,8 @@ pub fn reproduce(
     let page_path = folder.join(PAGE);
     let text = page::page(figures, &results, &verdicts, profiles.as_deref(), &failures, jobs.len());
     write(&page_path, &text)?;
+    record(figures, &results, &verdicts, &failures, jobs.len()).write(folder)?;
+    rebuild_report(folder)?;
     Ok(Reproduction { results, verdicts, failures, runs: jobs.len(), page: page_path })
 }
 

@@ -6,10 +6,10 @@ use super::queue::Queue;
 use super::shard::Shard;
 use super::tell::result_text;
 use crate::commands::run::{case_files, default_folder, listen};
+use crate::display::Verbosity;
 use crate::drive::{Ending, RunError};
 use crate::exit::{Exit, Failure};
 use crate::print;
-use crate::progress::Verbosity;
 use clap::Args;
 use railcrack::case::{Axis, Overrides, Study};
 use railcrack::output::{Entry, PlannedRun, RunEnd, StudyAxis, StudyFolder, StudyKey, StudyPlan, VERSION};
@@ -19,7 +19,7 @@ use std::sync::{Mutex, PoisonError};
 
 /// Compute the runs of a study: a case file with lists in place of values
 ///
-/// Every run has a run folder of its own; summary.csv has a row per run, plots/ shows all runs together. Runs are computed on all
+/// Every run has a run folder of its own; summary.csv has a row per run, plots/ and report.html show all runs together. Runs are computed on all
 /// cores; a run that fails is reported, and the others go on. An interrupted study keeps what was computed.
 #[derive(Debug, Args)]
 pub struct SweepArguments {

@@ -3,8 +3,8 @@
 use super::progress::StudyProgress;
 use super::queue::{Next, RailSlot};
 use crate::commands::residual;
-use crate::commands::run::{Job, Stage};
-use crate::drive::{Ending, RunError, drive};
+use crate::commands::run::{Job, Stage, carry_out};
+use crate::drive::{Ending, RunError};
 use crate::exit::Exit;
 use crate::interruption::Interruption;
 use railcrack::case::{SharedRail, StudyRun};
@@ -53,28 +53,22 @@ impl Workplace<'_> {
         let job = Job::of(&run.case);
         let folder = self.folder.run_folder(planned);
         self.folder.reopen(planned)?;
-        let (mut recorder, state) = match Recorder::resume(&folder, job.case.clone(), job.info.clone()) {
+        let opened = match Recorder::resume(&folder, job.case.clone(), job.info.clone()) {
             Err(OutputError::NoRun { .. }) => {
                 (Recorder::start(&folder, job.case, job.info, Existing::Refuse)?, None)
             }
             resumed => resumed?,
         };
-        let first = state.as_ref().map_or(0, |state| state.step);
-        let progress = self.progress.of_run(job.increments + 1, first);
-        if state.as_ref().is_some_and(|state| state.ended.is_some()) {
-            return Ok((Ending::Ended, recorder.finish()?));
-        }
-        let shared = rail.and_then(|slot| {
-            // A rail that cannot be made is left to the runs, which say what is wrong.
-            slot.get_or_init(|| SharedRail::of(&run.case).ok().flatten()).as_ref()
-        });
-        let stage = Stage { folder: &folder, progress: &progress, shared, state };
-        let (prepared, residual) = residual::prepare(&run.case, &stage)?;
-        if let Some(residual) = residual {
-            residual.record(&mut recorder, &progress)?;
-        }
-        let mut growth = prepared.growth(stage.state);
-        drive(&mut growth, &mut recorder, &progress, self.interruption)
+        let progress = |first| self.progress.of_run(job.increments + 1, first);
+        carry_out(&folder, opened, progress, self.interruption, |stage| {
+            let shared = rail.and_then(|slot| {
+                // A rail that cannot be made is left to the runs, which say what is wrong.
+                slot.get_or_init(|| SharedRail::of(&run.case).ok().flatten()).as_ref()
+            });
+            let stage = Stage { shared, ..stage };
+            let (prepared, residual) = residual::prepare(&run.case, &stage)?;
+            Ok((prepared.growth(stage.state), residual))
+        })
     }
 }
 

@@ -1,19 +1,13 @@
 //! How far a study is: one bar for all runs on a terminal, a line per finished run elsewhere.
 
-use crate::progress::{Tell, Verbosity};
-use indicatif::{ProgressBar, ProgressStyle};
+use crate::display::{Display, Verbosity, styled_bar};
+use crate::progress::Tell;
+use indicatif::ProgressBar;
 use railcrack::growth::StepRecord;
-use std::io::{IsTerminal, Write};
 use std::sync::atomic::{AtomicI64, AtomicUsize, Ordering};
 
 /// Parts of a step on the bar.
 const PARTS: i64 = 1000;
-
-enum Display {
-    Bar(ProgressBar),
-    Lines,
-    Quiet,
-}
 
 /// The progress of a study, told on standard error.
 pub struct StudyProgress {
@@ -27,11 +21,7 @@ pub struct StudyProgress {
 impl StudyProgress {
     /// `runs` runs of `steps` steps altogether.
     pub fn new(verbosity: Verbosity, runs: usize, steps: usize) -> Self {
-        let display = match verbosity {
-            Verbosity::Quiet => Display::Quiet,
-            Verbosity::Progress if std::io::stderr().is_terminal() => Display::Bar(bar(runs, steps)),
-            Verbosity::Progress => Display::Lines,
-        };
+        let display = Display::new(verbosity, || bar(runs, steps));
         Self { display, done: AtomicI64::new(0), runs, over: AtomicUsize::new(0) }
     }
 
@@ -50,43 +40,28 @@ impl StudyProgress {
     /// A run is over; `told` says how.
     pub fn over(&self, told: &str) {
         let over = self.over.fetch_add(1, Ordering::Relaxed) + 1;
-        if let Display::Bar(bar) = &self.display {
+        if let Some(bar) = self.display.bar() {
             bar.set_prefix(format!("{over}/{}", self.runs));
         }
-        self.say(&format!("[{over}/{}] {told}", self.runs));
-    }
-
-    /// A line of text; nobody is left to tell when standard error itself is gone.
-    fn say(&self, line: &str) {
-        match &self.display {
-            Display::Bar(bar) => bar.println(line),
-            Display::Lines => drop(writeln!(std::io::stderr().lock(), "{line}")),
-            Display::Quiet => {}
-        }
+        self.display.say(&format!("[{over}/{}] {told}", self.runs));
     }
 
     /// Takes the bar away.
     pub fn close(&self) {
-        if let Display::Bar(bar) = &self.display {
-            bar.finish_and_clear();
-        }
+        self.display.close();
     }
 
     fn add(&self, parts: i64) {
         let done = self.done.fetch_add(parts, Ordering::Relaxed) + parts;
-        if let Display::Bar(bar) = &self.display {
+        if let Some(bar) = self.display.bar() {
             bar.set_position(u64::try_from(done).unwrap_or(0));
         }
     }
 }
 
 fn bar(runs: usize, steps: usize) -> ProgressBar {
-    let bar = ProgressBar::new(steps as u64 * PARTS as u64);
     let template = "run {prefix} [{bar:36}] {percent}%  {elapsed} elapsed, {eta} left";
-    // A template that does not parse leaves the plain bar.
-    if let Ok(style) = ProgressStyle::with_template(template) {
-        bar.set_style(style.progress_chars("=> "));
-    }
+    let bar = styled_bar(steps as u64 * PARTS as u64, template);
     bar.set_prefix(format!("0/{runs}"));
     bar
 }

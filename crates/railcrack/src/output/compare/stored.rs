@@ -1,6 +1,6 @@
 //! A run as its folder has it.
 
-use crate::output::csv::{GROWTH_FILE, SIF_FILE, read_steps};
+use crate::output::csv::{GROWTH_FILE, SIF_FILE, TipRow, read_growth};
 use crate::output::figures::{History, read_histories};
 use crate::output::folder::{CASE_FILE, SUMMARY_FILE, read_if_there, stored_case};
 use crate::output::{OutputError, Summary};
@@ -34,25 +34,13 @@ pub struct RunLabel {
     pub wall_s: f64,
 }
 
-/// A row of `growth.csv`.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct GrowthRow {
-    pub place: [f64; 2],
-    pub length: f64,
-    pub load_cycles: f64,
-    pub kink_deg: Option<f64>,
-    pub rival_deg: Option<f64>,
-    pub rival_ratio: Option<f64>,
-    pub stop: String,
-}
-
 /// Everything of a run that is compared.
 #[derive(Debug)]
 pub(super) struct StoredRun {
     pub folder: PathBuf,
     pub case: String,
     pub summary: Summary,
-    pub growth: BTreeMap<TipKey, GrowthRow>,
+    pub growth: BTreeMap<TipKey, TipRow>,
     pub histories: BTreeMap<TipKey, History>,
 }
 
@@ -72,10 +60,11 @@ impl StoredRun {
             .map_err(|reason| OutputError::damaged(&path, reason.to_string()))?;
         let steps: Vec<usize> = (0..summary.steps_recorded).collect();
         let histories = read_histories(folder, &steps)?;
+        let growth = read_growth(folder, summary.steps_recorded)?;
         Ok(Self {
             folder: folder.to_path_buf(),
             case: stored_case(folder)?.unwrap_or_default(),
-            growth: read_growth(folder, summary.steps_recorded)?,
+            growth: growth.into_iter().map(|row| ((row.step, row.crack, row.tip), row)).collect(),
             histories: histories.into_iter().map(|h| ((h.step, h.crack, h.tip), h)).collect(),
             summary,
         })
@@ -105,40 +94,4 @@ impl StoredRun {
             OutputError::damaged(&self.folder.join(SIF_FILE), reason)
         })
     }
-}
-
-fn read_growth(folder: &Path, steps: usize) -> Result<BTreeMap<TipKey, GrowthRow>, OutputError> {
-    let columns = [
-        "step",
-        "crack",
-        "tip",
-        "tip_x_mm",
-        "tip_y_mm",
-        "length_mm",
-        "load_cycles",
-        "kink_angle_deg",
-        "rival_angle_deg",
-        "rival_ratio",
-        "stop",
-    ];
-    let mut growth = BTreeMap::new();
-    read_steps(
-        &folder.join(GROWTH_FILE),
-        &columns,
-        |step| step < steps,
-        |row| {
-            let tip = GrowthRow {
-                place: [row.real(3)?, row.real(4)?],
-                length: row.real(5)?,
-                load_cycles: row.real(6)?,
-                kink_deg: row.optional(7)?,
-                rival_deg: row.optional(8)?,
-                rival_ratio: row.optional(9)?,
-                stop: row.text(10).to_owned(),
-            };
-            growth.insert((row.count(0)?, row.count(1)?, row.count(2)?), tip);
-            Ok(())
-        },
-    )?;
-    Ok(growth)
 }

@@ -7,6 +7,7 @@ mod read;
 mod residual;
 mod rows;
 mod sif;
+mod tip_row;
 
 pub use faces::FACES_COLUMNS;
 pub use growth::GROWTH_COLUMNS;
@@ -20,6 +21,7 @@ pub(crate) use read::{Row, StepBlock, read_columns, read_step_blocks, read_steps
 pub(crate) use residual::{RESIDUAL_FILE, residual_table};
 pub(crate) use rows::Rows;
 pub(crate) use sif::{SIF_FILE, SifScale, sif_header, sif_rows};
+pub(crate) use tip_row::{TipRow, read_growth};
 
 /// Comment lines, then the column names.
 pub(crate) fn header(comments: &[&str], columns: &[&str]) -> String {

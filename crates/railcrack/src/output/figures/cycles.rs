@@ -1,12 +1,12 @@
 //! Crack length against load cycles.
 
 use super::sif::tip_colour;
-use super::stored::GrowthRow;
 use super::{HEADING, draw_heading};
 use crate::output::Summary;
+use crate::output::csv::TipRow;
 use crate::output::plot::{Axes, Axis, Entry, Frame, Mark, Span, Stroke, Svg, draw_legend, legend_width};
 
-pub(super) fn length_against_cycles(summary: &Summary, growth: &[GrowthRow]) -> String {
+pub(super) fn length_against_cycles(summary: &Summary, growth: &[TipRow]) -> String {
     // Both tips of a buried crack share its length: the first one stands for the crack.
     let cracks: Vec<usize> =
         growth.iter().filter(|row| row.step == 0 && row.tip == 1).map(|row| row.crack).collect();

@@ -4,7 +4,7 @@ use super::{HEADING, draw_title};
 use crate::output::plot::{
     Axes, Axis, CATEGORIES, Entry, Frame, Mark, Span, Stroke, Svg, draw_legend, legend_width,
 };
-use crate::output::report::{ChartAspect, ChartAxis, ChartScale, Curve, CurveLook, LineChart};
+use crate::output::report::{ChartAxis, ChartScale, Curve, CurveColour, CurveLook, LineChart};
 
 /// A line and its words in the legend.
 pub(super) struct Line {
@@ -42,15 +42,17 @@ impl LinePicture<'_> {
             ChartAxis { title: markup(title), scale, range: Some([from.min(to), from.max(to)]) }
         };
         let curve = |line: &Line| Curve {
-            name: line.words.clone(),
-            points: line.points.clone(),
             look: match (line.dots, line.points.len(), line.stroke.dashes) {
                 (Dots::Shown, 1, _) => CurveLook::Dots,
                 (Dots::Shown, ..) => CurveLook::Dotted,
                 (Dots::Hidden, _, "") => CurveLook::Line,
                 (Dots::Hidden, ..) => CurveLook::Dashed,
             },
-            colour: CATEGORIES.iter().position(|&colour| colour == line.stroke.colour),
+            colour: CATEGORIES
+                .iter()
+                .position(|&colour| colour == line.stroke.colour)
+                .map(CurveColour::Category),
+            ..Curve::line(&line.words, line.points.clone())
         };
         LineChart {
             id: id.to_owned(),
@@ -58,8 +60,8 @@ impl LinePicture<'_> {
             x: axis(&self.x_title, &self.x),
             y: axis(&self.y_title, &self.y),
             curves: self.lines.iter().map(curve).collect(),
-            aspect: ChartAspect::Free,
             picture: Some(self.draw()),
+            ..LineChart::default()
         }
     }
 

@@ -12,12 +12,13 @@ mod sif;
 mod stored;
 mod study;
 
+use super::csv::read_growth;
 use super::folder::{SUMMARY_FILE, read_if_there};
 use super::plot::{Anchor, GREY, INK, Span, Svg, TextStyle};
 use super::report::write_plots;
 use super::{OutputError, Summary};
 use std::path::Path;
-use stored::{chosen_steps, read_faces, read_growth};
+use stored::{chosen_steps, read_faces};
 
 pub(crate) use compare_paths::compared_paths;
 pub(crate) use compare_sif::{ComparedTip, compared_sifs};

@@ -1,23 +1,12 @@
 //! What the plots need of the tables.
 
 use crate::output::OutputError;
-use crate::output::csv::{FACES_FILE, GROWTH_FILE, Row, SIF_FILE, read_steps};
+use crate::output::csv::{FACES_FILE, Row, SIF_FILE, TipRow, read_steps};
 use std::collections::BTreeMap;
 use std::path::Path;
 
 /// Steps at which the histories of a single tip are shown, at most.
 const SHOWN_STEPS: usize = 5;
-
-/// One tip at one step.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct GrowthRow {
-    pub step: usize,
-    /// From 1, as in the table.
-    pub crack: usize,
-    pub tip: usize,
-    pub length: f64,
-    pub load_cycles: f64,
-}
 
 /// K of one tip over the stabilised passage of one step.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -62,30 +51,8 @@ pub(super) struct FaceMap {
     pub cracks: Vec<CrackFaces>,
 }
 
-/// The rows of `growth.csv` for the first `steps` steps.
-pub(super) fn read_growth(folder: &Path, steps: usize) -> Result<Vec<GrowthRow>, OutputError> {
-    let mut growth = Vec::new();
-    let columns = ["step", "crack", "tip", "length_mm", "load_cycles"];
-    read_steps(
-        &folder.join(GROWTH_FILE),
-        &columns,
-        |step| step < steps,
-        |row| {
-            growth.push(GrowthRow {
-                step: row.count(0)?,
-                crack: row.count(1)?,
-                tip: row.count(2)?,
-                length: row.real(3)?,
-                load_cycles: row.real(4)?,
-            });
-            Ok(())
-        },
-    )?;
-    Ok(growth)
-}
-
 /// The steps whose histories are shown: evenly spaced ones for a single tip, first and last for several.
-pub(super) fn chosen_steps(growth: &[GrowthRow]) -> Vec<usize> {
+pub(super) fn chosen_steps(growth: &[TipRow]) -> Vec<usize> {
     let last = growth.iter().map(|row| row.step).max().unwrap_or(0);
     let tips = growth.iter().filter(|row| row.step == 0).count();
     let count = if tips > 1 { 2 } else { SHOWN_STEPS };
@@ -132,7 +99,7 @@ pub(super) fn read_faces(
     folder: &Path,
     step: usize,
     histories: &[History],
-    growth: &[GrowthRow],
+    growth: &[TipRow],
 ) -> Result<FaceMap, OutputError> {
     let mut cracks: BTreeMap<usize, CrackFaces> = BTreeMap::new();
     let columns = ["position", "crack", "s_mm", "s22_mpa", "status"];

@@ -30,7 +30,7 @@ pub(crate) fn study_plots(plan: &StudyPlan, rows: &[StudyRow]) -> Vec<(&'static 
         ("kii.svg", overlay.sif("II", |tip| &tip.history.kii)),
         ("paths.svg", overlay.paths()),
     ];
-    if overlay.curves.iter().any(|curve| curve.tip.growth.len() > 1) {
+    if overlay.curves.iter().any(|curve| curve.tip.rows.len() > 1) {
         plots.push(("length-cycles.svg", overlay.lengths()));
     }
     plots
@@ -77,7 +77,7 @@ impl<'a> Overlay<'a> {
 
     /// Whose K and length are shown, where a run has several tips.
     fn of_tip(&self) -> &'static str {
-        let several = |curve: &Curve| curve.cracks.len() > 1 || curve.tip.tip > 1;
+        let several = |curve: &Curve| curve.cracks.len() > 1 || curve.tip.first.tip > 1;
         if self.curves.iter().any(several) { ", of each run the tip that grew most" } else { "" }
     }
 
@@ -109,15 +109,15 @@ impl<'a> Overlay<'a> {
     fn lengths(&self) -> String {
         let shows = [Span::Plain(format!("Crack length{}", self.of_tip()))];
         let mut svg = self.picture(FRAME, &shows, &self.legend);
-        let growth = || self.curves.iter().flat_map(|curve| &curve.tip.growth);
-        let last = growth().map(|[cycles, _]| *cycles).fold(0.0, f64::max);
+        let growth = || self.curves.iter().flat_map(|curve| &curve.tip.rows);
+        let last = growth().map(|row| row.load_cycles).fold(0.0, f64::max);
         let x = if last > 0.0 { Axis::exact(0.0, 1.04 * last, 8) } else { Axis::exact(-1.0, 1.0, 2) };
-        let axes = Axes { frame: FRAME, x, y: Axis::around(growth().map(|[_, length]| *length), 8) };
+        let axes = Axes { frame: FRAME, x, y: Axis::around(growth().map(|row| row.length), 8) };
         axes.draw_grid(&mut svg);
         axes.clip(&mut svg);
         for curve in &self.curves {
             let points: Vec<[f64; 2]> =
-                curve.tip.growth.iter().map(|&[cycles, length]| axes.at(cycles, length)).collect();
+                curve.tip.rows.iter().map(|row| axes.at(row.load_cycles, row.length)).collect();
             svg.polyline("series", &points, &curve.stroke);
             // The end of a line that is lost among others.
             if let Some(end) = points.last() {

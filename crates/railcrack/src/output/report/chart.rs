@@ -5,6 +5,11 @@ use super::numbers::numbers;
 use serde_json::json;
 use std::fmt::Write;
 
+/// Colours of things without order.
+const CATEGORIES: usize = 7;
+/// The last colour of the ordered scale, from 0.
+const ORDERED: f64 = 20.0;
+
 /// How values are laid out along an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum ChartScale {
@@ -47,10 +52,23 @@ pub enum CurveLook {
     Line,
     /// A dashed line.
     Dashed,
+    /// A line of short dashes.
+    FineDashed,
+    /// A line of dashes and dots.
+    DashDotted,
     /// A line with a dot at every point.
     Dotted,
     /// Dots only.
     Dots,
+}
+
+/// The colour of a curve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum CurveColour {
+    /// A number in the palette of things without order; it repeats after 7.
+    Category(usize),
+    /// A place, 0 to 1, along the palette of an ordered scale.
+    Along(f64),
 }
 
 /// A curve: points (x, y) in the order in which they are joined.
@@ -62,14 +80,25 @@ pub struct Curve {
     pub points: Vec<[f64; 2]>,
     /// How it is drawn.
     pub look: CurveLook,
-    /// Number of its colour in the palette (it repeats after 7); its place among the curves where none.
-    pub colour: Option<usize>,
+    /// Its colour; that of its place among the curves where none.
+    pub colour: Option<CurveColour>,
+    /// What else the pointer says of it; empty for nothing.
+    pub note: String,
+    /// Of each group of the page's [`Choices`](super::Choices) the value that it belongs to; empty: it is always shown.
+    pub choices: Vec<usize>,
 }
 
 impl Curve {
     /// A line.
     pub fn line(name: &str, points: Vec<[f64; 2]>) -> Self {
-        Self { name: name.to_owned(), points, look: CurveLook::Line, colour: None }
+        Self {
+            name: name.to_owned(),
+            points,
+            look: CurveLook::Line,
+            colour: None,
+            note: String::new(),
+            choices: Vec::new(),
+        }
     }
 
     /// The same curve, drawn otherwise.
@@ -79,7 +108,12 @@ impl Curve {
 
     /// The same curve in colour number `colour`.
     pub fn with_colour(self, colour: usize) -> Self {
-        Self { colour: Some(colour), ..self }
+        Self { colour: Some(CurveColour::Category(colour)), ..self }
+    }
+
+    /// The same curve, shown where these values are chosen.
+    pub fn with_choices(self, choices: Vec<usize>) -> Self {
+        Self { choices, ..self }
     }
 }
 
@@ -91,6 +125,40 @@ pub enum ChartAspect {
     Free,
     /// To scale: crack paths.
     Equal,
+}
+
+/// Whether a chart names its curves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum ChartLegend {
+    /// In a legend above it.
+    #[default]
+    Names,
+    /// Under the pointer only: the page's choices say which colour is what.
+    Pointer,
+}
+
+impl CurveLook {
+    /// Its name in the data of a page.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::Line => "line",
+            Self::Dashed => "dashed",
+            Self::FineDashed => "fine",
+            Self::DashDotted => "dash-dot",
+            Self::Dotted => "dotted",
+            Self::Dots => "dots",
+        }
+    }
+}
+
+impl CurveColour {
+    /// Its name in the style of a page.
+    pub(super) fn name(self) -> String {
+        match self {
+            Self::Category(number) => format!("c{}", number % CATEGORIES),
+            Self::Along(place) => format!("s{:.0}", place.clamp(0.0, 1.0) * ORDERED),
+        }
+    }
 }
 
 /// A chart of lines that gives its values under the pointer.
@@ -108,6 +176,8 @@ pub struct LineChart {
     pub curves: Vec<Curve>,
     /// Scales with respect to each other.
     pub aspect: ChartAspect,
+    /// Where its curves are named.
+    pub legend: ChartLegend,
     /// The same as a static SVG, for readers without scripts; none leaves them the caption.
     pub picture: Option<String>,
 }
@@ -144,13 +214,10 @@ impl LineChart {
         let curve = |(place, curve): (usize, &Curve)| {
             json!({
                 "name": curve.name,
-                "look": match curve.look {
-                    CurveLook::Line => "line",
-                    CurveLook::Dashed => "dashed",
-                    CurveLook::Dotted => "dotted",
-                    CurveLook::Dots => "dots",
-                },
-                "colour": curve.colour.unwrap_or(place) % 7,
+                "note": curve.note,
+                "look": curve.look.name(),
+                "colour": curve.colour.unwrap_or(CurveColour::Category(place)).name(),
+                "choices": curve.choices,
                 "x": numbers(curve.points.iter().map(|point| point[0])),
                 "y": numbers(curve.points.iter().map(|point| point[1])),
             })
@@ -159,6 +226,7 @@ impl LineChart {
             "x": axis(&self.x),
             "y": axis(&self.y),
             "equal": self.aspect == ChartAspect::Equal,
+            "legend": self.legend == ChartLegend::Names,
             "caption": self.caption,
             "curves": self.curves.iter().enumerate().map(curve).collect::<Vec<_>>(),
         })

@@ -270,7 +270,7 @@ fn paths(comparison: &Comparison, names: &[String; 2]) -> LineChart {
         y: ChartAxis { scale: ChartScale::Depth, ..ChartAxis::linear("Depth (mm)") },
         curves: (0..2).flat_map(of_run).map(|(run, crack)| curve(run, crack)).collect(),
         aspect: ChartAspect::Equal,
-        picture: None,
+        ..LineChart::default()
     }
 }
 

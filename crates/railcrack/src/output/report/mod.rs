@@ -30,21 +30,29 @@
 //! ```
 
 mod chart;
+mod choices;
 mod compare;
+mod direction;
 mod html;
 mod numbers;
 mod pack;
 mod page;
+mod paper;
 mod rebuild;
 mod run;
 mod shakedown;
+mod study;
 mod table;
 
-pub use chart::{ChartAspect, ChartAxis, ChartScale, Curve, CurveLook, LineChart};
+pub use chart::{ChartAspect, ChartAxis, ChartLegend, ChartScale, Curve, CurveColour, CurveLook, LineChart};
+pub use choices::{AtFirst, Choice, ChoiceGroup, ChoiceMark, Choices};
 pub use page::{Block, Fact, Page, Section};
 pub use rebuild::{FolderKind, rebuild_report};
-pub use table::Table;
+pub use table::{Cell, Table};
 
 pub(crate) use compare::comparison_page;
 pub(crate) use rebuild::{REPORT_FILE, put, rebuild_run, write_plots};
 pub(crate) use shakedown::shakedown_page;
+pub(crate) use study::study_page;
+
+use direction::{Heading, heading};

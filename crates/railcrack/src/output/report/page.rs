@@ -1,6 +1,7 @@
 //! The page: what stands first, then sections of text, tables and charts, all in one file.
 
 use super::chart::LineChart;
+use super::choices::Choices;
 use super::html::{escaped, json_for_script, still, typeset};
 use super::table::Table;
 use crate::output::VERSION;
@@ -11,6 +12,7 @@ const STYLE: &str = include_str!("assets/page.css");
 const D3: &str = include_str!("assets/vendor/d3.min.js");
 const PLOT: &str = include_str!("assets/vendor/plot.min.js");
 const KIT: &str = include_str!("assets/kit.js");
+const CHOICES: &str = include_str!("assets/choices.js");
 
 /// A number that a reader looks for first.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,6 +40,8 @@ pub enum Block {
     Table(Table),
     /// A chart.
     Chart(LineChart),
+    /// Switches for curves and rows, once on a page.
+    Choices(Choices),
     /// Parts beside each other where there is room.
     Beside(Vec<Block>),
     /// A picture with its caption.
@@ -186,6 +190,11 @@ fn write_blocks(page: &mut String, blocks: &[Block], scripts: &mut Vec<&'static 
             }
             Block::Chart(chart) => {
                 chart.write(page);
+                Ok(())
+            }
+            Block::Choices(choices) => {
+                scripts.push(CHOICES);
+                choices.write(page);
                 Ok(())
             }
             Block::Beside(blocks) => {

@@ -1,9 +1,11 @@
 //! Plots and report of a folder, from what is stored in it.
 
+use super::paper::paper_page;
 use super::run::run_page;
 use crate::output::OutputError;
 use crate::output::figures::{PLOTS_FOLDER, run_plots};
 use crate::output::folder::{Durability, SUMMARY_FILE, replace_file};
+use crate::output::study::StudyFolder;
 use std::path::Path;
 
 pub(crate) const REPORT_FILE: &str = "report.html";
@@ -17,6 +19,10 @@ pub enum FolderKind {
     Shakedown,
     /// Two runs set against each other: `compare.json`.
     Comparison,
+    /// A parametric study: `study.json`.
+    Study,
+    /// The paper recomputed: `statements.json`.
+    Paper,
 }
 
 impl FolderKind {
@@ -28,6 +34,8 @@ impl FolderKind {
             (Self::Run, SUMMARY_FILE),
             (Self::Shakedown, crate::output::shakedown::SHAKEDOWN_FILE),
             (Self::Comparison, crate::output::compare::JSON_FILE),
+            (Self::Study, crate::output::study::PLAN_FILE),
+            (Self::Paper, crate::output::paper::STATEMENTS_FILE),
         ];
         let there = |&(_, file): &(Self, &str)| folder.join(file).is_file();
         match kinds.into_iter().find(there) {
@@ -37,8 +45,8 @@ impl FolderKind {
     }
 }
 
-/// Builds plots and report of `folder` from its tables and summaries alone, in place of those that are there. What a
-/// run, a stabilised state or a comparison wrote is built again bit for bit.
+/// Builds plots and report of `folder` from its tables and summaries alone, in place of those that are there; of a study, also its table
+/// of runs, from the run folders in it. What a command wrote is built again bit for bit.
 ///
 /// Errors: the folder holds none of these; a file of it is damaged; the system refuses.
 pub fn rebuild_report(folder: &Path) -> Result<FolderKind, OutputError> {
@@ -47,6 +55,8 @@ pub fn rebuild_report(folder: &Path) -> Result<FolderKind, OutputError> {
         FolderKind::Run => rebuild_run(folder)?,
         FolderKind::Shakedown => crate::output::shakedown::rebuild(folder)?,
         FolderKind::Comparison => crate::output::compare::rebuild(folder)?,
+        FolderKind::Paper => put(&folder.join(REPORT_FILE), &paper_page(folder)?.html())?,
+        FolderKind::Study => drop(StudyFolder::open(folder)?.write_results()?),
     }
     Ok(kind)
 }

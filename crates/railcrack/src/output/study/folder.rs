@@ -2,12 +2,12 @@
 
 use super::outcome::{OUTCOME_FILE, Outcome};
 use super::plan::{PlannedRun, StudyPlan};
-use crate::output::folder::{clear_run, read_if_there, remove, run_file_in};
+use crate::output::folder::{clear_run, read_if_there, remove, run_file_in, run_file_in_study};
 use crate::output::{CaseFiles, OutputError, Recorder};
 use std::path::{Path, PathBuf};
 use std::time::{SystemTime, UNIX_EPOCH};
 
-pub(super) const PLAN_FILE: &str = "study.json";
+pub(crate) const PLAN_FILE: &str = "study.json";
 const STUDY_FILE: &str = "study.toml";
 const RUNS_FOLDER: &str = "runs";
 
@@ -51,7 +51,7 @@ impl StudyFolder {
         cases: &[CaseFiles],
     ) -> Result<Self, OutputError> {
         let folder = Self { path: path.to_path_buf(), plan };
-        let stored = folder.stored_plan()?;
+        let stored = stored_plan(path)?;
         folder.may_enter(stored.as_ref(), entry)?;
         let own = || folder.plan.runs.iter().filter(|run| own.contains(&run.number));
         for run in own() {
@@ -87,7 +87,8 @@ impl StudyFolder {
     }
 
     fn may_enter(&self, stored: Option<&StudyPlan>, entry: Entry) -> Result<(), OutputError> {
-        if let (Some(file), false) = (run_file_in(&self.path), entry == Entry::Replace) {
+        let of_run = if stored.is_some() { run_file_in_study(&self.path) } else { run_file_in(&self.path) };
+        if let (Some(file), false) = (of_run, entry == Entry::Replace) {
             return Err(OutputError::HoldsRun { folder: self.path.clone(), file });
         }
         if let (Some(stored), false) = (stored, matches!(entry, Entry::Replace | Entry::Begin))
@@ -115,11 +116,18 @@ impl StudyFolder {
         OutputError::HoldsStudy { folder: self.path.clone(), file }
     }
 
-    fn stored_plan(&self) -> Result<Option<StudyPlan>, OutputError> {
-        let path = self.path.join(PLAN_FILE);
-        let Some(text) = read_if_there(&path)? else { return Ok(None) };
-        let plan = serde_json::from_slice(&text);
-        plan.map(Some).map_err(|reason| OutputError::damaged(&path, reason.to_string()))
+    /// The study in `path`, to read.
+    ///
+    /// Errors: no study in the folder; its plan is damaged; the system refuses.
+    pub fn open(path: &Path) -> Result<Self, OutputError> {
+        let plan = stored_plan(path)?.ok_or_else(|| OutputError::NoStudy { folder: path.to_path_buf() })?;
+        Ok(Self { path: path.to_path_buf(), plan })
+    }
+
+    /// The text of the study file.
+    pub(super) fn study_text(&self) -> Result<String, OutputError> {
+        let text = read_if_there(&self.path.join(STUDY_FILE))?.unwrap_or_default();
+        Ok(String::from_utf8_lossy(&text).into_owned())
     }
 
     fn plan_text(&self) -> Result<Vec<u8>, OutputError> {
@@ -186,6 +194,13 @@ impl StudyFolder {
     pub(super) fn take_away(&self, file: &str) -> Result<(), OutputError> {
         remove(&self.path.join(file))
     }
+}
+
+fn stored_plan(folder: &Path) -> Result<Option<StudyPlan>, OutputError> {
+    let path = folder.join(PLAN_FILE);
+    let Some(text) = read_if_there(&path)? else { return Ok(None) };
+    let plan = serde_json::from_slice(&text);
+    plan.map(Some).map_err(|reason| OutputError::damaged(&path, reason.to_string()))
 }
 
 impl StudyPlan {

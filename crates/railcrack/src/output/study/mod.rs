@@ -14,5 +14,6 @@ pub use results::StudyResults;
 pub use state::{RunState, StudyRow};
 pub use table::{STUDY_COLUMNS, TIMES_COLUMNS};
 
+pub(crate) use folder::PLAN_FILE;
 pub(crate) use outcome::OUTCOME_FILE;
 pub(crate) use results::LeadingTip;

@@ -3,9 +3,11 @@
 use super::folder::StudyFolder;
 use super::plan::PlannedRun;
 use super::state::{RunState, StudyRow};
-use crate::output::csv::{GROWTH_FILE, read_steps};
+use crate::output::csv::{TipRow, read_growth};
 use crate::output::figures::{History, STUDY_PLOTS, read_histories, study_plots};
 use crate::output::folder::{SUMMARY_FILE, read_if_there};
+use crate::output::leader::leading_tip;
+use crate::output::report::{REPORT_FILE, study_page};
 use crate::output::{OutputError, Summary};
 use std::path::Path;
 
@@ -16,53 +18,26 @@ pub struct StudyResults {
     pub rows: Vec<StudyRow>,
 }
 
-/// The tip that stands for a run: that of the crack that grew most; of equals, the one with the largest ΔK_eq of step 0, then the first.
+/// The tip that stands for a run.
 #[derive(Debug, Clone)]
 pub(crate) struct LeadingTip {
-    /// From 1.
-    pub crack: usize,
-    /// From 1 within its crack.
-    pub tip: usize,
     /// Its row of step 0.
     pub first: TipRow,
-    /// Load cycles and length at every step.
-    pub growth: Vec<[f64; 2]>,
-    /// Its place in the last step, mm.
-    pub place: [f64; 2],
+    /// Its rows, by step.
+    pub rows: Vec<TipRow>,
     /// K of step 0.
     pub history: History,
 }
 
-/// What `summary.csv` takes over from a row of `growth.csv`.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct TipRow {
-    pub length: f64,
-    pub ki_max: f64,
-    pub delta_ki: f64,
-    pub delta_kii: f64,
-    pub delta_keq: f64,
-    pub kink_deg: Option<f64>,
-    pub rate: f64,
+impl LeadingTip {
+    /// Its row in the last step.
+    pub(crate) fn last(&self) -> &TipRow {
+        self.rows.last().unwrap_or(&self.first)
+    }
 }
 
-const GROWTH_COLUMNS: [&str; 13] = [
-    "step",
-    "crack",
-    "tip",
-    "load_cycles",
-    "length_mm",
-    "ki_max_mpa_sqrt_m",
-    "delta_ki_mpa_sqrt_m",
-    "delta_kii_mpa_sqrt_m",
-    "delta_keq_mpa_sqrt_m",
-    "kink_angle_deg",
-    "rate_mm_per_cycle",
-    "tip_x_mm",
-    "tip_y_mm",
-];
-
 impl StudyFolder {
-    /// Builds `summary.csv`, `times.csv` and the overlay plots from the run folders alone, whoever computed them.
+    /// Builds `summary.csv`, `times.csv`, the overlay plots and `report.html` from the run folders alone, whoever computed them.
     ///
     /// Several processes may do so at once: once the last of them has, the files have every run.
     ///
@@ -79,6 +54,8 @@ impl StudyFolder {
                     None => self.take_away(&format!("plots/{file}"))?,
                 }
             }
+            let page = study_page(self.plan(), &results.rows, &self.study_text()?, &plots);
+            self.put(REPORT_FILE, page.html().as_bytes())?;
             // Another process may have finished the last run, and written all results, while this one was about to: what has just been
             // written would then hide what the other one wrote.
             if results.are_complete() || !self.is_over()? {
@@ -103,7 +80,7 @@ impl StudyFolder {
             .map_err(|reason| OutputError::damaged(&path, reason.to_string()))?;
         let summary = summary.filter(|summary| summary.steps_recorded > 0);
         let steps = summary.as_ref().map_or(0, |summary| summary.steps_recorded);
-        let leading = if steps > 0 { leading_tip(&folder, steps)? } else { None };
+        let leading = if steps > 0 { leading(&folder, steps)? } else { None };
         Ok(StudyRow { number: run.number, state: RunState::of(outcome, steps), summary, leading })
     }
 
@@ -128,65 +105,13 @@ impl StudyResults {
     }
 }
 
-/// One tip through all steps.
-struct Tip {
-    key: (usize, usize),
-    first: TipRow,
-    growth: Vec<[f64; 2]>,
-    place: [f64; 2],
-}
-
-impl Tip {
-    fn grown(&self) -> f64 {
-        self.growth.last().map_or(0.0, |[_, length]| length - self.first.length)
-    }
-}
-
-fn leading_tip(folder: &Path, steps: usize) -> Result<Option<LeadingTip>, OutputError> {
-    let mut tips: Vec<Tip> = Vec::new();
-    read_steps(
-        &folder.join(GROWTH_FILE),
-        &GROWTH_COLUMNS,
-        |step| step < steps,
-        |row| {
-            let key = (row.count(1)?, row.count(2)?);
-            let now = [row.real(3)?, row.real(4)?];
-            let place = [row.real(11)?, row.real(12)?];
-            match tips.iter_mut().find(|tip| tip.key == key) {
-                Some(tip) => {
-                    tip.growth.push(now);
-                    tip.place = place;
-                }
-                None => {
-                    let first = TipRow {
-                        length: now[1],
-                        ki_max: row.real(5)?,
-                        delta_ki: row.real(6)?,
-                        delta_kii: row.real(7)?,
-                        delta_keq: row.real(8)?,
-                        kink_deg: row.optional(9)?,
-                        rate: row.real(10)?,
-                    };
-                    tips.push(Tip { key, first, growth: vec![now], place });
-                }
-            }
-            Ok(())
-        },
-    )?;
-    let leads = |one: &Tip, other: &Tip| {
-        one.grown().total_cmp(&other.grown()).then(one.first.delta_keq.total_cmp(&other.first.delta_keq))
-    };
-    // Of equals the first: the last one of a maximum from behind.
-    let Some(tip) = tips.into_iter().rev().max_by(leads) else { return Ok(None) };
-    let (crack, number) = tip.key;
+fn leading(folder: &Path, steps: usize) -> Result<Option<LeadingTip>, OutputError> {
+    let growth = read_growth(folder, steps)?;
+    let Some(rows) = leading_tip(&growth) else { return Ok(None) };
+    let rows: Vec<TipRow> = rows.into_iter().cloned().collect();
+    let first = rows[0].clone();
     let histories = read_histories(folder, &[0])?;
-    let history = histories.into_iter().find(|history| (history.crack, history.tip) == tip.key);
-    Ok(Some(LeadingTip {
-        crack,
-        tip: number,
-        first: tip.first,
-        growth: tip.growth,
-        place: tip.place,
-        history: history.unwrap_or_default(),
-    }))
+    let own = |history: &History| (history.crack, history.tip) == (first.crack, first.tip);
+    let history = histories.into_iter().find(own).unwrap_or_default();
+    Ok(Some(LeadingTip { first, rows, history }))
 }

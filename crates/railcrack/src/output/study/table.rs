@@ -65,7 +65,7 @@ impl StudyResults {
             real(&mut rows, "load_cycles", summary.map(|summary| summary.load_cycles));
             real(&mut rows, "million_gross_tonnes", summary.and_then(|summary| summary.million_gross_tonnes));
             let leading = row.leading.as_ref();
-            for count in [leading.map(|tip| tip.crack), leading.map(|tip| tip.tip)] {
+            for count in [leading.map(|tip| tip.first.crack), leading.map(|tip| tip.first.tip)] {
                 match count {
                     Some(count) => rows.count(count),
                     None => rows.name(""),
@@ -74,9 +74,9 @@ impl StudyResults {
             let peak = |values: &[f64]| values.iter().fold(0.0, |peak: f64, k| peak.max(k.abs()));
             for value in [
                 leading.map(|tip| tip.first.length),
-                leading.and_then(|tip| tip.growth.last()).map(|[_, length]| *length),
-                leading.map(|tip| tip.place[0]),
-                leading.map(|tip| tip.place[1]),
+                leading.map(|tip| tip.last().length),
+                leading.map(|tip| tip.last().place[0]),
+                leading.map(|tip| tip.last().place[1]),
                 leading.map(|tip| tip.first.ki_max),
                 leading.map(|tip| peak(&tip.history.kii)),
                 leading.map(|tip| tip.first.delta_ki),

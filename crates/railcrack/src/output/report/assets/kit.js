@@ -65,11 +65,26 @@ const railcrack = (() => {
   /** Quantised numbers: low + step × level. */
   const quantised = async ({ low, step, data }, row) => Float64Array.from(await levels(data, row), (level) => low + step * level);
 
+  /** Dashes by the look of a curve. */
+  const DASHES = { dashed: "6 4", fine: "2 3", "dash-dot": "9 3 2 3" };
+
+  // Ordered colours: viridis without its lightest part on white, without its darkest on black.
+  {
+    const list = (from, to) => d3.range(21).map((i) => `--s${i}: ${d3.color(d3.interpolateViridis(from + (to - from) * i / 20)).formatHex()};`).join(" ");
+    const [light, dark] = [list(0, 0.86), list(0.36, 1)];
+    const style = document.createElement("style");
+    style.textContent = `:root, [data-theme="light"] { ${light} }
+      @media (prefers-color-scheme: dark) { :root:not([data-theme="light"]) { ${dark} } }
+      :root[data-theme="dark"] { ${dark} }
+      @media print { :root, :root[data-theme="dark"] { ${light} } }`;
+    document.head.append(style);
+  }
+
   /** A list of names with the strokes that they stand for. */
   function legend(entries) {
     const list = document.createElement("ul");
     list.className = "legend";
-    for (const { name, colour, colours, dashed, box, dots } of entries) {
+    for (const { name, colour, colours, dashed, dashes, box, dots } of entries) {
       const item = document.createElement("li");
       const mark = d3.create("svg").attr("width", colours ? 108 : 26).attr("height", 12).attr("aria-hidden", "true");
       if (colours) mark.selectAll("rect").data(colours).join("rect").attr("x", (_, i) => 12 * i).attr("width", 12.5).attr("height", 12).attr("fill", String);
@@ -77,7 +92,7 @@ const railcrack = (() => {
       else {
         if (dots !== "only")
           mark.append("line").attr("x2", 26).attr("y1", 6).attr("y2", 6).attr("stroke", colour).attr("stroke-width", 2)
-            .attr("stroke-dasharray", dashed ? "6 4" : null);
+            .attr("stroke-dasharray", dashes ?? (dashed ? "6 4" : null));
         if (dots) mark.append("circle").attr("cx", 13).attr("cy", 6).attr("r", 3).attr("fill", colour);
       }
       item.append(mark.node(), plain(name));
@@ -148,6 +163,33 @@ const railcrack = (() => {
 
   const charts = new Map();
 
+  /** Brings out the curves called `name` on all charts that have several; none: all alike. */
+  function bringOut(name) {
+    if (!document.getElementById("choices")) return;
+    for (const chart of charts.values()) chart.emphasise(name);
+    for (const row of document.querySelectorAll("tr[data-name]")) row.classList.toggle("out", Boolean(name) && row.dataset.name === name);
+  }
+
+  /** Domains with the same scale both ways around `points` on `inside` pixels of width, and the height that they need. */
+  function toScale(points, inside) {
+    const around = (values) => {
+      const [low, high] = d3.extent(values);
+      const air = 0.06 * ((high - low) || 1);
+      return [low - air, high + air];
+    };
+    let [x, y] = [around(points.map((point) => point.x)), around(points.map((point) => point.y))];
+    const widened = ([low, high], span) => [0.5 * (low + high - span), 0.5 * (low + high + span)];
+    let perUnit = inside / (x[1] - x[0]);
+    let height = perUnit * (y[1] - y[0]);
+    if (height > 480) {
+      perUnit = 480 / (y[1] - y[0]);
+      [x, height] = [widened(x, inside / perUnit), 480];
+    } else if (height < 140) {
+      [y, height] = [widened(y, 140 / perUnit), 140];
+    }
+    return { x, y, height };
+  }
+
   /** Builds the chart of a figure from the data in it. */
   function chart(figure) {
     const data = JSON.parse(figure.querySelector("script").textContent);
@@ -155,57 +197,99 @@ const railcrack = (() => {
     const log = { x: data.x.scale === "log", y: data.y.scale === "log" };
     const curves = data.curves.map((curve) => ({
       ...curve,
-      stroke: `var(--c${curve.colour})`,
+      stroke: `var(--${curve.colour})`,
       points: curve.x
-        .map((x, i) => ({ x, y: curve.y[i], name: curve.name }))
+        .map((x, i) => ({ x, y: curve.y[i], name: curve.name, note: curve.note }))
         .filter(({ x, y }) => x !== null && y !== null && !(log.x && x <= 0) && !(log.y && y <= 0)),
-    }));
-    const named = curves.filter((curve) => curve.name);
-    if (named.length) {
-      place.before(
-        legend(named.map(({ name, stroke, look }) => ({
-          name, colour: stroke, dashed: look === "dashed", dots: look === "dots" ? "only" : look === "dotted",
-        }))),
-      );
+    })).filter((curve) => curve.points.length);
+    const self = { svg: null, marks: [], mark, choose, emphasise, curves };
+    const names = document.createElement("div");
+    if (data.legend) place.before(names);
+    let shown = curves;
+
+    function drawLegend() {
+      if (!data.legend) return;
+      // Cracks of one run share a name; what the dashes say, the switches say where curves have any.
+      const key = ({ name, stroke, look, note }) => `${name} ${stroke} ${note ? "" : look}`;
+      const named = [...new Map(shown.filter((curve) => curve.name).map((curve) => [key(curve), curve])).values()];
+      names.replaceChildren(...(named.length ? [legend(named.map(({ name, stroke, look, note }) => ({
+        name, colour: stroke, dashes: note ? null : DASHES[look], dots: look === "dots" ? "only" : look === "dotted",
+      })))] : []));
     }
-    const self = { svg: null, marks: [], mark };
-    const all = curves.flatMap((curve) => curve.points);
-    const title = ({ x, y, name }) =>
-      [name && plain(name), `${plain(data.x.title)}: ${words(x)}`, `${plain(data.y.title)}: ${words(y)}`].filter(Boolean).join("\n");
+
+    const title = ({ x, y, name, note }) =>
+      [name && plain(name), note && plain(note), `${plain(data.x.title)}: ${words(x)}`, `${plain(data.y.title)}: ${words(y)}`].filter(Boolean).join("\n");
+
+    /** What the curves that are shown span; of none, what all do. */
+    const points = () => (shown.length ? shown : curves).flatMap((curve) => curve.points);
 
     // Room for the ticks and the title beside them, from the usual width of digits.
-    const [low, high] = data.y.range ?? d3.extent(all, (point) => point.y);
-    const letters = log.y ? 6 : d3.max(d3.ticks(low ?? 0, high ?? 1, 6), (value) => ticks(value).length) ?? 4;
-    const room = 36 + 7.4 * Math.max(3, letters);
+    function room(all) {
+      const [low, high] = data.y.range ?? d3.extent(all, (point) => point.y);
+      const letters = log.y ? 6 : d3.max(d3.ticks(low ?? 0, high ?? 1, 6), (value) => ticks(value).length) ?? 4;
+      return 36 + 7.4 * Math.max(3, letters);
+    }
 
     function draw(width) {
-      const marks = curves.flatMap(({ points, stroke, look }) => [
-        look === "dots" ? null : Plot.line(points, { x: "x", y: "y", stroke, strokeWidth: 1.8, strokeDasharray: look === "dashed" ? "6 4" : null, clip: true }),
+      const all = points();
+      const axes = { x: scale(data.x), y: scale(data.y) };
+      const margin = { left: room(all), right: 20, top: 22, bottom: 44 };
+      let height = Math.round(Math.min(320, Math.max(230, 0.55 * width)));
+      if (data.equal) {
+        const fit = toScale(all, width - margin.left - margin.right);
+        axes.x.domain = fit.x;
+        axes.y.domain = data.y.scale === "depth" ? [fit.y[1], fit.y[0]] : fit.y;
+        axes.y.reverse = false;
+        height = Math.round(fit.height) + margin.top + margin.bottom;
+      }
+      const marks = shown.flatMap(({ points, stroke, look }) => [
+        look === "dots" ? null : Plot.line(points, { x: "x", y: "y", stroke, strokeWidth: 1.8, strokeDasharray: DASHES[look] ?? null, clip: true }),
         look === "dots" || look === "dotted" ? Plot.dot(points, { x: "x", y: "y", fill: stroke, r: 2.6, clip: true }) : null,
       ]);
+      const under = shown.flatMap((curve) => curve.points);
       const svg = Plot.plot({
         width,
-        height: Math.round(Math.min(320, Math.max(230, 0.55 * width))),
-        marginLeft: room,
-        marginBottom: 44,
-        marginTop: 22,
-        x: scale(data.x),
-        y: scale(data.y),
+        height,
+        marginLeft: margin.left,
+        marginRight: margin.right,
+        marginBottom: margin.bottom,
+        marginTop: margin.top,
+        ...axes,
         // Points at the ends are not cut off by the frame.
-        inset: data.x.range || data.y.range ? 0 : 7,
-        aspectRatio: data.equal ? 1 : undefined,
+        inset: data.x.range || data.y.range || data.equal ? 0 : 7,
         ariaLabel: plain(data.caption),
         style: { fontSize: "12px", overflow: "visible" },
         marks: [
           Plot.frame({ stroke: "var(--line)" }),
+          // The running surface.
+          data.equal && data.y.scale === "depth" ? Plot.ruleY([0], { stroke: "var(--ink)", strokeWidth: 2 }) : null,
           ...["x", "y"].flatMap((name) => (log[name] && all.length ? logarithmicAxis(name, data[name].title, d3.extent(all, (point) => point[name])) : [])),
           ...marks,
-          Plot.tip(all, Plot.pointer({ x: "x", y: "y", title, fill: "var(--ground)", fontSize: 12 })),
+          Plot.tip(under, Plot.pointer({ x: "x", y: "y", title, fill: "var(--ground)", fontSize: 12, lineWidth: 32 })),
         ],
       });
       self.svg = typeset(svg);
+      // The pointer on a curve brings it out everywhere on the page.
+      svg.addEventListener("input", () => bringOut(svg.value?.name));
       place.replaceChildren(svg);
       drawMarks();
+    }
+
+    /** Shows the curves whose value of every group is on. */
+    function choose(on) {
+      shown = curves.filter((curve) => curve.choices.every((value, group) => on[group]?.has(value) ?? true));
+      drawLegend();
+      if (self.svg) draw(Math.floor(place.clientWidth));
+    }
+
+    /** Lets all curves step back but those called `name`. */
+    function emphasise(name) {
+      if (!self.svg) return;
+      const has = shown.some((curve) => curve.name === name);
+      const lines = shown.filter((curve) => curve.look !== "dots");
+      self.svg.querySelectorAll("g[aria-label=line]").forEach((group, i) => {
+        group.style.opacity = has && lines[i]?.name !== name ? 0.25 : 1;
+      });
     }
 
     function drawMarks() {
@@ -224,6 +308,7 @@ const railcrack = (() => {
       drawMarks();
     }
 
+    drawLegend();
     onWidth(place, draw);
     tools(figure);
     charts.set(figure.id, self);
@@ -313,5 +398,5 @@ const railcrack = (() => {
   theme();
   for (const figure of document.querySelectorAll("figure.chart")) chart(figure);
 
-  return { words, plain, typeset, singles, levels, quantised, unpack, legend, scale, ticks, onWidth, tools, charts, png };
+  return { words, plain, typeset, singles, levels, quantised, unpack, legend, scale, ticks, onWidth, tools, charts, png, bringOut, DASHES };
 })();

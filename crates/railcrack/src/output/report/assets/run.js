@@ -14,7 +14,13 @@
   const crackColour = (crack) => {
     if (data.cracks.length === 1) return "var(--c0)";
     if (many) return crack === state.crack ? "var(--c0)" : "var(--quiet)";
-    return `var(--c${(crack - 1) % 7})`;
+    const first = shown[0].tips.findIndex((tip) => tip.crack === crack);
+    return `var(--c${Math.max(first, 0) % 7})`;
+  };
+  /** Tips of one crack have colours of their own where there are enough. */
+  const tipColour = (tip) => {
+    if (many) return crackColour(tip.crack);
+    return `var(--c${Math.max(shown[0].tips.findIndex((other) => other.crack === tip.crack && other.tip === tip.tip), 0) % 7})`;
   };
   const STATUS = ["open", "stick", "slip"];
   const STATUS_COLOURS = ["#e9ecef", "#0072b2", "#e69f00"];
@@ -106,7 +112,7 @@
     return { at: points[0], t: [1, 0], n: [0, 1] };
   }
 
-  const everyPoint = data.cracks.flatMap((crack) => crack.points);
+  const everyPoint = [...data.cracks.flatMap((crack) => crack.points), ...data.pieces.flatMap((piece) => piece.outline)];
 
   // ---- Drawing -------------------------------------------------------------------------------------------------
 
@@ -158,6 +164,18 @@
       Plot.rect([0], { x1: x[0], x2: x[1], y1: 0, y2: y[0], fill: "var(--rail)" }),
       Plot.line([[x[0], 0], [x[1], 0]], { stroke: "var(--ink)", strokeWidth: 2 }),
     ];
+    const now = shown[state.step].step;
+    // What a step encloses is there at the start of the next one; of the last step, at its end.
+    const isThere = ({ step }) => now >= step || now === data.last_step;
+    const pieces = data.pieces.filter(isThere);
+    for (const { outline, area, kind, crack } of pieces) {
+      const corners = [...outline, outline[0]].map(([px, py]) => [px, -py]);
+      marks.push(Plot.line(corners, { fill: "var(--c4)", fillOpacity: 0.3, stroke: "var(--c4)", strokeDasharray: "4 3", className: "piece" }));
+      const middle = d3.polygonCentroid(corners);
+      marks.push(Plot.dot([middle], { r: 7, fill: "transparent", tip: { fill: "var(--ground)", fontSize: 12 },
+        title: () => `${kind} at crack ${crack}\n${words(area)} mm\u00b2` }));
+      marks.push(Plot.text([`${kind} ${words(area)} mm\u00b2`], { x: middle[0], y: middle[1], fill: "var(--ink)", stroke: "var(--rail)", strokeWidth: 4 }));
+    }
     data.cracks.forEach((crack, i) => {
       const depths = (points) => points.map(([px, py]) => [px, -py]);
       marks.push(Plot.line(depths(crack.points), { stroke: crackColour(i + 1), strokeWidth: 1.6, strokeDasharray: "2 3" }));
@@ -168,6 +186,11 @@
       x: "x", y: (tip) => -tip.y, r: 4, fill: "var(--ground)", stroke: "var(--ink)", strokeWidth: 1.5,
       channels: { crack: "crack", length: "length" },
       title: (tip) => `crack ${tip.crack}, tip ${tip.tip}\nx = ${words(tip.x)} mm, depth ${words(-tip.y)} mm\nlength ${words(tip.length)} mm`,
+      tip: { fill: "var(--ground)", fontSize: 12 },
+    }));
+    marks.push(Plot.dot(data.junctions.filter(isThere), {
+      x: "x", y: (junction) => -junction.y, r: 5, symbol: "diamond", fill: "var(--ink)",
+      title: ({ crack, onto, x, y }) => `crack ${crack} has joined crack ${onto}\nx = ${words(x)} mm, depth ${words(-y)} mm`,
       tip: { fill: "var(--ground)", fontSize: 12 },
     }));
     if (!away) {
@@ -189,6 +212,7 @@
       ariaLabel: "Cracks to scale below the wheel", style, marks,
     });
     svg.dataset.centre = xc;
+    svg.dataset.pieces = pieces.length;
     show("scene", svg);
   }
 
@@ -221,7 +245,7 @@
     const curve = (index, colour, dashed, name) =>
       shown[index].tips.map((tip, i) => ({
         name: several ? `${tipName(tip)}, step ${shown[index].step}` : name,
-        colour: several ? crackColour(tip.crack) : colour,
+        colour: several ? tipColour(tip) : colour,
         dashed,
         tip,
         points: Array.from(histories[index][i][mode], (k, p) => ({ x: positions[p], k, at: p })),
@@ -504,10 +528,9 @@
 
   function labels() {
     const step = shown[state.step];
-    const lengths = step.tips.filter((tip) => tip.tip === 1);
     const tip = step.tips.find((tip) => tip.crack === state.crack) ?? step.tips[0];
     const tonnes = data.axle_load ? `, ${words(tip.cycles * data.axle_load / 1e6)} MGT` : "";
-    const stepText = `${step.step} of ${data.last_step}: ${lengths.length > 1 ? `crack ${tip.crack} ` : ""}${signed(tip.length, 2)} mm, ${words(tip.cycles)} cycles${tonnes}`;
+    const stepText = `${step.step} of ${data.last_step}: ${data.cracks.length > 1 ? `crack ${tip.crack} ` : ""}${signed(tip.length, 2)} mm, ${words(tip.cycles)} cycles${tonnes}`;
     const wheelText = `x_{c}/a = ${signed(positions[state.position], 3)} (x_{c} = ${signed(centre(), 2)} mm)`;
     find("step-value").textContent = stepText;
     say("wheel-value", wheelText);
@@ -517,13 +540,15 @@
     find("wheel").setAttribute("aria-valuetext", plain(wheelText));
     const k = step.tips.map((tip, i) => {
       const { ki, kii } = histories[state.step][i];
-      const name = step.tips.length > 1 ? `${tipName(tip)}: ` : "";
+      const name = data.cracks.length > 1 || step.tips.length > 1 ? `${tipName(tip)}: ` : "";
       return `${name}K_{I} = ${signed(ki[state.position] ?? 0, 3)}, K_{II} = ${signed(kii[state.position] ?? 0, 3)} MPa\u221am`;
     });
     const shownK = k.length <= 4 ? k.join("; ") : k[Math.max(0, step.tips.indexOf(tip))];
     const direction = tip.kink === null ? "no kink, the tip is not loaded" : `a kink of ${signed(tip.kink, 1)}\u00b0`;
     const rival = tip.rival === null ? "" : ` (its rival, ${signed(tip.rival, 1)}\u00b0, would grow ${signed(tip.ratio, 3)} times as fast)`;
-    say("readout", `${shownK}. The step ends with ${direction}${rival}${tip.stop ? `; stop: ${tip.stop}` : ""}.`);
+    const joined = data.junctions.filter(({ crack, step: from }) => crack === state.crack && step.step >= from);
+    const event = joined.length && !step.tips.some((tip) => tip.crack === state.crack) ? `Crack ${state.crack} has joined crack ${joined[0].onto}. ` : "";
+    say("readout", `${event}${shownK}. The step ends with ${direction}${rival}${tip.stop ? `; stop: ${tip.stop}` : ""}.`);
     find("keep").disabled = state.kept.includes(state.step);
     find("clear").hidden = state.kept.length === 0;
   }

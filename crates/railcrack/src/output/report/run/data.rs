@@ -1,8 +1,9 @@
 //! What the passage explorer of the page works with.
 
 use super::faces::packed_faces;
-use super::stored::{RunFolder, TipRow};
+use super::stored::RunFolder;
 use crate::output::OutputError;
+use crate::output::csv::TipRow;
 use crate::output::figures::{History, read_histories};
 use crate::output::report::numbers::{number, numbers};
 use crate::output::report::pack::packed_singles;
@@ -87,6 +88,8 @@ pub(super) fn explorer(run: &RunFolder) -> Result<(Value, Shown), OutputError> {
         "cracks": summary.cracks.iter().map(|crack| json!({
             "points": crack.points_mm.iter().map(|p| numbers(*p)).collect::<Vec<_>>(),
         })).collect::<Vec<_>>(),
+        "pieces": pieces(run),
+        "junctions": junctions(run),
         "residual": (!run.residual.is_empty()).then(|| json!({
             "depth": numbers(run.residual.iter().map(|row| row[0])),
             "sxx": numbers(run.residual.iter().map(|row| row[1])),
@@ -96,20 +99,48 @@ pub(super) fn explorer(run: &RunFolder) -> Result<(Value, Shown), OutputError> {
     Ok((data, shown))
 }
 
-/// Of every crack the first and the last of its final points that it has in `step`.
+/// Of every crack the first and the last of its final points that it has in `step`. An end without a tip is that of the final crack: a
+/// mouth, or where the crack has joined another one.
 fn polylines(run: &RunFolder, step: usize) -> Value {
     let of_crack = |(i, crack): (usize, &crate::output::CrackSummary)| {
-        let rows = run.growth.iter().filter(|row| (row.step, row.crack) == (step, i + 1));
-        let mut ends: Vec<usize> = rows.map(|row| nearest(&crack.points_mm, row.place)).collect();
-        // A crack that breaks the surface has no tip at its mouth, the first point.
-        if ends.len() == 1 {
-            ends.insert(0, 0);
+        let mut ends = [0, crack.points_mm.len().saturating_sub(1)];
+        for row in run.growth.iter().filter(|row| (row.step, row.crack) == (step, i + 1)) {
+            let first = run.history(row.crack, row.tip).next().unwrap_or(row);
+            // Which end of the crack is the tip's, the initial crack says.
+            let end = usize::from(nearest(&crack.initial_points_mm, first.place) > 0);
+            ends[end] = nearest(&crack.points_mm, row.place);
         }
-        ends.sort_unstable();
-        let last = crack.points_mm.len().saturating_sub(1);
-        [ends.first().copied().unwrap_or(0), ends.last().copied().unwrap_or(last)]
+        ends
     };
     run.summary.cracks.iter().enumerate().map(of_crack).map(|ends| json!(ends)).collect()
+}
+
+/// The pieces that are enclosed and the cracks that have joined others, with the first step that has them.
+fn pieces(run: &RunFolder) -> Value {
+    let piece = |piece: &crate::output::PieceSummary| {
+        json!({
+            "kind": piece.kind,
+            "crack": piece.crack,
+            "step": piece.step + 1,
+            "area": number(piece.area_mm2),
+            "outline": piece.outline_mm.iter().map(|p| numbers(*p)).collect::<Vec<_>>(),
+        })
+    };
+    run.summary.pieces.iter().map(piece).collect()
+}
+
+fn junctions(run: &RunFolder) -> Value {
+    let junction = |junction: &crate::output::JunctionSummary| {
+        let last = run.growth.iter().filter(|row| row.crack == junction.crack && row.stop == "meets-crack");
+        json!({
+            "crack": junction.crack,
+            "onto": junction.onto,
+            "x": number(junction.x_mm),
+            "y": number(junction.y_mm),
+            "step": last.map(|row| row.step + 1).max().unwrap_or(0),
+        })
+    };
+    run.summary.junctions.iter().map(junction).collect()
 }
 
 fn nearest(points: &[[f64; 2]], place: [f64; 2]) -> usize {

@@ -1,8 +1,11 @@
 //! What stands first on the page of a run: the result in a sentence, numbers, cycles to each length.
 
-use super::direction::{Heading, heading};
-use super::stored::{RunFolder, TipRow};
+use super::events;
+use super::stored::RunFolder;
+use crate::output::csv::TipRow;
+use crate::output::leader::{cycles_to, leading_tip};
 use crate::output::plot::round_step;
+use crate::output::report::direction::Heading;
 use crate::output::report::numbers::{fixed, grouped, significant, tonnage};
 use crate::output::report::table::MISSING;
 use crate::output::report::{Fact, Table};
@@ -14,19 +17,10 @@ const LENGTHS_OF_SEVERAL: usize = 5;
 /// Cracks in the table of lengths.
 const LENGTH_CRACKS: usize = 9;
 
-/// The tip whose crack grew most.
+/// The first and the last row of the tip that stands for the run.
 pub(super) fn leader(run: &RunFolder) -> Option<(&TipRow, &TipRow)> {
-    let grown = |(first, last): &(&TipRow, &TipRow)| last.length - first.length;
-    let pairs = run.tips().into_iter().filter_map(|(crack, tip)| {
-        let first = run.history(crack, tip).next()?;
-        Some((first, run.history(crack, tip).last()?))
-    });
-    pairs.reduce(|most, next| match grown(&next).total_cmp(&grown(&most)) {
-        std::cmp::Ordering::Greater => next,
-        // Without growth, the one that would grow fastest.
-        std::cmp::Ordering::Equal if next.1.rate > most.1.rate => next,
-        _ => most,
-    })
+    let rows = leading_tip(&run.growth)?;
+    Some((rows.first()?, rows.last()?))
 }
 
 /// How the crack of a tip is called.
@@ -54,7 +48,7 @@ pub(super) fn verdict(run: &RunFolder) -> String {
             fixed(first.length, 2),
             fixed(last.length, 2),
             grouped(last.load_cycles),
-            heading(run, last).map_or_else(|| "without a direction".to_owned(), |h| h.sentence())
+            run.heading(last).map_or_else(|| "without a direction".to_owned(), |h| h.sentence())
         )
     } else if last.stop == "arrest" || last.rate == 0.0 {
         format!("{name} of {} mm does not grow.", fixed(first.length, 2))
@@ -66,6 +60,10 @@ pub(super) fn verdict(run: &RunFolder) -> String {
             significant(first.rate)
         )
     };
+    for sentence in events::sentences(run) {
+        text.push(' ');
+        text.push_str(&sentence);
+    }
     text.push(' ');
     text.push_str(&stop_sentence(run));
     text
@@ -128,9 +126,10 @@ pub(super) fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
         format!("{} → {} mm", fixed(first.length, 2), fixed(last.length, 2)),
         format!("{which}; its tip is {} mm below the surface", fixed(-last.place[1], 2)),
     ));
-    if let Some(heading) = heading(run, last) {
+    if let Some(heading) = run.heading(last) {
         facts.push(fact("Direction", heading.word().to_owned(), heading.note()));
     }
+    facts.extend(events::fact(run));
     let stop = run.summary.stop.as_deref().unwrap_or("not ended").replace('-', " ");
     facts.push(fact("Ended by", stop, format!("after step {} of {}", run.summary.steps, increments(run))));
     facts.push(fact(
@@ -220,13 +219,6 @@ fn multiple(i: i64, step: f64) -> f64 {
     if step < 1.0 { i as f64 / (1.0 / step).round() } else { i as f64 * step }
 }
 
-/// Load cycles until a crack of these `rows` is `length` long; none where it never is, or was from the beginning.
-fn cycles_to(rows: &[&TipRow], length: f64) -> Option<f64> {
-    let pair = rows.windows(2).find(|pair| pair[0].length < length && pair[1].length >= length)?;
-    let part = (length - pair[0].length) / (pair[1].length - pair[0].length);
-    Some(pair[0].load_cycles + part * (pair[1].load_cycles - pair[0].load_cycles))
-}
-
 /// What became of every crack; none for a single one.
 pub(super) fn cracks(run: &RunFolder) -> Option<Table> {
     if run.tips().len() < 2 {
@@ -254,7 +246,7 @@ pub(super) fn cracks(run: &RunFolder) -> Option<Table> {
             fixed(-row.place[1], 3),
             significant(row.delta_keq),
             significant(row.rate),
-            heading(run, row).as_ref().map_or_else(String::new, Heading::note),
+            run.heading(row).as_ref().map_or_else(String::new, Heading::note),
             row.stop.replace('-', " "),
         ]);
     }

@@ -2,7 +2,7 @@
 
 mod assumptions;
 mod data;
-mod direction;
+mod events;
 mod faces;
 mod facts;
 mod neighbourhood;
@@ -12,11 +12,12 @@ mod warnings;
 use super::numbers::{fixed, grouped, significant, tonnage};
 use super::{Block, ChartAxis, Curve, CurveLook, LineChart, Page, Section, Table};
 use crate::output::OutputError;
+use crate::output::csv::TipRow;
 use crate::output::folder::CASE_FILE;
 use neighbourhood::{Neighbourhood, neighbourhood};
 use serde_json::Value;
 use std::path::Path;
-use stored::{RunFolder, TipRow};
+use stored::RunFolder;
 
 const EXPLORER: &str = include_str!("../assets/run.html");
 const EXPLORER_SCRIPT: &str = include_str!("../assets/run.js");
@@ -54,6 +55,7 @@ pub(super) fn run_page(folder: &Path, pictures: &[(&'static str, String)]) -> Re
         }
     }
     page.lead.extend(facts::cracks(&run).map(Block::Table));
+    page.lead.extend(events::table(&run).map(Block::Table));
     let (data, shown) = if run.summary.steps_recorded > 0 {
         let (data, shown) = data::explorer(&run)?;
         (Some(data), shown)
@@ -166,7 +168,11 @@ fn curves(run: &RunFolder, tips: &[(usize, usize)], point: fn(&TipRow) -> [f64; 
             (_, false) => format!("crack {crack}"),
             (_, true) => format!("crack {crack}, tip {tip}"),
         };
-        Curve::line(&name, run.history(crack, tip).map(point).collect()).with_look(CurveLook::Dotted)
+        // Each tip has one colour on all charts of the page.
+        let colour = run.tips().iter().position(|&other| other == (crack, tip)).unwrap_or(0);
+        Curve::line(&name, run.history(crack, tip).map(point).collect())
+            .with_look(CurveLook::Dotted)
+            .with_colour(colour)
     };
     tips.iter().map(curve).collect()
 }

@@ -1,36 +1,12 @@
 //! What the report needs of a run folder.
 
 use crate::output::compare::case_keys;
-use crate::output::csv::{GROWTH_FILE, RESIDUAL_FILE, read_steps};
+use crate::output::csv::{RESIDUAL_FILE, TipRow, read_growth};
 use crate::output::folder::{SUMMARY_FILE, read_if_there, stored_case};
+use crate::output::report::direction::{Heading, heading};
 use crate::output::{OutputError, Summary};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-
-/// A row of `growth.csv`.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct TipRow {
-    pub step: usize,
-    /// From 1.
-    pub crack: usize,
-    /// From 1 within its crack.
-    pub tip: usize,
-    pub place: [f64; 2],
-    pub length: f64,
-    pub ki_max: f64,
-    pub delta_ki: f64,
-    pub delta_kii: f64,
-    pub delta_keq: f64,
-    pub kink_deg: Option<f64>,
-    pub rival_deg: Option<f64>,
-    pub rival_ratio: Option<f64>,
-    pub increment: f64,
-    pub rate: f64,
-    pub load_cycles: f64,
-    pub stop: String,
-}
-
-const COLUMNS: [&str; 17] = crate::output::GROWTH_COLUMNS;
 
 /// A run as its folder has it, without K and faces.
 #[derive(Debug)]
@@ -104,42 +80,17 @@ impl RunFolder {
         self.growth.iter().filter(|row| row.step == 0).map(|row| (row.crack, row.tip)).collect()
     }
 
+    /// Where the tip of `row`, its last one, is heading; none where its crack is a point.
+    pub(super) fn heading(&self, row: &TipRow) -> Option<Heading> {
+        let crack = self.summary.cracks.get(row.crack.checked_sub(1)?)?;
+        heading(crack, &self.history(row.crack, row.tip).collect::<Vec<_>>())
+    }
+
     /// The rows of the last finished step.
     pub(super) fn last(&self) -> impl Iterator<Item = &TipRow> {
         let last = self.summary.steps_recorded.saturating_sub(1);
         self.growth.iter().filter(move |row| row.step == last)
     }
-}
-
-fn read_growth(folder: &Path, steps: usize) -> Result<Vec<TipRow>, OutputError> {
-    let mut growth = Vec::new();
-    read_steps(
-        &folder.join(GROWTH_FILE),
-        &COLUMNS,
-        |step| step < steps,
-        |row| {
-            growth.push(TipRow {
-                step: row.count(0)?,
-                crack: row.count(1)?,
-                tip: row.count(2)?,
-                place: [row.real(3)?, row.real(4)?],
-                length: row.real(5)?,
-                ki_max: row.real(6)?,
-                delta_ki: row.real(7)?,
-                delta_kii: row.real(8)?,
-                delta_keq: row.real(9)?,
-                kink_deg: row.optional(10)?,
-                rival_deg: row.optional(11)?,
-                rival_ratio: row.optional(12)?,
-                increment: row.real(13)?,
-                rate: row.real(14)?,
-                load_cycles: row.real(15)?,
-                stop: row.text(16).to_owned(),
-            });
-            Ok(())
-        },
-    )?;
-    Ok(growth)
 }
 
 /// Depth and σ_xx of `residual.csv`; nothing where there is no such file.

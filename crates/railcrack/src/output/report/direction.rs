@@ -1,7 +1,8 @@
 //! Where a tip is heading, in words.
 
-use super::stored::{RunFolder, TipRow};
-use crate::output::report::numbers::fixed;
+use super::numbers::fixed;
+use crate::output::CrackSummary;
+use crate::output::csv::TipRow;
 
 /// A kink (degrees) beyond which the path is said to branch.
 const BRANCH_DEG: f64 = 30.0;
@@ -10,7 +11,7 @@ const LEVEL_DEG: f64 = 0.5;
 
 /// The last segment of a tip.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Heading {
+pub(crate) struct Heading {
     /// Degrees below the surface, of the last segment; negative: upwards.
     now: f64,
     /// The same at the beginning.
@@ -21,18 +22,17 @@ pub(super) struct Heading {
     spalled: bool,
 }
 
-/// Where the tip of `row` is heading; none where its crack is a point.
-pub(super) fn heading(run: &RunFolder, row: &TipRow) -> Option<Heading> {
-    let crack = run.summary.cracks.get(row.crack.checked_sub(1)?)?;
-    let now = below_surface(&crack.points_mm, row.place)?;
-    let first = run.history(row.crack, row.tip).next()?;
+/// Where the tip of `crack` with the rows `history`, by step, is heading; none where the crack is a point.
+pub(crate) fn heading(crack: &CrackSummary, history: &[&TipRow]) -> Option<Heading> {
+    let (first, last) = (history.first()?, history.last()?);
+    let now = below_surface(&crack.points_mm, last.place)?;
     let before = below_surface(&crack.initial_points_mm, first.place)?;
-    let kinks = run.history(row.crack, row.tip).filter(|row| row.increment > 0.0);
+    let kinks = history.iter().filter(|row| row.increment > 0.0);
     let branch = kinks
         .filter_map(|row| Some((row.step, row.kink_deg?)))
         .reduce(|most, next| if next.1.abs() > most.1.abs() { next } else { most })
         .filter(|kink| kink.1.abs() > BRANCH_DEG);
-    Some(Heading { now, before, branch, spalled: row.stop == "break-out" })
+    Some(Heading { now, before, branch, spalled: last.stop == "break-out" })
 }
 
 /// Degrees below the surface of the segment that ends at the end of `points` nearer to `tip`.
@@ -49,7 +49,7 @@ fn below_surface(points: &[[f64; 2]], tip: [f64; 2]) -> Option<f64> {
 
 impl Heading {
     /// One word.
-    pub(super) fn word(&self) -> &'static str {
+    pub(crate) fn word(&self) -> &'static str {
         match self {
             Self { spalled: true, .. } => "spall",
             Self { now, .. } if *now > LEVEL_DEG => "downward",
@@ -59,7 +59,7 @@ impl Heading {
     }
 
     /// Angles and branch, a few words.
-    pub(super) fn note(&self) -> String {
+    pub(crate) fn note(&self) -> String {
         let (now, before) = (angle(self.now), angle(self.before));
         let side = if self.now < -LEVEL_DEG { " above the horizontal" } else { " below the horizontal" };
         let short = |text: &str| text.strip_suffix(side).map(str::to_owned);
@@ -74,7 +74,7 @@ impl Heading {
     }
 
     /// For the end of a sentence.
-    pub(super) fn sentence(&self) -> String {
+    pub(crate) fn sentence(&self) -> String {
         match self.word() {
             "spall" => "and breaks out at the surface: a spall".to_owned(),
             "upward" => format!("upward: a spall if it goes on ({})", self.note()),
