@@ -3,7 +3,6 @@
 //! `cargo bench --bench scaling > scaling.csv` prints a table, and exponents (least squares in logarithms) as comments at its end. Every
 //! row is a process of its own, so that its peak of memory is its own; what counts are ratios within one table.
 
-use rayon::ThreadPoolBuilder;
 use railcrack::body::BodyEngine;
 use railcrack::contact::{FaceProblem, Newton, StepControl};
 use railcrack::crack::{Crack, CrackNetwork, End};
@@ -11,6 +10,7 @@ use railcrack::growth::{PassageSettings, RailLoad, Unwatched, stabilised_passage
 use railcrack::load::{HertzianContact, Passage};
 use railcrack::material::IsotropicElastic;
 use railcrack::xfem::{MeshSettings, RailEnd, XfemEngine, XfemSettings};
+use rayon::ThreadPoolBuilder;
 use std::error::Error;
 use std::process::Command;
 use std::time::Instant;
@@ -37,8 +37,7 @@ fn points() -> Vec<Point> {
     let unknowns = [0.35, 0.25, 0.18, 0.13, 0.1, 0.07, 0.05].map(|element_mm| Point { element_mm, ..PLAIN });
     let cracks = [1, 2, 4, 8, 16, 32].map(|cracks| Point { study: "cracks", cracks, ..PLAIN });
     let tolerances = [2e-2, 5e-3, 2e-3, 5e-4, 1e-4];
-    let load_steps =
-        tolerances.map(|step_tolerance| Point { study: "load steps", step_tolerance, ..PLAIN });
+    let load_steps = tolerances.map(|step_tolerance| Point { study: "load steps", step_tolerance, ..PLAIN });
     let threads = [1, 2].map(|threads| Point { study: "threads", element_mm: 0.1, threads, ..PLAIN });
     let of_nine = [1, 2].map(|threads| Point { study: "threads, 9 cracks", cracks: 9, threads, ..PLAIN });
     [&unknowns[..], &cracks, &load_steps, &threads, &of_nine].concat()
@@ -65,8 +64,7 @@ fn measure(point: Point) -> Result<Cost, Box<dyn Error>> {
     let mut cracks: Vec<Crack> = (0..point.cracks)
         .map(|k| Crack::surface_breaking(at(k), 6.0, 15f64.to_radians()))
         .collect::<Result<_, _>>()?;
-    let mesh =
-        MeshSettings { element_size: point.element_mm, expected_growth: 1.04f64.powi(STEPS as i32) };
+    let mesh = MeshSettings { element_size: point.element_mm, expected_growth: 1.04f64.powi(STEPS as i32) };
     let end = RailEnd::HalfPlane { centre: 0.0 };
     let mut engine =
         XfemEngine::new(&CrackNetwork::new(cracks.clone())?, steel, mesh, end, XfemSettings::default());
@@ -134,8 +132,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     );
     let mut table: Vec<(Point, Vec<f64>)> = Vec::new();
     for (index, point) in points.iter().enumerate() {
-        let output =
-            Command::new(std::env::current_exe()?).args(["--point", &index.to_string()]).output()?;
+        let output = Command::new(std::env::current_exe()?).args(["--point", &index.to_string()]).output()?;
         if !output.status.success() {
             return Err(format!("{point:?}: {}", String::from_utf8_lossy(&output.stderr)).into());
         }
