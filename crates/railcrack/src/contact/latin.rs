@@ -153,7 +153,7 @@ impl<'a> StepSolver<'a> for LatinSteps<'a> {
             }
             indicator = self.indicator(&jump, &force, step.forces, influence);
             if indicator <= tolerance {
-                faces.adopt(&self.solution).map_err(|_| failure(iteration, indicator))?;
+                faces.adopt(&self.solution);
                 return Ok(iteration);
             }
             for i in 0..n {

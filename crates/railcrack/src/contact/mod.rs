@@ -1,7 +1,6 @@
 //! Unilateral contact with Coulomb friction on the crack faces.
 
-mod active_inverse;
-mod bordered;
+mod condition;
 mod forecast;
 mod latin;
 mod law;
@@ -10,6 +9,7 @@ mod problem;
 mod response;
 mod solver;
 mod stepping;
+mod tableau;
 
 pub use latin::Latin;
 pub use law::{FaceState, FaceStatus};

@@ -81,18 +81,15 @@ impl<'a> StepSolver<'a> for NewtonSteps<'a> {
         for (point, &reference) in step.reference_slip.iter().enumerate() {
             let held = faces.solution().status[point] == PointStatus::Stick;
             if held && faces.solution().jump[2 * point] != reference {
-                let degenerate =
-                    |_| NotConverged { iterations: 0, indicator: f64::INFINITY, tolerance: ROUND_OFF };
-                faces.hold_at(point, reference).map_err(degenerate)?;
+                faces.set_status(point, PointStatus::Stick, reference);
                 foreseen = false;
             }
         }
-        let mut worst = 0.0f64;
+        let mut worst = f64::INFINITY;
         for iteration in 1..=self.max_iterations {
-            if iteration > 1 || !foreseen {
-                faces.move_free_again(step.forces);
+            if (iteration > 1 || !foreseen) && faces.equilibrate_again(step.forces).is_err() {
+                return Err(NotConverged { iterations: iteration, indicator: worst, tolerance: ROUND_OFF });
             }
-            faces.load_faces(step.forces);
             let scale = self.scale.including(faces.solution(), step.forces);
             let mut demands: Vec<(usize, PointStatus, f64)> = (0..points)
                 .filter_map(|j| {
@@ -110,13 +107,7 @@ impl<'a> StepSolver<'a> for NewtonSteps<'a> {
                 demands.truncate(1);
             }
             for (point, status, _) in demands {
-                if faces.set_status(point, status, step.reference_slip[point]).is_err() {
-                    return Err(NotConverged {
-                        iterations: iteration,
-                        indicator: worst,
-                        tolerance: ROUND_OFF,
-                    });
-                }
+                faces.set_status(point, status, step.reference_slip[point]);
             }
         }
         Err(NotConverged { iterations: self.max_iterations, indicator: worst, tolerance: ROUND_OFF })

@@ -34,8 +34,7 @@ pub trait ContactSolver: Sync {
 
 /// A solver at work on the faces of one body.
 pub trait StepSolver<'a> {
-    /// Solves a step from the solution in `faces`, whose free jumps have already moved to where `step.forces` put them
-    /// with the present statuses, and leaves the new solution there; returns the iterations. After an error `faces`
+    /// Solves a step from the solution in `faces`, which is in equilibrium under `step.forces` with the statuses of the last step, and leaves the new solution there; returns the iterations. After an error `faces`
     /// holds no solution.
     fn solve(&mut self, step: LoadStep, faces: &mut FaceResponse<'a>) -> Result<usize, NotConverged>;
     /// Makes what the solver remembers of the current solution the one to return to.

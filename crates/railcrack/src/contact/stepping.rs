@@ -243,7 +243,7 @@ impl<'a> Stepper<'a> {
         let step = target - self.at;
         let load = path.nodal_forces(target);
         self.faces.keep();
-        let forecasts = self.foresee(&load, step);
+        let forecasts = self.foresee(&load, step)?;
         let events = forecasts.iter().enumerate().filter(|(j, _)| self.problem.friction(*j) > 0.0);
         let wishes = events.filter_map(|(j, forecast)| forecast.cut(self.allowed(j), step));
         if let (Some(shorter), Cutting::Allowed) = (wishes.reduce(shortest), cutting) {
@@ -277,8 +277,11 @@ impl<'a> Stepper<'a> {
     }
 
     /// What each point would do in a step to `load` of length `step` if no point changed its status.
-    fn foresee(&mut self, load: &[f64], step: f64) -> Vec<Forecast> {
-        self.faces.move_free(load);
+    fn foresee(&mut self, load: &[f64], step: f64) -> Result<Vec<Forecast>, NotConverged> {
+        if self.faces.equilibrate(load).is_err() {
+            self.faces.restore();
+            return Err(NotConverged { iterations: 0, indicator: f64::INFINITY, tolerance: self.tolerance });
+        }
         let end = self.faces.solution();
         let motion = |j: usize| Motion {
             status: self.current.status[j],
@@ -286,7 +289,7 @@ impl<'a> Stepper<'a> {
             opening: (self.current.jump[2 * j + 1], end.jump[2 * j + 1]),
             last_rate: self.last.as_ref().map(|last| (last.slip_rates[j], last.length)),
         };
-        (0..self.problem.points()).map(|j| Forecast::of(&motion(j), step)).collect()
+        Ok((0..self.problem.points()).map(|j| Forecast::of(&motion(j), step)).collect())
     }
 
     /// A shorter step for an event that was not foreseen, since another one caused it or since it is over by the end of

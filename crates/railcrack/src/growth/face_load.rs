@@ -3,11 +3,14 @@
 use super::RailLoad;
 use crate::contact::{FaceProblem, LoadPath};
 use crate::field::HertzField;
+use crate::math::Vec2;
 
 /// Nodal forces of the uncracked rail's stress.
 pub(super) struct FaceLoad<'a> {
     problem: &'a FaceProblem<'a>,
     wheel: HertzField,
+    /// The quadrature points of the faces, mm.
+    points: Vec<Vec2>,
     /// Nodal forces of the residual stress.
     residual: Vec<f64>,
 }
@@ -39,7 +42,8 @@ impl<'a> FaceLoad<'a> {
             Some(field) => problem.body().faces().nodal_forces(|point| field.stress(point)),
             None => vec![0.0; 2 * problem.points()],
         };
-        Self { problem, wheel: HertzField::new(&load.contact, load.poisson), residual }
+        let points = problem.body().faces().samples.iter().map(|sample| sample.point).collect();
+        Self { problem, wheel: HertzField::new(&load.contact, load.poisson), points, residual }
     }
 
     /// The load along `part`.
@@ -71,7 +75,7 @@ pub(super) struct PartLoad<'a> {
 
 impl LoadPath for PartLoad<'_> {
     fn nodal_forces(&self, at: f64) -> Vec<f64> {
-        let FaceLoad { problem, wheel, residual } = self.load;
+        let FaceLoad { problem, wheel, points, residual } = self.load;
         let (xc, share) = match self.part {
             Part::Ramp => return residual.iter().map(|f| f * at).collect(),
             Part::Far { .. } if at == 0.0 => return residual.clone(),
@@ -80,13 +84,11 @@ impl LoadPath for PartLoad<'_> {
             Part::Over => (at, 1.0),
         };
         let body = problem.body();
-        let mut forces = match body.ends() {
-            None => body.faces().nodal_forces(|point| wheel.stress(point, xc)),
-            Some(ends) => {
-                let ends = ends.stresses(xc);
-                body.faces().nodal_forces_of_samples(|k, point| wheel.stress(point, xc) + ends[k])
-            }
-        };
+        let mut stresses = wheel.stresses(points, xc);
+        if let Some(ends) = body.ends() {
+            stresses.iter_mut().zip(ends.stresses(xc)).for_each(|(stress, end)| *stress = *stress + end);
+        }
+        let mut forces = body.faces().nodal_forces_of_samples(|k, _| stresses[k]);
         if share != 1.0 {
             forces.iter_mut().for_each(|f| *f *= share);
         }

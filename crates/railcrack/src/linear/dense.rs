@@ -1,57 +1,153 @@
 //! Inverses of dense matrices.
 
 use super::LinearError;
-use crate::math::Matrix;
+use crate::math::{Matrix, axpy, dot};
 use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
 use faer::linalg::{cholesky::llt, lu::partial_pivoting, matmul::matmul};
+use faer::prelude::{Reborrow, ReborrowMut};
 use faer::{Accum, Mat, MatMut, MatRef, Par, Spec};
+use rayon::prelude::*;
 
-/// The Cholesky factor of a symmetric positive definite matrix.
+/// The Cholesky factor K = L Lᵀ of a symmetric positive definite matrix.
+#[derive(Debug)]
 pub struct SpdFactor {
-    factor: Mat<f64>,
+    /// Row j holds column j of L from the diagonal on.
+    columns: Matrix,
 }
 
+/// Columns that are eliminated together, and rows of the rest that are updated together by one thread: their sums do not depend on who does
+/// them.
+const BLOCK: usize = 192;
+/// Right-hand sides that are solved together.
+const RIGHT_SIDES: usize = 64;
+
 impl SpdFactor {
-    /// Factors `matrix`, of which the lower triangle is read.
-    pub fn new(matrix: &Matrix) -> Result<Self, LinearError> {
+    /// Factors `matrix`, which becomes the factor; of its rows only what is on and right of the diagonal is read. The bits do not depend on
+    /// the number of threads.
+    pub fn new(mut matrix: Matrix) -> Result<Self, LinearError> {
         let order = matrix.rows();
-        let mut factor = Mat::from_fn(order, order, |i, j| matrix[(i, j)]);
-        let mut buffer =
-            MemBuffer::new(llt::factor::cholesky_in_place_scratch::<f64>(order, Par::Seq, Spec::default()));
-        let stack = MemStack::new(&mut buffer);
-        llt::factor::cholesky_in_place(factor.as_mut(), Default::default(), Par::Seq, stack, Spec::default())
+        // Symmetric: rows are columns.
+        let mut factor = MatMut::from_column_major_slice_mut(matrix.entries_mut(), order, order);
+        for start in (0..order).step_by(BLOCK) {
+            let width = BLOCK.min(order - start);
+            let (_, right) = factor.rb_mut().split_at_col_mut(start);
+            let (block, rest) = right.get_mut(start.., ..).split_at_col_mut(width);
+            let (mut own, mut below) = block.split_at_row_mut(width);
+            let scratch = llt::factor::cholesky_in_place_scratch::<f64>(width, Par::Seq, Spec::default());
+            let mut buffer = MemBuffer::new(scratch);
+            let stack = MemStack::new(&mut buffer);
+            llt::factor::cholesky_in_place(
+                own.rb_mut(),
+                Default::default(),
+                Par::Seq,
+                stack,
+                Spec::default(),
+            )
             .map_err(|error| match error {
                 llt::factor::LltError::NonPositivePivot { index } => {
-                    LinearError::NotPositiveDefinite { order, pivot: index }
+                    LinearError::NotPositiveDefinite { order, pivot: start + index }
                 }
             })?;
-        Ok(Self { factor })
+            let own = own.rb();
+            below.rb_mut().par_row_chunks_mut(BLOCK).for_each(|rows| {
+                solve_lower_triangular_in_place(own, rows.transpose_mut(), Par::Seq);
+            });
+            let below = below.rb();
+            let rest = rest.get_mut(width.., ..);
+            rest.par_col_chunks_mut(BLOCK).enumerate().for_each(|(k, columns)| {
+                // The part on and below the diagonal.
+                let from = k * BLOCK;
+                let lower = columns.get_mut(from.., ..);
+                let across = below.get(from..from + lower.ncols(), ..);
+                matmul(lower, Accum::Add, below.get(from.., ..), across.transpose(), -1.0, Par::Seq);
+            });
+        }
+        Ok(Self { columns: matrix })
+    }
+
+    fn factor(&self) -> MatRef<'_, f64> {
+        let order = self.columns.rows();
+        MatRef::from_column_major_slice(self.columns.entries(), order, order)
     }
 
     /// The inverse, exactly symmetric.
     pub fn inverse(&self) -> Matrix {
-        let order = self.factor.nrows();
+        let order = self.columns.rows();
         let mut buffer = MemBuffer::new(llt::inverse::inverse_scratch::<f64>(order, Par::Seq));
         let stack = MemStack::new(&mut buffer);
-        let mut inverse = Mat::zeros(order, order);
-        llt::inverse::inverse(inverse.as_mut(), self.factor.as_ref(), Par::Seq, stack);
-        Matrix::from_fn(order, order, |i, j| inverse[(i.max(j), i.min(j))])
+        let mut inverse = Matrix::zeros(order, order);
+        let columns = MatMut::from_column_major_slice_mut(inverse.entries_mut(), order, order);
+        llt::inverse::inverse(columns, self.factor(), Par::Seq, stack);
+        for i in 0..order {
+            for j in 0..i {
+                inverse[(i, j)] = inverse[(j, i)];
+            }
+        }
+        inverse
     }
 
-    /// K⁻¹ Bᵀ as rows: the solution for each row of `right` (r × order), r × order.
-    pub fn solve_rows(&self, right: &Matrix) -> Matrix {
-        let (rows, order) = (right.rows(), self.factor.nrows());
-        let mut solution = Mat::from_fn(order, rows, |i, j| right[(j, i)]);
-        let scratch = llt::solve::solve_in_place_scratch::<f64>(order, rows, Par::Seq);
-        let mut buffer = MemBuffer::new(scratch);
-        llt::solve::solve_in_place(
-            self.factor.as_ref(),
-            solution.as_mut(),
-            Par::Seq,
-            MemStack::new(&mut buffer),
-        );
-        Matrix::from_fn(rows, order, |i, j| solution[(j, i)])
+    /// L⁻¹ Bᵀ as rows, one for each row of `right` (r × order), so that their scalar products are B K⁻¹ Bᵀ. Where rows with leading zeros stand
+    /// beside each other, these are skipped.
+    ///
+    /// Errors: rows of another length.
+    pub fn half_solve_rows(&self, mut right: Matrix) -> Result<Matrix, LinearError> {
+        let order = self.columns.rows();
+        let given = right.columns();
+        if given != order {
+            return Err(LinearError::WrongLength {
+                quantity: "entries of a right-hand side",
+                given,
+                expected: order,
+            });
+        }
+        right.entries_mut().par_chunks_mut((RIGHT_SIDES * order).max(1)).for_each(|rows| {
+            let first = |row: &[f64]| row.iter().take_while(|value| **value == 0.0).count();
+            let start = rows.chunks(order).map(first).min().unwrap_or(0);
+            let sides = rows.len() / order;
+            let columns = MatMut::from_column_major_slice_mut(rows, order, sides).get_mut(start.., ..);
+            solve_lower_triangular_in_place(self.factor().get(start.., start..), columns, Par::Seq);
+        });
+        Ok(right)
     }
+
+    /// L⁻ᵀ `half`, in place: K⁻¹ b from L⁻¹ b.
+    ///
+    /// Errors: another length.
+    pub fn back_solve(&self, half: &mut [f64]) -> Result<(), LinearError> {
+        let (given, order) = (half.len(), self.columns.rows());
+        if given != order {
+            return Err(LinearError::WrongLength {
+                quantity: "entries of a right-hand side",
+                given,
+                expected: order,
+            });
+        }
+        let column = MatMut::from_column_major_slice_mut(half, order, 1);
+        solve_upper_triangular_in_place(self.factor().transpose(), column, Par::Seq);
+        Ok(())
+    }
+}
+
+/// The product A Bᵀ.
+///
+/// Errors: rows of A and B must be of one length.
+pub fn product_transposed(a: &Matrix, b: &Matrix) -> Result<Matrix, LinearError> {
+    let (inner, columns) = (a.columns(), b.rows());
+    if inner != b.columns() {
+        let quantity = "columns of the second factor of a transposed product";
+        return Err(LinearError::WrongLength { quantity, given: b.columns(), expected: inner });
+    }
+    let mut product = Matrix::zeros(a.rows(), columns);
+    let b = MatRef::from_row_major_slice(b.entries(), columns, inner).transpose();
+    let strips = product.entries_mut().par_chunks_mut((RIGHT_SIDES * columns).max(1));
+    strips.zip(a.entries().par_chunks((RIGHT_SIDES * inner).max(1))).for_each(|(product, a)| {
+        let rows = product.len() / columns;
+        let a = MatRef::from_row_major_slice(a, rows, inner);
+        let product = MatMut::from_row_major_slice_mut(product, rows, columns);
+        matmul(product, Accum::Replace, a, b, 1.0, Par::Seq);
+    });
+    Ok(product)
 }
 
 /// The product A B.
@@ -75,9 +171,75 @@ pub fn product(a: &Matrix, b: &Matrix) -> Result<Matrix, LinearError> {
     Ok(product)
 }
 
+/// sum += factor A B.
+///
+/// Errors: shapes that do not fit.
+pub fn add_product(factor: f64, a: &Matrix, b: &Matrix, sum: &mut Matrix) -> Result<(), LinearError> {
+    let (rows, inner, columns) = (a.rows(), a.columns(), b.columns());
+    for (quantity, given, expected) in [
+        ("rows of the second factor of a product", b.rows(), inner),
+        ("rows of a sum of products", sum.rows(), rows),
+        ("columns of a sum of products", sum.columns(), columns),
+    ] {
+        if given != expected {
+            return Err(LinearError::WrongLength { quantity, given, expected });
+        }
+    }
+    matmul(
+        MatMut::from_row_major_slice_mut(sum.entries_mut(), rows, columns),
+        Accum::Add,
+        MatRef::from_row_major_slice(a.entries(), rows, inner),
+        MatRef::from_row_major_slice(b.entries(), inner, columns),
+        factor,
+        Par::Seq,
+    );
+    Ok(())
+}
+
+/// Solves A x = b for a few unknowns by Gaussian elimination with partial pivoting: `right` is b and becomes x. Below some dozens of unknowns a call of
+/// the blocked factorisation costs more than this.
+///
+/// Errors: a right-hand side of another length; a pivot below 1e-12 of the largest entry.
+pub fn solve_small(mut matrix: Matrix, right: &mut [f64]) -> Result<(), LinearError> {
+    let order = matrix.rows();
+    if right.len() != order || matrix.columns() != order {
+        let quantity = "entries of a right-hand side";
+        return Err(LinearError::WrongLength { quantity, given: right.len(), expected: order });
+    }
+    let largest = matrix.entries().iter().fold(0.0f64, |m, v| m.max(v.abs()));
+    for k in 0..order {
+        let size = |i: usize| matrix[(i, k)].abs();
+        let pivot = (k + 1..order).fold(k, |best, i| if size(i) > size(best) { i } else { best });
+        if size(pivot).is_nan() || size(pivot) <= SINGULAR * largest {
+            return Err(LinearError::Singular { order });
+        }
+        if pivot != k {
+            let (upper, lower) = matrix.row_pair_mut(k, pivot);
+            upper.swap_with_slice(lower);
+            right.swap(k, pivot);
+        }
+        for i in k + 1..order {
+            let (above, row) = matrix.row_pair(k, i);
+            let factor = row[k] / above[k];
+            if factor != 0.0 {
+                axpy(-factor, &above[k + 1..], &mut row[k + 1..]);
+                right[i] -= factor * right[k];
+            }
+        }
+    }
+    for k in (0..order).rev() {
+        let known = dot(&matrix.row(k)[k + 1..], &right[k + 1..]);
+        right[k] = (right[k] - known) / matrix[(k, k)];
+    }
+    Ok(())
+}
+
+/// Pivots below this fraction of the largest entry are taken for zero.
+const SINGULAR: f64 = 1e-12;
+
 /// The inverse of a symmetric positive definite matrix, by Cholesky; exactly symmetric.
 pub fn spd_inverse(matrix: &Matrix) -> Result<Matrix, LinearError> {
-    Ok(SpdFactor::new(matrix)?.inverse())
+    Ok(SpdFactor::new(matrix.clone())?.inverse())
 }
 
 /// The inverse of a square matrix, by Gaussian elimination with partial pivoting.
@@ -143,6 +305,78 @@ mod tests {
         let sum = |i: usize, j: usize| (0..3).map(|k| a[(i, k)] * b[(k, j)]).sum();
         assert_eq!(product(&a, &b), Ok(Matrix::from_fn(2, 4, sum)));
         assert!(matches!(product(&b, &b), Err(LinearError::WrongLength { given: 3, expected: 4, .. })));
+    }
+
+    #[test]
+    fn small_systems_by_residual() {
+        for order in [0, 1, 2, 7, 30] {
+            let matrix = Matrix::from_fn(order, order, |i, j| {
+                ((5 * i * i + 3 * j) % 11) as f64 - 4.0 + 20.0 * f64::from(i == (j + 1) % order)
+            });
+            let right: Vec<f64> = (0..order).map(|i| (i as f64).sin()).collect();
+            let mut solution = right.clone();
+            solve_small(matrix.clone(), &mut solution).unwrap();
+            let gap =
+                matrix.times(&solution).iter().zip(&right).fold(0.0f64, |m, (a, b)| m.max((a - b).abs()));
+            assert!(gap < 1e-13, "{order}: {gap}");
+        }
+        let singular = Matrix::from_fn(3, 3, |i, j| ((i + 1) * (j + 1)) as f64);
+        assert_eq!(solve_small(singular, &mut [1.0; 3]), Err(LinearError::Singular { order: 3 }));
+        let mut short = [1.0; 2];
+        assert!(matches!(
+            solve_small(Matrix::zeros(3, 3), &mut short),
+            Err(LinearError::WrongLength { given: 2, .. })
+        ));
+    }
+
+    #[test]
+    fn blocks_of_a_factor_are_the_whole() {
+        // Three blocks, and right-hand sides in two of theirs.
+        let order = 2 * BLOCK + 40;
+        let near = |i: usize, j: usize| 1.0 / (1.0 + (i as f64 - j as f64).powi(2));
+        let matrix =
+            Matrix::from_fn(order, order, |i, j| near(i, j) + f64::from(i == j) * (1.0 + (i % 7) as f64));
+        let factor = SpdFactor::new(matrix.clone()).unwrap();
+        assert!(distance_from_identity(&product(&matrix, &factor.inverse()).unwrap()) < 1e-12);
+        let sides = RIGHT_SIDES + 5;
+        let right =
+            Matrix::from_fn(sides, order, |i, j| if j < 3 * i { 0.0 } else { ((i + 2 * j) as f64).sin() });
+        let half = factor.half_solve_rows(right.clone()).unwrap();
+        let energies = product_transposed(&half, &half).unwrap();
+        for i in [0, 1, RIGHT_SIDES, sides - 1] {
+            let mut solution = half.row(i).to_vec();
+            factor.back_solve(&mut solution).unwrap();
+            let gap = matrix
+                .times(&solution)
+                .iter()
+                .zip(right.row(i))
+                .fold(0.0f64, |m, (a, b)| m.max((a - b).abs()));
+            assert!(gap < 1e-12, "{i}: {gap}");
+            for k in 0..sides {
+                assert!((dot(right.row(k), &solution) - energies[(k, i)]).abs() < 1e-10, "{i}, {k}");
+            }
+        }
+        assert!(matches!(factor.back_solve(&mut [0.0; 3]), Err(LinearError::WrongLength { given: 3, .. })));
+        let indefinite =
+            Matrix::from_fn(order, order, |i, j| matrix[(i, j)] - 20.0 * f64::from(i == j && i == 300));
+        assert_eq!(
+            SpdFactor::new(indefinite).err(),
+            Some(LinearError::NotPositiveDefinite { order, pivot: 300 })
+        );
+    }
+
+    #[test]
+    fn sums_of_products() {
+        let a = Matrix::from_fn(2, 3, |i, j| (1 + i + 2 * j) as f64);
+        let b = Matrix::from_fn(3, 4, |i, j| (i * j) as f64 - 1.0);
+        let mut sum = Matrix::from_fn(2, 4, |i, j| (i + j) as f64);
+        add_product(-2.0, &a, &b, &mut sum).unwrap();
+        let once = product(&a, &b).unwrap();
+        assert_eq!(sum, Matrix::from_fn(2, 4, |i, j| (i + j) as f64 - 2.0 * once[(i, j)]));
+        assert!(matches!(
+            add_product(1.0, &a, &b, &mut Matrix::zeros(3, 4)),
+            Err(LinearError::WrongLength { given: 3, expected: 2, .. })
+        ));
     }
 
     #[test]

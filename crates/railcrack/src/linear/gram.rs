@@ -5,10 +5,11 @@ use super::reach::ReachedColumn;
 use crate::math::Matrix;
 use pulp::{Arch, Simd, WithSimd};
 use rayon::prelude::*;
+use std::ops::Range;
 
-/// Rows of the matrix of scalar products that are computed together: enough to use a packed panel often, few enough to keep
-/// their part of the matrix in the cache and all threads busy.
-const STRIP: usize = 8 * ROWS;
+/// Rows of the matrix of scalar products that are computed together: enough to fetch the packed panels seldom, few enough to keep
+/// all threads busy.
+const STRIP: usize = 24 * ROWS;
 
 impl ReachedColumn {
     /// W_aᵀ W_b = b_aᵀ K⁻¹ b_b: over the supernodes that both reach, one after the other, each summed in the order of its rows. The
@@ -81,25 +82,36 @@ struct PackedPanel {
     rows: Vec<Row>,
 }
 
+/// Supernodes that one thread packs at a time.
+const PACKED: u32 = 64;
+
 impl Packed {
     fn new(columns: &[&ReachedColumn]) -> Self {
-        let mut panels: Vec<Vec<PackedPanel>> = Vec::new();
-        for (j, column) in columns.iter().enumerate() {
-            for (s, values) in column.parts() {
-                if panels.len() <= s {
-                    panels.resize_with(s + 1, Vec::new);
-                }
-                if panels[s].last().is_none_or(|panel| panel.columns.len() == LANES) {
-                    panels[s].push(PackedPanel { columns: Vec::new(), rows: vec![Row::ZERO; values.len()] });
-                }
-                let Some(panel) = panels[s].last_mut() else { continue };
-                let lane = panel.columns.len();
-                panel.columns.push(j);
-                panel.rows.iter_mut().zip(values).for_each(|(row, value)| row.0[lane] = *value);
-            }
-        }
-        Self { columns: columns.len(), panels }
+        let supernodes = columns.iter().filter_map(|column| column.last()).max().map_or(0, |last| last + 1);
+        let panels: Vec<Vec<Vec<PackedPanel>>> = (0..supernodes.div_ceil(PACKED))
+            .into_par_iter()
+            .map(|k| panels_of(columns, k * PACKED..((k + 1) * PACKED).min(supernodes)))
+            .collect();
+        Self { columns: columns.len(), panels: panels.into_iter().flatten().collect() }
     }
+}
+
+/// The panels of each of some supernodes.
+fn panels_of(columns: &[&ReachedColumn], supernodes: Range<u32>) -> Vec<Vec<PackedPanel>> {
+    let mut panels: Vec<Vec<PackedPanel>> = supernodes.clone().map(|_| Vec::new()).collect();
+    for (j, column) in columns.iter().enumerate() {
+        for (s, values) in column.parts_on(supernodes.clone()) {
+            let panels = &mut panels[s - supernodes.start as usize];
+            if panels.last().is_none_or(|panel| panel.columns.len() == LANES) {
+                panels.push(PackedPanel { columns: Vec::new(), rows: vec![Row::ZERO; values.len()] });
+            }
+            let Some(panel) = panels.last_mut() else { continue };
+            let lane = panel.columns.len();
+            panel.columns.push(j);
+            panel.rows.iter_mut().zip(values).for_each(|(row, value)| row.0[lane] = *value);
+        }
+    }
+    panels
 }
 
 struct Strip<'a> {
@@ -144,6 +156,14 @@ impl WithSimd for Strip<'_> {
                     add_tile(simd, &tile, &panel.rows, &mut sums);
                     for ((i, _), sum) in rows.iter().zip(&sums) {
                         let products = &mut self.products[i * self.packed.columns..][..self.packed.columns];
+                        if let &[first, .., last] = panel.columns.as_slice()
+                            && last - first == LANES - 1
+                            && panel.columns.len() == LANES
+                        {
+                            // Side by side, as most are.
+                            products[first..][..LANES].iter_mut().zip(&sum.0).for_each(|(p, v)| *p += v);
+                            continue;
+                        }
                         for (&j, value) in panel.columns.iter().zip(&sum.0) {
                             products[j] += value;
                         }

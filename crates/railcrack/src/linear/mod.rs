@@ -15,7 +15,9 @@ mod sparse_tests;
 mod sweep;
 
 pub use cholesky::{SparseCholesky, SparseFactor};
-pub use dense::{SpdFactor, general_inverse, product, spd_inverse};
+pub use dense::{
+    SpdFactor, add_product, general_inverse, product, product_transposed, solve_small, spd_inverse,
+};
 pub use error::LinearError;
 pub use gram::{gram, gram_of};
 pub use reach::{ReachedColumn, SparseColumn};

@@ -5,6 +5,7 @@ use super::cholesky::SparseFactor;
 use super::lanes::LANES;
 use super::sweep::Panel;
 use rayon::prelude::*;
+use std::ops::Range;
 
 /// A sparse right-hand side b: (unknown, value); values of the same unknown add.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -30,6 +31,21 @@ impl ReachedColumn {
     pub(super) fn parts(&self) -> impl Iterator<Item = (usize, &[f64])> {
         let range = |k: usize| self.starts[k] as usize..self.starts[k + 1] as usize;
         self.supernodes.iter().enumerate().map(move |(k, &s)| (s as usize, &self.values[range(k)]))
+    }
+
+    /// Those of [`ReachedColumn::parts`] on a range of supernodes.
+    pub(super) fn parts_on(&self, supernodes: Range<u32>) -> impl Iterator<Item = (usize, &[f64])> {
+        let from = self.supernodes.partition_point(|&s| s < supernodes.start);
+        let to = self.supernodes.partition_point(|&s| s < supernodes.end);
+        (from..to).map(|k| {
+            let range = self.starts[k] as usize..self.starts[k + 1] as usize;
+            (self.supernodes[k] as usize, &self.values[range])
+        })
+    }
+
+    /// The last supernode reached: the root of its part of the elimination tree.
+    pub(super) fn last(&self) -> Option<u32> {
+        self.supernodes.last().copied()
     }
 
     /// Values that it holds.

@@ -17,8 +17,19 @@ pub(crate) fn axpy(a: f64, x: &[f64], y: &mut [f64]) {
 }
 
 /// y += a x + b z, in one pass over y.
-pub(crate) fn axpy_two((a, x): (f64, &[f64]), (b, z): (f64, &[f64]), y: &mut [f64]) {
+fn axpy_two((a, x): (f64, &[f64]), (b, z): (f64, &[f64]), y: &mut [f64]) {
     Arch::new().dispatch(AxpyTwo { a, x, b, z, y });
+}
+
+/// y += Σ weights_i rows(i), two rows at a time.
+pub(crate) fn add_rows<'m>(weights: &[f64], rows: impl Fn(usize) -> &'m [f64], y: &mut [f64]) {
+    let mut pairs = weights.chunks_exact(2);
+    for (k, pair) in pairs.by_ref().enumerate() {
+        axpy_two((pair[0], rows(2 * k)), (pair[1], rows(2 * k + 1)), y);
+    }
+    if let [last] = pairs.remainder() {
+        axpy(*last, rows(weights.len() - 1), y);
+    }
 }
 
 struct Dot<'a> {
@@ -106,6 +117,10 @@ mod tests {
             let mut both = b.clone();
             axpy_two((2.0, &a), (-3.0, &b), &mut both);
             assert_eq!(once, both);
+            let mut together = b.clone();
+            let rows = [&a, &b, &a];
+            add_rows(&[2.0, -3.0, 0.0], |k| rows[k], &mut together);
+            assert_eq!(once, together);
             assert!(once.iter().zip(&a).zip(&b).all(|((y, a), b)| (y - (2.0 * a - 2.0 * b)).abs() < 1e-14));
         }
     }

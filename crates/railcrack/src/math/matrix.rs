@@ -58,11 +58,17 @@ impl Matrix {
 
     /// Two different rows, the first to read and the second to write.
     pub(crate) fn row_pair(&mut self, read: usize, write: usize) -> (&[f64], &mut [f64]) {
+        let (read, write) = self.row_pair_mut(read, write);
+        (read, write)
+    }
+
+    /// Two different rows, to write.
+    pub(crate) fn row_pair_mut(&mut self, one: usize, other: usize) -> (&mut [f64], &mut [f64]) {
         let columns = self.columns;
-        let (before, after) = self.entries.split_at_mut(read.max(write) * columns);
-        let lower = &mut before[read.min(write) * columns..][..columns];
+        let (before, after) = self.entries.split_at_mut(one.max(other) * columns);
+        let lower = &mut before[one.min(other) * columns..][..columns];
         let upper = &mut after[..columns];
-        if read < write { (lower, upper) } else { (upper, lower) }
+        if one < other { (lower, upper) } else { (upper, lower) }
     }
 
     /// The product with a column vector of `columns` entries.

@@ -14,7 +14,7 @@ mod vector;
 pub(crate) use anderson::Anderson;
 pub use ball::{Ball, smallest_ball};
 pub use grading::quantiles;
-pub(crate) use kernels::{axpy, axpy_two, dot};
+pub(crate) use kernels::{add_rows, axpy, dot};
 pub use matrix::Matrix;
 pub use predicate::{Orientation, orientation, segments_touch};
 pub use quadrature::gauss_legendre;

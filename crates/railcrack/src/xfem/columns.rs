@@ -2,6 +2,7 @@
 
 use crate::linear::{LinearError, ReachedColumn, SparseColumn, SparseFactor, gram};
 use crate::math::Matrix;
+use rayon::prelude::*;
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -27,7 +28,7 @@ impl ColumnStore {
         &mut self,
         factor: &SparseFactor,
         columns: &[SparseColumn],
-    ) -> Result<Matrix, LinearError> {
+    ) -> Result<Arc<Matrix>, LinearError> {
         let n = columns.len();
         let content = |column: &SparseColumn| -> Vec<(usize, u64)> {
             column.entries.iter().map(|&(unknown, value)| (unknown, value.to_bits())).collect()
@@ -55,26 +56,23 @@ impl ColumnStore {
         let all: Vec<&ReachedColumn> = reached.iter().flatten().map(Arc::as_ref).collect();
         let new: Vec<&ReachedColumn> = fresh.iter().map(|&i| all[i]).collect();
         let computed = gram(&new, &all);
+        let mut row_of: Vec<Option<usize>> = vec![None; n];
+        fresh.iter().enumerate().for_each(|(row, &i)| row_of[i] = Some(row));
+        let old = self.products.take();
+        let product = |i: usize, j: usize| match (row_of[i], row_of[j], &old) {
+            (Some(row), _, _) => computed[(row, j)],
+            (None, Some(row), _) => computed[(row, i)],
+            (None, None, Some(old)) => known[i].zip(known[j]).map_or(0.0, |place| old[place]),
+            (None, None, None) => 0.0,
+        };
         let mut products = Matrix::zeros(n, n);
-        if let Some(old) = &self.products {
-            for i in 0..n {
-                let Some(from) = known[i] else { continue };
-                for j in 0..n {
-                    if let Some(to) = known[j] {
-                        products[(i, j)] = old[(from, to)];
-                    }
-                }
-            }
-        }
-        for (row, &i) in fresh.iter().enumerate() {
-            for j in 0..n {
-                products[(i, j)] = computed[(row, j)];
-                products[(j, i)] = computed[(row, j)];
-            }
-        }
+        products.entries_mut().par_chunks_mut(n.max(1)).enumerate().for_each(|(i, row)| {
+            row.iter_mut().enumerate().for_each(|(j, entry)| *entry = product(i, j));
+        });
         self.places = Arc::new(places);
         self.reached = reached;
-        self.products = Some(Arc::new(products.clone()));
+        let products = Arc::new(products);
+        self.products = Some(Arc::clone(&products));
         Ok(products)
     }
 }

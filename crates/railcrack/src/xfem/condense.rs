@@ -7,8 +7,11 @@ use super::interface::Duality;
 use super::sif::SifFunctional;
 use super::space::{Enrichment, Space};
 use crate::bulk::BulkRail;
-use crate::linear::{ReachedColumn, SparseCholesky, SparseColumn, SparseFactor, SpdFactor, gram_of};
-use crate::math::{Matrix, dot};
+use crate::linear::{
+    LinearError, ReachedColumn, SparseCholesky, SparseColumn, SparseFactor, SpdFactor, gram_of,
+    product_transposed,
+};
+use crate::math::{Matrix, add_rows};
 use std::sync::Arc;
 
 /// C and S, and what the unknowns under a load follow from.
@@ -39,8 +42,12 @@ pub(super) enum Elimination {
     Border {
         /// K_se.
         coupling: Arc<Vec<Entries>>,
-        /// S_ee⁻¹ Bᵀ, transposed: row of a component of B.
-        response: Matrix,
+        /// L Lᵀ = S_ee, of scaled unknowns.
+        factor: Arc<SpdFactor>,
+        /// L⁻¹ Bᵀ, transposed: row of a component of B.
+        jumps: Matrix,
+        /// The unknowns over the scaled ones.
+        scale: Vec<f64>,
     },
     /// All together, by a factor of their own.
     Together {
@@ -95,34 +102,35 @@ impl System<'_> {
         let mut condensed = Matrix::from_fn(n, n, |i, j| -products[(i, j)] * scale[i] * scale[j]);
         for (i, row) in self.border.square.iter().enumerate() {
             for &(j, value) in row {
-                condensed[(i, j)] = (value - products[(i, j)]) * scale[i] * scale[j];
+                condensed[(j, i)] = (value - products[(j, i)]) * scale[i] * scale[j];
             }
             condensed[(i, i)] += if scale[i] > 0.0 { REDUNDANT } else { 1.0 };
         }
-        let factor = SpdFactor::new(&condensed)?;
-        let mut right = Matrix::zeros(self.jumps.len(), n);
+        let factor = SpdFactor::new(condensed)?;
+        let faces = self.jumps.len();
+        let mut right = Matrix::zeros(faces + self.functionals.len(), n);
         for (i, row) in self.jumps.iter().enumerate() {
             row.iter().for_each(|&(unknown, value)| right[(i, unknown)] = value * scale[unknown]);
         }
-        let mut response = factor.solve_rows(&right);
-        for i in 0..self.jumps.len() {
-            response.row_mut(i).iter_mut().zip(&scale).for_each(|(value, scale)| *value *= scale);
+        for (k, functional) in self.functionals.iter().enumerate() {
+            let row = right.row_mut(faces + k);
+            row.iter_mut().zip(products.row(n + k)).for_each(|(own, product)| *own = -product);
+            functional.enriched.iter().for_each(|&(unknown, value)| row[unknown] += value);
+            row.iter_mut().zip(&scale).for_each(|(own, scale)| *own *= scale);
         }
-        let compliance = Matrix::from_fn(self.jumps.len(), self.jumps.len(), |i, j| {
-            self.jumps[i].iter().map(|&(unknown, value)| value * response[(j, unknown)]).sum()
-        });
+        let half = factor.half_solve_rows(right)?;
+        let jumps = Matrix::from_fn(faces, n, |i, j| half[(i, j)]);
+        let energies = product_transposed(&half, &jumps)?;
+        let compliance = Matrix::from_fn(faces, faces, |i, j| energies[(i, j)]);
         let influence: Vec<Vec<f64>> = self
             .functionals
             .iter()
             .enumerate()
-            .map(|(k, functional)| {
-                let mut row: Vec<f64> = products.row(n + k)[..n].iter().map(|c| -c).collect();
-                functional.enriched.iter().for_each(|&(unknown, value)| row[unknown] += value);
-                (0..self.jumps.len()).map(|j| dot(&row, response.row(j)) + functional.tractions[j]).collect()
-            })
+            .map(|(k, f)| (0..faces).map(|j| energies[(faces + k, j)] + f.tractions[j]).collect())
             .collect();
         let coupling = Arc::new(self.border.columns.clone());
-        Ok(self.at_face_points(compliance, &influence, Elimination::Border { coupling, response }))
+        let elimination = Elimination::Border { coupling, factor: Arc::new(factor), jumps, scale };
+        Ok(self.at_face_points(compliance, &influence, elimination))
     }
 
     pub(super) fn together(&self) -> Result<Condensed, XfemError> {
@@ -195,41 +203,71 @@ impl System<'_> {
 }
 
 impl Elimination {
-    /// The unknowns of the mesh and the enriched ones under tractions Σ λ_j τ_j on the faces: `tractions` are the τ_j (MPa), along x and y.
+    /// The unknowns under each of some tractions Σ λ_j τ_j on the faces: `tractions` are the τ_j (MPa), along x and y.
     pub(super) fn unknowns(
         &self,
         rail: &BulkRail,
-        tractions: &[f64],
-    ) -> Result<(Vec<f64>, Vec<f64>), XfemError> {
+        tractions: &[Vec<f64>],
+    ) -> Result<Vec<Unknowns>, XfemError> {
         let mesh = rail.factor().order();
-        match self {
-            Self::Border { coupling, response } => {
-                let mut enriched = vec![0.0; response.columns()];
-                for (row, traction) in tractions.iter().enumerate() {
-                    enriched.iter_mut().zip(response.row(row)).for_each(|(sum, v)| *sum += traction * v);
-                }
-                let mut standard = vec![0.0; mesh];
-                for (column, value) in coupling.iter().zip(&enriched) {
-                    for &(unknown, entry) in column {
-                        if let Some(free) = rail.unknowns(unknown / 2)[unknown % 2] {
-                            standard[free] -= entry * value;
-                        }
-                    }
-                }
-                rail.factor().solve(&mut standard)?;
-                Ok((standard, enriched))
+        let enriched: Vec<Vec<f64>> =
+            tractions.iter().map(|own| self.enriched(own)).collect::<Result<_, _>>()?;
+        let (factor, mut together) = match self {
+            Self::Border { coupling, .. } => {
+                let pulls: Vec<Vec<f64>> = enriched.iter().map(|own| pull_of(rail, coupling, own)).collect();
+                (rail.factor(), pulls.concat())
             }
             Self::Together { factor, jumps } => {
-                let mut unknowns = vec![0.0; factor.order()];
-                for (row, traction) in jumps.iter().zip(tractions) {
-                    row.iter().for_each(|&(unknown, value)| unknowns[unknown] += traction * value);
+                let mut right = vec![0.0; factor.order() * tractions.len()];
+                for (right, tractions) in right.chunks_mut(factor.order().max(1)).zip(tractions) {
+                    for (row, traction) in jumps.iter().zip(tractions) {
+                        row.iter().for_each(|&(unknown, value)| right[unknown] += traction * value);
+                    }
                 }
-                factor.solve(&mut unknowns)?;
-                let enriched = unknowns.split_off(mesh);
-                Ok((unknowns, enriched))
+                (factor.as_ref(), right)
+            }
+        };
+        factor.solve(&mut together)?;
+        let solutions = together.chunks(factor.order().max(1)).zip(enriched);
+        Ok(solutions
+            .map(|(solution, mut enriched)| {
+                let (standard, own) = solution.split_at(mesh);
+                enriched.extend_from_slice(own);
+                Unknowns { standard: standard.to_vec(), enriched }
+            })
+            .collect())
+    }
+
+    /// The enriched unknowns, where they can be had without those of the mesh.
+    fn enriched(&self, tractions: &[f64]) -> Result<Vec<f64>, LinearError> {
+        let Self::Border { factor, jumps, scale, .. } = self else { return Ok(Vec::new()) };
+        let mut enriched = vec![0.0; jumps.columns()];
+        add_rows(tractions, |row| jumps.row(row), &mut enriched);
+        factor.back_solve(&mut enriched)?;
+        enriched.iter_mut().zip(scale).for_each(|(value, scale)| *value *= scale);
+        Ok(enriched)
+    }
+}
+
+/// The unknowns under one load.
+pub(super) struct Unknowns {
+    /// The free ones of the mesh.
+    pub standard: Vec<f64>,
+    /// Those of the enrichments.
+    pub enriched: Vec<f64>,
+}
+
+/// What the `enriched` unknowns do to the equations of those of the mesh: −K_se u_e.
+fn pull_of(rail: &BulkRail, coupling: &[Entries], enriched: &[f64]) -> Vec<f64> {
+    let mut right = vec![0.0; rail.factor().order()];
+    for (column, value) in coupling.iter().zip(enriched) {
+        for &(unknown, entry) in column {
+            if let Some(free) = rail.unknowns(unknown / 2)[unknown % 2] {
+                right[free] -= entry * value;
             }
         }
     }
+    right
 }
 
 #[cfg(test)]

@@ -66,8 +66,9 @@ fn a_dense_border_and_one_factor_give_the_same() {
     assert_eq!(sif_influence.rows(), 8, "two K of four tips");
 
     let tractions: Vec<f64> = (0..jumps.len()).map(|i| 100.0 + (i as f64).sin()).collect();
-    let (one, _) = elimination.unknowns(rail, &tractions).unwrap();
-    let (other, _) = together.elimination.unknowns(rail, &tractions).unwrap();
+    let tractions = [tractions];
+    let one = elimination.unknowns(rail, &tractions).unwrap().swap_remove(0).standard;
+    let other = together.elimination.unknowns(rail, &tractions).unwrap().swap_remove(0).standard;
     let u = largest_difference(
         &Matrix::from_fn(1, one.len(), |_, i| one[i]),
         &Matrix::from_fn(1, one.len(), |_, i| other[i]),

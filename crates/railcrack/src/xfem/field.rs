@@ -2,7 +2,7 @@
 
 use super::basis::{CellBasis, Elasticity, Function};
 use super::body::XfemError;
-use super::condense::Elimination;
+use super::condense::{Elimination, Unknowns};
 use super::cuts::{CellPlace, Cuts};
 use super::field_grid::Layout;
 use super::interface::{Duality, Interface};
@@ -30,8 +30,8 @@ pub(super) struct Inside {
 /// Distance (over the length of the longest crack) from the box of the cracks up to which fields are given.
 const MARGIN: f64 = 0.25;
 
-/// The unknowns under one load.
-struct Unknowns {
+/// The displacements under one load.
+struct Displacements {
     /// Displacement of the nodes of the mesh, mm.
     nodes: Vec<Vec2>,
     enriched: Vec<f64>,
@@ -56,31 +56,36 @@ impl Inside {
         wheel: Option<&HertzianContact>,
     ) -> Result<BodyFields, XfemError> {
         let layout = Layout::new(self.rail.mesh(), &self.cuts, &self.interface, margin);
-        let fields = loads
-            .iter()
-            .map(|load| Ok(self.on(&layout, &self.unknowns(load, wheel)?)))
-            .collect::<Result<_, XfemError>>()?;
+        let fields = self.unknowns(loads, wheel)?.iter().map(|unknowns| self.on(&layout, unknowns)).collect();
         Ok(BodyFields { grid: layout.grid, loads: fields })
     }
 
-    fn unknowns(&self, load: &FieldLoad, wheel: Option<&HertzianContact>) -> Result<Unknowns, XfemError> {
-        let tractions = self.duality.tractions(load.forces);
-        let (standard, enriched) = self.elimination.unknowns(&self.rail, &tractions)?;
-        let of_node = |node: usize| {
-            let [x, y] = self.rail.unknowns(node).map(|unknown| unknown.map_or(0.0, |free| standard[free]));
-            Vec2::new(x, y)
+    fn unknowns(
+        &self,
+        loads: &[FieldLoad],
+        wheel: Option<&HertzianContact>,
+    ) -> Result<Vec<Displacements>, XfemError> {
+        let tractions: Vec<Vec<f64>> = loads.iter().map(|load| self.duality.tractions(load.forces)).collect();
+        let solutions = self.elimination.unknowns(&self.rail, &tractions)?;
+        let under = |(load, Unknowns { standard, enriched }): (&FieldLoad, Unknowns)| {
+            let of_node = |node: usize| {
+                let [x, y] =
+                    self.rail.unknowns(node).map(|unknown| unknown.map_or(0.0, |free| standard[free]));
+                Vec2::new(x, y)
+            };
+            let mut nodes: Vec<Vec2> = (0..self.rail.mesh().node_count()).map(of_node).collect();
+            if let Some(contact) = wheel {
+                // At one position nothing is interpolated: one solution.
+                let ends = BlockCorrection::new(&self.rail, contact, load.xc..=load.xc)?;
+                let displacements = ends.displacements(load.xc)?;
+                nodes.iter_mut().zip(displacements).for_each(|(node, u)| *node = *node + u);
+            }
+            Ok(Displacements { nodes, enriched })
         };
-        let mut nodes: Vec<Vec2> = (0..self.rail.mesh().node_count()).map(of_node).collect();
-        if let Some(contact) = wheel {
-            // At one position nothing is interpolated: one solution.
-            let ends = BlockCorrection::new(&self.rail, contact, load.xc..=load.xc)?;
-            let displacements = ends.displacements(load.xc)?;
-            nodes.iter_mut().zip(displacements).for_each(|(node, u)| *node = *node + u);
-        }
-        Ok(Unknowns { nodes, enriched })
+        loads.iter().zip(solutions).map(under).collect()
     }
 
-    fn on(&self, layout: &Layout, unknowns: &Unknowns) -> PointField {
+    fn on(&self, layout: &Layout, unknowns: &Displacements) -> PointField {
         let points = layout.grid.points.len();
         let elasticity = Elasticity::new(*self.rail.steel());
         let mut field =
@@ -117,7 +122,7 @@ impl Inside {
         place: CellPlace,
         points: Range<usize>,
         layout: &Layout,
-        unknowns: &Unknowns,
+        unknowns: &Displacements,
         elasticity: &Elasticity,
     ) -> Vec<(Vec2, Stress)> {
         let cut = &self.cuts.elements[&place.element];

@@ -17,6 +17,15 @@ use crate::math::{Matrix, Stress, Vec2, gauss_legendre};
 use crate::mesh::{Edge, QuadMesh};
 use crate::xfem::XfemBody;
 
+/// x of K x = b.
+fn solved(matrix: Matrix, right: Vec<f64>) -> Vec<f64> {
+    let factor = SpdFactor::new(matrix).unwrap();
+    let right = Matrix::from_fn(1, right.len(), |_, i| right[i]);
+    let mut solution = factor.half_solve_rows(right).unwrap().row(0).to_vec();
+    factor.back_solve(&mut solution).unwrap();
+    solution
+}
+
 pub(super) fn steel() -> IsotropicElastic {
     IsotropicElastic::new(210e3, 0.3).unwrap()
 }
@@ -111,9 +120,9 @@ impl Dense {
             let own = if scale[i] > 0.0 { 1e-14 } else { 1.0 };
             self.matrix[(i, j)] * scale[i] * scale[j] + if i == j { own } else { 0.0 }
         });
-        let right = Matrix::from_fn(1, n, |_, i| forces[i] * scale[i]);
-        let solved = SpdFactor::new(&scaled).unwrap().solve_rows(&right);
-        (0..n).map(|i| solved[(0, i)] * scale[i]).collect()
+        let right = (0..n).map(|i| forces[i] * scale[i]).collect();
+        let solved = solved(scaled, right);
+        (0..n).map(|i| solved[i] * scale[i]).collect()
     }
 
     /// Nodal forces of tractions on the outline of the patch, with the outward normal.
@@ -224,11 +233,10 @@ fn superposition_of_a_discrete_field() {
         (dense.matrix[(standard + i, standard + j)] - products[(i, j)]) * scale[i] * scale[j]
             + if i == j { own } else { 0.0 }
     });
-    let right = Matrix::from_fn(1, enriched, |_, i| {
-        -scale[i] * columns[i].entries.iter().map(|&(k, v)| v * u0[k]).sum::<f64>()
-    });
-    let solved = SpdFactor::new(&condensed).unwrap().solve_rows(&right);
-    let ue: Vec<f64> = (0..enriched).map(|i| solved[(0, i)] * scale[i]).collect();
+    let pull = |i: usize| -scale[i] * columns[i].entries.iter().map(|&(k, v)| v * u0[k]).sum::<f64>();
+    let right = (0..enriched).map(pull).collect();
+    let solved = solved(condensed, right);
+    let ue: Vec<f64> = (0..enriched).map(|i| solved[i] * scale[i]).collect();
     let mut v = vec![0.0; free.len()];
     for (column, ue) in columns.iter().zip(&ue) {
         column.entries.iter().for_each(|&(k, value)| v[k] -= value * ue);

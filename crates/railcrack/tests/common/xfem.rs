@@ -107,7 +107,7 @@ pub fn condition(matrix: &Matrix) -> Option<f64> {
         return None;
     }
     let scaled = Matrix::from_fn(n, n, |i, j| matrix[(i, j)] / (matrix[(i, i)] * matrix[(j, j)]).sqrt());
-    let inverse = SpdFactor::new(&scaled).ok()?.inverse();
+    let inverse = SpdFactor::new(scaled.clone()).ok()?.inverse();
     Some(largest_eigenvalue(&scaled) * largest_eigenvalue(&inverse))
 }
 
