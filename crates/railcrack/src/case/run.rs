@@ -11,7 +11,7 @@ use crate::field::HertzDisplacement;
 use crate::growth::{FieldSettings, Growth, GrowthProblem, GrowthState, RailBox};
 use crate::residual::PlasticField;
 use crate::xfem::{
-    EnrichmentRadius, Layers, MeshSettings, Outline, RailEnd, XfemEngine, XfemSettings, default_element_size,
+    EnrichmentRadius, Layers, Outline, RailEnd, Window, XfemEngine, XfemSettings, default_element_sizes,
 };
 use std::num::NonZeroUsize;
 
@@ -32,10 +32,13 @@ impl Case {
 
     /// The finite-element engine, with a mesh for the cracks at the beginning and their growth.
     pub fn xfem_engine(&self) -> XfemEngine {
-        let mesh = MeshSettings {
-            element_size: self.mesh.element_size.unwrap_or_else(|| default_element_size(&self.cracks)),
-            expected_growth: (1.0 + self.growth.increment).powf(self.growth.steps as f64).min(LARGEST_WINDOW),
+        let sizes = match self.mesh.element_size {
+            Some(size) => vec![size; self.cracks.cracks().len()],
+            None => default_element_sizes(&self.cracks),
         };
+        let expected_growth =
+            (1.0 + self.growth.increment).powf(self.growth.steps as f64).min(LARGEST_WINDOW);
+        let window = Window::with_sizes(&self.cracks, &sizes, expected_growth);
         let defaults = XfemSettings::default();
         let settings = XfemSettings {
             enrichment: self.mesh.tip_enrichment_radius.map_or(defaults.enrichment, EnrichmentRadius::Fixed),
@@ -59,7 +62,7 @@ impl Case {
                 }
             }
         };
-        XfemEngine::new(&self.cracks, self.steel, mesh, end, settings)
+        XfemEngine::with_window(window, self.steel, end, settings)
     }
 
     /// The fields that this case wants; none where it wants none.

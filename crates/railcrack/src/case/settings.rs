@@ -123,9 +123,9 @@ pub(super) const MESH: Section = Section {
             "element_size_mm",
             length(positive(100.0)),
             Presence::Optional(Number(0.1)),
-            "Element size at the cracks in the finite-element engine; without it, a sixtieth of the shortest crack \
-             (a thirtieth where there are more than three), or a seventh of the segment at its tip if that is less. \
-             Without effect on the dislocation engine.",
+            "Element size at the cracks in the finite-element engine; without it, at each crack a sixtieth of the longest one \
+             (a thirtieth where there are more than three), or a thirtieth of the crack or a seventh of the segment at its \
+             tip if that is less. Without effect on the dislocation engine.",
         ),
         key(
             "tip_enrichment_radius_mm",

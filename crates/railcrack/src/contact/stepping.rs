@@ -35,6 +35,26 @@ pub enum SteppingError {
         /// How.
         failure: NotConverged,
     },
+    /// No end of the steps between two stations.
+    #[error(
+        "at path coordinate {at}: {attempts} load steps were tried between {from} and {to}, and as many are allowed"
+    )]
+    TooManySteps {
+        /// Where.
+        at: f64,
+        /// How many steps were tried.
+        attempts: usize,
+        /// Where the way began.
+        from: f64,
+        /// Where it should have ended.
+        to: f64,
+    },
+    /// Whoever watches asked to stop.
+    #[error("interrupted at path coordinate {at}")]
+    Interrupted {
+        /// Where.
+        at: f64,
+    },
 }
 
 /// Effort of following a path.
@@ -76,8 +96,15 @@ pub struct Stepper<'a> {
     at: f64,
     load: Vec<f64>,
     counts: SteppingCounts,
+    interrupted: &'a (dyn Fn() -> bool + Sync),
 }
 
+/// Steps that are tried between two stations at most. Passages need some hundreds for all of their stations together; thousands between two
+/// of them are a solver that goes in circles.
+const MOST_ATTEMPTS: usize = 3000;
+/// Steps between two stations at most in which the contact does not converge, each of hundreds of iterations. Halving a step down to the
+/// smallest takes 24 of them.
+const MOST_FAILURES: usize = 48;
 /// Slip of a point in a step in which it touches or turns back, over the tolerance times the largest jump seen there.
 /// Measured in `docs/step-control.md`.
 const FREE_SLIP: f64 = 0.7;
@@ -124,12 +151,18 @@ impl<'a> Stepper<'a> {
             at: 0.0,
             load: vec![0.0; 2 * problem.points()],
             counts: SteppingCounts::default(),
+            interrupted: &|| false,
         }
     }
 
     /// The same with another control of the steps.
     pub fn with_control(self, control: StepControl) -> Self {
         Self { control, ..self }
+    }
+
+    /// The same, given up as soon as `interrupted` says so: it is asked before each step.
+    pub fn with_interruption(self, interrupted: &'a (dyn Fn() -> bool + Sync)) -> Self {
+        Self { interrupted, ..self }
     }
 
     /// The current solution.
@@ -156,16 +189,25 @@ impl<'a> Stepper<'a> {
     /// Follows `path` to `station`, in as many steps as the tolerance asks for. `accepted` sees every accepted solution
     /// with its forces.
     ///
-    /// Errors: contact does not converge in the smallest step.
+    /// Errors: contact does not converge in the smallest step, or in too many; the steps find no end; an interruption.
     pub fn advance(
         &mut self,
         path: &dyn LoadPath,
         station: f64,
         accepted: &mut dyn FnMut(&FaceSolution, &[f64]),
     ) -> Result<(), SteppingError> {
-        let whole = station - self.at;
+        let from = self.at;
+        let whole = station - from;
         let mut step = whole;
+        let (mut attempts, mut failures) = (0, 0);
         while self.at != station {
+            if (self.interrupted)() {
+                return Err(SteppingError::Interrupted { at: self.at });
+            }
+            if attempts == MOST_ATTEMPTS {
+                return Err(SteppingError::TooManySteps { at: self.at, attempts, from, to: station });
+            }
+            attempts += 1;
             let target = if step.abs() >= (station - self.at).abs() { station } else { self.at + step };
             let smallest = (target - self.at).abs() <= SMALLEST * whole.abs();
             let cutting =
@@ -179,8 +221,13 @@ impl<'a> Stepper<'a> {
                     step = station - self.at;
                 }
                 Ok(Some(shorter)) => step = shorter.abs().max(SMALLEST * whole.abs()).copysign(whole),
-                Err(failure) if smallest => return Err(SteppingError::NotConverged { at: target, failure }),
-                Err(_) => step = 0.5 * (target - self.at),
+                Err(failure) => {
+                    failures += 1;
+                    if smallest || failures == MOST_FAILURES {
+                        return Err(SteppingError::NotConverged { at: target, failure });
+                    }
+                    step = 0.5 * (target - self.at);
+                }
             }
         }
         Ok(())

@@ -84,8 +84,10 @@ pub fn stabilised_passage(
     let xc = settings.passage.abscissae();
     let face_load = FaceLoad::new(problem, load);
     let expected = face_load.expected_slip(&xc);
-    let stepper =
-        Stepper::new(problem, solver, settings.step_tolerance, &expected).with_control(settings.step_control);
+    let interrupted = || watch.interrupted();
+    let stepper = Stepper::new(problem, solver, settings.step_tolerance, &expected)
+        .with_control(settings.step_control)
+        .with_interruption(&interrupted);
     let mut wheel = Wheel {
         problem,
         face_load: &face_load,
@@ -187,9 +189,6 @@ impl Wheel<'_> {
         let mut states = Vec::with_capacity(self.xc.len());
         self.stepper.begin(first);
         for (i, &x) in self.xc.iter().enumerate() {
-            if watch.interrupted() {
-                return Err(PassageError::Interrupted);
-            }
             let over = self.face_load.along(Part::Over);
             let before = if i == 0 { x } else { self.xc[i - 1] };
             for station in self.edges_between(before, x).chain([x]) {
@@ -276,7 +275,12 @@ fn mouths(problem: &FaceProblem) -> Vec<f64> {
 }
 
 fn failure(passage: usize, phase: &'static str) -> impl Fn(SteppingError) -> PassageError {
-    move |source| PassageError::NotConverged { passage, phase, source }
+    move |source| match source {
+        SteppingError::Interrupted { .. } => PassageError::Interrupted,
+        SteppingError::NotConverged { .. } | SteppingError::TooManySteps { .. } => {
+            PassageError::NotConverged { passage, phase, source }
+        }
+    }
 }
 
 /// The largest change of K at any tip and position, relative to the largest |K| of both passages.

@@ -5,7 +5,7 @@ use super::border::Border;
 use super::columns::ColumnStore;
 use super::condense::{Condensed, System};
 use super::cuts::Cuts;
-use super::domain::domain_of;
+use super::domain::{domain_of, short_part};
 use super::field::Inside;
 use super::interface::{Interface, Station};
 use super::sif::{SifContext, SifFunctional};
@@ -142,6 +142,7 @@ impl XfemBody {
             let (domain, remark) = domain_of(&cuts, tip, size, &settings);
             functionals.extend(context.functionals(tip, domain));
             remarks.extend(remark);
+            remarks.extend(short_part(&cuts, tip, size));
         }
         times.sif_s = lap();
         let jumps = trace::jumps(background, &cuts, &space, &interface);

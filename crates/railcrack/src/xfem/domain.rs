@@ -1,7 +1,7 @@
 //! How far the domain of integration of a tip reaches.
 
 use super::body::XfemSettings;
-use super::cuts::Cuts;
+use super::cuts::{Cuts, SHARP_KINK};
 use super::sif::SifDomain;
 use crate::crack::point_to_segment;
 use crate::math::Vec2;
@@ -52,6 +52,27 @@ pub(super) fn domain_of(
         )
     });
     (domain, remark)
+}
+
+/// Elements between a tip and the last sharp turn of its crack below which K is not to be trusted: the friction of the faces around the corner is
+/// not resolved. Measured against fine elements of the other engine: up to 20 % of the largest K at one element, 3 to 4 % at 1.5.
+const TRUSTED_PART: f64 = 1.25;
+
+/// Tells of a last segment after a sharp turn that is shorter than elements of `size` (mm) resolve.
+pub(super) fn short_part(cuts: &Cuts, tip: usize, size: f64) -> Option<String> {
+    let path = &cuts.tips[tip];
+    let (from, to) = path.last_segment();
+    let length = (to - from).length();
+    let turn = path.last_turn().filter(|&turn| turn > SHARP_KINK && length < TRUSTED_PART * size)?;
+    Some(format!(
+        "crack {}: its tip at ({:.3}, {:.3}) mm is {length:.3} mm behind a turn of {:.0}°, {:.2} of an element: its K under friction cannot be \
+         trusted; larger increments, or smaller elements (element_size_mm), resolve it",
+        path.crack + 1,
+        to.x,
+        to.y,
+        turn.to_degrees(),
+        length / size
+    ))
 }
 
 /// Distance (mm) from a tip to the nearest other crack or the surface.

@@ -96,7 +96,7 @@ pub struct XfemEngine {
 }
 
 impl XfemEngine {
-    /// The engine for cracks that are `initial` at the beginning of the run.
+    /// The engine for cracks that are `initial` at the beginning of the run, elements of one size at all of them.
     pub fn new(
         initial: &CrackNetwork,
         steel: IsotropicElastic,
@@ -104,7 +104,16 @@ impl XfemEngine {
         end: RailEnd,
         settings: XfemSettings,
     ) -> Self {
-        let window = Window::new(initial, mesh);
+        Self::with_window(Window::new(initial, mesh), steel, end, settings)
+    }
+
+    /// The engine with a mesh that is fine in `window`.
+    pub fn with_window(
+        window: Window,
+        steel: IsotropicElastic,
+        end: RailEnd,
+        settings: XfemSettings,
+    ) -> Self {
         Self {
             steel,
             end,

@@ -24,7 +24,7 @@ pub use body::{EnrichmentRadius, XfemBody, XfemError, XfemSettings};
 pub use columns::ColumnStore;
 pub use engine::{RailEnd, XfemEngine, XfemSize};
 pub use sif::SifDomain;
-pub use window::{Layers, MeshSettings, Outline, Window, default_element_size};
+pub use window::{Layers, MeshSettings, Outline, Window, default_element_sizes};
 
 #[cfg(test)]
 mod patch_tests;

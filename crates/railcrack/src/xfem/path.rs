@@ -5,7 +5,7 @@ use crate::math::{Orientation, Vec2, orientation};
 
 /// Points nearer than this to the line between their neighbours, over the length of the crack, are left out: increments
 /// straight ahead leave points on a line up to round-off, and two cutting lines that differ by round-off cannot be ordered.
-const STRAIGHT: f64 = 1e-9;
+pub(super) const STRAIGHT: f64 = 1e-9;
 
 /// A crack without the points at which it does not turn.
 #[derive(Debug, Clone, PartialEq)]
@@ -98,6 +98,13 @@ impl TipPath {
     /// The segment that ends at the tip.
     pub(super) fn last_segment(&self) -> (Vec2, Vec2) {
         (self.points[self.points.len() - 2], self.position())
+    }
+
+    /// The angle (radians, 0 to π) by which the crack turns where that segment begins; none where it is the only one.
+    pub(super) fn last_turn(&self) -> Option<f64> {
+        let n = self.points.len();
+        let before = self.points[n - 2] - *self.points.get(n.checked_sub(3)?)?;
+        Some(before.cross(self.ahead).atan2(before.dot(self.ahead)).abs())
     }
 
     /// A point inside a convex cell that no crack cuts, and its angle (radians) from straight ahead, continued across the

@@ -13,12 +13,14 @@ pub struct MeshSettings {
     pub expected_growth: f64,
 }
 
-/// Elements along a crack, by default: with 60, histories of single cracks are within 0.6 % of the peak |K|, where 1 % is promised.
+/// Elements along the longest crack, by default: with 60, histories of single cracks are within 0.6 % of the peak |K|, where 1 % is promised.
 const ELEMENTS_PER_CRACK: f64 = 60.0;
-/// Elements along each crack of a network of more than [`FEW`], by default.
+/// Elements along the longest crack of a network of more than [`FEW`], by default.
 const ELEMENTS_PER_CRACK_OF_MANY: f64 = 30.0;
 /// Cracks that are resolved like single ones.
 const FEW: usize = 3;
+/// Elements along a shorter crack, at least, by default.
+const FEWEST_ELEMENTS_PER_CRACK: f64 = 30.0;
 /// Elements along the part of a crack between a tip and the last turn before it, at least, by default.
 const ELEMENTS_PER_TIP_SEGMENT: f64 = 7.0;
 /// Turns below this angle (radians) do not end that part.
@@ -26,18 +28,21 @@ const TURN: f64 = 0.05;
 /// Elements along a crack at most, by default: a shorter last part has fewer.
 const MOST_ELEMENTS_PER_CRACK: f64 = 250.0;
 
-/// Size (mm) of the elements at the cracks when none is asked for: a sixtieth of the shortest crack (a thirtieth in a network of more than
-/// three), and a seventh of the shortest part that ends at a tip, which the domain of the SIFs shall not reach far beyond.
-pub fn default_element_size(network: &CrackNetwork) -> f64 {
+/// Size (mm) of the elements at each crack when none is asked for: a sixtieth of the longest crack (a thirtieth in a network of more than
+/// three), a thirtieth of the crack itself where that is less, and a seventh of the shortest part of it that ends at a tip, which the domain
+/// of the SIFs shall not reach far beyond.
+pub fn default_element_sizes(network: &CrackNetwork) -> Vec<f64> {
     let cracks = network.cracks();
-    let per_crack = if cracks.len() > FEW { ELEMENTS_PER_CRACK_OF_MANY } else { ELEMENTS_PER_CRACK };
+    let of_longest = if cracks.len() > FEW { ELEMENTS_PER_CRACK_OF_MANY } else { ELEMENTS_PER_CRACK };
+    let common = cracks.iter().map(|crack| crack.length()).fold(0.0, f64::max) / of_longest;
     let wanted = |(index, crack): (usize, &Crack)| {
         let length = crack.length();
         let tips = network.tips_of(index).into_iter();
         let parts = tips.map(|end| tip_part(crack, end) / ELEMENTS_PER_TIP_SEGMENT);
-        parts.fold(length / per_crack, f64::min).max(length / MOST_ELEMENTS_PER_CRACK)
+        let size = common.min(length / FEWEST_ELEMENTS_PER_CRACK);
+        parts.fold(size, f64::min).max(length / MOST_ELEMENTS_PER_CRACK)
     };
-    cracks.iter().enumerate().map(wanted).fold(f64::INFINITY, f64::min)
+    cracks.iter().enumerate().map(wanted).collect()
 }
 
 /// Length (mm) of the crack from the tip `end` back to the first turn.
@@ -73,23 +78,32 @@ pub struct Layers {
 }
 
 /// The fine part of the mesh: where the cracks are and where they are expected to go. Elements grow in it with the distance
-/// from the cracks at the beginning, as cracks that reach there have grown longer.
+/// from each crack at the beginning, as cracks that reach there have grown longer.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Window {
     /// Lower left corner, mm.
     pub lower: Vec2,
     /// Upper right corner, mm.
     pub upper: Vec2,
-    element_size: f64,
-    /// Shortest crack at the beginning, mm.
-    length: f64,
-    /// Box of the cracks at the beginning, mm.
-    cracks: (Vec2, Vec2),
-    mouths: Vec<f64>,
+    /// The cracks at the beginning.
+    cracks: Vec<Resolved>,
     layers: Option<Layers>,
 }
 
-/// Element at a mouth, over the shortest crack: the edge of the wheel contact passes over the mouth, and the stress on the
+/// A crack at the beginning, with the elements that it has.
+#[derive(Debug, Clone, PartialEq)]
+struct Resolved {
+    /// Size of the elements in its box, mm.
+    element_size: f64,
+    /// Its length, mm.
+    length: f64,
+    /// Its box, mm.
+    bounds: (Vec2, Vec2),
+    /// Abscissa of its mouth, mm; none for a buried crack.
+    mouth: Option<f64>,
+}
+
+/// Element at a mouth, over the crack: the edge of the wheel contact passes over the mouth, and the stress on the
 /// faces there varies over its distance from the surface.
 const MOUTH_ELEMENT: f64 = 1.0 / 300.0;
 /// Growth of elements away from a mouth: length per distance.
@@ -104,32 +118,37 @@ const MARGIN: f64 = 5.0;
 const CLEARANCE: f64 = 3.0;
 
 impl Window {
-    /// The window of `network` with room for its growth.
+    /// The window of `network` with room for its growth, elements of one size at all cracks.
     pub fn new(network: &CrackNetwork, settings: MeshSettings) -> Self {
-        let points = || network.cracks().iter().flat_map(|crack| crack.points().iter().copied());
-        let cracks = bounds(points());
-        let length = network.cracks().iter().map(|crack| crack.length()).fold(f64::INFINITY, f64::min);
-        let ahead = network.tips().into_iter().flat_map(|CrackEnd { crack, end }| {
-            let crack = &network.cracks()[crack];
-            let far = (settings.expected_growth - 1.0).max(0.0) * crack.length();
+        let sizes = vec![settings.element_size; network.cracks().len()];
+        Self::with_sizes(network, &sizes, settings.expected_growth)
+    }
+
+    /// [`Window::new`] with elements of `sizes[i]` (mm) at crack i: lines of the grid are as close as the crack wants them, whose box is
+    /// nearest for its size.
+    pub fn with_sizes(network: &CrackNetwork, sizes: &[f64], expected_growth: f64) -> Self {
+        let resolved = |(crack, &element_size): (&Crack, &f64)| Resolved {
+            element_size,
+            length: crack.length(),
+            bounds: bounds(crack.points().iter().copied()),
+            mouth: crack.is_surface_breaking().then(|| crack.points()[0].x),
+        };
+        let cracks: Vec<Resolved> = network.cracks().iter().zip(sizes).map(resolved).collect();
+        let ahead = network.tips().into_iter().flat_map(|CrackEnd { crack: index, end }| {
+            let crack = &network.cracks()[index];
+            let far = (expected_growth - 1.0).max(0.0) * crack.length();
             let (tip, angle) = (crack.tip(end), crack.ahead(end).angle());
-            [-BRANCH, 0.0, BRANCH].map(|turn| tip + Vec2::unit(angle + turn) * far)
+            [-BRANCH, 0.0, BRANCH].map(|turn| (index, tip + Vec2::unit(angle + turn) * far))
         });
-        let (lower, upper) = bounds(points().chain(ahead));
-        let margin =
-            Vec2::new(1.0, 1.0) * (MARGIN * settings.element_size * settings.expected_growth.max(1.0));
-        let mouths =
-            network.cracks().iter().filter(|c| c.is_surface_breaking()).map(|c| c.points()[0].x).collect();
-        let upper = upper + margin;
-        Self {
-            lower: lower - margin,
-            upper: Vec2::new(upper.x, upper.y.min(0.0)),
-            element_size: settings.element_size,
-            length,
-            cracks,
-            mouths,
-            layers: None,
-        }
+        let points = network.cracks().iter().enumerate();
+        let points =
+            points.flat_map(|(index, crack)| crack.points().iter().map(move |&point| (index, point)));
+        let margin = |index: usize| {
+            Vec2::new(1.0, 1.0) * (MARGIN * cracks[index].element_size * expected_growth.max(1.0))
+        };
+        let boxes = points.chain(ahead).flat_map(|(i, point)| [point - margin(i), point + margin(i)]);
+        let (lower, upper) = bounds(boxes);
+        Self { lower, upper: Vec2::new(upper.x, upper.y.min(0.0)), cracks, layers: None }
     }
 
     /// This window with elements that also resolve `layers`.
@@ -184,26 +203,22 @@ impl Window {
         let (lower, upper) = (self.lower.x, self.upper.x);
         let inside = x.clamp(lower, upper);
         let outside = (x - inside).abs();
-        let fine = self.size_at(distance(inside, self.cracks.0.x, self.cracks.1.x)) + OUTER_GRADING * outside;
-        self.mouths.iter().fold(fine, |size, mouth| size.min(self.mouth_size((x - mouth).abs())))
+        let at = |crack: &Resolved| crack.size_at(distance(inside, crack.bounds.0.x, crack.bounds.1.x));
+        let fine = self.cracks.iter().map(at).fold(f64::INFINITY, f64::min) + OUTER_GRADING * outside;
+        let at_mouth = |crack: &Resolved| Some(crack.mouth_size((x - crack.mouth?).abs()));
+        self.cracks.iter().filter_map(at_mouth).fold(fine, f64::min)
     }
 
     /// Wanted height of an element at ordinate `y`, mm.
     fn size_y(&self, y: f64) -> f64 {
         let inside = y.clamp(self.lower.y, self.upper.y);
         let outside = (y - inside).abs();
-        let fine = self.size_at(distance(inside, self.cracks.0.y, self.cracks.1.y)) + OUTER_GRADING * outside;
-        let fine = if self.mouths.is_empty() { fine } else { fine.min(self.mouth_size(-y)) };
+        let at = |crack: &Resolved| crack.size_at(distance(inside, crack.bounds.0.y, crack.bounds.1.y));
+        let fine = self.cracks.iter().map(at).fold(f64::INFINITY, f64::min) + OUTER_GRADING * outside;
+        let at_mouth = |crack: &Resolved| crack.mouth.map(|_| crack.mouth_size(-y));
+        let fine = self.cracks.iter().filter_map(at_mouth).fold(fine, f64::min);
         self.layers
             .map_or(fine, |layers| fine.min(layers.height + OUTER_GRADING * (-y - layers.depth).max(0.0)))
-    }
-
-    fn size_at(&self, from_cracks: f64) -> f64 {
-        self.element_size * (1.0 + from_cracks / self.length)
-    }
-
-    fn mouth_size(&self, from_mouth: f64) -> f64 {
-        (MOUTH_ELEMENT * self.length).min(self.element_size) + MOUTH_GRADING * from_mouth
     }
 
     /// The mesh of `outline` that is fine in this window.
@@ -216,23 +231,40 @@ impl Window {
     /// Coordinates where the size of elements changes its law, with geometric steps away from them.
     fn breaks(&self, along_x: bool) -> Vec<f64> {
         let pick = |v: Vec2| if along_x { v.x } else { v.y };
-        let mut origins = vec![pick(self.lower), pick(self.upper), pick(self.cracks.0), pick(self.cracks.1)];
+        let mut origins = vec![pick(self.lower), pick(self.upper)];
+        for crack in &self.cracks {
+            origins.extend([pick(crack.bounds.0), pick(crack.bounds.1)]);
+        }
         if along_x {
-            origins.extend(&self.mouths);
+            origins.extend(self.cracks.iter().filter_map(|crack| crack.mouth));
         } else {
             origins.push(0.0);
             origins.extend(self.layers.map(|layers| -layers.depth));
         }
+        origins.sort_by(f64::total_cmp);
+        origins.dedup();
+        let shortest = self.cracks.iter().map(|crack| crack.length).fold(f64::INFINITY, f64::min);
         let mut breaks = origins.clone();
         for origin in origins {
-            let mut step = MOUTH_ELEMENT * self.length;
-            while step < 1e6 * self.length {
+            let mut step = MOUTH_ELEMENT * shortest;
+            while step < 1e6 * shortest {
                 breaks.push(origin - step);
                 breaks.push(origin + step);
                 step *= 3.0;
             }
         }
         breaks
+    }
+}
+
+impl Resolved {
+    /// Size (mm) of the elements at this distance (mm) from its box: cracks that reach there have grown longer.
+    fn size_at(&self, from_crack: f64) -> f64 {
+        self.element_size * (1.0 + from_crack / self.length)
+    }
+
+    fn mouth_size(&self, from_mouth: f64) -> f64 {
+        (MOUTH_ELEMENT * self.length).min(self.element_size) + MOUTH_GRADING * from_mouth
     }
 }
 

@@ -299,4 +299,81 @@ pub const REQUIREMENTS: &[Requirement] = &[
         "",
         "Direction: alternating K_II goes straight on where k1 of a closed kink is zero, and to the largest k1 where negative k1 counts.",
     ),
+    requirement(
+        "xfem::junctions::a_crack_in_two_pieces_is_that_crack",
+        "",
+        "X-FEM: a crack in two joined pieces has the K of one piece, open and under the wheel.",
+    ),
+    requirement(
+        "xfem::junctions::a_t_junction_is_that_of_the_other_engine",
+        "",
+        "Engines: a T-junction has the same K in both, open, closed with friction and without.",
+    ),
+    requirement(
+        "xfem::junctions::no_traction_is_lost_or_doubled",
+        "",
+        "X-FEM: a junction loses and doubles no traction.",
+    ),
+    requirement(
+        "xfem::junctions::mirrored_junctions",
+        "",
+        "X-FEM: mirrored cracks that meet have the mirrored history.",
+    ),
+    requirement(
+        "xfem::neighbours::tips_near_others_and_the_surface",
+        "",
+        "Engines: tips near other cracks and near the surface have the same K in both.",
+    ),
+    requirement(
+        "xfem::neighbours::several_cracks_in_one_element",
+        "",
+        "Engines: so have cracks that pass through the same elements.",
+    ),
+    requirement(
+        "xfem::neighbours::domains_over_a_neighbour",
+        "",
+        "X-FEM: K does not depend on whether the domain of integration holds a neighbour.",
+    ),
+    requirement(
+        "xfem::networks::squat_pair",
+        "",
+        "Engines: each crack of a squat has the same K in both, over its own peak, also when it has grown.",
+    ),
+    requirement("xfem::networks::nine_parallel_cracks", "", "Engines: so has each of nine parallel cracks."),
+    requirement(
+        "xfem::networks::nine_parallel_cracks_of_a_run",
+        "",
+        "Engines: so has each of nine cracks of a run at all but one position, where its tip lets go.",
+    ),
+    requirement(
+        "xfem::unlike_lengths::a_short_crack_beside_a_long_one",
+        "",
+        "Engines: a short crack beside a long one has the same K in both, over its own peak.",
+    ),
+    requirement("xfem::unlike_lengths::no_unit_of_length", "", "X-FEM: C and K know no unit of length."),
+    requirement(
+        "xfem::short_increments::increments_of_a_run",
+        "",
+        "Engines: tips that have turned and gone on by 4 % of the crack have the same K in both.",
+    ),
+    requirement(
+        "xfem::short_increments::small_turns_of_slow_tips",
+        "",
+        "Engines: so have, roughly, tips that have gone on by less than an element.",
+    ),
+    requirement(
+        "far_apart::twenty_lengths_away",
+        "",
+        "Dislocations: a crack 20 lengths away changes K by less than 1 %.",
+    ),
+    requirement(
+        "latin_and_newton::junction_of_cracks",
+        "",
+        "Contact: LATIN and Newton agree on cracks that meet, in both engines.",
+    ),
+    requirement(
+        "junction_run::by_finite_elements",
+        "",
+        "Engines: the junction case has the same spall in both.",
+    ),
 ];

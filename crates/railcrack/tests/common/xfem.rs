@@ -8,7 +8,7 @@ use railcrack::growth::StabilisedPassage;
 use railcrack::linear::SpdFactor;
 use railcrack::math::{Matrix, Stress, Vec2};
 use railcrack::xfem::{
-    ColumnStore, MeshSettings, RailEnd, XfemBody, XfemEngine, XfemSettings, default_element_size,
+    ColumnStore, RailEnd, Window, XfemBody, XfemEngine, XfemSettings, default_element_sizes,
 };
 
 /// How the rail is meshed.
@@ -45,17 +45,29 @@ impl Meshed {
         Self { element_size: Some(size), ..Self::still() }
     }
 
-    /// The size of the elements for `cracks`, mm.
+    /// The smallest size of the elements at `cracks`, mm.
     pub fn size(&self, cracks: &[Crack]) -> f64 {
         let network = CrackNetwork::new(cracks.to_vec()).unwrap();
-        self.element_size.unwrap_or_else(|| default_element_size(&network))
+        self.sizes(&network).into_iter().fold(f64::INFINITY, f64::min)
+    }
+
+    /// The size of the elements at each crack, mm.
+    fn sizes(&self, network: &CrackNetwork) -> Vec<f64> {
+        match self.element_size {
+            Some(size) => vec![size; network.cracks().len()],
+            None => default_element_sizes(network),
+        }
     }
 
     /// The engine with a mesh for `cracks`.
     pub fn engine(&self, cracks: &[Crack]) -> XfemEngine {
-        let network = CrackNetwork::new(cracks.to_vec()).unwrap();
-        let mesh = MeshSettings { element_size: self.size(cracks), expected_growth: self.expected_growth };
-        XfemEngine::new(&network, steel(), mesh, self.end.clone(), self.settings)
+        self.engine_of(&CrackNetwork::new(cracks.to_vec()).unwrap())
+    }
+
+    /// The engine with a mesh for cracks that meet.
+    pub fn engine_of(&self, network: &CrackNetwork) -> XfemEngine {
+        let window = Window::with_sizes(network, &self.sizes(network), self.expected_growth);
+        XfemEngine::with_window(window, steel(), self.end.clone(), self.settings)
     }
 
     pub fn body(&self, cracks: &[Crack]) -> Box<dyn CrackedBody> {
@@ -64,9 +76,7 @@ impl Meshed {
 
     /// The body with cracks that meet.
     pub fn body_of(&self, network: &CrackNetwork) -> Box<dyn CrackedBody> {
-        let element_size = self.element_size.unwrap_or_else(|| default_element_size(network));
-        let mesh = MeshSettings { element_size, expected_growth: self.expected_growth };
-        XfemEngine::new(network, steel(), mesh, self.end.clone(), self.settings).body(network).unwrap()
+        self.engine_of(network).body(network).unwrap()
     }
 
     /// `look` at the uncracked rail and what turns settings into bodies on it.

@@ -1,7 +1,7 @@
 //! The case of a surface crack that runs into a buried one, run past the junction and the spall.
 
 use crate::common::{Absolute, Relative, Rolling, close, default_elements, joined_body, largest};
-use railcrack::case::Case;
+use railcrack::case::{Case, Overrides};
 use railcrack::contact::{FaceProblem, Newton};
 use railcrack::growth::{GrowthState, PieceKind, StepRecord, TipStop, Unwatched};
 use std::path::PathBuf;
@@ -82,4 +82,19 @@ fn against_a_finer_mesh() {
         Absolute(5e-3),
         "what the engine must have; 3.2e-3, K_I of the upper tip as it closes",
     );
+}
+
+/// The whole way through by the other engine: the same ends of the tips, and the same spall.
+#[test]
+fn by_finite_elements() {
+    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../cases/junction.toml");
+    let overrides = Overrides { engine: Some("xfem".into()), ..Overrides::default() };
+    let case = Case::read_with(&path, &overrides).unwrap();
+    let records = steps(&case, None, 10);
+    let stops = |tip: usize| records.iter().filter_map(move |(record, _)| record.tips.get(tip)?.stop).next();
+    assert_eq!(stops(0), Some(TipStop::MeetsCrack));
+    let spalls: Vec<_> = records.iter().flat_map(|(record, _)| &record.pieces).collect();
+    assert_eq!(spalls.len(), 1);
+    close(spalls[0].area, SPALL, Relative(1e-2), "0.03 %; paths of different engines");
+    assert!(records[10].0.tips[1].increment > 0.0, "the lower tip goes on");
 }

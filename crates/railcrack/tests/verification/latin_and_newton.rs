@@ -1,10 +1,14 @@
 //! LATIN and Newton on the same steps: the same tractions and stress intensity factors.
 
-use crate::common::{Of, Rolling, body, close, largest, surface_crack};
+use crate::common::{
+    Meshed, Of, Rolling, body, close, default_elements, joined_body, junction, largest, polyline,
+    surface_crack,
+};
+use railcrack::body::CrackedBody;
 use railcrack::contact::{
     ContactSolver, FaceProblem, FaceResponse, FaceSolution, Latin, LoadStep, Newton, NotConverged, StepSolver,
 };
-use railcrack::crack::{Crack, End};
+use railcrack::crack::{Crack, CrackNetwork, End};
 use std::sync::{Arc, Mutex};
 
 /// Largest differences and largest values over all steps.
@@ -80,8 +84,12 @@ impl<'a> StepSolver<'a> for BothSteps<'a> {
 
 fn agree(cracks: Vec<Crack>, friction: f64, wheel: f64) {
     let rolling = Rolling::over(cracks, friction, wheel);
-    let body = body(&rolling.cracks, rolling.elements);
-    let problem = FaceProblem::new(&body, &vec![friction; rolling.cracks.len()]);
+    agree_on(&body(&rolling.cracks, rolling.elements), &rolling);
+}
+
+fn agree_on(body: &dyn CrackedBody, rolling: &Rolling) {
+    let cracks = 1 + body.faces().points.iter().map(|point| point.crack).max().unwrap();
+    let problem = FaceProblem::new(body, &vec![rolling.crack_friction; cracks]);
     let both = Both::default();
     rolling.on(&problem, &both);
     let seen = *both.0.lock().unwrap();
@@ -103,4 +111,16 @@ fn straight_cracks() {
 #[test]
 fn kinked_crack() {
     agree(vec![surface_crack(0.0, 4.0, 15.0).extended(End::Last, 2.0, -1.0).unwrap()], 0.5, 0.1);
+}
+
+/// A crack from the surface that ends on a kinked one below, in both engines.
+#[test]
+fn junction_of_cracks() {
+    let at = (0.7, -3.0);
+    let cracks = vec![polyline(&[(1.0, 0.0), (0.4, -1.5), at]), polyline(&[(-2.3, -3.3), at, (3.0, -2.0)])];
+    let junctions = vec![junction(0, End::Last, 1)];
+    let rolling = Rolling::over(vec![cracks[0].clone()], 0.3, 0.1);
+    agree_on(&joined_body(&cracks, &junctions, default_elements()), &rolling);
+    let network = CrackNetwork::joined(cracks, junctions).unwrap();
+    agree_on(Meshed::of_size(0.2).body_of(&network).as_ref(), &rolling);
 }

@@ -13,6 +13,7 @@ mod edge_crack_under_pressure;
 mod engine_paths;
 mod far_apart;
 mod half_plane_histories;
+mod interruption;
 mod junction_run;
 mod junctions;
 mod kinked_crack;

@@ -6,8 +6,8 @@ use railcrack::crack::{Crack, End};
 
 /// Largest amplitude of neighbouring bends of opposite sign, over the peak pressure.
 const OSCILLATION: f64 = 5e-3;
-/// The same at kinks too small for √r functions of their own.
-const OSCILLATION_AT_SMALL_KINKS: f64 = 2e-2;
+/// The same at small kinks, where faces that slide press on a blunt corner.
+const OSCILLATION_AT_SMALL_KINKS: f64 = 2.2e-2;
 
 fn oscillation(crack: Crack, friction: f64, wheel: f64) -> f64 {
     let mut rolling = Rolling::over(vec![crack], friction, wheel);

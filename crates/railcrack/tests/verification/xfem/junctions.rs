@@ -91,7 +91,7 @@ fn a_t_junction_is_that_of_the_other_engine() {
             close(*smooth, 0.0, Absolute(1.2e-3), "6e-4");
         }
         if let [coarse, fine] = off[..] {
-            assert!(fine[1] < 0.9 * coarse[1] && fine[2] < 0.6 * coarse[2], "finer elements: {off:?}");
+            assert!(fine[1] < 0.9 * coarse[1] && fine[2] < 0.7 * coarse[2], "finer elements: {off:?}");
         }
     }
 }
@@ -124,4 +124,28 @@ fn no_traction_is_lost_or_doubled() {
         }
         close((sum - want).length(), 0.0, Of(1e-4, want.length()), "√r is g up to the square of an element");
     }
+}
+
+/// Mirrored cracks that meet have the mirrored history, on a mesh that is mirrored to round-off.
+#[test]
+fn mirrored_junctions() {
+    let reflect = |p: &Vec2| Vec2::new(-p.x, p.y);
+    let mirrored = |crack: &Crack| Crack::polyline(crack.points().iter().map(reflect).collect()).unwrap();
+    let network = t_junction(KINKED);
+    let other = network.cracks().iter().map(mirrored).collect();
+    let other = CrackNetwork::joined(other, network.junctions().to_vec()).unwrap();
+    let rolling = Rolling::over(vec![network.cracks()[0].clone()], 0.3, 0.1);
+    let mirror = Rolling { travel: -1.0, ..Rolling::over(vec![other.cracks()[0].clone()], 0.3, -0.1) };
+    let size = Meshed::of_size(0.2);
+    let k = histories(size.body_of(&network).as_ref(), &rolling, 0.3);
+    let m = histories(size.body_of(&other).as_ref(), &mirror, 0.3);
+    let turned: Vec<f64> = m.iter().enumerate().map(|(i, k)| if i % 2 == 1 { -k } else { *k }).collect();
+    let off = difference(&turned, &k);
+    println!("mirrored: {off:.1e}");
+    close(
+        off,
+        0.0,
+        Absolute(5e-7),
+        "quadrature near tips and kinks: triangles from another corner of a cell",
+    );
 }

@@ -11,6 +11,8 @@ mod neighbours;
 mod networks;
 mod random_cracks;
 mod shifted_mesh;
+mod short_increments;
 mod sif_domain;
 mod slant_crack;
 mod symmetry;
+mod unlike_lengths;

@@ -1,0 +1,99 @@
+//! A passage ends: when who watches asks for it, between two load steps, and with an error when the contact finds no solution.
+
+use crate::common::{body, surface_crack};
+use railcrack::contact::{
+    ContactSolver, FaceProblem, FaceResponse, LoadStep, Newton, NotConverged, StepControl, StepSolver,
+    SteppingError,
+};
+use railcrack::growth::{
+    PassageError, PassageSettings, RailLoad, StabilisedPassage, Unwatched, Watch, stabilised_passage,
+};
+use railcrack::load::{HertzianContact, Passage};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Output positions: few, so that most questions come between them.
+const POSITIONS: usize = 5;
+
+fn passage(solver: &dyn ContactSolver, watch: &dyn Watch) -> Result<StabilisedPassage, PassageError> {
+    let body = body(&[surface_crack(0.0, 6.0, 15.0)], 24);
+    let problem = FaceProblem::new(&body, &[0.5]);
+    let contact = HertzianContact { peak_pressure: 845.0, half_width: 6.75, friction: 0.025 };
+    let settings = PassageSettings {
+        passage: Passage { from: -40.0, to: 40.0, positions: POSITIONS },
+        max_passages: 2,
+        passage_tolerance: 1e-3,
+        step_tolerance: 2e-3,
+        step_control: StepControl::Adaptive,
+    };
+    let load = RailLoad { contact, poisson: 0.3, residual: None };
+    stabilised_passage(&problem, solver, load, &settings, watch)
+}
+
+/// Asks to stop when it has been asked `after` times.
+struct Impatient {
+    after: usize,
+    asked: AtomicUsize,
+}
+
+impl Watch for Impatient {
+    fn progress(&self, _: f64) {}
+
+    fn interrupted(&self) -> bool {
+        self.asked.fetch_add(1, Ordering::Relaxed) >= self.after
+    }
+}
+
+#[test]
+fn asked_between_load_steps() {
+    let patient = Impatient { after: usize::MAX, asked: AtomicUsize::new(0) };
+    passage(&Newton::default(), &patient).unwrap();
+    let asked = patient.asked.load(Ordering::Relaxed);
+    assert!(asked > 50 * POSITIONS, "asked {asked} times only");
+    for after in [0, 1, asked / 2, asked - 1] {
+        let impatient = Impatient { after, asked: AtomicUsize::new(0) };
+        let result = passage(&Newton::default(), &impatient);
+        assert!(matches!(result, Err(PassageError::Interrupted)), "after {after} of {asked}: {result:?}");
+        assert_eq!(impatient.asked.load(Ordering::Relaxed), after + 1);
+    }
+}
+
+/// Newton that gives up every other step, so that no step ever becomes the smallest one.
+struct Moody(AtomicUsize);
+
+struct MoodySteps<'a> {
+    newton: Box<dyn StepSolver<'a> + 'a>,
+    mood: usize,
+}
+
+impl ContactSolver for Moody {
+    fn prepare<'a>(&self, problem: &'a FaceProblem<'a>) -> Box<dyn StepSolver<'a> + 'a> {
+        Box::new(MoodySteps {
+            newton: Newton::default().prepare(problem),
+            mood: self.0.load(Ordering::Relaxed),
+        })
+    }
+}
+
+impl<'a> StepSolver<'a> for MoodySteps<'a> {
+    fn solve(&mut self, step: LoadStep, faces: &mut FaceResponse<'a>) -> Result<usize, NotConverged> {
+        self.mood += 1;
+        if !self.mood.is_multiple_of(8) {
+            return Err(NotConverged { iterations: 200, indicator: 1.0, tolerance: 1e-11 });
+        }
+        self.newton.solve(step, faces)
+    }
+
+    fn keep(&mut self) {}
+
+    fn restore(&mut self) {}
+}
+
+#[test]
+fn gives_up_where_contact_finds_no_solution() {
+    let error = passage(&Moody(AtomicUsize::new(0)), &Unwatched).unwrap_err();
+    let PassageError::NotConverged { source: SteppingError::NotConverged { failure, .. }, .. } = error else {
+        panic!("{error}");
+    };
+    assert_eq!(failure.iterations, 200);
+    assert!(error.to_string().contains("not converged after 200 iterations"), "{error}");
+}
