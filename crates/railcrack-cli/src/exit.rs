@@ -86,7 +86,7 @@ impl Failure {
                     Exit::NotConverged
                 }
                 PaperError::Interrupted => Exit::Interrupted,
-                PaperError::Output(_) => Exit::CannotReadOrWrite,
+                PaperError::Output(_) | PaperError::Threads(_) => Exit::CannotReadOrWrite,
             },
             Self::Run(error) => error.exit(),
             Self::Exists { .. } | Self::CannotWrite { .. } | Self::Stdout(_) => Exit::CannotReadOrWrite,

@@ -24,7 +24,9 @@ pub(super) struct Computation<'a> {
 
 impl Computation<'_> {
     /// Every run: one thread each, since runs need nothing of one another, on rails that they share.
-    pub(super) fn run(&self) -> Vec<Result<CaseRun, PaperError>> {
+    ///
+    /// Errors: the system refuses threads.
+    pub(super) fn run(&self) -> Result<Vec<Result<CaseRun, PaperError>>, PaperError> {
         let slots: Vec<OnceLock<Result<CaseRun, PaperError>>> =
             self.jobs.iter().map(|_| OnceLock::new()).collect();
         let mut waiting: Vec<usize> = Vec::new();
@@ -40,19 +42,26 @@ impl Computation<'_> {
             }
         }
         let queue = Queue::new(waiting, self.jobs, self.cases);
-        rayon::scope(|scope| {
-            for _ in 0..rayon::current_num_threads() {
-                scope.spawn(|_| {
-                    // The order in which runs are taken up does not show in them.
-                    let mut last = None;
-                    while let Some(next) = queue.take(last.as_ref()) {
-                        let _ = slots[next.job].set(self.compute(&next));
-                        last = Some(next);
-                    }
+        // A pool each: within a common one a thread that waits for parts of its run could begin another run, and wait there for the rail
+        // that it is about to make.
+        let pools = (0..rayon::current_num_threads())
+            .map(|_| rayon::ThreadPoolBuilder::new().num_threads(1).build())
+            .collect::<Result<Vec<_>, _>>()?;
+        std::thread::scope(|scope| {
+            for pool in &pools {
+                scope.spawn(|| {
+                    pool.install(|| {
+                        // The order in which runs are taken up does not show in them.
+                        let mut last = None;
+                        while let Some(next) = queue.take(last.as_ref()) {
+                            let _ = slots[next.job].set(self.compute(&next));
+                            last = Some(next);
+                        }
+                    });
                 });
             }
         });
-        slots.into_iter().map(|slot| slot.into_inner().unwrap_or(Err(PaperError::Interrupted))).collect()
+        Ok(slots.into_iter().map(|slot| slot.into_inner().unwrap_or(Err(PaperError::Interrupted))).collect())
     }
 
     fn compute(&self, next: &Next) -> Result<CaseRun, PaperError> {

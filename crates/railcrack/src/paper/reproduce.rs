@@ -89,6 +89,9 @@ pub enum PaperError {
     /// A steel of Fig. 21.
     #[error(transparent)]
     Steel(#[from] HardeningError),
+    /// The system refuses threads.
+    #[error("cannot start threads: {0}")]
+    Threads(#[from] rayon::ThreadPoolBuildError),
     /// It was interrupted.
     #[error("interrupted")]
     Interrupted,
@@ -120,7 +123,7 @@ pub fn reproduce(
     let rolled = rolled_rails(figures)?;
     let cases = write_cases(folder, &jobs, &rolled)?;
     make(&folder.join(RUNS))?;
-    let computed = Computation { folder, earlier, jobs: &jobs, cases: &cases, telling }.run();
+    let computed = Computation { folder, earlier, jobs: &jobs, cases: &cases, telling }.run()?;
     let mut results = Results::default();
     let mut failures = Vec::new();
     let runs = computed.into_iter().map(|run| Ok(Arc::new(run?))).collect::<Result<Vec<_>, PaperError>>()?;

@@ -295,11 +295,6 @@ pub const REQUIREMENTS: &[Requirement] = &[
         "Load steps: fixed ones of 0.1 a, 0.05 a and 0.02 a are off by what two independent codes with such steps were off by.",
     ),
     requirement(
-        "closed_kink::alternating_mode_two",
-        "",
-        "Direction: alternating K_II goes straight on where k1 of a closed kink is zero, and to the largest k1 where negative k1 counts.",
-    ),
-    requirement(
         "xfem::junctions::a_crack_in_two_pieces_is_that_crack",
         "",
         "X-FEM: a crack in two joined pieces has the K of one piece, open and under the wheel.",
