@@ -1,0 +1,43 @@
+"""Draws docs/figures/scaling.svg from crates/railcrack/benches/results/scaling.csv. Needs matplotlib."""
+
+import csv
+import pathlib
+
+import matplotlib
+
+matplotlib.use("Agg")
+matplotlib.rcParams["svg.fonttype"] = "none"
+matplotlib.rcParams["svg.hashsalt"] = "railcrack"
+import matplotlib.pyplot as plt
+
+root = pathlib.Path(__file__).resolve().parent.parent
+with open(root / "crates/railcrack/benches/results/scaling.csv") as file:
+    rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+
+
+def column(study, name):
+    return [float(row[name]) for row in rows if row["study"] == study]
+
+
+panels = [
+    ("unknowns", "unknowns", "unknowns"),
+    ("cracks", "cracks", "number of cracks"),
+    ("load steps", "contact_solves", "contact solutions of a step"),
+]
+figure, axes = plt.subplots(1, 3, figsize=(11, 3.6), constrained_layout=True)
+for axis, (study, name, title) in zip(axes, panels):
+    x = column(study, name)
+    axis.loglog(x, column(study, "body_ms"), "o-", color="#0072b2", label="body")
+    axis.loglog(x, column(study, "contact_ms"), "s-", color="#e69f00", label="contact")
+    axis.set_xlabel(title)
+    axis.set_ylabel("ms per growth step")
+    memory = axis.twinx()
+    memory.loglog(x, column(study, "peak_memory_mb"), "^:", color="#666666", label="peak memory")
+    memory.set_ylabel("MB")
+    memory.set_ylim(10, 2000)
+    lines = [line for part in (axis, memory) for line in part.get_lines()]
+    axis.legend(lines, [line.get_label() for line in lines], fontsize=8, loc="upper left")
+    axis.grid(True, which="major", color="#e4e4e4")
+    axis.set_xticks(x if study == "cracks" else x[::3], [f"{v:.0f}" for v in (x if study == "cracks" else x[::3])])
+    axis.minorticks_off()
+figure.savefig(root / "docs/figures/scaling.svg", metadata={"Date": None, "Creator": None})
