@@ -150,8 +150,7 @@ impl Setup {
     pub(super) fn grows(&self, curve: &Curve) -> bool {
         let block = matches!(self.body, Body::Block { .. });
         match (self.extent, self.twist) {
-            // Nine cracks take as long as all the rest, and a slippery pair longer.
-            _ if block && matches!(curve.name, "nine" | "nine-stress") => false,
+            // A slippery pair takes as long there as the nine cracks of all set-ups.
             (_, Twist::FaceFriction(_)) if block => false,
             // Each crack alone is there for its K.
             (Extent::Growth, Twist::FaceFriction(_)) => curve.name == "pair",
