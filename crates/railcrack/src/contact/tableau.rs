@@ -249,7 +249,15 @@ impl<'a> Tableau<'a> {
     fn refresh(&mut self) -> Result<(), Degenerate> {
         self.base.fill(Condition::Held(0.0));
         self.responses = in_units(self.stiffness, self.unit);
+        self.begin_base();
         self.rebase().map_err(|_| Degenerate)
+    }
+
+    /// A base that has not answered yet: everything that is held moves there from zero with the next response.
+    fn begin_base(&mut self) {
+        self.base_state = BaseState::New;
+        self.input.fill(0.0);
+        self.of_held.fill(0.0);
     }
 
     /// Makes the present conditions the base. With K the components that differ, R the coefficients of all inputs in their conditions and
@@ -294,10 +302,7 @@ impl<'a> Tableau<'a> {
             }
         }
         self.base.clone_from(&self.now);
-        self.base_state = BaseState::New;
-        // Everything that is held moves there from zero with the next response.
-        self.input.fill(0.0);
-        self.of_held.fill(0.0);
+        self.begin_base();
         Ok(())
     }
 }
