@@ -26,17 +26,8 @@ impl Case {
     /// As [`Case::read`], with `overrides` in place of what the file says.
     pub fn read_with(path: &Path, overrides: &Overrides) -> Result<Self, CaseErrors> {
         let name = path.display().to_string();
-        match read_text(path, &name) {
-            Ok(source) => {
-                Self::parse_with(&source.text, &name, path.parent().unwrap_or(Path::new("")), overrides)
-            }
-            Err(unreadable) => {
-                let (source, fault) = *unreadable;
-                let mut report = Report::new(source);
-                report.add(fault);
-                Err(report.into_errors())
-            }
-        }
+        let source = source_of(path, &name)?;
+        Self::parse_with(&source.text, &name, path.parent().unwrap_or(Path::new("")), overrides)
     }
 
     /// The case written in `text`; errors call it `name`, relative file names are relative to `folder`.
@@ -64,6 +55,16 @@ impl Case {
             _ => Err(report.into_errors()),
         }
     }
+}
+
+/// The case or study in the file `path`, which errors call `name`.
+pub(super) fn source_of(path: &Path, name: &str) -> Result<Source, CaseErrors> {
+    read_text(path, name).map_err(|unreadable| {
+        let (source, fault) = *unreadable;
+        let mut report = Report::new(source);
+        report.add(fault);
+        report.into_errors()
+    })
 }
 
 /// The text of a file, or why it cannot be had, with whatever of it can be shown.

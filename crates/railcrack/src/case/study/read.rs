@@ -10,7 +10,7 @@ use crate::case::build::build;
 use crate::case::chosen::{Chosen, Reading};
 use crate::case::error::{CaseErrors, Fault, Report, Source};
 use crate::case::overrides::Overrides;
-use crate::case::read::{parse_document, read_sections, read_text, tables};
+use crate::case::read::{parse_document, read_sections, source_of, tables};
 use crate::case::section::read_section;
 use crate::case::validated::Case;
 use std::collections::HashMap;
@@ -25,17 +25,8 @@ impl Study {
     /// Errors: everything that is wrong with the file and with every case that it makes.
     pub fn read_with(path: &Path, overrides: &Overrides) -> Result<Self, CaseErrors> {
         let name = path.display().to_string();
-        match read_text(path, &name) {
-            Ok(source) => {
-                Self::parse_with(&source.text, &name, path.parent().unwrap_or(Path::new("")), overrides)
-            }
-            Err(unreadable) => {
-                let (source, fault) = *unreadable;
-                let mut report = Report::new(source);
-                report.add(fault);
-                Err(report.into_errors())
-            }
-        }
+        let source = source_of(path, &name)?;
+        Self::parse_with(&source.text, &name, path.parent().unwrap_or(Path::new("")), overrides)
     }
 
     /// The study written in `text`; errors call it `name`, relative file names are relative to `folder`.
