@@ -17,6 +17,7 @@ use super::folder::{SUMMARY_FILE, read_if_there};
 use super::plot::{Anchor, GREY, INK, Span, Svg, TextStyle};
 use super::report::write_plots;
 use super::{OutputError, Summary};
+use rayon::prelude::*;
 use std::path::Path;
 use stored::{chosen_steps, read_faces};
 
@@ -73,10 +74,14 @@ pub(crate) fn run_plots(folder: &Path) -> Result<Vec<(&'static str, String)>, Ou
     ];
     let shown =
         if last > 0 { vec![("faces.svg", 0), ("faces-last.svg", last)] } else { vec![("faces.svg", 0)] };
-    for (file, step) in shown {
-        let map = read_faces(folder, step, &histories, &growth)?;
-        plots.push((file, faces::face_map(&summary, &map)));
-    }
+    let maps: Result<Vec<_>, OutputError> = shown
+        .into_par_iter()
+        .map(|(file, step)| {
+            let map = read_faces(folder, step, &histories, &growth)?;
+            Ok((file, faces::face_map(&summary, &map)))
+        })
+        .collect();
+    plots.extend(maps?);
     Ok(plots)
 }
 

@@ -1,7 +1,7 @@
 //! Plots and report of a folder, from what is stored in it.
 
 use super::paper::paper_page;
-use super::run::run_page;
+use super::run::{RunData, run_page};
 use crate::output::OutputError;
 use crate::output::figures::{PLOTS_FOLDER, run_plots};
 use crate::output::folder::{Durability, SUMMARY_FILE, replace_file};
@@ -63,9 +63,11 @@ pub fn rebuild_report(folder: &Path) -> Result<FolderKind, OutputError> {
 
 /// Plots and report of a run. Without a finished step there are no plots.
 pub(crate) fn rebuild_run(folder: &Path) -> Result<(), OutputError> {
-    let plots = run_plots(folder)?;
+    // Both read long tables.
+    let (plots, data) = rayon::join(|| run_plots(folder), || RunData::read(folder));
+    let plots = plots?;
     write_plots(&folder.join(PLOTS_FOLDER), &plots)?;
-    put(&folder.join(REPORT_FILE), &run_page(folder, &plots)?.html())
+    put(&folder.join(REPORT_FILE), &run_page(data?, &plots).html())
 }
 
 /// Writes `plots` (file name and SVG) into `folder`.

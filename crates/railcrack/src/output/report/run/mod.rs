@@ -28,11 +28,29 @@ const BESIDE_COLUMNS: usize = 5;
 /// Rows of the table of steps; `growth.csv` has all.
 const TABLE_ROWS: usize = 500;
 
-/// The page of the run in `folder`; `pictures` (file name and SVG) are its plots, for readers without scripts.
-///
-/// Errors: no run in the folder; a file of it is damaged; the system refuses.
-pub(super) fn run_page(folder: &Path, pictures: &[(&'static str, String)]) -> Result<Page, OutputError> {
-    let run = RunFolder::read(folder)?;
+/// What the page is made of.
+pub(super) struct RunData {
+    run: RunFolder,
+    /// What the explorer works with, and what of the run that is; none without a finished step.
+    explorer: Option<(Value, data::Shown)>,
+    neighbourhood: Neighbourhood,
+}
+
+impl RunData {
+    /// Errors: no run in the folder; a file of it is damaged; the system refuses.
+    pub(super) fn read(folder: &Path) -> Result<Self, OutputError> {
+        let run = RunFolder::read(folder)?;
+        if run.summary.steps_recorded == 0 {
+            return Ok(Self { run, explorer: None, neighbourhood: Neighbourhood::NoFiles });
+        }
+        let (explorer, neighbourhood) = rayon::join(|| data::explorer(&run), || neighbourhood(&run));
+        Ok(Self { explorer: Some(explorer?), neighbourhood: neighbourhood?, run })
+    }
+}
+
+/// The page of a run; `pictures` (file name and SVG) are its plots, for readers without scripts.
+pub(super) fn run_page(data: RunData, pictures: &[(&'static str, String)]) -> Page {
+    let RunData { run, explorer: passage, neighbourhood } = data;
     let warnings = warnings::warnings(&run);
     let mut page = Page {
         title: run.summary.title.clone(),
@@ -56,18 +74,16 @@ pub(super) fn run_page(folder: &Path, pictures: &[(&'static str, String)]) -> Re
     }
     page.lead.extend(facts::cracks(&run).map(Block::Table));
     page.lead.extend(events::table(&run).map(Block::Table));
-    let (data, shown) = if run.summary.steps_recorded > 0 {
-        let (data, shown) = data::explorer(&run)?;
-        (Some(data), shown)
-    } else {
-        (None, data::Shown { steps: Vec::new(), face_stride: 1 })
+    let (data, shown) = match passage {
+        Some((data, shown)) => (Some(data), shown),
+        None => (None, data::Shown { steps: Vec::new(), face_stride: 1 }),
     };
     page.lead.push(Block::Heading("Assumptions".to_owned()));
     page.lead.push(Block::List(assumptions::assumptions(&run)));
     let remarks = warnings::remarks(&run, &shown);
     if let Some(data) = data {
         page.sections.push(explorer(data, pictures));
-        page.sections.extend(around(neighbourhood(&run)?));
+        page.sections.extend(around(neighbourhood));
         page.sections.push(growth(&run, remarks));
         page.sections.push(steps(&run));
     }
@@ -79,7 +95,7 @@ pub(super) fn run_page(folder: &Path, pictures: &[(&'static str, String)]) -> Re
             blocks: vec![Block::Verbatim(run.case.clone())],
         }],
     });
-    Ok(page)
+    page
 }
 
 fn explorer(data: Value, pictures: &[(&'static str, String)]) -> Section {
