@@ -27,42 +27,8 @@ impl SpdFactor {
     /// the number of threads.
     pub fn new(mut matrix: Matrix) -> Result<Self, LinearError> {
         let order = matrix.rows();
-        // Symmetric: rows are columns.
-        let mut factor = MatMut::from_column_major_slice_mut(matrix.entries_mut(), order, order);
-        for start in (0..order).step_by(BLOCK) {
-            let width = BLOCK.min(order - start);
-            let (_, right) = factor.rb_mut().split_at_col_mut(start);
-            let (block, rest) = right.get_mut(start.., ..).split_at_col_mut(width);
-            let (mut own, mut below) = block.split_at_row_mut(width);
-            let scratch = llt::factor::cholesky_in_place_scratch::<f64>(width, Par::Seq, Spec::default());
-            let mut buffer = MemBuffer::new(scratch);
-            let stack = MemStack::new(&mut buffer);
-            llt::factor::cholesky_in_place(
-                own.rb_mut(),
-                Default::default(),
-                Par::Seq,
-                stack,
-                Spec::default(),
-            )
-            .map_err(|error| match error {
-                llt::factor::LltError::NonPositivePivot { index } => {
-                    LinearError::NotPositiveDefinite { order, pivot: start + index }
-                }
-            })?;
-            let own = own.rb();
-            below.rb_mut().par_row_chunks_mut(BLOCK).for_each(|rows| {
-                solve_lower_triangular_in_place(own, rows.transpose_mut(), Par::Seq);
-            });
-            let below = below.rb();
-            let rest = rest.get_mut(width.., ..);
-            rest.par_col_chunks_mut(BLOCK).enumerate().for_each(|(k, columns)| {
-                // The part on and below the diagonal.
-                let from = k * BLOCK;
-                let lower = columns.get_mut(from.., ..);
-                let across = below.get(from..from + lower.ncols(), ..);
-                matmul(lower, Accum::Add, below.get(from.., ..), across.transpose(), -1.0, Par::Seq);
-            });
-        }
+        eliminate(matrix.entries_mut(), order, order)
+            .map_err(|pivot| LinearError::NotPositiveDefinite { order, pivot })?;
         Ok(Self { columns: matrix })
     }
 
@@ -127,6 +93,39 @@ impl SpdFactor {
         solve_upper_triangular_in_place(self.factor().transpose(), column, Par::Seq);
         Ok(())
     }
+}
+
+/// Eliminates the first `columns` unknowns of a symmetric matrix (order × order), of which row j holds column j from the diagonal on: its first rows
+/// become columns of L, what remains of the others stands in their place. The bits do not depend on the number of threads. Where a pivot is not positive,
+/// its place is the error.
+pub(super) fn eliminate(matrix: &mut [f64], order: usize, columns: usize) -> Result<(), usize> {
+    // Symmetric: rows are columns.
+    let mut matrix = MatMut::from_column_major_slice_mut(matrix, order, order);
+    for start in (0..columns).step_by(BLOCK) {
+        let width = BLOCK.min(columns - start);
+        let (_, right) = matrix.rb_mut().split_at_col_mut(start);
+        let (block, rest) = right.get_mut(start.., ..).split_at_col_mut(width);
+        let (mut own, mut below) = block.split_at_row_mut(width);
+        let scratch = llt::factor::cholesky_in_place_scratch::<f64>(width, Par::Seq, Spec::default());
+        let mut buffer = MemBuffer::new(scratch);
+        let stack = MemStack::new(&mut buffer);
+        llt::factor::cholesky_in_place(own.rb_mut(), Default::default(), Par::Seq, stack, Spec::default())
+            .map_err(|llt::factor::LltError::NonPositivePivot { index }| start + index)?;
+        let own = own.rb();
+        below.rb_mut().par_row_chunks_mut(BLOCK).for_each(|rows| {
+            solve_lower_triangular_in_place(own, rows.transpose_mut(), Par::Seq);
+        });
+        let below = below.rb();
+        let rest = rest.get_mut(width.., ..);
+        rest.par_col_chunks_mut(BLOCK).enumerate().for_each(|(k, columns)| {
+            // The part on and below the diagonal.
+            let from = k * BLOCK;
+            let lower = columns.get_mut(from.., ..);
+            let across = below.get(from..from + lower.ncols(), ..);
+            matmul(lower, Accum::Add, below.get(from.., ..), across.transpose(), -1.0, Par::Seq);
+        });
+    }
+    Ok(())
 }
 
 /// The product A Bᵀ.

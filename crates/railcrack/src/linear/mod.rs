@@ -1,17 +1,19 @@
 //! Linear algebra, dense and sparse; the only module that names faer.
 //!
-//! Results are the same bits whatever the number of threads: factorisations run on the calling thread, and what runs in
-//! parallel are columns that do not know of each other.
+//! Results are the same bits whatever the number of threads: what runs in parallel are blocks and columns that do not know of each other, cut in
+//! the same places for any number.
 
 mod cholesky;
 mod dense;
 mod error;
+mod fronts;
 mod gram;
 mod lanes;
 mod reach;
 mod sparse;
 #[cfg(test)]
 mod sparse_tests;
+mod structure;
 mod sweep;
 
 pub use cholesky::{SparseCholesky, SparseFactor};

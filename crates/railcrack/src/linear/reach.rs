@@ -96,7 +96,7 @@ impl SparseFactor {
         let mut panel = Panel::new(self, &supernodes);
         for (lane, &column) in batch.iter().enumerate() {
             for &(unknown, value) in &columns[column].entries {
-                panel.add(self.place[unknown], lane, value);
+                panel.add(self.structure.place[unknown], lane, value);
             }
         }
         panel.forward();
@@ -105,7 +105,8 @@ impl SparseFactor {
 
     fn keep(&self, panel: &Panel<'_>, lane: usize, reach: &[usize]) -> ReachedColumn {
         let mut starts = vec![0];
-        let mut values = Vec::with_capacity(reach.iter().map(|&s| self.supernodes[s].columns).sum());
+        let mut values =
+            Vec::with_capacity(reach.iter().map(|&s| self.structure.supernodes[s].columns).sum());
         for &s in reach {
             values.extend(panel.lane(s, lane));
             starts.push(values.len() as u32);
@@ -117,15 +118,18 @@ impl SparseFactor {
     fn reach(&self, column: &SparseColumn) -> Result<Vec<usize>, LinearError> {
         let mut reach = Vec::new();
         for &(unknown, _) in &column.entries {
-            let place =
-                self.place.get(unknown).ok_or(LinearError::NoSuchUnknown { unknown, order: self.order() })?;
-            reach.push(self.supernode_of[*place]);
+            let place = self
+                .structure
+                .place
+                .get(unknown)
+                .ok_or(LinearError::NoSuchUnknown { unknown, order: self.order() })?;
+            reach.push(self.structure.supernode_of[*place]);
         }
         reach.sort_unstable();
         reach.dedup();
         let mut pending = reach.clone();
         while let Some(s) = pending.pop() {
-            if let Some(parent) = self.parent(s)
+            if let Some(parent) = self.structure.parent(s)
                 && let Err(at) = reach.binary_search(&parent)
             {
                 reach.insert(at, parent);
@@ -139,11 +143,11 @@ impl SparseFactor {
     ///
     /// Errors: a column that was not made by this factor, where its shape shows it.
     pub fn backward(&self, combination: &[(&ReachedColumn, f64)]) -> Result<Vec<f64>, LinearError> {
-        let all: Vec<usize> = (0..self.supernodes.len()).collect();
+        let all: Vec<usize> = (0..self.structure.supernodes.len()).collect();
         let mut panel = Panel::new(self, &all);
         for (column, factor) in combination {
             for (s, values) in column.parts() {
-                let expected = self.supernodes.get(s).map_or(0, |node| node.columns);
+                let expected = self.structure.supernodes.get(s).map_or(0, |node| node.columns);
                 if values.len() != expected {
                     return Err(LinearError::WrongLength {
                         quantity: "values of a reached column on a supernode",
@@ -151,12 +155,12 @@ impl SparseFactor {
                         expected,
                     });
                 }
-                let start = self.supernodes[s].start;
+                let start = self.structure.supernodes[s].start;
                 values.iter().enumerate().for_each(|(k, value)| panel.add(start + k, 0, factor * value));
             }
         }
         panel.backward();
-        Ok((0..self.order()).map(|unknown| panel.entry(self.place[unknown], 0)).collect())
+        Ok((0..self.order()).map(|unknown| panel.entry(self.structure.place[unknown], 0)).collect())
     }
 
     /// Solves K x = b for right-hand sides b one after the other in `columns` (a multiple of `order` entries), which become
@@ -170,19 +174,19 @@ impl SparseFactor {
             let quantity = "entries of right-hand sides";
             return Err(LinearError::WrongLength { quantity, given: columns.len(), expected });
         }
-        let all: Vec<usize> = (0..self.supernodes.len()).collect();
+        let all: Vec<usize> = (0..self.structure.supernodes.len()).collect();
         columns.par_chunks_mut(LANES * order.max(1)).for_each(|columns| {
             let mut panel = Panel::new(self, &all);
             for (lane, column) in columns.chunks(order).enumerate() {
                 for (unknown, &value) in column.iter().enumerate() {
-                    panel.add(self.place[unknown], lane, value);
+                    panel.add(self.structure.place[unknown], lane, value);
                 }
             }
             panel.forward();
             panel.backward();
             for (lane, column) in columns.chunks_mut(order).enumerate() {
                 for (unknown, value) in column.iter_mut().enumerate() {
-                    *value = panel.entry(self.place[unknown], lane);
+                    *value = panel.entry(self.structure.place[unknown], lane);
                 }
             }
         });

@@ -1,7 +1,8 @@
 //! Forward and backward substitution with the supernodes of a factor, for the columns of a panel.
 
-use super::cholesky::{SparseFactor, Supernode};
+use super::cholesky::SparseFactor;
 use super::lanes::{ROWS, Row, add_row, add_tile, add_transposed_tile, scaled_difference, subtract};
+use super::structure::Supernode;
 use pulp::{Arch, Simd, WithSimd};
 
 /// Some supernodes of a factor, in elimination order, with every ancestor of each, and a panel over their rows.
@@ -16,19 +17,19 @@ pub(super) struct Panel<'a> {
 impl<'a> Panel<'a> {
     /// The zero panel over `supernodes`, which must be in elimination order and hold every ancestor of each.
     pub(super) fn new(factor: &'a SparseFactor, supernodes: &'a [usize]) -> Self {
-        let mut offset = vec![0; factor.supernodes.len()];
+        let mut offset = vec![0; factor.structure.supernodes.len()];
         let mut next = 0;
         for &s in supernodes {
             offset[s] = next;
-            next += factor.supernodes[s].panel_rows();
+            next += factor.structure.supernodes[s].panel_rows();
         }
         Self { factor, supernodes, offset, rows: vec![Row::ZERO; next] }
     }
 
     /// The row that belongs to a place in the elimination order.
     fn row_of(&self, place: usize) -> usize {
-        let s = self.factor.supernode_of[place];
-        self.offset[s] + place - self.factor.supernodes[s].start
+        let s = self.factor.structure.supernode_of[place];
+        self.offset[s] + place - self.factor.structure.supernodes[s].start
     }
 
     /// Adds to the entry of a lane at a place in the elimination order.
@@ -44,7 +45,7 @@ impl<'a> Panel<'a> {
 
     /// The entries of a lane at the columns of a supernode.
     pub(super) fn lane(&self, s: usize, lane: usize) -> impl Iterator<Item = f64> {
-        let columns = self.factor.supernodes[s].columns;
+        let columns = self.factor.structure.supernodes[s].columns;
         self.rows[self.offset[s]..self.offset[s] + columns].iter().map(move |row| row.0[lane])
     }
 
@@ -69,8 +70,8 @@ impl WithSimd for Forward<'_, '_> {
         let panel = self.0;
         let factor = panel.factor;
         for &s in panel.supernodes {
-            let node = factor.supernodes[s];
-            let tiles = &factor.tiles[node.tiles..];
+            let node = factor.structure.supernodes[s];
+            let tiles = &factor.tiles[s];
             let end = panel.offset[s] + node.panel_rows();
             let (before, after) = panel.rows.split_at_mut(end);
             let x = &mut before[panel.offset[s]..];
@@ -78,13 +79,13 @@ impl WithSimd for Forward<'_, '_> {
                 forward_block(simd, &tiles[node.triangle(b)..node.triangle(b + 1)], b * ROWS, x);
             }
             let mut tiles = tiles[node.triangle(node.blocks())..].chunks_exact(node.columns);
-            for rows in factor.rows_below(&node).chunks(ROWS) {
+            for rows in factor.structure.rows_below(&node).chunks(ROWS) {
                 let Some(tile) = tiles.next() else { break };
                 let mut sums = [Row::ZERO; ROWS];
                 add_tile(simd, tile, x, &mut sums);
                 for (&row, sum) in rows.iter().zip(&sums) {
-                    let t = factor.supernode_of[row];
-                    let at = panel.offset[t] + row - factor.supernodes[t].start;
+                    let t = factor.structure.supernode_of[row];
+                    let at = panel.offset[t] + row - factor.structure.supernodes[t].start;
                     subtract(simd, sum, &mut after[at - end]);
                 }
             }
@@ -118,8 +119,8 @@ impl WithSimd for Backward<'_, '_> {
         let factor = panel.factor;
         let mut below = Vec::new();
         for &s in panel.supernodes.iter().rev() {
-            let node = factor.supernodes[s];
-            let rows = factor.rows_below(&node).iter().map(|&row| panel.rows[panel.row_of(row)]);
+            let node = factor.structure.supernodes[s];
+            let rows = factor.structure.rows_below(&node).iter().map(|&row| panel.rows[panel.row_of(row)]);
             below.clear();
             below.extend(rows);
             below.resize(node.below.next_multiple_of(ROWS), Row::ZERO);
@@ -127,7 +128,7 @@ impl WithSimd for Backward<'_, '_> {
             let from = panel.offset[s];
             let x = &mut panel.rows[from..from + node.panel_rows()];
             for b in (0..node.blocks()).rev() {
-                backward_block(simd, &factor.tiles[node.tiles..], &node, b, below, x);
+                backward_block(simd, &factor.tiles[s], &node, b, below, x);
             }
         }
     }

@@ -1,0 +1,140 @@
+//! The shape of a sparse Cholesky factor: supernodes and their tree.
+
+use super::lanes::ROWS;
+use super::{LinearError, SymmetricPattern};
+use faer::perm::PermRef;
+use faer::sparse::SymbolicSparseColMatRef;
+use faer::sparse::linalg::SupernodalThreshold;
+use faer::sparse::linalg::cholesky::{
+    CholeskySymbolicParams, SymbolicCholeskyRaw, SymmetricOrdering, factorize_symbolic_cholesky,
+};
+use faer::{Side, sparse::linalg::cholesky::supernodal::SymbolicSupernodalCholesky};
+
+/// The shape of L in P K Pᵀ = L Lᵀ. Columns with the same rows below them form supernodes, dense blocks.
+#[derive(Debug)]
+pub(super) struct Structure {
+    /// Elimination order: the unknown at each place.
+    pub(super) order: Vec<usize>,
+    /// The place of each unknown in it.
+    pub(super) place: Vec<usize>,
+    /// In elimination order: every one before its parent.
+    pub(super) supernodes: Vec<Supernode>,
+    /// The supernode of each place.
+    pub(super) supernode_of: Vec<usize>,
+    /// Rows below the supernodes, one after the other.
+    pattern: Vec<usize>,
+}
+
+/// A supernode.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Supernode {
+    /// First column, a place in the elimination order.
+    pub(super) start: usize,
+    /// Number of columns.
+    pub(super) columns: usize,
+    /// First of its rows below, in the pattern.
+    pattern: usize,
+    /// Number of rows below.
+    pub(super) below: usize,
+}
+
+impl Supernode {
+    /// Blocks of rows of the triangle.
+    pub(super) fn blocks(&self) -> usize {
+        self.columns.div_ceil(ROWS)
+    }
+
+    /// Rows of a panel that it takes, the padding included.
+    pub(super) fn panel_rows(&self) -> usize {
+        self.blocks() * ROWS
+    }
+
+    /// Where block `b` of the triangle begins, counted from its first tile: all blocks before it have 6, 12, 18, … columns.
+    pub(super) fn triangle(&self, b: usize) -> usize {
+        ROWS * b * (b + 1) / 2
+    }
+
+    /// Entries of L, the zeros included that make it dense.
+    pub(super) fn entries(&self) -> usize {
+        self.columns * (self.columns + 1) / 2 + self.columns * self.below
+    }
+}
+
+impl Structure {
+    /// Errors: an order that is not one of the unknowns.
+    pub(super) fn new(pattern: &SymmetricPattern, order: Vec<usize>) -> Result<Self, LinearError> {
+        let place = places(&order, pattern.order())?;
+        let unknowns = pattern.order();
+        let params = CholeskySymbolicParams {
+            supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SUPERNODAL,
+            ..Default::default()
+        };
+        let permutation = SymmetricOrdering::Custom(PermRef::new_checked(&order, &place, unknowns));
+        let view =
+            SymbolicSparseColMatRef::new_checked(unknowns, unknowns, pattern.starts(), None, pattern.rows());
+        let symbolic = factorize_symbolic_cholesky(view, Side::Lower, permutation, params)
+            .map_err(|_| LinearError::TooLarge { order: unknowns })?;
+        let mut structure = Self {
+            supernode_of: vec![0; unknowns],
+            order,
+            place,
+            supernodes: Vec::new(),
+            pattern: Vec::new(),
+        };
+        if let SymbolicCholeskyRaw::Supernodal(symbolic) = symbolic.raw() {
+            structure.take_supernodes(symbolic);
+        }
+        Ok(structure)
+    }
+
+    fn take_supernodes(&mut self, symbolic: &SymbolicSupernodalCholesky<usize>) {
+        self.pattern = symbolic.row_idx().to_vec();
+        let patterns = symbolic.col_ptr_for_row_idx().windows(2);
+        let columns = symbolic.supernode_begin().iter().zip(symbolic.supernode_end());
+        for (s, ((&start, &end), pattern)) in columns.zip(patterns).enumerate() {
+            self.supernode_of[start..end].fill(s);
+            self.supernodes.push(Supernode {
+                start,
+                columns: end - start,
+                pattern: pattern[0],
+                below: pattern[1] - pattern[0],
+            });
+        }
+    }
+
+    /// Rows below a supernode, places in the elimination order, increasing.
+    pub(super) fn rows_below(&self, s: &Supernode) -> &[usize] {
+        &self.pattern[s.pattern..s.pattern + s.below]
+    }
+
+    /// The supernode next on the way to the root of the elimination tree.
+    pub(super) fn parent(&self, s: usize) -> Option<usize> {
+        self.rows_below(&self.supernodes[s]).first().map(|&row| self.supernode_of[row])
+    }
+
+    /// Memory that it holds, bytes.
+    pub(super) fn memory_bytes(&self) -> usize {
+        let indices = self.order.len() + self.place.len() + self.supernode_of.len() + self.pattern.len();
+        indices * size_of::<usize>() + size_of_val(&*self.supernodes)
+    }
+}
+
+/// The place of each unknown in an elimination order, which must name each once.
+fn places(order: &[usize], unknowns: usize) -> Result<Vec<usize>, LinearError> {
+    if order.len() != unknowns {
+        return Err(LinearError::WrongLength {
+            quantity: "unknowns in the elimination order",
+            given: order.len(),
+            expected: unknowns,
+        });
+    }
+    let mut place = vec![None; unknowns];
+    for (at, &unknown) in order.iter().enumerate() {
+        match place.get_mut(unknown) {
+            None => return Err(LinearError::NoSuchUnknown { unknown, order: unknowns }),
+            Some(Some(_)) => return Err(LinearError::EliminatedTwice { unknown }),
+            Some(fresh) => *fresh = Some(at),
+        }
+    }
+    Ok(place.into_iter().flatten().collect())
+}
