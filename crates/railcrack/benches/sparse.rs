@@ -3,7 +3,7 @@
 
 use divan::{Bencher, black_box};
 use railcrack::bulk::{BlockCorrection, BottomSupport, Boundary, BulkRail, SideSupport};
-use railcrack::linear::{ReachedColumn, SparseCholesky, SparseColumn, gram_of};
+use railcrack::linear::{ReachedPanel, SparseCholesky, SparseColumn, gram};
 use railcrack::load::HertzianContact;
 use railcrack::material::IsotropicElastic;
 use railcrack::math::Vec2;
@@ -104,8 +104,8 @@ fn forward(bencher: Bencher, (n, count): (usize, usize)) {
 fn scalar_products(bencher: Bencher, (n, count): (usize, usize)) {
     let rail = square(n);
     let reached = rail.factor().forward(&local_columns(&rail, count)).unwrap();
-    let columns: Vec<&ReachedColumn> = reached.iter().collect();
-    bencher.bench(|| gram_of(black_box(&columns)));
+    let panels: Vec<Arc<ReachedPanel>> = reached.into_iter().map(Arc::new).collect();
+    bencher.bench(|| gram(black_box(&panels), 0));
 }
 
 #[divan::bench(args = SIZES, sample_count = SAMPLES, sample_size = 1)]

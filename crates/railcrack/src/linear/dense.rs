@@ -1,99 +1,19 @@
-//! Inverses of dense matrices.
+//! Products and inverses of dense matrices.
 
 use super::LinearError;
 use crate::math::{Matrix, axpy, dot};
 use faer::dyn_stack::{MemBuffer, MemStack};
-use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
+use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
 use faer::linalg::{cholesky::llt, lu::partial_pivoting, matmul::matmul};
 use faer::prelude::{Reborrow, ReborrowMut};
 use faer::{Accum, Mat, MatMut, MatRef, Par, Spec};
 use rayon::prelude::*;
-
-/// The Cholesky factor K = L Lᵀ of a symmetric positive definite matrix.
-#[derive(Debug)]
-pub struct SpdFactor {
-    /// Row j holds column j of L from the diagonal on.
-    columns: Matrix,
-}
 
 /// Columns that are eliminated together, and rows of the rest that are updated together by one thread: their sums do not depend on who does
 /// them.
 const BLOCK: usize = 192;
 /// Right-hand sides that are solved together.
 const RIGHT_SIDES: usize = 64;
-
-impl SpdFactor {
-    /// Factors `matrix`, which becomes the factor; of its rows only what is on and right of the diagonal is read. The bits do not depend on
-    /// the number of threads.
-    pub fn new(mut matrix: Matrix) -> Result<Self, LinearError> {
-        let order = matrix.rows();
-        eliminate(matrix.entries_mut(), order, order)
-            .map_err(|pivot| LinearError::NotPositiveDefinite { order, pivot })?;
-        Ok(Self { columns: matrix })
-    }
-
-    fn factor(&self) -> MatRef<'_, f64> {
-        let order = self.columns.rows();
-        MatRef::from_column_major_slice(self.columns.entries(), order, order)
-    }
-
-    /// The inverse, exactly symmetric.
-    pub fn inverse(&self) -> Matrix {
-        let order = self.columns.rows();
-        let mut buffer = MemBuffer::new(llt::inverse::inverse_scratch::<f64>(order, Par::Seq));
-        let stack = MemStack::new(&mut buffer);
-        let mut inverse = Matrix::zeros(order, order);
-        let columns = MatMut::from_column_major_slice_mut(inverse.entries_mut(), order, order);
-        llt::inverse::inverse(columns, self.factor(), Par::Seq, stack);
-        for i in 0..order {
-            for j in 0..i {
-                inverse[(i, j)] = inverse[(j, i)];
-            }
-        }
-        inverse
-    }
-
-    /// L⁻¹ Bᵀ as rows, one for each row of `right` (r × order), so that their scalar products are B K⁻¹ Bᵀ. Where rows with leading zeros stand
-    /// beside each other, these are skipped.
-    ///
-    /// Errors: rows of another length.
-    pub fn half_solve_rows(&self, mut right: Matrix) -> Result<Matrix, LinearError> {
-        let order = self.columns.rows();
-        let given = right.columns();
-        if given != order {
-            return Err(LinearError::WrongLength {
-                quantity: "entries of a right-hand side",
-                given,
-                expected: order,
-            });
-        }
-        right.entries_mut().par_chunks_mut((RIGHT_SIDES * order).max(1)).for_each(|rows| {
-            let first = |row: &[f64]| row.iter().take_while(|value| **value == 0.0).count();
-            let start = rows.chunks(order).map(first).min().unwrap_or(0);
-            let sides = rows.len() / order;
-            let columns = MatMut::from_column_major_slice_mut(rows, order, sides).get_mut(start.., ..);
-            solve_lower_triangular_in_place(self.factor().get(start.., start..), columns, Par::Seq);
-        });
-        Ok(right)
-    }
-
-    /// L⁻ᵀ `half`, in place: K⁻¹ b from L⁻¹ b.
-    ///
-    /// Errors: another length.
-    pub fn back_solve(&self, half: &mut [f64]) -> Result<(), LinearError> {
-        let (given, order) = (half.len(), self.columns.rows());
-        if given != order {
-            return Err(LinearError::WrongLength {
-                quantity: "entries of a right-hand side",
-                given,
-                expected: order,
-            });
-        }
-        let column = MatMut::from_column_major_slice_mut(half, order, 1);
-        solve_upper_triangular_in_place(self.factor().transpose(), column, Par::Seq);
-        Ok(())
-    }
-}
 
 /// Eliminates the first `columns` unknowns of a symmetric matrix (order × order), of which row j holds column j from the diagonal on: its first rows
 /// become columns of L, what remains of the others stands in their place. The bits do not depend on the number of threads. Where a pivot is not positive,
@@ -238,7 +158,22 @@ const SINGULAR: f64 = 1e-12;
 
 /// The inverse of a symmetric positive definite matrix, by Cholesky; exactly symmetric.
 pub fn spd_inverse(matrix: &Matrix) -> Result<Matrix, LinearError> {
-    Ok(SpdFactor::new(matrix.clone())?.inverse())
+    let order = matrix.rows();
+    let mut factor = matrix.clone();
+    eliminate(factor.entries_mut(), order, order)
+        .map_err(|pivot| LinearError::NotPositiveDefinite { order, pivot })?;
+    let mut buffer = MemBuffer::new(llt::inverse::inverse_scratch::<f64>(order, Par::Seq));
+    let stack = MemStack::new(&mut buffer);
+    let mut inverse = Matrix::zeros(order, order);
+    let columns = MatMut::from_column_major_slice_mut(inverse.entries_mut(), order, order);
+    let factor = MatRef::from_column_major_slice(factor.entries(), order, order);
+    llt::inverse::inverse(columns, factor, Par::Seq, stack);
+    for i in 0..order {
+        for j in 0..i {
+            inverse[(i, j)] = inverse[(j, i)];
+        }
+    }
+    Ok(inverse)
 }
 
 /// The inverse of a square matrix, by Gaussian elimination with partial pivoting.
@@ -331,37 +266,16 @@ mod tests {
     }
 
     #[test]
-    fn blocks_of_a_factor_are_the_whole() {
-        // Three blocks, and right-hand sides in two of theirs.
+    fn the_inverse_of_several_blocks_by_residual() {
         let order = 2 * BLOCK + 40;
         let near = |i: usize, j: usize| 1.0 / (1.0 + (i as f64 - j as f64).powi(2));
         let matrix =
             Matrix::from_fn(order, order, |i, j| near(i, j) + f64::from(i == j) * (1.0 + (i % 7) as f64));
-        let factor = SpdFactor::new(matrix.clone()).unwrap();
-        assert!(distance_from_identity(&product(&matrix, &factor.inverse()).unwrap()) < 1e-12);
-        let sides = RIGHT_SIDES + 5;
-        let right =
-            Matrix::from_fn(sides, order, |i, j| if j < 3 * i { 0.0 } else { ((i + 2 * j) as f64).sin() });
-        let half = factor.half_solve_rows(right.clone()).unwrap();
-        let energies = product_transposed(&half, &half).unwrap();
-        for i in [0, 1, RIGHT_SIDES, sides - 1] {
-            let mut solution = half.row(i).to_vec();
-            factor.back_solve(&mut solution).unwrap();
-            let gap = matrix
-                .times(&solution)
-                .iter()
-                .zip(right.row(i))
-                .fold(0.0f64, |m, (a, b)| m.max((a - b).abs()));
-            assert!(gap < 1e-12, "{i}: {gap}");
-            for k in 0..sides {
-                assert!((dot(right.row(k), &solution) - energies[(k, i)]).abs() < 1e-10, "{i}, {k}");
-            }
-        }
-        assert!(matches!(factor.back_solve(&mut [0.0; 3]), Err(LinearError::WrongLength { given: 3, .. })));
+        assert!(distance_from_identity(&product(&matrix, &spd_inverse(&matrix).unwrap()).unwrap()) < 1e-12);
         let indefinite =
             Matrix::from_fn(order, order, |i, j| matrix[(i, j)] - 20.0 * f64::from(i == j && i == 300));
         assert_eq!(
-            SpdFactor::new(indefinite).err(),
+            spd_inverse(&indefinite).err(),
             Some(LinearError::NotPositiveDefinite { order, pivot: 300 })
         );
     }

@@ -51,6 +51,36 @@ pub(super) fn add_tile<S: Simd>(simd: S, tile: &[[f64; ROWS]], x: &[Row], sums: 
     }
 }
 
+/// Rows of a block of sums that are held in registers at once.
+const HELD: usize = 8;
+
+/// sums[r] += Σ_k (lane r of a[k]) b[k], in the order of k.
+#[inline(always)]
+pub(super) fn add_outer<S: Simd>(simd: S, a: &[Row], b: &[Row], sums: &mut [Row; LANES]) {
+    for (group, sums) in sums.chunks_exact_mut(HELD).enumerate() {
+        for v in (0..LANES / S::F64_LANES).step_by(2) {
+            let mut held = [[simd.splat_f64s(0.0); 2]; HELD];
+            for (held, sum) in held.iter_mut().zip(&*sums) {
+                let (sum, _) = S::as_simd_f64s(&sum.0);
+                *held = [sum[v], sum[v + 1]];
+            }
+            for (a, b) in a.iter().zip(b) {
+                let (b, _) = S::as_simd_f64s(&b.0);
+                let (left, right) = (b[v], b[v + 1]);
+                for (held, &factor) in held.iter_mut().zip(&a.0[group * HELD..]) {
+                    let factor = simd.splat_f64s(factor);
+                    held[0] = simd.mul_add_f64s(factor, left, held[0]);
+                    held[1] = simd.mul_add_f64s(factor, right, held[1]);
+                }
+            }
+            for (held, sum) in held.iter().zip(&mut *sums) {
+                let (sum, _) = S::as_mut_simd_f64s(&mut sum.0);
+                [sum[v], sum[v + 1]] = *held;
+            }
+        }
+    }
+}
+
 /// sums[k] += Σ_r tile[k][r] y[r]: the transpose of a tile of at most [`ROWS`] columns, rows in their order.
 #[inline(always)]
 pub(super) fn add_transposed_tile<S: Simd>(simd: S, tile: &[[f64; ROWS]], y: &[Row; ROWS], sums: &mut Sums) {

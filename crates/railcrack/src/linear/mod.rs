@@ -13,14 +13,14 @@ mod reach;
 mod sparse;
 #[cfg(test)]
 mod sparse_tests;
+mod spd;
 mod structure;
 mod sweep;
 
 pub use cholesky::{SparseCholesky, SparseFactor};
-pub use dense::{
-    SpdFactor, add_product, general_inverse, product, product_transposed, solve_small, spd_inverse,
-};
+pub use dense::{add_product, general_inverse, product, product_transposed, solve_small, spd_inverse};
 pub use error::LinearError;
-pub use gram::{gram, gram_of};
-pub use reach::{ReachedColumn, SparseColumn};
+pub use gram::gram;
+pub use reach::{PANEL_COLUMNS, ReachedPanel, SparseColumn};
 pub use sparse::{SparseSymmetric, SymmetricPattern};
+pub use spd::SpdFactor;

@@ -1,8 +1,8 @@
 //! The sparse factor by residual, against dense algebra, and bit for bit in changing company.
 
 use super::{
-    LinearError, ReachedColumn, SparseCholesky, SparseColumn, SparseFactor, SparseSymmetric,
-    SymmetricPattern, gram, gram_of, spd_inverse,
+    LinearError, PANEL_COLUMNS, ReachedPanel, SparseCholesky, SparseColumn, SparseFactor, SparseSymmetric,
+    SymmetricPattern, gram, spd_inverse,
 };
 use crate::math::Matrix;
 use std::sync::Arc;
@@ -118,8 +118,9 @@ fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).fold(0.0, |worst, (x, y)| (x - y).abs().max(worst))
 }
 
-fn references(columns: &[ReachedColumn]) -> Vec<&ReachedColumn> {
-    columns.iter().collect()
+/// Half solutions of `columns` in their panels.
+fn panels(factor: &SparseFactor, columns: &[SparseColumn]) -> Vec<Arc<ReachedPanel>> {
+    factor.forward(columns).unwrap().into_iter().map(Arc::new).collect()
 }
 
 #[test]
@@ -150,36 +151,32 @@ fn agrees_with_dense_algebra() {
     let inverse =
         spd_inverse(&Matrix::from_fn(grid.order(), grid.order(), |i, j| matrix.entry(i, j))).unwrap();
     let columns = grid.local_columns(30);
-    let reached = factor.forward(&columns).unwrap();
-    let products = gram_of(&references(&reached));
+    let products = gram(&panels(&factor, &columns), 0);
+    assert_eq!(products.len(), columns.len());
     for (i, a) in columns.iter().enumerate() {
         let solution = inverse.times(&full(grid.order(), a));
-        for (j, b) in columns.iter().enumerate() {
+        assert_eq!(products[i].len(), i + 1);
+        for (j, b) in columns[..=i].iter().enumerate() {
             let want: f64 = full(grid.order(), b).iter().zip(&solution).map(|(x, y)| x * y).sum();
-            assert!((products[(i, j)] - want).abs() < ROUND_OFF, "({i}, {j}): {} {want}", products[(i, j)]);
+            assert!((products[i][j] - want).abs() < ROUND_OFF, "({i}, {j}): {} {want}", products[i][j]);
         }
     }
 }
 
 #[test]
-fn reached_columns_carry_the_whole_solution() {
+fn panels_hold_what_is_reached_alone() {
     let grid = Grid::new(30, 30);
     let (matrix, factor) = grid.factored(3);
-    let columns = grid.local_columns(20);
-    let reached = factor.forward(&columns).unwrap();
-    for (column, reached) in columns.iter().zip(&reached) {
-        assert!(2 * reached.entries() < grid.order(), "{} of {}", reached.entries(), grid.order());
-        let right = full(grid.order(), column);
-        let solution = factor.backward(&[(reached, 1.0)]).unwrap();
-        assert!(largest_difference(&matrix.times(&solution).unwrap(), &right) < ROUND_OFF);
-        let mut whole = right;
-        factor.solve(&mut whole).unwrap();
-        assert_eq!(whole, solution);
-    }
-    let combined = factor.backward(&[(&reached[0], 2.0), (&reached[7], -0.5)]).unwrap();
-    let (first, second) = (full(grid.order(), &columns[0]), full(grid.order(), &columns[7]));
-    let want: Vec<f64> = first.iter().zip(second).map(|(a, b)| 2.0 * a - 0.5 * b).collect();
-    assert!(largest_difference(&matrix.times(&combined).unwrap(), &want) < ROUND_OFF);
+    let column = &grid.local_columns(1)[0];
+    let alone = factor.forward(std::slice::from_ref(column)).unwrap().remove(0);
+    assert!(2 * alone.rows() < grid.order(), "{} of {}", alone.rows(), grid.order());
+    // All the same, its square is the energy of the whole solution.
+    let right = full(grid.order(), column);
+    let mut solution = right.clone();
+    factor.solve(&mut solution).unwrap();
+    assert!(largest_difference(&matrix.times(&solution).unwrap(), &right) < ROUND_OFF);
+    let energy: f64 = right.iter().zip(&solution).map(|(b, x)| b * x).sum();
+    assert!((gram(&[Arc::new(alone)], 0)[0][0] - energy).abs() < ROUND_OFF);
 }
 
 #[test]
@@ -187,30 +184,27 @@ fn the_bits_do_not_depend_on_the_company() {
     let grid = Grid::new(30, 21);
     let (_, factor) = grid.factored(11);
     let columns = grid.local_columns(130);
-    let together = factor.forward(&columns).unwrap();
-    let all = gram_of(&references(&together));
+    let together = panels(&factor, &columns);
+    let all = gram(&together, 0);
 
-    // Every seventh alone, then in reverse order, then doubled.
-    for (i, column) in columns.iter().enumerate().step_by(7) {
-        assert_eq!(factor.forward(std::slice::from_ref(column)).unwrap()[0], together[i], "column {i} alone");
-    }
+    // In reverse order, other columns share the panels.
     let reversed: Vec<SparseColumn> = columns.iter().rev().cloned().collect();
-    let backwards = factor.forward(&reversed).unwrap();
-    assert!(backwards.iter().rev().eq(&together));
-    let doubled: Vec<SparseColumn> = columns.iter().flat_map(|c| [c.clone(), c.clone()]).collect();
-    let doubled = factor.forward(&doubled).unwrap();
-    assert!(doubled.iter().step_by(2).eq(&together));
-
-    let mixed = gram(&references(&backwards), &references(&together[3..50]));
+    let backwards = gram(&panels(&factor, &reversed), 0);
+    let last = columns.len() - 1;
     for i in 0..columns.len() {
-        for j in 0..columns.len() {
-            assert_eq!(all[(i, j)].to_bits(), together[i].dot(&together[j]).to_bits(), "({i}, {j})");
-            assert_eq!(all[(i, j)].to_bits(), all[(j, i)].to_bits(), "({i}, {j}) and its mirror");
+        for j in 0..=i {
+            let other = backwards[last - j][last - i];
+            assert_eq!(all[i][j].to_bits(), other.to_bits(), "({i}, {j}) in other company");
         }
-        for j in 3..50 {
-            let other = mixed[(columns.len() - 1 - i, j - 3)];
-            assert_eq!(all[(i, j)].to_bits(), other.to_bits(), "({i}, {j}) in other company");
-        }
+    }
+    // Pairs alone.
+    for (i, j) in [(3, 2), (77, 5), (129, 128)] {
+        let pair = panels(&factor, &[columns[j].clone(), columns[i].clone()]);
+        assert_eq!(gram(&pair, 0)[1][0].to_bits(), all[i][j].to_bits(), "({i}, {j}) alone");
+    }
+    // The last panels with those before them.
+    for first in 0..together.len() {
+        assert_eq!(gram(&together, first), all[first * PANEL_COLUMNS..], "from panel {first}");
     }
 }
 
@@ -222,10 +216,9 @@ fn the_bits_do_not_depend_on_the_number_of_threads() {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| {
             let (_, factor) = grid.factored(2);
-            let reached = factor.forward(&columns).unwrap();
             let mut solution = full(grid.order(), &columns[0]).repeat(20);
             factor.solve(&mut solution).unwrap();
-            (gram_of(&references(&reached)), reached, solution)
+            (gram(&panels(&factor, &columns), 0), solution)
         })
     };
     assert_eq!(run(1), run(3));

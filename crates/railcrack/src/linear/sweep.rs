@@ -43,10 +43,9 @@ impl<'a> Panel<'a> {
         self.rows[self.row_of(place)].0[lane]
     }
 
-    /// The entries of a lane at the columns of a supernode.
-    pub(super) fn lane(&self, s: usize, lane: usize) -> impl Iterator<Item = f64> {
-        let columns = self.factor.structure.supernodes[s].columns;
-        self.rows[self.offset[s]..self.offset[s] + columns].iter().map(move |row| row.0[lane])
+    /// The rows of a supernode.
+    pub(super) fn rows_of(&self, s: usize) -> &[Row] {
+        &self.rows[self.offset[s]..][..self.factor.structure.supernodes[s].columns]
     }
 
     /// L⁻¹ of every lane.

@@ -1,20 +1,39 @@
-//! Border columns that are kept from one growth step to the next.
+//! What the elimination of the border keeps from one growth step to the next.
 
-use crate::linear::{LinearError, ReachedColumn, SparseColumn, SparseFactor, gram};
-use crate::math::Matrix;
+use super::border::Entries;
+use crate::linear::{LinearError, PANEL_COLUMNS, ReachedPanel, SparseColumn, SparseFactor, SpdFactor, gram};
 use rayon::prelude::*;
-use std::collections::HashMap;
 use std::sync::Arc;
 
-/// Half-solved columns L⁻¹ b and their scalar products, by the content of b.
+/// Half-solved columns L⁻¹ b of the border and their scalar products, and the factor of its Schur complement.
 ///
-/// What was computed for a column is used again as long as its entries are the same bits; since both depend on the factor and
-/// on the column alone, a run that begins in the middle finds the same bits without them. A clone shares the columns.
+/// What the first columns came to is used again as long as these are the same bits; since it depends on nothing else, a run that begins in the
+/// middle finds the same bits without it. A clone shares all of it.
 #[derive(Debug, Clone, Default)]
 pub struct ColumnStore {
-    places: Arc<HashMap<Vec<(usize, u64)>, usize>>,
-    reached: Vec<Option<Arc<ReachedColumn>>>,
-    products: Option<Arc<Matrix>>,
+    columns: Vec<Content>,
+    panels: Vec<Arc<ReachedPanel>>,
+    products: Vec<Arc<[f64]>>,
+    factored: Option<Factored>,
+}
+
+/// Entries by their bits.
+type Content = Arc<[(usize, u64)]>;
+
+/// A factor, and what every row of its matrix was made of: the column, and its row of K_ee.
+#[derive(Debug, Clone)]
+struct Factored {
+    rows: Vec<[Content; 2]>,
+    factor: SpdFactor,
+}
+
+fn content(entries: &[(usize, f64)]) -> Content {
+    entries.iter().map(|&(unknown, value)| (unknown, value.to_bits())).collect()
+}
+
+/// How many of the first ones are the same.
+fn in_common<T: PartialEq>(one: &[T], other: &[T]) -> usize {
+    one.iter().zip(other).take_while(|(a, b)| a == b).count()
 }
 
 impl ColumnStore {
@@ -23,56 +42,42 @@ impl ColumnStore {
         *self = Self::default();
     }
 
-    /// b_iᵀ K⁻¹ b_j of all `columns`, symmetric. Keeps them for the next call and forgets all others.
+    /// b_iᵀ K⁻¹ b_j of all `columns`: row i with the columns up to its own. Keeps them for the next call and forgets all others.
     pub(super) fn products(
         &mut self,
         factor: &SparseFactor,
         columns: &[SparseColumn],
-    ) -> Result<Arc<Matrix>, LinearError> {
-        let n = columns.len();
-        let content = |column: &SparseColumn| -> Vec<(usize, u64)> {
-            column.entries.iter().map(|&(unknown, value)| (unknown, value.to_bits())).collect()
+    ) -> Result<&[Arc<[f64]>], LinearError> {
+        let contents: Vec<Content> = columns.par_iter().map(|column| content(&column.entries)).collect();
+        let panels = in_common(&contents, &self.columns) / PANEL_COLUMNS;
+        let kept = panels * PANEL_COLUMNS;
+        let fresh = factor.forward(&columns[kept..])?;
+        self.columns = contents;
+        self.panels.truncate(panels);
+        self.products.truncate(kept);
+        self.panels.extend(fresh.into_iter().map(Arc::new));
+        self.products.extend(gram(&self.panels, panels).into_iter().map(Arc::from));
+        Ok(&self.products)
+    }
+
+    /// The factor of the matrix that `fill` makes, as for [`SpdFactor::new`], of the first columns of the last call of [`Self::products`] and
+    /// the rows `square` of K_ee. Of it those rows are taken over that were made of the same.
+    pub(super) fn factor(
+        &mut self,
+        square: &[Entries],
+        fill: impl Fn(usize, &mut [f64], &[f64]) + Sync,
+    ) -> Result<SpdFactor, LinearError> {
+        let rows: Vec<[Content; 2]> = square
+            .par_iter()
+            .zip(&self.columns)
+            .map(|(square, column)| [Arc::clone(column), content(square)])
+            .collect();
+        let fill = |i: usize, row: &mut [f64]| fill(i, row, &self.products[i]);
+        let factor = match self.factored.take() {
+            Some(before) => before.factor.changed(in_common(&rows, &before.rows), square.len(), fill)?,
+            None => SpdFactor::new(square.len(), fill)?,
         };
-        let mut places = HashMap::with_capacity(n);
-        let mut known: Vec<Option<usize>> = vec![None; n];
-        let mut reached: Vec<Option<Arc<ReachedColumn>>> = vec![None; n];
-        let mut fresh = Vec::new();
-        for (i, column) in columns.iter().enumerate() {
-            let key = content(column);
-            known[i] = self.places.get(&key).copied();
-            match known[i].and_then(|old| self.reached[old].take()) {
-                Some(column) => reached[i] = Some(column),
-                None => {
-                    known[i] = None;
-                    fresh.push(i);
-                }
-            }
-            places.insert(key, i);
-        }
-        let wanted: Vec<SparseColumn> = fresh.iter().map(|&i| columns[i].clone()).collect();
-        for (&i, column) in fresh.iter().zip(factor.forward(&wanted)?) {
-            reached[i] = Some(Arc::new(column));
-        }
-        let all: Vec<&ReachedColumn> = reached.iter().flatten().map(Arc::as_ref).collect();
-        let new: Vec<&ReachedColumn> = fresh.iter().map(|&i| all[i]).collect();
-        let computed = gram(&new, &all);
-        let mut row_of: Vec<Option<usize>> = vec![None; n];
-        fresh.iter().enumerate().for_each(|(row, &i)| row_of[i] = Some(row));
-        let old = self.products.take();
-        let product = |i: usize, j: usize| match (row_of[i], row_of[j], &old) {
-            (Some(row), _, _) => computed[(row, j)],
-            (None, Some(row), _) => computed[(row, i)],
-            (None, None, Some(old)) => known[i].zip(known[j]).map_or(0.0, |place| old[place]),
-            (None, None, None) => 0.0,
-        };
-        let mut products = Matrix::zeros(n, n);
-        products.entries_mut().par_chunks_mut(n.max(1)).enumerate().for_each(|(i, row)| {
-            row.iter_mut().enumerate().for_each(|(j, entry)| *entry = product(i, j));
-        });
-        self.places = Arc::new(places);
-        self.reached = reached;
-        let products = Arc::new(products);
-        self.products = Some(Arc::clone(&products));
-        Ok(products)
+        self.factored = Some(Factored { rows, factor: factor.clone() });
+        Ok(factor)
     }
 }

@@ -8,7 +8,7 @@ use super::sif::SifFunctional;
 use super::space::{Enrichment, Space};
 use crate::bulk::BulkRail;
 use crate::linear::{
-    LinearError, ReachedColumn, SparseCholesky, SparseColumn, SparseFactor, SpdFactor, gram_of,
+    LinearError, ReachedPanel, SparseCholesky, SparseColumn, SparseFactor, SpdFactor, gram,
     product_transposed,
 };
 use crate::math::{Matrix, add_rows};
@@ -43,7 +43,7 @@ pub(super) enum Elimination {
         /// K_se.
         coupling: Arc<Vec<Entries>>,
         /// L Lᵀ = S_ee, of scaled unknowns.
-        factor: Arc<SpdFactor>,
+        factor: SpdFactor,
         /// L⁻¹ Bᵀ, transposed: row of a component of B.
         jumps: Matrix,
         /// The unknowns over the scaled ones.
@@ -94,19 +94,20 @@ impl System<'_> {
 
     pub(super) fn by_border(&self, store: &mut ColumnStore) -> Result<Condensed, XfemError> {
         let n = self.border.columns.len();
-        let products = store.products(self.rail.factor(), &self.columns())?;
         let scale: Vec<f64> = (0..n)
             .map(|i| self.diagonal(i))
             .map(|own| if own > 0.0 { 1.0 / own.sqrt() } else { 0.0 })
             .collect();
-        let mut condensed = Matrix::from_fn(n, n, |i, j| -products[(i, j)] * scale[i] * scale[j]);
-        for (i, row) in self.border.square.iter().enumerate() {
-            for &(j, value) in row {
-                condensed[(j, i)] = (value - products[(j, i)]) * scale[i] * scale[j];
+        let products = store.products(self.rail.factor(), &self.columns())?;
+        let of_functionals: Vec<Arc<[f64]>> = products[n..].to_vec();
+        let fill = |i: usize, row: &mut [f64], products: &[f64]| {
+            row.iter_mut().zip(products).zip(&scale).for_each(|((entry, p), s)| *entry = -p * scale[i] * s);
+            for &(j, value) in &self.border.square[i] {
+                row[j] = (value - products[j]) * scale[i] * scale[j];
             }
-            condensed[(i, i)] += if scale[i] > 0.0 { REDUNDANT } else { 1.0 };
-        }
-        let factor = SpdFactor::new(condensed)?;
+            row[i] += if scale[i] > 0.0 { REDUNDANT } else { 1.0 };
+        };
+        let factor = store.factor(&self.border.square, fill)?;
         let faces = self.jumps.len();
         let mut right = Matrix::zeros(faces + self.functionals.len(), n);
         for (i, row) in self.jumps.iter().enumerate() {
@@ -114,7 +115,7 @@ impl System<'_> {
         }
         for (k, functional) in self.functionals.iter().enumerate() {
             let row = right.row_mut(faces + k);
-            row.iter_mut().zip(products.row(n + k)).for_each(|(own, product)| *own = -product);
+            row.iter_mut().zip(&*of_functionals[k]).for_each(|(own, product)| *own = -product);
             functional.enriched.iter().for_each(|&(unknown, value)| row[unknown] += value);
             row.iter_mut().zip(&scale).for_each(|(own, scale)| *own *= scale);
         }
@@ -129,7 +130,7 @@ impl System<'_> {
             .map(|(k, f)| (0..faces).map(|j| energies[(faces + k, j)] + f.tractions[j]).collect())
             .collect();
         let coupling = Arc::new(self.border.columns.clone());
-        let elimination = Elimination::Border { coupling, factor: Arc::new(factor), jumps, scale };
+        let elimination = Elimination::Border { coupling, factor, jumps, scale };
         Ok(self.at_face_points(compliance, &influence, elimination))
     }
 
@@ -158,15 +159,15 @@ impl System<'_> {
             standard.entries.extend(enriched(&functional.enriched));
             columns.push(standard);
         }
-        let reached = factor.forward(&columns)?;
-        let products = gram_of(&reached.iter().collect::<Vec<&ReachedColumn>>());
+        let panels: Vec<Arc<ReachedPanel>> = factor.forward(&columns)?.into_iter().map(Arc::new).collect();
+        let products = gram(&panels, 0);
         let faces = jumps.len();
-        let compliance = Matrix::from_fn(faces, faces, |i, j| products[(i, j)]);
+        let compliance = Matrix::from_fn(faces, faces, |i, j| products[i.max(j)][i.min(j)]);
         let influence: Vec<Vec<f64>> = self
             .functionals
             .iter()
             .enumerate()
-            .map(|(k, f)| (0..faces).map(|j| products[(faces + k, j)] + f.tractions[j]).collect())
+            .map(|(k, f)| (0..faces).map(|j| products[faces + k][j] + f.tractions[j]).collect())
             .collect();
         let elimination = Elimination::Together { factor: Arc::new(factor), jumps };
         Ok(self.at_face_points(compliance, &influence, elimination))

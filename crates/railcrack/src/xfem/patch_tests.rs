@@ -16,10 +16,12 @@ use crate::material::IsotropicElastic;
 use crate::math::{Matrix, Stress, Vec2, gauss_legendre};
 use crate::mesh::{Edge, QuadMesh};
 use crate::xfem::XfemBody;
+use std::sync::Arc;
 
 /// x of K x = b.
-fn solved(matrix: Matrix, right: Vec<f64>) -> Vec<f64> {
-    let factor = SpdFactor::new(matrix).unwrap();
+fn solved(matrix: &Matrix, right: Vec<f64>) -> Vec<f64> {
+    let lower = |i: usize, row: &mut [f64]| row.copy_from_slice(&matrix.row(i)[..=i]);
+    let factor = SpdFactor::new(matrix.rows(), lower).unwrap();
     let right = Matrix::from_fn(1, right.len(), |_, i| right[i]);
     let mut solution = factor.half_solve_rows(right).unwrap().row(0).to_vec();
     factor.back_solve(&mut solution).unwrap();
@@ -121,7 +123,7 @@ impl Dense {
             self.matrix[(i, j)] * scale[i] * scale[j] + if i == j { own } else { 0.0 }
         });
         let right = (0..n).map(|i| forces[i] * scale[i]).collect();
-        let solved = solved(scaled, right);
+        let solved = solved(&scaled, right);
         (0..n).map(|i| solved[i] * scale[i]).collect()
     }
 
@@ -222,20 +224,20 @@ fn superposition_of_a_discrete_field() {
     };
     let enriched = n - standard;
     let columns: Vec<SparseColumn> = (0..enriched).map(column).collect();
-    let reached = rail.factor().forward(&columns).unwrap();
-    let products = crate::linear::gram_of(&reached.iter().collect::<Vec<_>>());
+    let panels: Vec<_> = rail.factor().forward(&columns).unwrap().into_iter().map(Arc::new).collect();
+    let products = crate::linear::gram(&panels, 0);
     let scale: Vec<f64> = (0..enriched)
         .map(|i| dense.matrix[(standard + i, standard + i)])
         .map(|own| if own > 0.0 { 1.0 / own.sqrt() } else { 0.0 })
         .collect();
     let condensed = Matrix::from_fn(enriched, enriched, |i, j| {
         let own = if scale[i] > 0.0 { 1e-14 } else { 1.0 };
-        (dense.matrix[(standard + i, standard + j)] - products[(i, j)]) * scale[i] * scale[j]
+        (dense.matrix[(standard + i, standard + j)] - products[i.max(j)][i.min(j)]) * scale[i] * scale[j]
             + if i == j { own } else { 0.0 }
     });
     let pull = |i: usize| -scale[i] * columns[i].entries.iter().map(|&(k, v)| v * u0[k]).sum::<f64>();
     let right = (0..enriched).map(pull).collect();
-    let solved = solved(condensed, right);
+    let solved = solved(&condensed, right);
     let ue: Vec<f64> = (0..enriched).map(|i| solved[i] * scale[i]).collect();
     let mut v = vec![0.0; free.len()];
     for (column, ue) in columns.iter().zip(&ue) {

@@ -56,6 +56,17 @@ impl CutPath {
         a.cross(b).atan2(a.dot(b)).abs()
     }
 
+    /// The distance (mm) of a point, and the arc length (mm) where it is nearest.
+    pub(super) fn nearest(&self, point: Vec2) -> (f64, f64) {
+        let of_segment = |i: usize| {
+            let (from, to) = self.segment(i);
+            let at = self.arc_length(i, point).clamp(self.s[i], self.s[i + 1]);
+            (point_to_segment(point, from, to), at)
+        };
+        let nearer = |a: (f64, f64), b: (f64, f64)| if b.0 < a.0 { b } else { a };
+        (0..self.segments()).map(of_segment).fold((f64::INFINITY, 0.0), nearer)
+    }
+
     /// Arc length of a point on segment `i`.
     pub(super) fn arc_length(&self, i: usize, point: Vec2) -> f64 {
         let (from, to) = self.segment(i);

@@ -1,6 +1,7 @@
 //! The enriched space: which functions there are, and where they live.
 
 use super::cuts::{CellPlace, Cuts, elements_at, join};
+use crate::math::Vec2;
 use crate::mesh::{Edge, NODES, QuadMesh};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -27,7 +28,8 @@ pub(super) enum Enrichment {
 /// A tip or kink, and the enrichment that each node of an element carries for it.
 type TipFunctions = (usize, [Option<usize>; NODES]);
 
-/// The enrichments of a mesh with cracks. Enrichment i has the unknowns 2 i and 2 i + 1.
+/// The enrichments of a mesh with cracks, along these from their first points on, so that a tip that advances leaves the first ones as they are.
+/// Enrichment i has the unknowns 2 i and 2 i + 1.
 #[derive(Debug, Clone)]
 pub(super) struct Space {
     pub enrichments: Vec<Enrichment>,
@@ -70,6 +72,8 @@ impl Space {
                 enrichments.push(Enrichment::Tip { tip, node });
             }
         }
+        let tip_lists = tips.values_mut().flatten().map(|(_, list)| list);
+        sort_along(mesh, cuts, &mut enrichments, parts.values_mut().chain(tip_lists));
         // A crack through a node touches two of its elements in that point alone, and still parts their functions.
         for e in parts.keys().map(|&(e, _)| e).chain(tips.keys().copied()) {
             cuts.include(mesh, e);
@@ -96,6 +100,36 @@ impl Space {
     }
 }
 
+/// Sorts enrichments by the arc length at which they are nearest to a crack, and numbers them anew in `lists`.
+fn sort_along<'a>(
+    mesh: &QuadMesh,
+    cuts: &Cuts,
+    enrichments: &mut Vec<Enrichment>,
+    lists: impl Iterator<Item = &'a mut [Option<usize>; NODES]>,
+) {
+    let nearest = |at: Vec2| {
+        let all = cuts.paths.iter().map(|path| path.nearest(at));
+        all.fold((f64::INFINITY, 0.0), |a, b| if b.0 < a.0 { b } else { a }).1
+    };
+    let arc: Vec<f64> = enrichments
+        .iter()
+        .map(|enrichment| match enrichment {
+            Enrichment::Part { node, .. } => nearest(mesh.node_position(*node)),
+            Enrichment::Tip { tip, .. } => nearest(cuts.poles[*tip].position()),
+        })
+        .collect();
+    let mut sorted: Vec<usize> = (0..arc.len()).collect();
+    sorted.sort_by(|&a, &b| arc[a].total_cmp(&arc[b]));
+    let mut place = vec![0; arc.len()];
+    sorted.iter().enumerate().for_each(|(at, &before)| place[before] = at);
+    for entry in lists.flatten().flatten() {
+        *entry = place[*entry];
+    }
+    let mut numbered: Vec<(usize, Enrichment)> = place.into_iter().zip(std::mem::take(enrichments)).collect();
+    numbered.sort_by_key(|(at, _)| *at);
+    enrichments.extend(numbered.into_iter().map(|(_, enrichment)| enrichment));
+}
+
 /// The nodes that carry the functions of a tip or kink.
 fn tip_nodes(mesh: &QuadMesh, cuts: &Cuts, tip: usize, radius: f64) -> BTreeSet<usize> {
     let at = cuts.poles[tip].position();
@@ -103,7 +137,7 @@ fn tip_nodes(mesh: &QuadMesh, cuts: &Cuts, tip: usize, radius: f64) -> BTreeSet<
     for e in elements_at(mesh, at) {
         nodes.extend(mesh.element(e).nodes);
     }
-    let reach = crate::math::Vec2::new(radius, radius);
+    let reach = Vec2::new(radius, radius);
     let (columns, rows) = mesh.places_meeting(at - reach, at + reach);
     for row in rows {
         for column in columns.clone() {

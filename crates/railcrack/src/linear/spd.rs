@@ -1,0 +1,243 @@
+//! Dense Cholesky factors, of which the leading rows may serve again.
+
+use super::LinearError;
+use crate::math::Matrix;
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::cholesky::llt;
+use faer::linalg::matmul::matmul;
+use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
+use faer::prelude::ReborrowMut;
+use faer::{Accum, MatMut, MatRef, Par, Spec};
+use rayon::prelude::*;
+use std::sync::Arc;
+
+/// The Cholesky factor K = L Lᵀ of a symmetric positive definite matrix.
+///
+/// It is made in blocks of rows from the first on. A row of L depends on the rows of K up to its own alone, so that a matrix with the same leading
+/// rows takes their blocks over, which are shared.
+#[derive(Debug, Clone)]
+pub struct SpdFactor {
+    order: usize,
+    blocks: Vec<Arc<Block>>,
+}
+
+/// Some rows of L.
+#[derive(Debug)]
+struct Block {
+    start: usize,
+    /// w × (start + w), with nothing of meaning right of the diagonal.
+    rows: Matrix,
+}
+
+/// Rows of a block.
+const BLOCK: usize = 192;
+/// Rows that one thread solves together: their sums do not depend on who does them.
+const TOGETHER: usize = 48;
+
+impl SpdFactor {
+    /// Factors a matrix of `order` unknowns: `fill(i, row)` adds the entries (i, 0) to (i, i) to the i + 1 zeros of `row`. The bits do not
+    /// depend on the number of threads.
+    ///
+    /// Errors: a matrix that is not positive definite (the unknown is named).
+    pub fn new(order: usize, fill: impl Fn(usize, &mut [f64]) + Sync) -> Result<Self, LinearError> {
+        Self { order: 0, blocks: Vec::new() }.changed(0, order, fill)
+    }
+
+    /// [`SpdFactor::new`] of a matrix whose rows before `unchanged` are those of this one. The bits are the same as without them.
+    pub fn changed(
+        &self,
+        unchanged: usize,
+        order: usize,
+        fill: impl Fn(usize, &mut [f64]) + Sync,
+    ) -> Result<Self, LinearError> {
+        let kept = unchanged.min(self.order).min(order) / BLOCK;
+        let mut factor = Self { order, blocks: self.blocks[..kept].to_vec() };
+        for start in (kept * BLOCK..order).step_by(BLOCK) {
+            let block = factor.block(start, BLOCK.min(order - start), &fill);
+            factor.blocks.push(Arc::new(
+                block.map_err(|pivot| LinearError::NotPositiveDefinite { order, pivot: start + pivot })?,
+            ));
+        }
+        Ok(factor)
+    }
+
+    /// The rows of L that follow those that are there, or the place among them without a positive pivot.
+    fn block(
+        &self,
+        start: usize,
+        width: usize,
+        fill: &(impl Fn(usize, &mut [f64]) + Sync),
+    ) -> Result<Block, usize> {
+        let stride = start + width;
+        let mut rows = Matrix::zeros(width, stride);
+        rows.entries_mut().par_chunks_mut(TOGETHER * stride).enumerate().for_each(|(chunk, rows)| {
+            for (k, row) in rows.chunks_exact_mut(stride).enumerate() {
+                let i = chunk * TOGETHER + k;
+                fill(start + i, &mut row[..=start + i]);
+            }
+            self.forward(rows, stride, 0);
+        });
+        let all = MatMut::from_row_major_slice_mut(rows.entries_mut(), width, stride);
+        let (left, mut own) = all.split_at_col_mut(start);
+        let left = left.as_ref();
+        own.rb_mut().par_col_chunks_mut(TOGETHER).enumerate().for_each(|(chunk, columns)| {
+            // The part on and below the diagonal.
+            let from = chunk * TOGETHER;
+            let across = left.get(from..from + columns.ncols(), ..).transpose();
+            matmul(columns.get_mut(from.., ..), Accum::Add, left.get(from.., ..), across, -1.0, Par::Seq);
+        });
+        let scratch = llt::factor::cholesky_in_place_scratch::<f64>(width, Par::Seq, Spec::default());
+        let mut buffer = MemBuffer::new(scratch);
+        let stack = MemStack::new(&mut buffer);
+        llt::factor::cholesky_in_place(own, Default::default(), Par::Seq, stack, Spec::default())
+            .map_err(|llt::factor::LltError::NonPositivePivot { index }| index)?;
+        Ok(Block { start, rows })
+    }
+
+    /// Right-hand sides as rows of `stride` entries, of which those before the block `first` are zero: their first entries become those of L⁻¹ b.
+    fn forward(&self, rows: &mut [f64], stride: usize, first: usize) {
+        let from = first * BLOCK;
+        let mut all = MatMut::from_row_major_slice_mut(rows, rows.len() / stride, stride);
+        for block in &self.blocks[first..] {
+            let (solved, right) = all.rb_mut().split_at_col_mut(block.start);
+            let mut own = right.get_mut(.., ..block.rows.rows());
+            let known = block.matrix().get(.., from..block.start).transpose();
+            matmul(own.rb_mut(), Accum::Add, solved.as_ref().get(.., from..), known, -1.0, Par::Seq);
+            solve_lower_triangular_in_place(block.diagonal(), own.transpose_mut(), Par::Seq);
+        }
+    }
+
+    /// L⁻¹ Bᵀ as rows, one for each row of `right` (r × order), so that their scalar products are B K⁻¹ Bᵀ. Where rows with leading zeros stand
+    /// beside each other, these are skipped.
+    ///
+    /// Errors: rows of another length.
+    pub fn half_solve_rows(&self, mut right: Matrix) -> Result<Matrix, LinearError> {
+        let stride = right.columns();
+        self.expect_length(stride)?;
+        right.entries_mut().par_chunks_mut((TOGETHER * stride).max(1)).for_each(|rows| {
+            let zeros = |row: &[f64]| row.iter().take_while(|value| **value == 0.0).count();
+            let first = rows.chunks_exact(stride).map(zeros).min().unwrap_or(0) / BLOCK;
+            self.forward(rows, stride, first.min(self.blocks.len()));
+        });
+        Ok(right)
+    }
+
+    /// L⁻ᵀ `half`, in place: K⁻¹ b from L⁻¹ b.
+    ///
+    /// Errors: another length.
+    pub fn back_solve(&self, half: &mut [f64]) -> Result<(), LinearError> {
+        self.expect_length(half.len())?;
+        let mut rest = MatMut::from_column_major_slice_mut(half, self.order, 1);
+        for block in self.blocks.iter().rev() {
+            let (before, mut own) = rest.rb_mut().split_at_row_mut(block.start);
+            let mut own = own.rb_mut().get_mut(..block.rows.rows(), ..);
+            solve_upper_triangular_in_place(block.diagonal().transpose(), own.rb_mut(), Par::Seq);
+            let coupling = block.matrix().get(.., ..block.start).transpose();
+            matmul(before, Accum::Add, coupling, own.as_ref(), -1.0, Par::Seq);
+        }
+        Ok(())
+    }
+
+    fn expect_length(&self, given: usize) -> Result<(), LinearError> {
+        let expected = self.order;
+        let quantity = "entries of a right-hand side";
+        if given == expected { Ok(()) } else { Err(LinearError::WrongLength { quantity, given, expected }) }
+    }
+}
+
+impl Block {
+    fn matrix(&self) -> MatRef<'_, f64> {
+        MatRef::from_row_major_slice(self.rows.entries(), self.rows.rows(), self.rows.columns())
+    }
+
+    /// The lower triangle at the diagonal.
+    fn diagonal(&self) -> MatRef<'_, f64> {
+        self.matrix().get(.., self.start..)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::linear::{product_transposed, spd_inverse};
+
+    const ORDER: usize = 2 * BLOCK + 40;
+
+    fn entry(i: usize, j: usize) -> f64 {
+        let near = 1.0 / (1.0 + (i as f64 - j as f64).powi(2));
+        near + if i == j { 1.0 + (i % 7) as f64 } else { 0.0 }
+    }
+
+    fn fill(i: usize, row: &mut [f64]) {
+        row.iter_mut().enumerate().for_each(|(j, value)| *value += entry(i, j));
+    }
+
+    /// Right-hand sides in two groups, of which some begin with zeros.
+    fn right() -> Matrix {
+        let value = |i: usize, j: usize| if j < 9 * i { 0.0 } else { ((i + 2 * j) as f64).sin() };
+        Matrix::from_fn(TOGETHER + 5, ORDER, value)
+    }
+
+    #[test]
+    fn halves_and_solutions_are_those_of_the_inverse() {
+        let factor = SpdFactor::new(ORDER, fill).unwrap();
+        let inverse = spd_inverse(&Matrix::from_fn(ORDER, ORDER, entry)).unwrap();
+        let right = right();
+        let half = factor.half_solve_rows(right.clone()).unwrap();
+        let energies = product_transposed(&half, &half).unwrap();
+        for i in 0..right.rows() {
+            let solution = inverse.times(right.row(i));
+            for j in 0..right.rows() {
+                let want: f64 = right.row(j).iter().zip(&solution).map(|(b, x)| b * x).sum();
+                assert!((energies[(j, i)] - want).abs() < 1e-11, "({j}, {i})");
+            }
+            let mut own = half.row(i).to_vec();
+            factor.back_solve(&mut own).unwrap();
+            let gap = own.iter().zip(&solution).fold(0.0f64, |m, (a, b)| m.max((a - b).abs()));
+            assert!(gap < 1e-13, "{i}: {gap:e}");
+        }
+        assert!(factor.half_solve_rows(Matrix::zeros(1, 3)).is_err());
+        assert!(factor.back_solve(&mut [0.0]).is_err());
+    }
+
+    #[test]
+    fn leading_rows_serve_again_bit_for_bit() {
+        let right = right();
+        let halves = |factor: &SpdFactor| factor.half_solve_rows(right.clone()).unwrap();
+        let changed_from = BLOCK + 7;
+        let other = |i: usize, row: &mut [f64]| {
+            fill(i, row);
+            if i >= changed_from {
+                row[i - 3] += 0.25;
+            }
+        };
+        let afresh = halves(&SpdFactor::new(ORDER, other).unwrap());
+        let unchanged = SpdFactor::new(ORDER - 60, fill).unwrap();
+        assert_ne!(halves(&SpdFactor::new(ORDER, fill).unwrap()), afresh);
+        // Rows that are said to be unchanged are not asked for again.
+        let guarded = |i: usize, row: &mut [f64]| {
+            assert!(i >= BLOCK, "row {i}");
+            other(i, row);
+        };
+        let changed = unchanged.changed(changed_from, ORDER, guarded).unwrap();
+        assert_eq!(halves(&changed), afresh);
+        for threads in [1, 3] {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            pool.install(|| assert_eq!(halves(&SpdFactor::new(ORDER, other).unwrap()), afresh));
+        }
+    }
+
+    #[test]
+    fn a_pivot_that_is_not_positive_is_named() {
+        for pivot in [3, BLOCK + 100] {
+            let indefinite = |i: usize, row: &mut [f64]| {
+                fill(i, row);
+                if i == pivot {
+                    row[i] = -1.0;
+                }
+            };
+            let want = LinearError::NotPositiveDefinite { order: ORDER, pivot };
+            assert_eq!(SpdFactor::new(ORDER, indefinite).unwrap_err(), want);
+        }
+    }
+}
