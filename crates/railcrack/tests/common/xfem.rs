@@ -5,7 +5,7 @@ use railcrack::body::{BodyEngine, CrackedBody};
 use railcrack::bulk::BulkRail;
 use railcrack::crack::{Crack, CrackNetwork};
 use railcrack::growth::StabilisedPassage;
-use railcrack::linear::SpdFactor;
+use railcrack::linear::spd_inverse;
 use railcrack::math::{Matrix, Stress, Vec2};
 use railcrack::xfem::{
     ColumnStore, RailEnd, Window, XfemBody, XfemEngine, XfemSettings, default_element_sizes,
@@ -107,7 +107,7 @@ pub fn condition(matrix: &Matrix) -> Option<f64> {
         return None;
     }
     let scaled = Matrix::from_fn(n, n, |i, j| matrix[(i, j)] / (matrix[(i, i)] * matrix[(j, j)]).sqrt());
-    let inverse = SpdFactor::new(scaled.clone()).ok()?.inverse();
+    let inverse = spd_inverse(&scaled).ok()?;
     Some(largest_eigenvalue(&scaled) * largest_eigenvalue(&inverse))
 }
 
