@@ -1,11 +1,10 @@
 //! The runs: computed in parallel, or taken over.
 
 use super::plan::Job;
-use super::queue::{Next, Queue};
 use super::reproduce::{Earlier, PaperError, Telling};
 use super::stored::{store, stored};
 use super::{CaseRun, Effort};
-use crate::case::{Case, SharedRail};
+use crate::case::{Case, NextRun, RunQueue, SharedRail, WaitingRun};
 use crate::growth::Watch;
 use std::path::Path;
 use std::sync::{Arc, OnceLock};
@@ -41,7 +40,8 @@ impl Computation<'_> {
                 None => waiting.push(i),
             }
         }
-        let queue = Queue::new(waiting, self.jobs, self.cases);
+        let of_job = |run| WaitingRun { run, case: &self.cases[run], effort: self.jobs[run].effort };
+        let queue = RunQueue::new(waiting.into_iter().map(of_job));
         // A pool each: within a common one a thread that waits for parts of its run could begin another run, and wait there for the rail
         // that it is about to make.
         let pools = (0..rayon::current_num_threads())
@@ -51,10 +51,9 @@ impl Computation<'_> {
             for pool in &pools {
                 scope.spawn(|| {
                     pool.install(|| {
-                        // The order in which runs are taken up does not show in them.
                         let mut last = None;
                         while let Some(next) = queue.take(last.as_ref()) {
-                            let _ = slots[next.job].set(self.compute(&next));
+                            let _ = slots[next.run].set(self.compute(&next));
                             last = Some(next);
                         }
                     });
@@ -64,11 +63,11 @@ impl Computation<'_> {
         Ok(slots.into_iter().map(|slot| slot.into_inner().unwrap_or(Err(PaperError::Interrupted))).collect())
     }
 
-    fn compute(&self, next: &Next) -> Result<CaseRun, PaperError> {
+    fn compute(&self, next: &NextRun) -> Result<CaseRun, PaperError> {
         if self.telling.interrupted() {
             return Err(PaperError::Interrupted);
         }
-        let (job, case) = (&self.jobs[next.job], &self.cases[next.job]);
+        let (job, case) = (&self.jobs[next.run], &self.cases[next.run]);
         let started = Instant::now();
         let rail = next.rail.as_ref().and_then(|slot| {
             // A rail that cannot be made is left to the runs, which say what is wrong.

@@ -17,7 +17,6 @@ mod path_plot;
 mod path_shape;
 mod plan;
 mod profile_plot;
-mod queue;
 mod record;
 mod reproduce;
 mod results;

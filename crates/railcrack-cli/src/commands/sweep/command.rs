@@ -2,7 +2,6 @@
 
 use super::job::{FailedRun, Workplace};
 use super::progress::StudyProgress;
-use super::queue::Queue;
 use super::shard::Shard;
 use super::tell::result_text;
 use crate::commands::run::{case_files, default_folder, listen};
@@ -11,7 +10,7 @@ use crate::drive::{Ending, RunError};
 use crate::exit::{Exit, Failure};
 use crate::print;
 use clap::Args;
-use railcrack::case::{Axis, Overrides, Study};
+use railcrack::case::{Axis, Overrides, RunQueue, Study, WaitingRun};
 use railcrack::output::{Entry, PlannedRun, RunEnd, StudyAxis, StudyFolder, StudyKey, StudyPlan, VERSION};
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
@@ -159,7 +158,11 @@ fn compute(
     workplace: &Workplace,
     threads: usize,
 ) -> Result<Vec<FailedRun>, RunError> {
-    let queue = Queue::new(waiting.iter().map(|&run| (run, &study.runs[run].case)));
+    let of_run = |&run: &usize| {
+        let case = &study.runs[run].case;
+        WaitingRun { run, case, effort: (case.growth.steps + 1) as f64 }
+    };
+    let queue = RunQueue::new(waiting.iter().map(of_run));
     let failed = Mutex::new(Vec::new());
     let at_once = threads.min(waiting.len());
     let pools: Result<Vec<_>, _> = (0..at_once)
@@ -178,12 +181,14 @@ fn compute(
             let (queue, failed) = (&queue, &failed);
             scope.spawn(move || {
                 pool.install(|| {
+                    let mut last = None;
                     while !workplace.interruption.asked()
-                        && let Some(next) = queue.take()
+                        && let Some(next) = queue.take(last.as_ref())
                     {
                         let planned = &workplace.folder.plan().runs[next.run];
                         let end = workplace.compute(&study.runs[next.run], planned, &next);
                         failed.lock().unwrap_or_else(PoisonError::into_inner).extend(end);
+                        last = Some(next);
                     }
                 });
             });

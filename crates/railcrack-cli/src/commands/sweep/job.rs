@@ -1,13 +1,12 @@
 //! One run of a study.
 
 use super::progress::StudyProgress;
-use super::queue::{Next, RailSlot};
 use crate::commands::residual;
 use crate::commands::run::{Job, Stage, carry_out};
 use crate::drive::{Ending, RunError};
 use crate::exit::Exit;
 use crate::interruption::Interruption;
-use railcrack::case::{SharedRail, StudyRun};
+use railcrack::case::{NextRun, RailSlot, SharedRail, StudyRun};
 use railcrack::output::{Existing, Outcome, OutputError, PlannedRun, Recorder, RunEnd, StudyFolder, Summary};
 
 /// Where a run is computed, and who is told.
@@ -30,7 +29,7 @@ pub struct FailedRun {
 impl Workplace<'_> {
     /// Computes `run`, or what is missing of it, into its run folder, and remembers there how it ended. One that is interrupted has no
     /// end yet.
-    pub fn compute(&self, run: &StudyRun, planned: &PlannedRun, next: &Next) -> Option<FailedRun> {
+    pub fn compute(&self, run: &StudyRun, planned: &PlannedRun, next: &NextRun) -> Option<FailedRun> {
         let computed = self.steps(run, planned, next.rail.as_ref());
         let (outcome, told) = match &computed {
             Ok((Ending::Interrupted, _)) => return None,

@@ -3,7 +3,6 @@
 mod command;
 mod job;
 mod progress;
-mod queue;
 mod shard;
 mod tell;
 
