@@ -1,6 +1,7 @@
 //! Jumps and contact forces of the faces, as components are held and freed.
 
 use super::condition::{Condition, Degenerate};
+use super::span::Combination;
 use crate::linear::{LinearError, add_product, general_inverse, product, solve_small};
 use crate::math::{Matrix, add_rows, axpy, dot};
 
@@ -28,6 +29,15 @@ pub(super) struct Tableau<'a> {
     /// The part of the outputs that comes from what the base holds: it seldom moves.
     of_held: Vec<f64>,
     base_state: BaseState,
+    remembered: Remembered,
+}
+
+/// Loads of which others are combined.
+struct Remembered {
+    /// Nodal forces (N/mm), each load a row.
+    loads: Matrix,
+    /// Outputs of the base for them, without what is held; none before they are asked for.
+    outputs: Option<Matrix>,
 }
 
 /// Whether the numbers of a base can be relied on.
@@ -65,7 +75,13 @@ impl<'a> Tableau<'a> {
             output: vec![0.0; n],
             of_held: vec![0.0; n],
             base_state: BaseState::Checked,
+            remembered: Remembered { loads: Matrix::zeros(0, n), outputs: None },
         }
+    }
+
+    /// Remembers `loads` (N/mm, each a row) instead of others.
+    pub(super) fn remember(&mut self, loads: Matrix) {
+        self.remembered = Remembered { loads, outputs: None };
     }
 
     /// Sets the condition of `component`. Only one that another follows may be coupled, and only to one that is free without
@@ -93,12 +109,14 @@ impl<'a> Tableau<'a> {
         (self.now.len() / MANY).clamp(FEW, MOST)
     }
 
-    /// The jumps (mm) and contact forces q (N/mm) of all components under the nodal forces `load`.
+    /// The jumps (mm) and contact forces q (N/mm) of all components under the nodal forces `load`; `combination` is how it is combined of the loads
+    /// remembered, if it is.
     ///
     /// Errors: conditions that leave a component without equation.
     pub(super) fn solve(
         &mut self,
         load: &[f64],
+        combination: Option<&Combination>,
         jump: &mut [f64],
         contact: &mut [f64],
     ) -> Result<(), Degenerate> {
@@ -106,7 +124,10 @@ impl<'a> Tableau<'a> {
             // Where that fails, the differences remain, and their own system decides.
             let _ = self.rebase();
         }
-        self.respond(load);
+        match combination {
+            Some(combination) => self.respond_combined(load, combination),
+            None => self.respond(load),
+        }
         self.solve_again(load, jump, contact)
     }
 
@@ -144,17 +165,45 @@ impl<'a> Tableau<'a> {
 
     /// Inputs and outputs of the base under `load`.
     fn respond(&mut self, load: &[f64]) {
+        self.begin_response(load);
+        self.add_outputs(load);
+    }
+
+    /// [`Tableau::respond`], where most of the outputs are known.
+    fn respond_combined(&mut self, load: &[f64], combination: &Combination) {
+        let loads = &self.remembered.loads;
+        let outputs = match self.remembered.outputs.take() {
+            Some(outputs) => Ok(outputs),
+            None => {
+                let inputs =
+                    Matrix::from_fn(loads.rows(), load.len(), |k, i| self.driven_input(loads.row(k), i));
+                product(&inputs, &self.responses)
+            }
+        };
+        let Ok(outputs) = outputs else { return self.respond(load) };
+        self.begin_response(load);
+        add_rows(&combination.weights, |k| outputs.row(k), &mut self.output);
+        self.remembered.outputs = Some(outputs);
+        self.add_outputs(&combination.rest);
+    }
+
+    /// The inputs under `load`, and the outputs of what is held.
+    fn begin_response(&mut self, load: &[f64]) {
         self.move_held();
         for i in 0..load.len() {
             if let Condition::Free(coupling) = self.base[i] {
                 self.input[i] = self.driven(load, i, coupling);
             }
         }
-        let drives = |i: &usize| self.base[*i].held().is_none() && self.input[*i] != 0.0;
-        let acting: Vec<usize> = (0..load.len()).filter(drives).collect();
-        let weights: Vec<f64> = acting.iter().map(|&i| self.input[i]).collect();
         self.output.clone_from(&self.of_held);
-        add_rows(&weights, |k| self.responses.row(acting[k]), &mut self.output);
+    }
+
+    /// Adds the outputs for the nodal forces `load` on what the base holds free.
+    fn add_outputs(&mut self, load: &[f64]) {
+        let inputs = (0..load.len()).map(|i| (i, self.driven_input(load, i)));
+        let acting = inputs.filter(|(_, input)| *input != 0.0);
+        let (acting, inputs): (Vec<usize>, Vec<f64>) = acting.unzip();
+        add_rows(&inputs, |k| self.responses.row(acting[k]), &mut self.output);
     }
 
     /// Jumps and contact forces from the outputs of the base and the inputs where the conditions differ.
@@ -240,6 +289,14 @@ impl<'a> Tableau<'a> {
         }
     }
 
+    /// The input of component `i` under `load`; zero where the base holds the jump.
+    fn driven_input(&self, load: &[f64], i: usize) -> f64 {
+        match self.base[i] {
+            Condition::Held(_) => 0.0,
+            Condition::Free(coupling) => self.driven(load, i, coupling),
+        }
+    }
+
     /// load_i + c load_{i+1}, in units.
     fn driven(&self, load: &[f64], i: usize, coupling: f64) -> f64 {
         (load[i] + times(coupling, || load[i + 1])) / self.unit
@@ -256,6 +313,7 @@ impl<'a> Tableau<'a> {
     /// A base that has not answered yet: everything that is held moves there from zero with the next response.
     fn begin_base(&mut self) {
         self.base_state = BaseState::New;
+        self.remembered.outputs = None;
         self.input.fill(0.0);
         self.of_held.fill(0.0);
     }
