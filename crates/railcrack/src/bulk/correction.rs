@@ -2,12 +2,11 @@
 
 use super::boundary::Boundary;
 use super::cancel::ElasticField;
-use super::chebyshev;
 use super::gauss_stress::StressAtPoints;
 use super::rail::{BulkError, BulkRail};
 use crate::field::{HertzDisplacement, HertzField};
 use crate::load::HertzianContact;
-use crate::math::{Stress, Vec2};
+use crate::math::{Stress, Vec2, chebyshev};
 use std::ops::RangeInclusive;
 use std::sync::Arc;
 

@@ -3,7 +3,6 @@
 
 mod boundary;
 mod cancel;
-mod chebyshev;
 mod correction;
 mod gauss_stress;
 mod grid;

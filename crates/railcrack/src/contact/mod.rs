@@ -8,6 +8,7 @@ mod newton;
 mod problem;
 mod response;
 mod solver;
+mod span;
 mod stepping;
 mod tableau;
 

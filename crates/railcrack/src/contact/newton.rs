@@ -25,7 +25,7 @@ impl ContactSolver for Newton {
     }
 }
 
-/// Iterations in which all points change at once; after that only the worst one does, which breaks most cycles.
+/// Iterations in which all points change at once; after that the worst one is settled by itself, which breaks cycles.
 const SIMULTANEOUS: usize = 12;
 /// Forces and jumps below this fraction of the largest are round-off.
 const ROUND_OFF: f64 = 1e-11;
@@ -77,21 +77,21 @@ impl<'a> StepSolver<'a> for NewtonSteps<'a> {
     fn solve(&mut self, step: LoadStep, faces: &mut FaceResponse<'a>) -> Result<usize, NotConverged> {
         let points = self.problem.points();
         // Where no held slip changes, the foreseen jumps are those of the first iteration.
-        let mut foreseen = true;
+        let mut in_equilibrium = true;
         for (point, &reference) in step.reference_slip.iter().enumerate() {
             let held = faces.solution().status[point] == PointStatus::Stick;
             if held && faces.solution().jump[2 * point] != reference {
                 faces.set_status(point, PointStatus::Stick, reference);
-                foreseen = false;
+                in_equilibrium = false;
             }
         }
         let mut worst = f64::INFINITY;
         for iteration in 1..=self.max_iterations {
-            if (iteration > 1 || !foreseen) && faces.equilibrate_again(step.forces).is_err() {
+            if !in_equilibrium && faces.equilibrate_again(step.forces).is_err() {
                 return Err(NotConverged { iterations: iteration, indicator: worst, tolerance: ROUND_OFF });
             }
             let scale = self.scale.including(faces.solution(), step.forces);
-            let mut demands: Vec<(usize, PointStatus, f64)> = (0..points)
+            let demands: Vec<(usize, PointStatus, f64)> = (0..points)
                 .filter_map(|j| {
                     demanded(self.problem, faces, scale, j, step.reference_slip[j])
                         .map(|(status, by)| (j, status, by))
@@ -102,12 +102,15 @@ impl<'a> StepSolver<'a> for NewtonSteps<'a> {
                 return Ok(iteration);
             }
             worst = demands.iter().fold(0.0, |w, d| w.max(d.2));
-            if iteration > SIMULTANEOUS {
-                demands.retain(|d| d.2 == worst);
-                demands.truncate(1);
-            }
-            for (point, status, _) in demands {
-                faces.set_status(point, status, step.reference_slip[point]);
+            if iteration > SIMULTANEOUS
+                && let Some(&(point, status, _)) = demands.iter().find(|demand| demand.2 == worst)
+            {
+                in_equilibrium = self.settle(step, faces, scale, (point, status));
+            } else {
+                for (point, status, _) in demands {
+                    faces.set_status(point, status, step.reference_slip[point]);
+                }
+                in_equilibrium = false;
             }
         }
         Err(NotConverged { iterations: self.max_iterations, indicator: worst, tolerance: ROUND_OFF })
@@ -116,4 +119,104 @@ impl<'a> StepSolver<'a> for NewtonSteps<'a> {
     fn keep(&mut self) {}
 
     fn restore(&mut self) {}
+}
+
+impl<'a> NewtonSteps<'a> {
+    /// Gives `point` the status with which it fulfils the law while the others keep theirs, `wanted` if none does; returns
+    /// whether `faces` are in equilibrium then.
+    ///
+    /// What the law demands from the present status need not fulfil it: where friction closes a point by more than its pressure opens it, the
+    /// point may penetrate when it is open and be pulled when it slips, and has to stick.
+    fn settle(
+        &self,
+        step: LoadStep,
+        faces: &mut FaceResponse<'a>,
+        scale: FaceScale,
+        (point, wanted): (usize, PointStatus),
+    ) -> bool {
+        use PointStatus::{Open, SlipBackward, SlipForward, Stick};
+        let before = faces.solution().status[point];
+        let reference = step.reference_slip[point];
+        let others = [Stick, SlipForward, SlipBackward, Open].into_iter();
+        for status in [wanted].into_iter().chain(others.filter(|&s| s != wanted && s != before)) {
+            faces.set_status(point, status, reference);
+            let solved = faces.equilibrate_again(step.forces).is_ok();
+            if solved && demanded(self.problem, faces, scale, point, reference).is_none() {
+                return true;
+            }
+        }
+        faces.set_status(point, wanted, reference);
+        false
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::body::{BodyTip, CrackedBody, FaceMesh, MeshPoint};
+    use crate::math::{Matrix, Vec2};
+
+    /// One face point with the compliance (mm per N/mm) c of its shear and its pressure and what is between them.
+    struct OnePoint {
+        faces: FaceMesh,
+        compliance: Matrix,
+        stiffness: Matrix,
+        none: Matrix,
+    }
+
+    impl OnePoint {
+        fn new(own: f64, between: f64) -> Self {
+            let along = Vec2 { x: 1.0, y: 0.0 };
+            let point =
+                MeshPoint { crack: 0, segment: 0, s: 0.0, position: along, tangent: along, weight: 1.0 };
+            let symmetric = |own, between| Matrix::from_fn(2, 2, |i, j| if i == j { own } else { between });
+            let determinant = own * own - between * between;
+            Self {
+                faces: FaceMesh { points: vec![point], samples: Vec::new() },
+                compliance: symmetric(own, between),
+                stiffness: symmetric(own / determinant, -between / determinant),
+                none: Matrix::zeros(0, 2),
+            }
+        }
+    }
+
+    impl CrackedBody for OnePoint {
+        fn faces(&self) -> &FaceMesh {
+            &self.faces
+        }
+        fn tips(&self) -> &[BodyTip] {
+            &[]
+        }
+        fn compliance(&self) -> &Matrix {
+            &self.compliance
+        }
+        fn stiffness(&self) -> &Matrix {
+            &self.stiffness
+        }
+        fn sif_influence(&self) -> &Matrix {
+            &self.none
+        }
+        fn dofs(&self) -> usize {
+            0
+        }
+    }
+
+    #[test]
+    fn a_point_that_can_neither_open_nor_slip_sticks() {
+        // Slip forward with friction 2 opens the point by 2 · 0.9 times what its pressure opens it: more pressure closes it.
+        let body = OnePoint::new(1.0, 0.9);
+        let problem = FaceProblem::new(&body, &[2.0]);
+        // The free jumps (3, −1): the point is ahead of where it touches, and beyond the other face.
+        let forces = body.stiffness().times(&[3.0, -1.0]);
+        let mut faces = FaceResponse::virgin(&problem);
+        faces.set_status(0, PointStatus::Open, 0.0);
+        faces.equilibrate(&forces, None).unwrap();
+        let step = LoadStep { forces: &forces, reference_slip: &[0.0] };
+        Newton::default().prepare(&problem).solve(step, &mut faces).unwrap();
+        let solution = faces.solution();
+        assert_eq!(solution.status, [PointStatus::Stick]);
+        assert_eq!(solution.jump, [0.0, 0.0]);
+        assert!((solution.contact[0] + 3.9 / 0.19).abs() < 1e-12);
+        assert!((solution.contact[1] - 3.7 / 0.19).abs() < 1e-12);
+    }
 }

@@ -1,8 +1,10 @@
 //! The linear response of the faces while no point changes its status.
 
 use super::condition::{Condition, Degenerate};
+use super::span::Combination;
 use super::tableau::Tableau;
 use super::{FaceProblem, FaceSolution, PointStatus};
+use crate::math::Matrix;
 
 /// The faces with their statuses: for given loads the jumps of the free components and the forces of the held ones
 /// follow linearly. Newton's method works on it; the step control uses it to foresee events.
@@ -57,10 +59,20 @@ impl<'a> FaceResponse<'a> {
         self.tableau.set(2 * point + 1, normal);
     }
 
-    /// Jumps and contact forces under the nodal forces `load` with the present statuses.
-    pub(super) fn equilibrate(&mut self, load: &[f64]) -> Result<(), Degenerate> {
+    /// Remembers `loads` (N/mm, each a row), of which others will be combined.
+    pub(super) fn remember(&mut self, loads: Matrix) {
+        self.tableau.remember(loads);
+    }
+
+    /// Jumps and contact forces under the nodal forces `load` with the present statuses; `combination` is how the load is combined of those
+    /// remembered, if it is.
+    pub(super) fn equilibrate(
+        &mut self,
+        load: &[f64],
+        combination: Option<&Combination>,
+    ) -> Result<(), Degenerate> {
         let FaceSolution { jump, contact, .. } = &mut self.solution;
-        self.tableau.solve(load, jump, contact)
+        self.tableau.solve(load, combination, jump, contact)
     }
 
     /// [`FaceResponse::equilibrate`] after changes of status, under the same `load`.

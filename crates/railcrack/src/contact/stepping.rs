@@ -1,6 +1,7 @@
 //! Adaptive load steps: friction remembers the order of events.
 
 use super::forecast::{Forecast, Motion, Turn, shorter_than};
+use super::span::{Combination, LoadSpan};
 use super::{
     ContactSolver, FaceProblem, FaceResponse, FaceScale, FaceSolution, LoadStep, NotConverged, PointStatus,
     StepSolver,
@@ -105,6 +106,10 @@ const MOST_ATTEMPTS: usize = 3000;
 /// Steps between two stations at most in which the contact does not converge, each of hundreds of iterations. Halving a step down to the
 /// smallest takes 24 of them.
 const MOST_FAILURES: usize = 48;
+/// Steps that are tried between two stations before their loads are combined of a few, and components from which on that saves more than it
+/// costs.
+const PLAIN_ATTEMPTS: usize = 1;
+const MANY_COMPONENTS: usize = 300;
 /// Slip of a point in a step in which it touches or turns back, over the tolerance times the largest jump seen there.
 /// Measured in `docs/step-control.md`.
 const FREE_SLIP: f64 = 0.7;
@@ -200,6 +205,7 @@ impl<'a> Stepper<'a> {
         let whole = station - from;
         let mut step = whole;
         let (mut attempts, mut failures) = (0, 0);
+        let mut span: Option<LoadSpan> = None;
         while self.at != station {
             if (self.interrupted)() {
                 return Err(SteppingError::Interrupted { at: self.at });
@@ -207,12 +213,21 @@ impl<'a> Stepper<'a> {
             if attempts == MOST_ATTEMPTS {
                 return Err(SteppingError::TooManySteps { at: self.at, attempts, from, to: station });
             }
+            if attempts == PLAIN_ATTEMPTS && self.load.len() >= MANY_COMPONENTS {
+                let loads = LoadSpan::new(path, self.at, station);
+                self.faces.remember(loads.loads().clone());
+                span = Some(loads);
+            }
             attempts += 1;
             let target = if step.abs() >= (station - self.at).abs() { station } else { self.at + step };
             let smallest = (target - self.at).abs() <= SMALLEST * whole.abs();
             let cutting =
                 if smallest || self.control == StepControl::Fixed { Cutting::Over } else { Cutting::Allowed };
-            match self.attempt(path, target, cutting) {
+            let (load, combination) = match &span {
+                Some(span) => span.load(path, target),
+                None => (path.nodal_forces(target), None),
+            };
+            match self.attempt((load, combination.as_ref()), target, cutting) {
                 Ok(None) => {
                     if target != station {
                         self.counts.substeps += 1;
@@ -233,17 +248,16 @@ impl<'a> Stepper<'a> {
         Ok(())
     }
 
-    /// Tries a step to `target`. `Some(step)` asks for a shorter one; the solution is then as before.
+    /// Tries a step to the `load` at `target`. `Some(step)` asks for a shorter one; the solution is then as before.
     fn attempt(
         &mut self,
-        path: &dyn LoadPath,
+        (load, combination): (Vec<f64>, Option<&Combination>),
         target: f64,
         cutting: Cutting,
     ) -> Result<Option<f64>, NotConverged> {
         let step = target - self.at;
-        let load = path.nodal_forces(target);
         self.faces.keep();
-        let forecasts = self.foresee(&load, step)?;
+        let forecasts = self.foresee(&load, combination, step)?;
         let events = forecasts.iter().enumerate().filter(|(j, _)| self.problem.friction(*j) > 0.0);
         let wishes = events.filter_map(|(j, forecast)| forecast.cut(self.allowed(j), step));
         if let (Some(shorter), Cutting::Allowed) = (wishes.reduce(shortest), cutting) {
@@ -277,8 +291,13 @@ impl<'a> Stepper<'a> {
     }
 
     /// What each point would do in a step to `load` of length `step` if no point changed its status.
-    fn foresee(&mut self, load: &[f64], step: f64) -> Result<Vec<Forecast>, NotConverged> {
-        if self.faces.equilibrate(load).is_err() {
+    fn foresee(
+        &mut self,
+        load: &[f64],
+        combination: Option<&Combination>,
+        step: f64,
+    ) -> Result<Vec<Forecast>, NotConverged> {
+        if self.faces.equilibrate(load, combination).is_err() {
             self.faces.restore();
             return Err(NotConverged { iterations: 0, indicator: f64::INFINITY, tolerance: self.tolerance });
         }

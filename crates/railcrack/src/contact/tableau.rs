@@ -1,7 +1,8 @@
 //! Jumps and contact forces of the faces, as components are held and freed.
 
 use super::condition::{Condition, Degenerate};
-use crate::linear::{LinearError, add_product, general_inverse, product, solve_small};
+use super::span::Combination;
+use crate::linear::{LinearError, SmallFactor, add_product, general_inverse, product};
 use crate::math::{Matrix, add_rows, axpy, dot};
 
 /// The equations A w = load + q of the faces under a condition for each component: its jump w_i is held, or it is free with
@@ -28,6 +29,24 @@ pub(super) struct Tableau<'a> {
     /// The part of the outputs that comes from what the base holds: it seldom moves.
     of_held: Vec<f64>,
     base_state: BaseState,
+    remembered: Remembered,
+    /// None where conditions have changed since.
+    differences: Option<Differences>,
+}
+
+/// Where the conditions of today differ from those of the base.
+struct Differences {
+    components: Vec<usize>,
+    /// Their system, once it was needed.
+    factor: Option<SmallFactor>,
+}
+
+/// Loads of which others are combined.
+struct Remembered {
+    /// Nodal forces (N/mm), each load a row.
+    loads: Matrix,
+    /// Outputs of the base for them, without what is held; none before they are asked for.
+    outputs: Option<Matrix>,
 }
 
 /// Whether the numbers of a base can be relied on.
@@ -65,12 +84,22 @@ impl<'a> Tableau<'a> {
             output: vec![0.0; n],
             of_held: vec![0.0; n],
             base_state: BaseState::Checked,
+            remembered: Remembered { loads: Matrix::zeros(0, n), outputs: None },
+            differences: None,
         }
+    }
+
+    /// Remembers `loads` (N/mm, each a row) instead of others.
+    pub(super) fn remember(&mut self, loads: Matrix) {
+        self.remembered = Remembered { loads, outputs: None };
     }
 
     /// Sets the condition of `component`. Only one that another follows may be coupled, and only to one that is free without
     /// coupling or held.
     pub(super) fn set(&mut self, component: usize, condition: Condition) {
+        if !condition.is_like(self.now[component]) {
+            self.differences = None;
+        }
         self.now[component] = condition;
     }
 
@@ -81,32 +110,49 @@ impl<'a> Tableau<'a> {
 
     /// Returns to what was kept.
     pub(super) fn restore(&mut self) {
+        if self.now.iter().zip(&self.kept).any(|(now, kept)| !now.is_like(*kept)) {
+            self.differences = None;
+        }
         self.now.clone_from(&self.kept);
     }
 
     /// The components whose condition is of another kind than in the base.
-    fn differences(&self) -> Vec<usize> {
-        (0..self.now.len()).filter(|&i| !self.now[i].is_like(self.base[i])).collect()
+    fn take_differences(&mut self) -> Differences {
+        self.differences.take().unwrap_or_else(|| {
+            let differs = |&i: &usize| !self.now[i].is_like(self.base[i]);
+            Differences { components: (0..self.now.len()).filter(differs).collect(), factor: None }
+        })
+    }
+
+    /// How many there are.
+    fn different(&mut self) -> usize {
+        let differences = self.take_differences();
+        self.differences.insert(differences).components.len()
     }
 
     fn many(&self) -> usize {
         (self.now.len() / MANY).clamp(FEW, MOST)
     }
 
-    /// The jumps (mm) and contact forces q (N/mm) of all components under the nodal forces `load`.
+    /// The jumps (mm) and contact forces q (N/mm) of all components under the nodal forces `load`; `combination` is how it is combined of the loads
+    /// remembered, if it is.
     ///
     /// Errors: conditions that leave a component without equation.
     pub(super) fn solve(
         &mut self,
         load: &[f64],
+        combination: Option<&Combination>,
         jump: &mut [f64],
         contact: &mut [f64],
     ) -> Result<(), Degenerate> {
-        if self.differences().len() > self.many() {
+        if self.different() > self.many() {
             // Where that fails, the differences remain, and their own system decides.
             let _ = self.rebase();
         }
-        self.respond(load);
+        match combination {
+            Some(combination) => self.respond_combined(load, combination),
+            None => self.respond(load),
+        }
         self.solve_again(load, jump, contact)
     }
 
@@ -117,7 +163,7 @@ impl<'a> Tableau<'a> {
         jump: &mut [f64],
         contact: &mut [f64],
     ) -> Result<(), Degenerate> {
-        if self.differences().len() > URGENT * self.many() && self.rebase().is_ok() {
+        if self.different() > URGENT * self.many() && self.rebase().is_ok() {
             self.respond(load);
         }
         let sound = self.equilibrium(load, jump, contact);
@@ -144,36 +190,66 @@ impl<'a> Tableau<'a> {
 
     /// Inputs and outputs of the base under `load`.
     fn respond(&mut self, load: &[f64]) {
+        self.begin_response(load);
+        self.add_outputs(load);
+    }
+
+    /// [`Tableau::respond`], where most of the outputs are known.
+    fn respond_combined(&mut self, load: &[f64], combination: &Combination) {
+        let loads = &self.remembered.loads;
+        let outputs = match self.remembered.outputs.take() {
+            Some(outputs) => Ok(outputs),
+            None => {
+                let inputs =
+                    Matrix::from_fn(loads.rows(), load.len(), |k, i| self.driven_input(loads.row(k), i));
+                product(&inputs, &self.responses)
+            }
+        };
+        let Ok(outputs) = outputs else { return self.respond(load) };
+        self.begin_response(load);
+        add_rows(&combination.weights, |k| outputs.row(k), &mut self.output);
+        self.remembered.outputs = Some(outputs);
+        self.add_outputs(&combination.rest);
+    }
+
+    /// The inputs under `load`, and the outputs of what is held.
+    fn begin_response(&mut self, load: &[f64]) {
         self.move_held();
         for i in 0..load.len() {
             if let Condition::Free(coupling) = self.base[i] {
                 self.input[i] = self.driven(load, i, coupling);
             }
         }
-        let drives = |i: &usize| self.base[*i].held().is_none() && self.input[*i] != 0.0;
-        let acting: Vec<usize> = (0..load.len()).filter(drives).collect();
-        let weights: Vec<f64> = acting.iter().map(|&i| self.input[i]).collect();
         self.output.clone_from(&self.of_held);
-        add_rows(&weights, |k| self.responses.row(acting[k]), &mut self.output);
+    }
+
+    /// Adds the outputs for the nodal forces `load` on what the base holds free.
+    fn add_outputs(&mut self, load: &[f64]) {
+        let inputs = (0..load.len()).map(|i| (i, self.driven_input(load, i)));
+        let acting = inputs.filter(|(_, input)| *input != 0.0);
+        let (acting, inputs): (Vec<usize>, Vec<f64>) = acting.unzip();
+        add_rows(&inputs, |k| self.responses.row(acting[k]), &mut self.output);
     }
 
     /// Jumps and contact forces from the outputs of the base and the inputs where the conditions differ.
     fn equilibrium(&mut self, load: &[f64], jump: &mut [f64], contact: &mut [f64]) -> Result<(), Degenerate> {
         self.move_held();
-        let differences = self.differences();
-        let n = differences.len();
-        let mut system = Matrix::zeros(n, n);
-        for (m, &input) in differences.iter().enumerate() {
-            for (k, &component) in differences.iter().enumerate() {
-                system[(k, m)] = self.coefficient(component, input);
+        let Differences { components, factor } = self.take_differences();
+        let n = components.len();
+        let factor = match factor {
+            Some(factor) => factor,
+            None => {
+                let entry = |k: usize, m: usize| self.coefficient(components[k], components[m]);
+                SmallFactor::new(Matrix::from_fn(n, n, entry)).map_err(|_| Degenerate)?
             }
-        }
-        let mut changes: Vec<f64> = differences.iter().map(|&i| self.defect(i, load)).collect();
-        solve_small(system, &mut changes).map_err(|_| Degenerate)?;
+        };
+        let mut changes: Vec<f64> = components.iter().map(|&i| self.defect(i, load)).collect();
+        factor.solve(&mut changes).map_err(|_| Degenerate)?;
         let mut output = self.output.clone();
-        add_rows(&changes, |k| self.responses.row(differences[k]), &mut output);
+        add_rows(&changes, |k| self.responses.row(components[k]), &mut output);
         let mut input = self.input.clone();
-        differences.iter().zip(&changes).for_each(|(&i, change)| input[i] += change);
+        components.iter().zip(&changes).for_each(|(&i, change)| input[i] += change);
+        self.differences = Some(Differences { components, factor: Some(factor) });
         // A w, from the last component on: a coupled one needs the next.
         let mut force = 0.0;
         for i in (0..load.len()).rev() {
@@ -240,6 +316,14 @@ impl<'a> Tableau<'a> {
         }
     }
 
+    /// The input of component `i` under `load`; zero where the base holds the jump.
+    fn driven_input(&self, load: &[f64], i: usize) -> f64 {
+        match self.base[i] {
+            Condition::Held(_) => 0.0,
+            Condition::Free(coupling) => self.driven(load, i, coupling),
+        }
+    }
+
     /// load_i + c load_{i+1}, in units.
     fn driven(&self, load: &[f64], i: usize, coupling: f64) -> f64 {
         (load[i] + times(coupling, || load[i + 1])) / self.unit
@@ -255,7 +339,9 @@ impl<'a> Tableau<'a> {
 
     /// A base that has not answered yet: everything that is held moves there from zero with the next response.
     fn begin_base(&mut self) {
+        self.differences = None;
         self.base_state = BaseState::New;
+        self.remembered.outputs = None;
         self.input.fill(0.0);
         self.of_held.fill(0.0);
     }
@@ -263,7 +349,7 @@ impl<'a> Tableau<'a> {
     /// Makes the present conditions the base. With K the components that differ, R the coefficients of all inputs in their conditions and
     /// Z = R_K⁻¹, the inputs of K are u_K = Z (s − R u) in terms of their new ones s and of the others u.
     fn rebase(&mut self) -> Result<(), LinearError> {
-        let differences = self.differences();
+        let differences = self.take_differences().components;
         let (n, k) = (self.now.len(), differences.len());
         let mut conditions = Matrix::from_fn(n, k, |j, m| self.coefficient(differences[m], j));
         let own = Matrix::from_fn(k, k, |m, p| conditions[(differences[p], m)]);

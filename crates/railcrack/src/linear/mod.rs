@@ -18,7 +18,7 @@ mod structure;
 mod sweep;
 
 pub use cholesky::{SparseCholesky, SparseFactor};
-pub use dense::{add_product, general_inverse, product, product_transposed, solve_small, spd_inverse};
+pub use dense::{SmallFactor, add_product, general_inverse, product, product_transposed, spd_inverse};
 pub use error::LinearError;
 pub use gram::gram;
 pub use reach::{PANEL_COLUMNS, ReachedPanel, SparseColumn};

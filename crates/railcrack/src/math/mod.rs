@@ -2,6 +2,7 @@
 
 mod anderson;
 mod ball;
+pub(crate) mod chebyshev;
 mod grading;
 mod kernels;
 mod matrix;
