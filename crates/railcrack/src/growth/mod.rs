@@ -10,6 +10,7 @@ mod passage;
 mod pieces;
 mod record;
 mod stops;
+mod tip_sifs;
 mod waiting;
 
 pub(crate) use driver::NEAR_TIE;
