@@ -144,7 +144,7 @@ fn damaged_tables_are_named_with_their_line() {
     let whole = fs::read_to_string(second.join("growth.csv")).unwrap();
     edit(&second, "growth.csv", "tip_y_mm", ["2", "1", "1"], |_| "deep".to_owned());
     assert!(
-        message().contains("growth.csv: line 12: tip_y_mm is \"deep\", not a finite number"),
+        message().contains("growth.csv: line 13: tip_y_mm is \"deep\", not a finite number"),
         "{}",
         message()
     );

@@ -245,8 +245,10 @@ pub fn result_text(finished: &Finished) -> String {
     text.push('\n');
     for tip in &summary.tips {
         let stop = tip.stop.as_ref().map_or_else(String::new, |stop| format!(", {stop}"));
+        let waits = tip.waiting_mm > 0.0;
+        let waiting = if waits { format!(", {:.3} mm waiting", tip.waiting_mm) } else { String::new() };
         text.push_str(&format!(
-            "crack {} tip {}: at ({:.3}, {:.3}) mm, length {:.3} mm{stop}\n",
+            "crack {} tip {}: at ({:.3}, {:.3}) mm, length {:.3} mm{waiting}{stop}\n",
             tip.crack, tip.tip, tip.x_mm, tip.y_mm, tip.length_mm
         ));
     }

@@ -44,7 +44,7 @@ pub struct Rival {
 /// Grid of the first search, radians: the kink functions change by 2 % over it.
 const GRID_STEP: f64 = std::f64::consts::PI / 180.0;
 /// A rival is at least this far from the best direction, radians.
-const RIVAL_DISTANCE: f64 = 15.0 * std::f64::consts::PI / 180.0;
+pub(crate) const RIVAL_DISTANCE: f64 = 15.0 * std::f64::consts::PI / 180.0;
 /// Maxima whose criteria differ by less, relatively, are ties: round-off of the history must not choose between them.
 const TIE: f64 = 1e-9;
 /// Angles closer than this (radians) count as equally far from straight ahead: the resolution of a maximum in double

@@ -9,6 +9,7 @@ mod law;
 mod ranges;
 
 pub use dang_van::{DangVan, DangVanValue};
+pub(crate) use hourlier_pineau::RIVAL_DISTANCE;
 pub use hourlier_pineau::{HourlierPineau, Kink, Rival};
 pub use initiation::{DepthValue, Initiation};
 pub use kink::KinkFunctions;

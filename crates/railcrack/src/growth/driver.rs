@@ -3,7 +3,7 @@
 use super::{
     BreakOut, CrackTip, FieldRecord, FieldSettings, GrowthSettings, PassageError, PassageSettings,
     PhaseTimes, RailBox, RailLoad, RunStop, StabilisedPassage, StepRecord, StepState, TipDrive, TipRecord,
-    TipStop, Warning, advance, fields, stabilised_passage,
+    TipStop, WaitingGrowth, Warning, advance, fields, stabilised_passage,
 };
 use crate::body::{BodyEngine, BodyError, CrackedBody};
 use crate::contact::{ContactSolver, FaceProblem};
@@ -29,6 +29,8 @@ pub struct GrowthState {
     pub load_cycles: f64,
     /// `stopped[crack][tip]`: why a tip no longer grows; the tips of a crack are its ends below the surface, joined ones counted.
     pub stopped: Vec<Vec<Option<TipStop>>>,
+    /// `waiting[crack][tip]`: growth that is not in the cracks yet.
+    pub waiting: Vec<Vec<WaitingGrowth>>,
     /// Set when the run has ended.
     pub ended: Option<RunStop>,
 }
@@ -36,16 +38,22 @@ pub struct GrowthState {
 impl GrowthState {
     /// The beginning of a run with `cracks`.
     pub fn initial(cracks: &CrackNetwork) -> Self {
-        let stopped = cracks.cracks().iter().map(|crack| vec![None; crack.tips().len()]).collect();
+        let tips = || cracks.cracks().iter().map(|crack| crack.tips().len());
         Self {
             step: 0,
             cracks: cracks.cracks().to_vec(),
             junctions: cracks.junctions().to_vec(),
             break_outs: Vec::new(),
             load_cycles: 0.0,
-            stopped,
+            stopped: tips().map(|tips| vec![None; tips]).collect(),
+            waiting: tips().map(|tips| vec![WaitingGrowth::default(); tips]).collect(),
             ended: None,
         }
+    }
+
+    /// Growth at the tips of crack `crack` (from 0) that is not in it yet, mm.
+    fn waiting_at(&self, crack: usize) -> f64 {
+        self.waiting[crack].iter().map(|waiting| waiting.length).sum()
     }
 }
 
@@ -219,8 +227,9 @@ impl Growth {
             stop: way.stop,
             tips,
         };
-        for tip in &record.tips {
-            self.state.stopped[tip.tip.crack][tip.tip.tip] = tip.stop;
+        for (TipRecord { tip, .. }, ahead) in record.tips.iter().zip(&way.tips) {
+            self.state.stopped[tip.crack][tip.tip] = ahead.stop;
+            self.state.waiting[tip.crack][tip.tip] = ahead.waiting;
         }
         self.state.step += 1;
         self.state.cracks = way.cracks;
@@ -301,7 +310,8 @@ impl Growth {
                     tip,
                     x: at.x,
                     y: at.y,
-                    length: crack.length(),
+                    length: crack.length() + self.state.waiting_at(tip.crack),
+                    waiting: self.state.waiting[tip.crack][tip.tip].length,
                     ki_max: ranges.ki_max,
                     delta_ki: ranges.delta_ki,
                     delta_kii: ranges.delta_kii,
@@ -318,8 +328,9 @@ impl Growth {
     }
 
     fn drive(&self, tip: &TipRecord) -> TipDrive {
-        let stopped = self.state.stopped[tip.tip.crack][tip.tip.tip];
-        TipDrive { tip: tip.tip, kink: tip.kink, rate: tip.rate, stopped }
+        let CrackTip { crack, tip: index, .. } = tip.tip;
+        let (waiting, stopped) = (self.state.waiting[crack][index], self.state.stopped[crack][index]);
+        TipDrive { tip: tip.tip, kink: tip.kink, rate: tip.rate, waiting, stopped }
     }
 
     fn near_tie(&self, tip: &TipRecord) -> Option<Warning> {

@@ -3,8 +3,9 @@
 use super::joining::{Outcome, grow, spall};
 use super::meetings::{Meeting, meetings};
 use super::stops::{RailBox, Step, run_stop, spent_ligament, stop_of_one};
+use super::waiting::{KEEPS_PACE, WaitingGrowth};
 use super::{BreakOut, CrackTip, GrowthSettings, Piece, RunStop, TipStop};
-use crate::crack::{Crack, Junction};
+use crate::crack::{Crack, Junction, point_to_segment};
 use crate::math::Vec2;
 
 /// What the passage asks of one tip.
@@ -16,6 +17,8 @@ pub struct TipDrive {
     pub kink: Option<f64>,
     /// da/dN of the actual tip, mm per cycle: zero at or below the threshold.
     pub rate: f64,
+    /// Its growth of earlier steps that is not in the crack yet.
+    pub waiting: WaitingGrowth,
     /// Why it stopped in an earlier step, if it did.
     pub stopped: Option<TipStop>,
 }
@@ -41,11 +44,22 @@ pub struct StepState<'a> {
     pub resolution: f64,
 }
 
+impl StepState<'_> {
+    /// The length of crack `crack` (from 0), with what waits at its tips, mm.
+    pub fn length(&self, crack: usize) -> f64 {
+        let own = self.tips.iter().filter(|tip| tip.tip.crack == crack);
+        self.cracks[crack].length() + own.map(|tip| tip.waiting.length).sum::<f64>()
+    }
+}
+
 /// What one tip does.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TipAdvance {
-    /// Increment, mm; 0 for a tip that does not grow and in the last step.
+    /// Increment, mm; 0 for a tip that does not grow and in the last step. Negative for a tip that joins a crack which lies across what
+    /// waited.
     pub increment: f64,
+    /// Its growth that is not in the crack of the next step.
+    pub waiting: WaitingGrowth,
     /// Why it does not grow, or not any more, if so.
     pub stop: Option<TipStop>,
 }
@@ -75,6 +89,9 @@ pub struct Advance {
 /// ΔN = Δa_max / rate_max (explicit Euler: the rate at the start of the step holds through it). A step that would
 /// exceed the cycles to stop after is shortened to end on them.
 ///
+/// Growth of a tip that is much slower waits until it is a whole increment ([`WaitingGrowth`]). It counts: in the length of the crack,
+/// and when the tip comes to the surface, to the ends of the rail or to another crack.
+///
 /// A tip that is arrested, or whose increment cannot be made, stops and does not set the pace: the increments of the
 /// others are those without it. A tip that comes closer than the resolution to a crack joins it: its increment ends on that
 /// crack, and it is a tip no more. A tip that stopped stays stopped. The names of new stops are given in the last step as well.
@@ -89,19 +106,22 @@ pub fn advance(state: &StepState<'_>, settings: &GrowthSettings) -> Advance {
     let mut break_outs = state.break_outs.to_vec();
     let mut pieces = Vec::new();
     // Every round stops at least one tip, or is the last.
-    let (pace, steps, met, outcome) = loop {
+    let (pace, ways, met, outcome) = loop {
         let pace = Pace::of(state, settings, &stops);
-        let steps = planned_steps(state, &pace, &stops);
+        let ways = planned(state, &pace, settings, &stops);
+        let steps: Vec<Option<Step>> = ways.iter().map(|way| way.map(|way| way.step)).collect();
         let met = meetings(&steps, state.cracks, state.resolution);
+        let ways = beside_meetings(state, ways, &met);
         let blocked = blocked_steps(state, &steps, &met);
         if blocked.is_empty() {
-            match grow(state, &steps, &met) {
+            let made: Vec<Option<Step>> = ways.iter().map(|way| way.and_then(Way::made)).collect();
+            match grow(state, &made, &met) {
                 Outcome::Impossible(blamed) => {
                     for i in blamed {
                         stops[i] = Some(TipStop::MeetsCrack);
                     }
                 }
-                outcome => break (pace, steps, met, outcome),
+                outcome => break (pace, ways, met, outcome),
             }
         }
         for (i, stop) in blocked {
@@ -113,22 +133,14 @@ pub fn advance(state: &StepState<'_>, settings: &GrowthSettings) -> Advance {
             }
         }
     };
-    let stop = run_stop(settings, state.cracks, state.step, state.load_cycles)
+    let stop = run_stop(settings, state)
         .or_else(|| matches!(outcome, Outcome::Detached(_)).then_some(RunStop::Detached))
         .or_else(|| nothing_grows(state, &stops));
     for (stop, meeting) in stops.iter_mut().zip(&met) {
         *stop = stop.or(meeting.map(|_| TipStop::MeetsCrack));
     }
-    let increment = |i: usize| match (&steps[i], &met[i]) {
-        (Some(step), Some(meeting)) => (meeting.at - step.from).length(),
-        (Some(_), None) => pace.increment(state.tips[i].rate),
-        (None, _) => 0.0,
-    };
-    let tips = |increment: &dyn Fn(usize) -> f64| {
-        stops.iter().enumerate().map(|(i, &stop)| TipAdvance { increment: increment(i), stop }).collect()
-    };
     let standing = Advance {
-        tips: tips(&|_| 0.0),
+        tips: standing_tips(state, &stops),
         cracks: state.cracks.to_vec(),
         junctions: state.junctions.to_vec(),
         break_outs,
@@ -141,10 +153,31 @@ pub fn advance(state: &StepState<'_>, settings: &GrowthSettings) -> Advance {
             Advance { pieces: [standing.pieces, detached].concat(), ..standing }
         }
         (None, Outcome::Grown { cracks, junctions }) => {
-            Advance { tips: tips(&increment), cracks, junctions, cycles: pace.cycles, ..standing }
+            let tips = growing_tips(&standing.tips, &ways, &met);
+            Advance { tips, cracks, junctions, cycles: pace.cycles, ..standing }
         }
         _ => standing,
     }
+}
+
+/// The tips of a step that is not made.
+fn standing_tips(state: &StepState<'_>, stops: &[Option<TipStop>]) -> Vec<TipAdvance> {
+    let standing = |(tip, &stop): (&TipDrive, _)| TipAdvance { increment: 0.0, waiting: tip.waiting, stop };
+    state.tips.iter().zip(stops).map(standing).collect()
+}
+
+/// The tips of a step that is made, of those of one that is not.
+fn growing_tips(standing: &[TipAdvance], ways: &[Option<Way>], met: &[Option<Meeting>]) -> Vec<TipAdvance> {
+    let growing = |(tip, (way, meeting)): (&TipAdvance, (&Option<Way>, &Option<Meeting>))| {
+        let Some(way) = way else { return *tip };
+        let increment = match meeting {
+            Some(meeting) => (meeting.at - way.step.from).length() - tip.waiting.length,
+            None => way.increment,
+        };
+        let waiting = if way.waits { way.growth } else { WaitingGrowth::default() };
+        TipAdvance { increment, waiting, stop: tip.stop }
+    };
+    standing.iter().zip(ways.iter().zip(met)).map(growing).collect()
 }
 
 /// The steps that cannot be made, with the reason: they break out before they meet a crack, or leave the rail.
@@ -186,6 +219,8 @@ fn arrest(tip: &TipDrive, settings: &GrowthSettings) -> Option<TipStop> {
 struct Pace {
     rate: f64,
     increment: f64,
+    /// The increment over the length of its crack.
+    share: f64,
     cycles: f64,
 }
 
@@ -193,19 +228,21 @@ impl Pace {
     fn of(state: &StepState<'_>, settings: &GrowthSettings, stops: &[Option<TipStop>]) -> Self {
         let growing = state.tips.iter().zip(stops).filter(|(_, stop)| stop.is_none()).map(|(tip, _)| tip);
         // Of equally fast tips that of the longest crack, so that their order does not matter.
-        let length = |tip: &TipDrive| state.cracks[tip.tip.crack].length();
+        let length = |tip: &TipDrive| state.length(tip.tip.crack);
         let faster = |a: &TipDrive, b: &TipDrive| (b.rate, length(b)) > (a.rate, length(a));
         let Some(fastest) = growing.reduce(|a, b| if faster(a, b) { b } else { a }) else {
-            return Self { rate: 1.0, increment: 0.0, cycles: 0.0 };
+            return Self { rate: 1.0, increment: 0.0, share: 0.0, cycles: 0.0 };
         };
         let increment = settings.increment * length(fastest);
         let left = settings.stop_after_cycles.unwrap_or(f64::INFINITY) - state.load_cycles;
         let cycles = increment / fastest.rate;
+        let share = settings.increment;
         if cycles <= left {
-            return Self { rate: fastest.rate, increment, cycles };
+            return Self { rate: fastest.rate, increment, share, cycles };
         }
         let left = left.max(0.0);
-        Self { rate: fastest.rate, increment: left * fastest.rate, cycles: left }
+        let increment = left * fastest.rate;
+        Self { rate: fastest.rate, increment, share: increment / length(fastest), cycles: left }
     }
 
     /// The increment (mm) of a tip that grows at `rate`.
@@ -214,20 +251,66 @@ impl Pace {
     }
 }
 
-/// The step of every tip that grows.
-fn planned_steps(state: &StepState<'_>, pace: &Pace, stops: &[Option<TipStop>]) -> Vec<Option<Step>> {
-    let step_of = |drive: &TipDrive| {
+/// What a tip that grows is to do in a step.
+#[derive(Debug, Clone, Copy)]
+struct Way {
+    /// Its own increment, mm.
+    increment: f64,
+    /// All growth that is not in its crack yet, the increment included.
+    growth: WaitingGrowth,
+    /// The segment that this makes.
+    step: Step,
+    /// Whether the segment is too short to be made.
+    waits: bool,
+}
+
+impl Way {
+    fn made(self) -> Option<Step> {
+        (!self.waits).then_some(self.step)
+    }
+}
+
+/// The way of every tip that grows.
+fn planned(
+    state: &StepState<'_>,
+    pace: &Pace,
+    settings: &GrowthSettings,
+    stops: &[Option<TipStop>],
+) -> Vec<Option<Way>> {
+    let way_of = |drive: &TipDrive| {
         let crack = &state.cracks[drive.tip.crack];
         let (from, ahead) = (crack.tip(drive.tip.end), crack.ahead(drive.tip.end));
-        let direction = Vec2::unit(ahead.angle() + drive.kink?);
-        Some(Step { tip: drive.tip, from, to: from + direction * pace.increment(drive.rate) })
+        let increment = pace.increment(drive.rate);
+        let growth = drive.waiting.and(increment, Vec2::unit(ahead.angle() + drive.kink?));
+        let to = from + growth.direction * growth.length;
+        let length = state.length(drive.tip.crack);
+        let keeps_pace = increment >= KEEPS_PACE * pace.share * length;
+        let waits = !keeps_pace && growth.length < settings.increment * length;
+        let step = Step { tip: drive.tip, from, to, waited: growth.share_of(drive.waiting) };
+        Some(Way { increment, growth, step, waits })
     };
     state
         .tips
         .iter()
         .zip(stops)
-        .map(|(drive, stop)| if stop.is_some() { None } else { step_of(drive) })
+        .map(|(drive, stop)| if stop.is_some() { None } else { way_of(drive) })
         .collect()
+}
+
+/// The ways beside `met`: a tip that joins a crack does not wait, nor does one whose way another tip ends on.
+fn beside_meetings(
+    state: &StepState<'_>,
+    ways: Vec<Option<Way>>,
+    met: &[Option<Meeting>],
+) -> Vec<Option<Way>> {
+    let ends_on = |meeting: &Meeting, Step { tip, from, to, .. }: Step| {
+        meeting.onto == tip.crack && point_to_segment(meeting.at, from, to) < state.resolution
+    };
+    let beside = |way: Way, own: &Option<Meeting>| {
+        let is_met = own.is_some() || met.iter().flatten().any(|meeting| ends_on(meeting, way.step));
+        Way { waits: way.waits && !is_met, ..way }
+    };
+    ways.into_iter().zip(met).map(|(way, own)| way.map(|way| beside(way, own))).collect()
 }
 
 /// The end of a run in which every tip has stopped, with the reason of the last one that did.
@@ -241,6 +324,10 @@ fn nothing_grows(state: &StepState<'_>, stops: &[Option<TipStop>]) -> Option<Run
 #[cfg(test)]
 #[path = "increments_tests.rs"]
 mod tests;
+
+#[cfg(test)]
+#[path = "waiting_tests.rs"]
+mod waiting_tests;
 
 #[cfg(test)]
 #[path = "joining_tests.rs"]

@@ -27,7 +27,13 @@ fn crack(points: &[(f64, f64)]) -> Crack {
 
 /// The tip at `end` of crack `crack`, which kinks by `kink` (radians) and grows at `rate`.
 fn drive(crack: usize, end: End, tip: usize, kink: f64, rate: f64) -> TipDrive {
-    TipDrive { tip: CrackTip { crack, tip, end }, kink: Some(kink), rate, stopped: None }
+    TipDrive {
+        tip: CrackTip { crack, tip, end },
+        kink: Some(kink),
+        rate,
+        waiting: WaitingGrowth::default(),
+        stopped: None,
+    }
 }
 
 /// The last tip of a surface crack, straight ahead.
@@ -263,7 +269,7 @@ fn gap(one: &Crack, other: &Crack) -> f64 {
 }
 
 fn any_network() -> impl Strategy<Value = (Vec<Crack>, Vec<TipDrive>)> {
-    let drives = prop::collection::vec((-1.2..1.2f64, 0.2..1.0f64), 6);
+    let drives = prop::collection::vec((-1.2..1.2f64, 0.05..1.0f64, 0.0..1.0f64), 6);
     (prop::collection::vec(any_crack(), 2..4), drives).prop_filter_map(
         "cracks that meet",
         |(cracks, drives)| {
@@ -275,9 +281,15 @@ fn any_network() -> impl Strategy<Value = (Vec<Crack>, Vec<TipDrive>)> {
                 return None;
             }
             let ends = (0..cracks.len()).flat_map(|c| [(c, End::First, 0), (c, End::Last, 1)]);
-            let tips =
-                ends.zip(drives).map(|((c, end, tip), (kink, rate))| drive(c, end, tip, kink, 1e-6 * rate));
-            Some((cracks, tips.collect()))
+            let tips = ends.zip(drives).map(|((c, end, tip), (kink, rate, waits))| {
+                let direction = Vec2::unit(cracks[c].ahead(end).angle() + kink + 0.1);
+                let length = waits * LARGE.increment * cracks[c].length();
+                let waiting =
+                    if waits < 0.5 { WaitingGrowth::default() } else { WaitingGrowth { length, direction } };
+                TipDrive { waiting, ..drive(c, end, tip, kink, 1e-6 * rate) }
+            });
+            let tips = tips.collect();
+            Some((cracks, tips))
         },
     )
 }
@@ -302,7 +314,10 @@ fn any_step_makes_a_network_and_knows_neither_order_nor_hand() {
         let next = advance(&state(&cracks, &tips), &LARGE);
         prop_assert!(CrackNetwork::joined(next.cracks.clone(), next.junctions.clone()).is_ok());
         let mirror: Vec<Crack> = cracks.iter().map(mirrored_crack).collect();
-        let turned = tips.iter().map(|tip| TipDrive { kink: tip.kink.map(|k| -k), ..*tip });
+        let turned = tips.iter().map(|tip| {
+            let waiting = WaitingGrowth { direction: mirrored(tip.waiting.direction), ..tip.waiting };
+            TipDrive { kink: tip.kink.map(|k| -k), waiting, ..*tip }
+        });
         let other = advance(&state(&mirror, &turned.collect::<Vec<_>>()), &LARGE);
         prop_assert_eq!((other.stop, other.junctions.len()), (next.stop, next.junctions.len()));
         for (one, two) in next.cracks.iter().zip(&other.cracks) {

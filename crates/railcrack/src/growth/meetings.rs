@@ -1,6 +1,6 @@
 //! Where increments meet cracks, and each other.
 //!
-//! All tips of a step grow at the same time, each straight and evenly to the end of its increment. A tip that comes closer than the
+//! All tips of a step grow at the same time, each straight and evenly to the end of its increment, from the end of what waits there. A tip that comes closer than the
 //! resolution to another crack, or to what another tip has left behind by then, ends there; the others go on. The first meeting is
 //! settled first, so that neither the order of the cracks nor a mirror changes what happens.
 
@@ -77,8 +77,13 @@ impl Moving {
     fn position(&self, time: f64) -> Vec2 {
         match self.end {
             Some((at, end)) if time >= end => at,
-            _ => self.step.from + (self.step.to - self.step.from) * time,
+            _ => self.step.from + (self.step.to - self.step.from) * self.share(time),
         }
+    }
+
+    /// The share of its way that it has made at `time`; a part may have been made before the step.
+    fn share(&self, time: f64) -> f64 {
+        self.step.waited + (1.0 - self.step.waited) * time
     }
 }
 
@@ -222,6 +227,7 @@ fn argmin(f: impl Fn(f64) -> f64, a: f64, b: f64) -> f64 {
 /// of the crack that is nearer than the resolution.
 fn landing(tips: &[Moving], tip: usize, time: f64, crack: usize, cracks: &[Crack], resolution: f64) -> Vec2 {
     let Moving { step, .. } = tips[tip];
+    let now = tips[tip].share(time);
     let mut faces = static_faces(&cracks[crack], &step, crack, resolution);
     for (other, moving) in tips.iter().enumerate() {
         if other != tip && moving.step.tip.crack == crack {
@@ -229,7 +235,7 @@ fn landing(tips: &[Moving], tip: usize, time: f64, crack: usize, cracks: &[Crack
         }
     }
     let length = (step.to - step.from).length();
-    let until = f64::min(1.0, time + CROSSING_REACH * resolution / length);
+    let until = f64::min(1.0, now + CROSSING_REACH * resolution / length);
     let crossing = faces
         .iter()
         .filter(|(a, b)| segments_touch(step.from, step.to, *a, *b))
@@ -242,7 +248,7 @@ fn landing(tips: &[Moving], tip: usize, time: f64, crack: usize, cracks: &[Crack
             let p = step.from + (step.to - step.from) * t;
             faces.iter().map(|&(a, b)| point_to_segment(p, a, b)).fold(f64::INFINITY, f64::min)
         };
-        let closest = argmin(distance, time, until);
+        let closest = argmin(distance, now, until);
         nearest_point(step.from + (step.to - step.from) * closest, &faces)
     };
     let vertices = faces.iter().flat_map(|&(a, b)| [a, b]).filter(|v| cracks[crack].vertex_at(*v).is_some());

@@ -10,6 +10,8 @@ mod passage;
 mod pieces;
 mod record;
 mod stops;
+mod tip_sifs;
+mod waiting;
 
 pub(crate) use driver::NEAR_TIE;
 pub use driver::{Growth, GrowthError, GrowthProblem, GrowthState, Unwatched, Watch};
@@ -22,3 +24,4 @@ pub use record::{
     SolverCounts, StepRecord, TipRecord, TipStop, Warning,
 };
 pub use stops::RailBox;
+pub use waiting::WaitingGrowth;

@@ -1,6 +1,7 @@
 //! One geometry under the wheel: residual stress, then passages until the history repeats.
 
 use super::face_load::{FaceLoad, Part};
+use super::tip_sifs::TipSifs;
 use super::{FacePoint, FaceRecord, PassageRecord, SolverCounts, Watch};
 use crate::contact::{
     ContactSolver, FaceProblem, FaceSolution, FaceState, StepControl, Stepper, SteppingError,
@@ -98,12 +99,13 @@ pub fn stabilised_passage(
         control: settings.step_control,
         stepper,
     };
+    let mut tips = TipSifs::virgin(problem);
     if load.residual.is_some() {
-        wheel.residual_stress()?;
+        wheel.residual_stress(&mut tips)?;
     }
     let mut passages: Vec<PassageRecord> = Vec::new();
     loop {
-        let pass = wheel.pass(passages.len() + 1, watch)?;
+        let pass = wheel.pass(passages.len() + 1, &mut tips, watch)?;
         let last_change = passages.last().map(|before| change(before, &pass.record));
         passages.push(pass.record);
         let repeats = last_change.is_some_and(|change| change <= settings.passage_tolerance);
@@ -154,38 +156,35 @@ struct Pass {
 }
 
 impl Wheel<'_> {
-    fn residual_stress(&mut self) -> Result<(), PassageError> {
+    fn residual_stress(&mut self, tips: &mut TipSifs) -> Result<(), PassageError> {
+        let problem = self.problem;
         let stations = (1..=RAMP_STATIONS).map(|k| k as f64 / RAMP_STATIONS as f64);
-        self.follow(Part::Ramp, 0.0, stations, &mut |_, _| {}).map_err(failure(0, "residual stress"))
+        let mut take = |solution: &FaceSolution, forces: &[f64]| tips.follow(problem, solution, forces);
+        self.follow(Part::Ramp, 0.0, stations, &mut take).map_err(failure(0, "residual stress"))
     }
 
     /// One passage, approach and departure included. `number` counts from 1.
-    fn pass(&mut self, number: usize, watch: &dyn Watch) -> Result<Pass, PassageError> {
-        let body = self.problem.body();
-        let tips = body.tips().len();
+    fn pass(&mut self, number: usize, tips: &mut TipSifs, watch: &dyn Watch) -> Result<Pass, PassageError> {
+        let problem = self.problem;
         let (first, last) = (self.xc[0], self.xc[self.xc.len() - 1]);
         let travel = (last - first).signum();
-        let mut histories = vec![SifHistory::default(); tips];
-        let mut sample = |solution: &FaceSolution, forces: &[f64]| {
-            for (history, k) in histories.iter_mut().zip(solution.sifs(body, forces)) {
-                history.samples.push(k);
-            }
-        };
-        sample(self.stepper.solution(), self.stepper.load());
-
-        let bounded = body.ends().is_some();
+        tips.begin();
+        let bounded = problem.body().ends().is_some();
         let ramp = |k: usize| k as f64 / RAMP_STATIONS as f64;
         let near = self.distance(first);
         let share = |k: usize| k as f64 / FAR_STATIONS as f64 / near;
         let arrived = if bounded {
-            self.follow(Part::Load { xc: first }, 0.0, (1..=RAMP_STATIONS).map(ramp), &mut sample)
+            self.follow(Part::Load { xc: first }, 0.0, (1..=RAMP_STATIONS).map(ramp), &mut |s, f| {
+                tips.follow(problem, s, f)
+            })
         } else {
             let approach = Part::Far { origin: first + travel * near, side: -travel };
-            self.follow(approach, 0.0, (1..=FAR_STATIONS).map(share), &mut sample)
+            self.follow(approach, 0.0, (1..=FAR_STATIONS).map(share), &mut |s, f| tips.follow(problem, s, f))
         };
         arrived.map_err(failure(number, "approach"))?;
 
-        let mut record = PassageRecord { xc: self.xc.to_vec(), sifs: vec![Vec::new(); tips] };
+        let mut record =
+            PassageRecord { xc: self.xc.to_vec(), sifs: vec![Vec::new(); problem.body().tips().len()] };
         let mut states = Vec::with_capacity(self.xc.len());
         self.stepper.begin(first);
         for (i, &x) in self.xc.iter().enumerate() {
@@ -193,10 +192,11 @@ impl Wheel<'_> {
             let before = if i == 0 { x } else { self.xc[i - 1] };
             for station in self.edges_between(before, x).chain([x]) {
                 self.edge_steps += usize::from(station != x);
-                self.stepper.advance(&over, station, &mut sample).map_err(failure(number, "passage"))?;
+                let mut take =
+                    |solution: &FaceSolution, forces: &[f64]| tips.follow(problem, solution, forces);
+                self.stepper.advance(&over, station, &mut take).map_err(failure(number, "passage"))?;
             }
-            let sifs = self.stepper.solution().sifs(body, self.stepper.load());
-            record.sifs.iter_mut().zip(sifs).for_each(|(tip, k)| tip.push(k));
+            record.sifs.iter_mut().zip(tips.sifs()).for_each(|(tip, k)| tip.push(k));
             states.push(self.stepper.solution().face_states(self.problem));
             watch.progress((i + 1) as f64 / self.xc.len() as f64);
         }
@@ -204,14 +204,16 @@ impl Wheel<'_> {
         let near = self.distance(last);
         let share = |k: usize| k as f64 / FAR_STATIONS as f64 / near;
         let left = if bounded {
-            self.follow(Part::Load { xc: last }, 1.0, (0..RAMP_STATIONS).rev().map(ramp), &mut sample)
+            self.follow(Part::Load { xc: last }, 1.0, (0..RAMP_STATIONS).rev().map(ramp), &mut |s, f| {
+                tips.follow(problem, s, f)
+            })
         } else {
             let departure = Part::Far { origin: last - travel * near, side: travel };
             let stations = (0..FAR_STATIONS).rev().map(share);
-            self.follow(departure, share(FAR_STATIONS), stations, &mut sample)
+            self.follow(departure, share(FAR_STATIONS), stations, &mut |s, f| tips.follow(problem, s, f))
         };
         left.map_err(failure(number, "departure"))?;
-        Ok(Pass { record, histories, states })
+        Ok(Pass { record, histories: tips.histories(), states })
     }
 
     /// Wheel positions between two output positions at which an edge of the contact is over a mouth or close by, in the

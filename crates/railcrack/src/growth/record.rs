@@ -147,8 +147,10 @@ pub struct TipRecord {
     pub x: f64,
     /// Ordinate of the tip, mm.
     pub y: f64,
-    /// Length of its crack, mm.
+    /// Length of its crack, with what waits at its tips, mm.
     pub length: f64,
+    /// Its growth that is not in the crack yet, mm.
+    pub waiting: f64,
     /// Largest K_I of the stabilised passage, MPa √mm.
     pub ki_max: f64,
     /// Range of K_I (clipped at zero), MPa √mm.
@@ -163,7 +165,8 @@ pub struct TipRecord {
     pub rival: Option<f64>,
     /// Its rate over the best rate.
     pub rival_ratio: Option<f64>,
-    /// Increment to the next step, mm; 0 in the last step and for a stopped tip.
+    /// Increment to the next step, mm, in the crack or waiting; 0 in the last step and for a stopped tip. Negative for a tip that joins a
+    /// crack which lies across what waited.
     pub increment: f64,
     /// da/dN, mm per cycle.
     pub rate: f64,

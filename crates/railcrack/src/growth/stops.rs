@@ -1,6 +1,6 @@
 //! Why a tip, or the run, goes no further.
 
-use super::{CrackTip, GrowthSettings, RunStop, TipStop};
+use super::{CrackTip, GrowthSettings, RunStop, StepState, TipStop};
 use crate::crack::Crack;
 use crate::math::Vec2;
 
@@ -31,6 +31,8 @@ pub(super) struct Step {
     pub from: Vec2,
     /// Where it would be.
     pub to: Vec2,
+    /// The share of the way that it has made in earlier steps.
+    pub waited: f64,
 }
 
 /// The ligament to the running surface (mm) that a tip of `crack` may still leave; `resolution` (mm) is the length that the engine
@@ -52,21 +54,15 @@ pub(super) fn stop_of_one(step: &Step, crack: &Crack, rail: RailBox, resolution:
     (!inside).then_some(TipStop::LeavesRail)
 }
 
-/// Why the run ends at the start of step `step`, before any increment: the critical length first, then cycles, then
-/// steps.
-pub(super) fn run_stop(
-    settings: &GrowthSettings,
-    cracks: &[Crack],
-    step: usize,
-    load_cycles: f64,
-) -> Option<RunStop> {
+/// Why the run ends at the start of this step, before any increment: the critical length first, then cycles, then steps.
+pub(super) fn run_stop(settings: &GrowthSettings, state: &StepState<'_>) -> Option<RunStop> {
     let critical = settings.critical_length.unwrap_or(f64::INFINITY);
-    if cracks.iter().any(|crack| crack.length() >= critical) {
+    if (0..state.cracks.len()).any(|crack| state.length(crack) >= critical) {
         return Some(RunStop::CriticalLength);
     }
     let cycles = settings.stop_after_cycles.unwrap_or(f64::INFINITY);
-    if load_cycles >= cycles * (1.0 - CYCLES_ROUNDING) {
+    if state.load_cycles >= cycles * (1.0 - CYCLES_ROUNDING) {
         return Some(RunStop::Cycles);
     }
-    (step >= settings.steps).then_some(RunStop::StepsDone)
+    (state.step >= settings.steps).then_some(RunStop::StepsDone)
 }

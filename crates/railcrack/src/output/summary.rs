@@ -44,8 +44,10 @@ pub struct TipSummary {
     pub x_mm: f64,
     /// Ordinate, mm.
     pub y_mm: f64,
-    /// Length of its crack, mm.
+    /// Length of its crack, with what waits at its tips, mm.
     pub length_mm: f64,
+    /// Its growth that is not in the crack yet, mm.
+    pub waiting_mm: f64,
     /// da/dN in the last finished step, mm per cycle.
     pub rate_mm_per_cycle: f64,
     /// Why it stopped, where it did.
@@ -258,6 +260,7 @@ fn tip_summary(tip: &crate::growth::TipRecord) -> TipSummary {
         x_mm: tip.x,
         y_mm: tip.y,
         length_mm: tip.length,
+        waiting_mm: tip.waiting,
         rate_mm_per_cycle: tip.rate,
         stop: tip.stop.map(|stop| stop.name().to_owned()),
     }

@@ -34,11 +34,15 @@ impl Rules {
             .min_by(|a, b| a.0.total_cmp(&b.0));
         let whole = cut.arrangement.cells.len() == 1;
         match nearest {
-            Some((ratio, tip)) if ratio < NEAR => self.around(&polygon, tip),
-            Some((ratio, _)) => {
+            Some((ratio, tip)) if ratio < NEAR => self.around(&polygon, tip, AT_TIP, Radial::Squared),
+            Some((ratio, tip)) => {
                 // Gauss quadrature of r^(−1) at this distance converges like ρ^(−2n).
                 let points = if ratio < 1.5 { 7 } else { 5 };
-                if whole { self.rectangle(cut, points) } else { self.fan(&polygon, points) }
+                if whole {
+                    self.rectangle(cut, points)
+                } else {
+                    self.around(&polygon, tip, points, Radial::Linear)
+                }
             }
             None if whole => self.rectangle(cut, 3),
             None => self.fan(&polygon, POLYNOMIAL),
@@ -57,7 +61,7 @@ impl Rules {
             .collect()
     }
 
-    /// Triangles from the first corner of a convex polygon, each by a collapsed square.
+    /// Triangles from the first corner of a convex polygon, each by a collapsed square: for integrands that this integrates exactly.
     fn fan(&self, polygon: &[Vec2], points: usize) -> Vec<WeightedPoint> {
         let mut all = Vec::new();
         for i in 1..polygon.len() - 1 {
@@ -66,13 +70,14 @@ impl Rules {
         all
     }
 
-    /// Triangles from the point of the polygon nearest to the tip: the tip itself where it is a corner.
-    fn around(&self, polygon: &[Vec2], tip: Vec2) -> Vec<WeightedPoint> {
+    /// Triangles from the point of the polygon nearest to the tip: the tip itself where it is a corner. Mirrored polygons have mirrored
+    /// triangles.
+    fn around(&self, polygon: &[Vec2], tip: Vec2, points: usize, radial: Radial) -> Vec<WeightedPoint> {
         let apex = nearest_point(polygon, tip);
         let mut all = Vec::new();
         for i in 0..polygon.len() {
             let (a, b) = (polygon[i], polygon[(i + 1) % polygon.len()]);
-            self.triangle(apex, a, b, AT_TIP, Radial::Squared, &mut all);
+            self.triangle(apex, a, b, points, radial, &mut all);
         }
         all
     }

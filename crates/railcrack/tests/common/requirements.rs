@@ -338,7 +338,22 @@ pub const REQUIREMENTS: &[Requirement] = &[
     requirement(
         "xfem::networks::nine_parallel_cracks_of_a_run",
         "",
-        "Engines: so has each of nine cracks of a run at all but one position, where its tip lets go.",
+        "Engines: so has each of nine cracks of a run, at every position.",
+    ),
+    requirement(
+        "xfem::networks::a_tip_that_sticks_keeps_its_k",
+        "",
+        "X-FEM: a tip that sticks keeps its K, and K does not jump when the tip lets go.",
+    ),
+    requirement(
+        "slow_tips::k_of_the_slow_tip_of_a_squat",
+        "",
+        "X-FEM: K of a tip that is much slower than another is resolved on its way, behind a turn of 76°.",
+    ),
+    requirement(
+        "slow_tips::taken_up_while_a_tip_waits",
+        "where one increment of 0.25 mm leads",
+        "Growth of a slow tip waits for a whole increment, and leads to the same place in both engines (mm).",
     ),
     requirement(
         "xfem::unlike_lengths::a_short_crack_beside_a_long_one",

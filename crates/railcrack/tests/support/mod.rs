@@ -9,7 +9,7 @@ use railcrack::crack::{Crack, End};
 use railcrack::fracture::Sif;
 use railcrack::growth::{
     CrackTip, FacePoint, FaceRecord, FieldRecord, FieldSnapshot, GrowthState, PassageRecord, PhaseTimes,
-    Piece, PieceKind, RunStop, SolverCounts, StepRecord, TipRecord, Warning,
+    Piece, PieceKind, RunStop, SolverCounts, StepRecord, TipRecord, WaitingGrowth, Warning,
 };
 use railcrack::math::{Stress, Vec2};
 use railcrack::output::{CaseFiles, OutputError, Recorder, RunInfo};
@@ -141,6 +141,7 @@ pub fn step(size: Size, step: usize) -> (StepRecord, GrowthState) {
         break_outs: Vec::new(),
         load_cycles: cycles(if is_last { step } else { step + 1 }),
         stopped: vec![vec![None]; size.cracks],
+        waiting: vec![vec![WaitingGrowth::default()]; size.cracks],
         ended: record.stop,
     };
     (record, state)
@@ -186,6 +187,7 @@ fn tip_record(i: usize, crack: &Crack, step: usize, is_last: bool) -> TipRecord 
         x: place.x,
         y: place.y,
         length: crack.length(),
+        waiting: 0.0,
         ki_max: 280.0 + step as f64,
         delta_ki: 280.0 + step as f64,
         delta_kii: 190.0 / 3.0,

@@ -23,6 +23,7 @@ mod mirror;
 mod page;
 mod plastic_stress;
 mod slant_crack;
+mod slow_tips;
 mod step_tolerance;
 mod symmetric_cracks;
 mod threads;

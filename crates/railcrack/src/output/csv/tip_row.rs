@@ -25,6 +25,8 @@ pub(crate) struct TipRow {
     pub rate: f64,
     pub load_cycles: f64,
     pub stop: String,
+    /// Growth that is not in its crack yet; `length` counts it.
+    pub waiting: f64,
 }
 
 /// The rows of the first `steps` steps of the run in `folder`, by step, crack, tip.
@@ -54,6 +56,7 @@ pub(crate) fn read_growth(folder: &Path, steps: usize) -> Result<Vec<TipRow>, Ou
                 rate: row.real(14)?,
                 load_cycles: row.real(15)?,
                 stop: row.text(16).to_owned(),
+                waiting: row.real(17)?,
             });
             Ok(())
         },

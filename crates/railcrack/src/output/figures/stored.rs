@@ -125,9 +125,11 @@ pub(super) fn read_faces(
     )?;
     for (&crack, faces) in &mut cracks {
         faces.crack = crack;
-        let row = growth.iter().find(|row| row.step == step && row.crack == crack);
+        let rows = || growth.iter().filter(|row| row.step == step && row.crack == crack);
+        let waiting: f64 = rows().map(|row| row.waiting).sum();
         // A crack that has joined others at all its ends has no row: it reaches to a little beyond its last point.
-        faces.length = row.map_or_else(|| faces.s.last().copied().unwrap_or(0.0), |row| row.length);
+        let last = || faces.s.last().copied().unwrap_or(0.0);
+        faces.length = rows().next().map_or_else(last, |row| row.length - waiting);
     }
     let xc_over_a =
         histories.iter().find(|history| history.step == step).map_or_else(Vec::new, |h| h.xc_over_a.clone());

@@ -142,10 +142,5 @@ fn mirrored_junctions() {
     let turned: Vec<f64> = m.iter().enumerate().map(|(i, k)| if i % 2 == 1 { -k } else { *k }).collect();
     let off = difference(&turned, &k);
     println!("mirrored: {off:.1e}");
-    close(
-        off,
-        0.0,
-        Absolute(5e-7),
-        "quadrature near tips and kinks: triangles from another corner of a cell",
-    );
+    close(off, 0.0, Absolute(1e-11), "round-off");
 }

@@ -2,7 +2,7 @@
 
 use crate::common::{Absolute, Meshed, Rolling, StepControl, close, joined_body, largest, surface_crack};
 use railcrack::body::CrackedBody;
-use railcrack::contact::{FaceProblem, Newton};
+use railcrack::contact::{FaceProblem, FaceStatus, Newton};
 use railcrack::crack::{Crack, CrackNetwork, End};
 
 /// What the engines may differ by, over the largest K of the crack.
@@ -108,17 +108,33 @@ fn nine_parallel_cracks() {
     compare("nine, grown", &differences(&nine(), &grown(&nine()), 0.5, 0.1));
 }
 
-/// At all positions of a run. K_II of a tip that is locked falls by two thirds over 0.4 mm of wheel travel as its last elements let go; where a
-/// position comes upon the moment, one of the engines is 0.02 mm ahead.
+/// At all positions of a run: some of them come upon the moment at which a tip lets go, and K_II falls by two thirds over 0.4 mm of wheel
+/// travel.
 #[test]
 fn nine_parallel_cracks_of_a_run() {
-    const LETTING_GO: f64 = 0.03;
-    for (i, off) in differences_by_position(&nine(), &nine_of_a_run(), 0.5, 0.1, ALL).iter().enumerate() {
-        let mut sorted = off.clone();
-        sorted.sort_by(f64::total_cmp);
-        let [second, most] = [ALL - 2, ALL - 1].map(|k| sorted[k]);
-        println!("crack {}: {:.2} %, and {:.2} % but for one position", i + 1, 100.0 * most, 100.0 * second);
-        close(second, 0.0, Absolute(DIFFERENCE), "but for one position");
-        assert!(most < LETTING_GO, "crack {}: {most}", i + 1);
+    let off = differences_by_position(&nine(), &nine_of_a_run(), 0.5, 0.1, ALL);
+    compare("nine, of a run", &off.into_iter().map(largest).collect::<Vec<_>>());
+}
+
+/// While the face point next to a tip sticks, K is the same to the last bit, and it does not jump as that point lets go.
+#[test]
+fn a_tip_that_sticks_keeps_its_k() {
+    let cracks = vec![surface_crack(0.0, 6.0, 15.0)];
+    let body = Meshed::of_size(0.2).body(&cracks);
+    let mut rolling = Rolling::over(cracks, 0.5, 0.1);
+    rolling.steps = StepControl { positions: 4001, ..StepControl::default() };
+    let result = rolling.on(&FaceProblem::new(body.as_ref(), &[0.5]), &Newton::default());
+    let k = &result.passages[result.passages.len() - 1].sifs[0];
+    let last = result.faces.points.len() - 1;
+    let at_tip = || result.faces.states.iter().map(|faces| faces[last]);
+    let peak = largest(k.iter().map(|k| k.k2));
+    let mut stuck = 0;
+    for ((pair, before), after) in k.windows(2).zip(at_tip()).zip(at_tip().skip(1)) {
+        if [before.status, after.status] == [FaceStatus::Stick; 2] && before.slip == after.slip {
+            assert_eq!(pair[0], pair[1]);
+            stuck += 1;
+        }
+        close((pair[1].k2 - pair[0].k2) / peak, 0.0, Absolute(0.05), "over 0.02 mm of wheel travel");
     }
+    assert!(stuck > 500, "{stuck}");
 }

@@ -1,0 +1,94 @@
+//! K of the tips from load step to load step.
+
+use crate::body::MeshPoint;
+use crate::contact::{FaceProblem, FaceSolution, PointStatus};
+use crate::crack::End;
+use crate::fracture::{Sif, SifHistory};
+
+/// K of every tip. A tip that sticks keeps its K.
+///
+/// K is what the jump next to a tip tells, so while the faces there stick, it stays what it is, however far the rest of the crack slips.
+/// An engine that integrates K over the elements around the tip sees its whole neighbourhood, and as the slip comes nearer, point by point,
+/// its K gives way by up to 3 % before the tip does. So K of a tip whose nearest face point does not slip is left alone; and when that point
+/// lets go, K_II follows as soon as it comes the way that the point has gone.
+#[derive(Debug, Clone)]
+pub(super) struct TipSifs {
+    tips: Vec<TipSif>,
+}
+
+/// A slip over the largest so far that is none: a hundred times the tolerance of the solvers, whose measure is the largest jump of all points.
+const STILL: f64 = 1e-6;
+
+#[derive(Debug, Clone)]
+struct TipSif {
+    /// The face point next to the tip.
+    point: usize,
+    /// Its slip when K was last taken, and the largest so far, mm.
+    slip: f64,
+    largest: f64,
+    sif: Sif,
+    /// Whether K_II is that of a time when the point stuck.
+    held: bool,
+    /// K at the beginning of the passage and after each of its load steps.
+    history: SifHistory,
+}
+
+impl TipSifs {
+    /// Unloaded tips of virgin faces.
+    pub fn virgin(problem: &FaceProblem) -> Self {
+        let body = problem.body();
+        let points = &body.faces().points;
+        let nearest = |crack: usize, end: End| {
+            let own = |point: &MeshPoint| point.crack == crack;
+            let place =
+                if end == End::First { points.iter().position(own) } else { points.iter().rposition(own) };
+            // A crack has a face point at least.
+            place.unwrap_or(0)
+        };
+        let tip = |point: usize| TipSif {
+            point,
+            slip: 0.0,
+            largest: 0.0,
+            sif: Sif::default(),
+            held: true,
+            history: SifHistory::default(),
+        };
+        Self { tips: body.tips().iter().map(|tip_end| tip(nearest(tip_end.crack, tip_end.end))).collect() }
+    }
+
+    /// Begins the histories of a passage.
+    pub fn begin(&mut self) {
+        for tip in &mut self.tips {
+            tip.history.samples = vec![tip.sif];
+        }
+    }
+
+    /// Takes up the next load step: its `solution` under the nodal forces `load` (N/mm).
+    pub fn follow(&mut self, problem: &FaceProblem, solution: &FaceSolution, load: &[f64]) {
+        for (tip, sif) in self.tips.iter_mut().zip(solution.sifs(problem.body(), load)) {
+            let slip = solution.jump[2 * tip.point];
+            let moved = slip - tip.slip;
+            tip.largest = tip.largest.max(slip.abs());
+            let closed = solution.status[tip.point] != PointStatus::Open && problem.friction(tip.point) > 0.0;
+            // Not by the status: a point that sticks at the end of a step may have slipped in it.
+            if closed && moved.abs() <= STILL * tip.largest {
+                tip.held = true;
+            } else {
+                tip.held &= closed && (sif.k2 - tip.sif.k2) * moved < 0.0;
+                tip.sif = if tip.held { Sif { k2: tip.sif.k2, ..sif } } else { sif };
+                tip.slip = slip;
+            }
+            tip.history.samples.push(tip.sif);
+        }
+    }
+
+    /// K of each tip, MPa √mm.
+    pub fn sifs(&self) -> impl Iterator<Item = Sif> + '_ {
+        self.tips.iter().map(|tip| tip.sif)
+    }
+
+    /// The history of each tip through the passage, unloaded ends included.
+    pub fn histories(&self) -> Vec<SifHistory> {
+        self.tips.iter().map(|tip| tip.history.clone()).collect()
+    }
+}
