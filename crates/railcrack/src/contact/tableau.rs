@@ -2,7 +2,7 @@
 
 use super::condition::{Condition, Degenerate};
 use super::span::Combination;
-use crate::linear::{LinearError, add_product, general_inverse, product, solve_small};
+use crate::linear::{LinearError, SmallFactor, add_product, general_inverse, product};
 use crate::math::{Matrix, add_rows, axpy, dot};
 
 /// The equations A w = load + q of the faces under a condition for each component: its jump w_i is held, or it is free with
@@ -30,6 +30,15 @@ pub(super) struct Tableau<'a> {
     of_held: Vec<f64>,
     base_state: BaseState,
     remembered: Remembered,
+    /// None where conditions have changed since.
+    differences: Option<Differences>,
+}
+
+/// Where the conditions of today differ from those of the base.
+struct Differences {
+    components: Vec<usize>,
+    /// Their system, once it was needed.
+    factor: Option<SmallFactor>,
 }
 
 /// Loads of which others are combined.
@@ -76,6 +85,7 @@ impl<'a> Tableau<'a> {
             of_held: vec![0.0; n],
             base_state: BaseState::Checked,
             remembered: Remembered { loads: Matrix::zeros(0, n), outputs: None },
+            differences: None,
         }
     }
 
@@ -87,6 +97,9 @@ impl<'a> Tableau<'a> {
     /// Sets the condition of `component`. Only one that another follows may be coupled, and only to one that is free without
     /// coupling or held.
     pub(super) fn set(&mut self, component: usize, condition: Condition) {
+        if !condition.is_like(self.now[component]) {
+            self.differences = None;
+        }
         self.now[component] = condition;
     }
 
@@ -97,12 +110,24 @@ impl<'a> Tableau<'a> {
 
     /// Returns to what was kept.
     pub(super) fn restore(&mut self) {
+        if self.now.iter().zip(&self.kept).any(|(now, kept)| !now.is_like(*kept)) {
+            self.differences = None;
+        }
         self.now.clone_from(&self.kept);
     }
 
     /// The components whose condition is of another kind than in the base.
-    fn differences(&self) -> Vec<usize> {
-        (0..self.now.len()).filter(|&i| !self.now[i].is_like(self.base[i])).collect()
+    fn take_differences(&mut self) -> Differences {
+        self.differences.take().unwrap_or_else(|| {
+            let differs = |&i: &usize| !self.now[i].is_like(self.base[i]);
+            Differences { components: (0..self.now.len()).filter(differs).collect(), factor: None }
+        })
+    }
+
+    /// How many there are.
+    fn different(&mut self) -> usize {
+        let differences = self.take_differences();
+        self.differences.insert(differences).components.len()
     }
 
     fn many(&self) -> usize {
@@ -120,7 +145,7 @@ impl<'a> Tableau<'a> {
         jump: &mut [f64],
         contact: &mut [f64],
     ) -> Result<(), Degenerate> {
-        if self.differences().len() > self.many() {
+        if self.different() > self.many() {
             // Where that fails, the differences remain, and their own system decides.
             let _ = self.rebase();
         }
@@ -138,7 +163,7 @@ impl<'a> Tableau<'a> {
         jump: &mut [f64],
         contact: &mut [f64],
     ) -> Result<(), Degenerate> {
-        if self.differences().len() > URGENT * self.many() && self.rebase().is_ok() {
+        if self.different() > URGENT * self.many() && self.rebase().is_ok() {
             self.respond(load);
         }
         let sound = self.equilibrium(load, jump, contact);
@@ -209,20 +234,22 @@ impl<'a> Tableau<'a> {
     /// Jumps and contact forces from the outputs of the base and the inputs where the conditions differ.
     fn equilibrium(&mut self, load: &[f64], jump: &mut [f64], contact: &mut [f64]) -> Result<(), Degenerate> {
         self.move_held();
-        let differences = self.differences();
-        let n = differences.len();
-        let mut system = Matrix::zeros(n, n);
-        for (m, &input) in differences.iter().enumerate() {
-            for (k, &component) in differences.iter().enumerate() {
-                system[(k, m)] = self.coefficient(component, input);
+        let Differences { components, factor } = self.take_differences();
+        let n = components.len();
+        let factor = match factor {
+            Some(factor) => factor,
+            None => {
+                let entry = |k: usize, m: usize| self.coefficient(components[k], components[m]);
+                SmallFactor::new(Matrix::from_fn(n, n, entry)).map_err(|_| Degenerate)?
             }
-        }
-        let mut changes: Vec<f64> = differences.iter().map(|&i| self.defect(i, load)).collect();
-        solve_small(system, &mut changes).map_err(|_| Degenerate)?;
+        };
+        let mut changes: Vec<f64> = components.iter().map(|&i| self.defect(i, load)).collect();
+        factor.solve(&mut changes).map_err(|_| Degenerate)?;
         let mut output = self.output.clone();
-        add_rows(&changes, |k| self.responses.row(differences[k]), &mut output);
+        add_rows(&changes, |k| self.responses.row(components[k]), &mut output);
         let mut input = self.input.clone();
-        differences.iter().zip(&changes).for_each(|(&i, change)| input[i] += change);
+        components.iter().zip(&changes).for_each(|(&i, change)| input[i] += change);
+        self.differences = Some(Differences { components, factor: Some(factor) });
         // A w, from the last component on: a coupled one needs the next.
         let mut force = 0.0;
         for i in (0..load.len()).rev() {
@@ -312,6 +339,7 @@ impl<'a> Tableau<'a> {
 
     /// A base that has not answered yet: everything that is held moves there from zero with the next response.
     fn begin_base(&mut self) {
+        self.differences = None;
         self.base_state = BaseState::New;
         self.remembered.outputs = None;
         self.input.fill(0.0);
@@ -321,7 +349,7 @@ impl<'a> Tableau<'a> {
     /// Makes the present conditions the base. With K the components that differ, R the coefficients of all inputs in their conditions and
     /// Z = R_K⁻¹, the inputs of K are u_K = Z (s − R u) in terms of their new ones s and of the others u.
     fn rebase(&mut self) -> Result<(), LinearError> {
-        let differences = self.differences();
+        let differences = self.take_differences().components;
         let (n, k) = (self.now.len(), differences.len());
         let mut conditions = Matrix::from_fn(n, k, |j, m| self.coefficient(differences[m], j));
         let own = Matrix::from_fn(k, k, |m, p| conditions[(differences[p], m)]);

@@ -196,44 +196,101 @@ pub fn add_product(factor: f64, a: &Matrix, b: &Matrix, sum: &mut Matrix) -> Res
     Ok(())
 }
 
-/// Solves A x = b for a few unknowns by Gaussian elimination with partial pivoting: `right` is b and becomes x. Below some dozens of unknowns a call of
-/// the blocked factorisation costs more than this.
-///
-/// Errors: a right-hand side of another length; a pivot below 1e-12 of the largest entry.
-pub fn solve_small(mut matrix: Matrix, right: &mut [f64]) -> Result<(), LinearError> {
-    let order = matrix.rows();
-    if right.len() != order || matrix.columns() != order {
-        let quantity = "entries of a right-hand side";
-        return Err(LinearError::WrongLength { quantity, given: right.len(), expected: order });
-    }
-    let largest = matrix.entries().iter().fold(0.0f64, |m, v| m.max(v.abs()));
-    for k in 0..order {
-        let size = |i: usize| matrix[(i, k)].abs();
-        let pivot = (k + 1..order).fold(k, |best, i| if size(i) > size(best) { i } else { best });
-        if size(pivot).is_nan() || size(pivot) <= SINGULAR * largest {
-            return Err(LinearError::Singular { order });
-        }
-        if pivot != k {
-            let (upper, lower) = matrix.row_pair_mut(k, pivot);
-            upper.swap_with_slice(lower);
-            right.swap(k, pivot);
-        }
-        for i in k + 1..order {
-            let (above, row) = matrix.row_pair(k, i);
-            let factor = row[k] / above[k];
-            if factor != 0.0 {
-                axpy(-factor, &above[k + 1..], &mut row[k + 1..]);
-                right[i] -= factor * right[k];
-            }
-        }
-    }
-    for k in (0..order).rev() {
-        let known = dot(&matrix.row(k)[k + 1..], &right[k + 1..]);
-        right[k] = (right[k] - known) / matrix[(k, k)];
-    }
-    Ok(())
+/// The triangular factors of a square matrix of a few unknowns, by Gaussian elimination with partial pivoting. Below some dozens of unknowns a
+/// call of the blocked factorisation costs more than this.
+#[derive(Debug, Clone)]
+pub struct SmallFactor {
+    /// U on and above the diagonal, L below, whose diagonal is one.
+    entries: Matrix,
+    /// The row with which row k was exchanged before its elimination.
+    exchanges: Vec<usize>,
 }
 
+impl SmallFactor {
+    /// Factors `matrix`.
+    ///
+    /// Errors: a matrix that is not square; a pivot below 1e-12 of the largest entry.
+    pub fn new(mut matrix: Matrix) -> Result<Self, LinearError> {
+        let order = matrix.rows();
+        if matrix.columns() != order {
+            let quantity = "columns of a matrix to factor";
+            return Err(LinearError::WrongLength { quantity, given: matrix.columns(), expected: order });
+        }
+        let largest = matrix.entries().iter().fold(0.0f64, |m, v| m.max(v.abs()));
+        let mut exchanges = Vec::with_capacity(order);
+        for k in 0..order {
+            let size = |i: usize| matrix[(i, k)].abs();
+            let pivot = (k + 1..order).fold(k, |best, i| if size(i) > size(best) { i } else { best });
+            if size(pivot).is_nan() || size(pivot) <= SINGULAR * largest {
+                return Err(LinearError::Singular { order });
+            }
+            if pivot != k {
+                let (upper, lower) = matrix.row_pair_mut(k, pivot);
+                upper.swap_with_slice(lower);
+            }
+            exchanges.push(pivot);
+            for i in k + 1..order {
+                let (above, row) = matrix.row_pair(k, i);
+                let factor = row[k] / above[k];
+                row[k] = factor;
+                if factor != 0.0 {
+                    axpy(-factor, &above[k + 1..], &mut row[k + 1..]);
+                }
+            }
+        }
+        Ok(Self { entries: matrix, exchanges })
+    }
+
+    /// Solves A x = b in place: `right` is b and becomes x.
+    ///
+    /// Errors: another length.
+    pub fn solve(&self, right: &mut [f64]) -> Result<(), LinearError> {
+        let order = self.entries.rows();
+        if right.len() != order {
+            let quantity = "entries of a right-hand side";
+            return Err(LinearError::WrongLength { quantity, given: right.len(), expected: order });
+        }
+        for (k, &pivot) in self.exchanges.iter().enumerate() {
+            right.swap(k, pivot);
+        }
+        for k in 1..order {
+            right[k] -= dot(&self.entries.row(k)[..k], &right[..k]);
+        }
+        for k in (0..order).rev() {
+            let known = dot(&self.entries.row(k)[k + 1..], &right[k + 1..]);
+            right[k] = (right[k] - known) / self.entries[(k, k)];
+        }
+        Ok(())
+    }
+
+    /// A⁻¹.
+    fn inverse(&self) -> Matrix {
+        let order = self.entries.rows();
+        let mut inverse = Matrix::from_fn(order, order, |i, j| f64::from(i == j));
+        // Row by row of all right-hand sides, which are the columns of the unit matrix.
+        for (k, &pivot) in self.exchanges.iter().enumerate() {
+            if pivot != k {
+                let (one, other) = inverse.row_pair_mut(k, pivot);
+                one.swap_with_slice(other);
+            }
+        }
+        let subtract = |inverse: &mut Matrix, k: usize, j: usize| {
+            let (known, right) = inverse.row_pair(j, k);
+            axpy(-self.entries[(k, j)], known, right);
+        };
+        for k in 1..order {
+            (0..k).for_each(|j| subtract(&mut inverse, k, j));
+        }
+        for k in (0..order).rev() {
+            (k + 1..order).for_each(|j| subtract(&mut inverse, k, j));
+            inverse.row_mut(k).iter_mut().for_each(|value| *value /= self.entries[(k, k)]);
+        }
+        inverse
+    }
+}
+
+/// Order up to which an inverse is made row by row.
+const SMALL: usize = 24;
 /// Pivots below this fraction of the largest entry are taken for zero.
 const SINGULAR: f64 = 1e-12;
 
@@ -245,6 +302,9 @@ pub fn spd_inverse(matrix: &Matrix) -> Result<Matrix, LinearError> {
 /// The inverse of a square matrix, by Gaussian elimination with partial pivoting.
 pub fn general_inverse(matrix: &Matrix) -> Result<Matrix, LinearError> {
     let order = matrix.rows();
+    if order <= SMALL {
+        return Ok(SmallFactor::new(matrix.clone())?.inverse());
+    }
     let mut factor = Mat::from_fn(order, order, |i, j| matrix[(i, j)]);
     let (mut forward, mut backward) = (vec![0usize; order], vec![0usize; order]);
     let scratch =
@@ -290,12 +350,15 @@ mod tests {
     #[test]
     fn inverses_by_residual() {
         let hilbert = Matrix::from_fn(6, 6, |i, j| 1.0 / (i + j + 1) as f64 + 0.1 * f64::from(i == j));
-        let skewed =
-            Matrix::from_fn(7, 7, |i, j| ((3 * i + 5 * j) % 7) as f64 - 3.0 + 8.0 * f64::from(i == j));
         assert!(distance_from_identity(&product(&hilbert, &spd_inverse(&hilbert).unwrap()).unwrap()) < 1e-13);
-        assert!(
-            distance_from_identity(&product(&skewed, &general_inverse(&skewed).unwrap()).unwrap()) < 1e-13
-        );
+        for order in [0, 1, 7, SMALL, SMALL + 1] {
+            // Nothing on the diagonal but for the first entries.
+            let entry = |i: usize, j: usize| ((3 * i * i + 5 * j) % 7) as f64 - 3.0;
+            let large = |i: usize, j: usize| 30.0 * f64::from(i == (j + 1) % order);
+            let skewed = Matrix::from_fn(order, order, |i, j| entry(i, j) + large(i, j));
+            let inverse = general_inverse(&skewed).unwrap();
+            assert!(distance_from_identity(&product(&skewed, &inverse).unwrap()) < 1e-13, "{order}");
+        }
     }
 
     #[test]
@@ -317,17 +380,19 @@ mod tests {
             let matrix = Matrix::from_fn(order, order, |i, j| entry(i, j) + large(i, j));
             let right: Vec<f64> = (0..order).map(|i| (i as f64).sin()).collect();
             let mut solution = right.clone();
-            solve_small(matrix.clone(), &mut solution).unwrap();
+            let factor = SmallFactor::new(matrix.clone()).unwrap();
+            factor.solve(&mut solution).unwrap();
             let gap =
                 matrix.times(&solution).iter().zip(&right).fold(0.0f64, |m, (a, b)| m.max((a - b).abs()));
             assert!(gap < 1e-13, "{order}: {gap}");
         }
         let singular = Matrix::from_fn(3, 3, |i, j| ((i + 1) * (j + 1)) as f64);
-        assert_eq!(solve_small(singular, &mut [1.0; 3]), Err(LinearError::Singular { order: 3 }));
-        let mut short = [1.0; 2];
+        assert_eq!(SmallFactor::new(singular).err(), Some(LinearError::Singular { order: 3 }));
+        let unit = SmallFactor::new(Matrix::from_fn(2, 2, |i, j| f64::from(i == j))).unwrap();
+        assert!(matches!(unit.solve(&mut [1.0; 3]), Err(LinearError::WrongLength { given: 3, .. })));
         assert!(matches!(
-            solve_small(Matrix::zeros(3, 3), &mut short),
-            Err(LinearError::WrongLength { given: 2, .. })
+            SmallFactor::new(Matrix::zeros(2, 3)),
+            Err(LinearError::WrongLength { given: 3, .. })
         ));
     }
 
@@ -385,6 +450,9 @@ mod tests {
     fn refuses_what_has_no_inverse() {
         let indefinite = Matrix::from_fn(2, 2, |i, j| if i == j { 1.0 } else { 2.0 });
         assert_eq!(spd_inverse(&indefinite), Err(LinearError::NotPositiveDefinite { order: 2, pivot: 1 }));
-        assert_eq!(general_inverse(&Matrix::zeros(3, 3)), Err(LinearError::Singular { order: 3 }));
+        for order in [3, SMALL + 1] {
+            let zero = Matrix::zeros(order, order);
+            assert_eq!(general_inverse(&zero), Err(LinearError::Singular { order }));
+        }
     }
 }

@@ -16,7 +16,7 @@ mod sweep;
 
 pub use cholesky::{SparseCholesky, SparseFactor};
 pub use dense::{
-    SpdFactor, add_product, general_inverse, product, product_transposed, solve_small, spd_inverse,
+    SmallFactor, SpdFactor, add_product, general_inverse, product, product_transposed, spd_inverse,
 };
 pub use error::LinearError;
 pub use gram::{gram, gram_of};
