@@ -352,7 +352,7 @@ pub const REQUIREMENTS: &[Requirement] = &[
     ),
     requirement(
         "slow_tips::taken_up_while_a_tip_waits",
-        "where one increment of 0.25 mm leads",
+        "",
         "Growth of a slow tip waits for a whole increment, and leads to the same place in both engines (mm).",
     ),
     requirement(
