@@ -35,7 +35,7 @@ const PLAIN: Point =
 
 fn points() -> Vec<Point> {
     let unknowns = [0.35, 0.25, 0.18, 0.13, 0.1, 0.07, 0.05].map(|element_mm| Point { element_mm, ..PLAIN });
-    let cracks = [1, 2, 4, 8, 16].map(|cracks| Point { study: "cracks", cracks, ..PLAIN });
+    let cracks = [1, 2, 4, 8, 16, 32].map(|cracks| Point { study: "cracks", cracks, ..PLAIN });
     let tolerances = [2e-2, 5e-3, 2e-3, 5e-4, 1e-4];
     let load_steps = tolerances.map(|step_tolerance| Point { study: "load steps", step_tolerance, ..PLAIN });
     let threads = [1, 2].map(|threads| Point { study: "threads", element_mm: 0.1, threads, ..PLAIN });
