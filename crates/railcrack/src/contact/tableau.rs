@@ -61,7 +61,7 @@ enum BaseState {
 /// more than a base.
 const MANY: usize = 16;
 const FEW: usize = 8;
-const MOST: usize = 48;
+const MOST: usize = 80;
 /// A new base is made at once beyond this multiple of that number.
 const URGENT: usize = 3;
 /// Residual of the equations, relative to the largest force, above which a base is made afresh.
