@@ -22,4 +22,12 @@ impl Condition {
             _ => false,
         }
     }
+
+    /// The jump at which it is held, mm.
+    pub(super) fn held(self) -> Option<f64> {
+        match self {
+            Self::Held(at) => Some(at),
+            Self::Free(_) => None,
+        }
+    }
 }

@@ -170,7 +170,9 @@ impl<'a> Tableau<'a> {
         if sound.is_ok() && self.base_state == BaseState::Checked {
             return Ok(());
         }
-        let scale = load.iter().chain(&*contact).fold(0.0f64, |m, v| m.max(v.abs()));
+        let held = |condition: &Condition| condition.held().unwrap_or(0.0);
+        let pushed = self.stiffness.times(&self.now.iter().map(held).collect::<Vec<f64>>());
+        let scale = load.iter().chain(&pushed).fold(0.0f64, |m, v| m.max(v.abs()));
         if sound.is_err() || self.residual(load, jump, contact) > DRIFT * scale {
             self.refresh()?;
             self.respond(load);

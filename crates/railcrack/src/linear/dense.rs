@@ -104,17 +104,14 @@ pub fn add_product(factor: f64, a: &Matrix, b: &Matrix, sum: &mut Matrix) -> Res
             return Err(LinearError::WrongLength { quantity, given, expected });
         }
     }
-    if inner == 0 {
-        return Ok(());
-    }
-    let b = MatRef::from_row_major_slice(b.entries(), inner, columns);
-    let strips = sum.entries_mut().par_chunks_mut((BLOCK * columns).max(1));
-    strips.zip(a.entries().par_chunks(BLOCK * inner)).for_each(|(sum, a)| {
-        let rows = sum.len() / columns;
-        let a = MatRef::from_row_major_slice(a, rows, inner);
-        let sum = MatMut::from_row_major_slice_mut(sum, rows, columns);
-        matmul(sum, Accum::Add, a, b, factor, Par::Seq);
-    });
+    matmul(
+        MatMut::from_row_major_slice_mut(sum.entries_mut(), rows, columns),
+        Accum::Add,
+        MatRef::from_row_major_slice(a.entries(), rows, inner),
+        MatRef::from_row_major_slice(b.entries(), inner, columns),
+        factor,
+        Par::Seq,
+    );
     Ok(())
 }
 
