@@ -311,7 +311,7 @@ impl Growth {
                     x: at.x,
                     y: at.y,
                     length: crack.length() + self.state.waiting_at(tip.crack),
-                    waiting: self.state.waiting[tip.crack][tip.tip].length,
+                    waiting: self.state.waiting[tip.crack][tip.tip],
                     ki_max: ranges.ki_max,
                     delta_ki: ranges.delta_ki,
                     delta_kii: ranges.delta_kii,

@@ -1,6 +1,6 @@
 //! What a growth step leaves behind.
 
-use super::{FieldRecord, Piece};
+use super::{FieldRecord, Piece, WaitingGrowth};
 use crate::body::BodyTimes;
 use crate::contact::FaceState;
 use crate::crack::{Crack, CrackEnd, End, Junction};
@@ -149,8 +149,8 @@ pub struct TipRecord {
     pub y: f64,
     /// Length of its crack, with what waits at its tips, mm.
     pub length: f64,
-    /// Its growth that is not in the crack yet, mm.
-    pub waiting: f64,
+    /// Its growth that is not in the crack yet.
+    pub waiting: WaitingGrowth,
     /// Largest K_I of the stabilised passage, MPa √mm.
     pub ki_max: f64,
     /// Range of K_I (clipped at zero), MPa √mm.

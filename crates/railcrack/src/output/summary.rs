@@ -260,7 +260,7 @@ fn tip_summary(tip: &crate::growth::TipRecord) -> TipSummary {
         x_mm: tip.x,
         y_mm: tip.y,
         length_mm: tip.length,
-        waiting_mm: tip.waiting,
+        waiting_mm: tip.waiting.length,
         rate_mm_per_cycle: tip.rate,
         stop: tip.stop.map(|stop| stop.name().to_owned()),
     }

@@ -124,6 +124,12 @@ impl CaseRun {
         }
         for ((crack, tip), grown) in record.cracks.iter().zip(&record.tips).zip(&mut self.cracks) {
             grown.points = points(crack);
+            // A slow crack shows where it is going before it has gone a whole increment.
+            let waiting = tip.waiting;
+            if waiting.length > 0.0 {
+                let to = crack.tip(tip.tip.end) + waiting.direction * waiting.length;
+                grown.points.push([to.x, -to.y]);
+            }
             grown.stop = tip.stop.map(|stop| stop.name().to_owned());
             grown.steps.push(TipState {
                 length: tip.length,

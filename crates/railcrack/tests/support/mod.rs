@@ -187,7 +187,7 @@ fn tip_record(i: usize, crack: &Crack, step: usize, is_last: bool) -> TipRecord 
         x: place.x,
         y: place.y,
         length: crack.length(),
-        waiting: 0.0,
+        waiting: WaitingGrowth::default(),
         ki_max: 280.0 + step as f64,
         delta_ki: 280.0 + step as f64,
         delta_kii: 190.0 / 3.0,

@@ -52,7 +52,12 @@ fn k_of_the_slow_tip_of_a_squat() {
     for (record, _) in &records {
         let sifs = &record.passages[record.passages.len() - 1].sifs;
         let off = misfit(sifs, &wanted(&record.cracks));
-        println!("step {}: {:.2} %, {:.3} mm waiting", record.step, 100.0 * off, record.tips[1].waiting);
+        println!(
+            "step {}: {:.2} %, {:.3} mm waiting",
+            record.step,
+            100.0 * off,
+            record.tips[1].waiting.length
+        );
         close(off, 0.0, Absolute(0.04), "2.5 elements behind a turn of 76 degrees");
         assert_eq!(record.warnings, []);
     }
@@ -78,7 +83,8 @@ fn taken_up_while_a_tip_waits() {
         }
         let tip = records[7].0.tips[1];
         assert!(tip.y > records[0].0.tips[1].y, "put in");
-        let lengths = records.iter().map(|(record, _)| (record.tips[1].length, record.tips[1].waiting));
+        let lengths =
+            records.iter().map(|(record, _)| (record.tips[1].length, record.tips[1].waiting.length));
         (lengths.collect::<Vec<_>>(), Vec2::new(tip.x, tip.y))
     });
     let [(dislocations, at), (finite, also_at)] = &waits;

@@ -85,7 +85,7 @@ pub(crate) fn growth_rows(rows: &mut Rows, record: &StepRecord) {
         rows.real(cycles, record.load_cycles);
         let own = tip.stop.map(|stop| stop.name());
         rows.name(own.or(record.stop.map(|stop| stop.name())).unwrap_or(""));
-        rows.real(waiting, tip.waiting);
+        rows.real(waiting, tip.waiting.length);
         rows.end();
     }
 }
