@@ -2,15 +2,31 @@
 
 const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
+/// What each letter stands for; [`NONE`] for the others.
+const VALUES: [u8; 256] = {
+    let mut values = [NONE; 256];
+    let mut value = 0;
+    while value < LETTERS.len() {
+        values[LETTERS[value] as usize] = value as u8;
+        value += 1;
+    }
+    values
+};
+const NONE: u8 = 64;
+
 /// Appends `bytes` to `text`.
 pub(crate) fn encode(bytes: &[u8], text: &mut Vec<u8>) {
-    for group in bytes.chunks(3) {
-        let byte = |i: usize| u32::from(group.get(i).copied().unwrap_or(0));
-        let bits = byte(0) << 16 | byte(1) << 8 | byte(2);
-        for place in 0..4 {
-            let letter = LETTERS[(bits >> (18 - 6 * place)) as usize & 63];
-            text.push(if place <= group.len() { letter } else { b'=' });
-        }
+    text.reserve(bytes.len().div_ceil(3) * 4);
+    let letters = |group: [u8; 3]| {
+        let bits = u32::from_be_bytes([0, group[0], group[1], group[2]]);
+        [18, 12, 6, 0].map(|shift| LETTERS[(bits >> shift) as usize & 63])
+    };
+    let (groups, rest) = bytes.as_chunks::<3>();
+    groups.iter().for_each(|&group| text.extend_from_slice(&letters(group)));
+    if !rest.is_empty() {
+        let padded = letters([rest[0], rest.get(1).copied().unwrap_or(0), 0]);
+        text.extend_from_slice(&padded[..=rest.len()]);
+        text.resize(text.len() + 3 - rest.len(), b'=');
     }
 }
 
@@ -19,20 +35,27 @@ pub(crate) fn encode(bytes: &[u8], text: &mut Vec<u8>) {
 pub(crate) fn decode(text: &[u8], most: usize) -> Result<Vec<u8>, usize> {
     let mut bytes = Vec::with_capacity((text.len() / 4 * 3).min(most));
     let (mut bits, mut letters, mut padding) = (0u32, 0, 0);
-    for (at, &letter) in text.iter().enumerate() {
-        if bytes.len() >= most {
-            break;
+    let mut at = 0;
+    while at < text.len() && bytes.len() < most {
+        if letters == 0
+            && let Some(group) = whole_group(&text[at..])
+        {
+            bytes.extend_from_slice(&group.to_be_bytes()[1..]);
+            at += 4;
+            continue;
         }
+        let letter = text[at];
+        at += 1;
         if letter.is_ascii_whitespace() {
             continue;
         }
-        let value = match (value_of(letter), letter) {
-            (Some(value), _) if padding == 0 => value,
-            (None, b'=') if letters >= 2 => {
+        let value = match (VALUES[usize::from(letter)], letter) {
+            (NONE, b'=') if letters >= 2 => {
                 padding += 1;
                 0
             }
-            _ => return Err(at),
+            (value, _) if value != NONE && padding == 0 => u32::from(value),
+            _ => return Err(at - 1),
         };
         (bits, letters) = (bits << 6 | value, letters + 1);
         if letters == 4 {
@@ -47,16 +70,10 @@ pub(crate) fn decode(text: &[u8], most: usize) -> Result<Vec<u8>, usize> {
     Ok(bytes)
 }
 
-fn value_of(letter: u8) -> Option<u32> {
-    let value = match letter {
-        b'A'..=b'Z' => letter - b'A',
-        b'a'..=b'z' => letter - b'a' + 26,
-        b'0'..=b'9' => letter - b'0' + 52,
-        b'+' => 62,
-        b'/' => 63,
-        _ => return None,
-    };
-    Some(u32::from(value))
+/// The 24 bits of the next four letters, where these are nothing else.
+fn whole_group(text: &[u8]) -> Option<u32> {
+    let [a, b, c, d] = text.first_chunk::<4>()?.map(|letter| u32::from(VALUES[usize::from(letter)]));
+    (a | b | c | d < u32::from(NONE)).then_some(a << 18 | b << 12 | c << 6 | d)
 }
 
 #[cfg(test)]
