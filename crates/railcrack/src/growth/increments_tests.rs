@@ -2,27 +2,13 @@
 
 use super::*;
 use crate::crack::End;
-use crate::fatigue::{DirectionCriterion, ParisLaw};
+use crate::growth::fixtures::{self, SETTINGS, crack as polyline};
 
-const RAIL: RailBox = RailBox { width: 300.0, depth: 172.0, centre: 0.0 };
-const SETTINGS: GrowthSettings = GrowthSettings {
-    steps: 25,
-    increment: 0.04,
-    law: ParisLaw::RAIL_STEEL,
-    arrest_rate: 1e-9,
-    criterion: DirectionCriterion::MaxRate,
-    critical_length: None,
-    stop_after_cycles: None,
-};
 /// Round-off of a few operations.
 const ROUNDING: f64 = 1e-13;
 
 fn slanted(mouth: f64, length: f64, degrees: f64) -> Crack {
     Crack::surface_breaking(mouth, length, degrees.to_radians()).unwrap()
-}
-
-fn polyline(points: &[(f64, f64)]) -> Crack {
-    Crack::polyline(points.iter().map(|&(x, y)| Vec2::new(x, y)).collect()).unwrap()
 }
 
 fn drive(crack: usize, degrees: f64, rate: f64) -> TipDrive {
@@ -31,16 +17,7 @@ fn drive(crack: usize, degrees: f64, rate: f64) -> TipDrive {
 }
 
 fn state<'a>(cracks: &'a [Crack], tips: &'a [TipDrive]) -> StepState<'a> {
-    StepState {
-        step: 0,
-        cracks,
-        junctions: &[],
-        break_outs: &[],
-        tips,
-        load_cycles: 0.0,
-        rail: RAIL,
-        resolution: 0.1,
-    }
+    fixtures::state(cracks, tips, 0.1)
 }
 
 /// The stop of the only tip of the first crack, which kinks by `degrees`.

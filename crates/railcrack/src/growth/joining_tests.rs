@@ -2,28 +2,14 @@
 
 use super::*;
 use crate::crack::{CrackEnd, CrackNetwork, End, segment_distance};
-use crate::fatigue::{DirectionCriterion, ParisLaw};
 use crate::growth::PieceKind;
+use crate::growth::fixtures::{self, SETTINGS, crack};
 use proptest::prelude::*;
 use proptest::test_runner::{RngAlgorithm, TestRng, TestRunner};
 
-const RAIL: RailBox = RailBox { width: 300.0, depth: 172.0, centre: 0.0 };
-const SETTINGS: GrowthSettings = GrowthSettings {
-    steps: 25,
-    increment: 0.04,
-    law: ParisLaw::RAIL_STEEL,
-    arrest_rate: 1e-9,
-    criterion: DirectionCriterion::MaxRate,
-    critical_length: None,
-    stop_after_cycles: None,
-};
 const RESOLUTION: f64 = 0.05;
 /// Round-off of a few operations.
 const ROUNDING: f64 = 1e-13;
-
-fn crack(points: &[(f64, f64)]) -> Crack {
-    Crack::polyline(points.iter().map(|&(x, y)| Vec2::new(x, y)).collect()).unwrap()
-}
 
 /// The tip at `end` of crack `crack`, which kinks by `kink` (radians) and grows at `rate`.
 fn drive(crack: usize, end: End, tip: usize, kink: f64, rate: f64) -> TipDrive {
@@ -42,16 +28,7 @@ fn ahead(crack: usize, rate: f64) -> TipDrive {
 }
 
 fn state<'a>(cracks: &'a [Crack], tips: &'a [TipDrive]) -> StepState<'a> {
-    StepState {
-        step: 3,
-        cracks,
-        junctions: &[],
-        break_outs: &[],
-        tips,
-        load_cycles: 0.0,
-        rail: RAIL,
-        resolution: RESOLUTION,
-    }
+    StepState { step: 3, ..fixtures::state(cracks, tips, RESOLUTION) }
 }
 
 fn next(cracks: &[Crack], tips: &[TipDrive]) -> Advance {

@@ -3,6 +3,8 @@
 mod driver;
 mod face_load;
 mod fields;
+#[cfg(test)]
+mod fixtures;
 mod increments;
 mod joining;
 mod meetings;

@@ -2,24 +2,13 @@
 
 use super::*;
 use crate::crack::End;
-use crate::fatigue::{DirectionCriterion, ParisLaw};
+use crate::growth::fixtures::{self, crack};
 
-const RAIL: RailBox = RailBox { width: 300.0, depth: 172.0, centre: 0.0 };
-const SETTINGS: GrowthSettings = GrowthSettings {
-    steps: 1000,
-    increment: 0.04,
-    law: ParisLaw::RAIL_STEEL,
-    arrest_rate: 1e-12,
-    criterion: DirectionCriterion::MaxRate,
-    critical_length: None,
-    stop_after_cycles: None,
-};
+const SETTINGS: GrowthSettings = GrowthSettings { steps: 1000, arrest_rate: 1e-12, ..fixtures::SETTINGS };
+/// What the engine resolves, mm.
+const RESOLUTION: f64 = 0.02;
 /// Round-off of a run of a few dozen steps.
 const ROUNDING: f64 = 1e-12;
-
-fn crack(points: &[(f64, f64)]) -> Crack {
-    Crack::polyline(points.iter().map(|&(x, y)| Vec2::new(x, y)).collect()).unwrap()
-}
 
 /// Two vertical cracks, of 6 mm at x = −40 and of 2 mm at x = 0.
 fn pair() -> Vec<Crack> {
@@ -54,13 +43,8 @@ impl Run {
         let tips = [drive(0), drive(1)];
         let state = StepState {
             step: self.step,
-            cracks: &self.cracks,
-            junctions: &[],
-            break_outs: &[],
-            tips: &tips,
             load_cycles: self.cycles,
-            rail: RAIL,
-            resolution: 0.02,
+            ..fixtures::state(&self.cracks, &tips, RESOLUTION)
         };
         let next = advance(&state, &self.settings);
         self.step += 1;
@@ -187,16 +171,7 @@ fn slow(crack: usize, kink: f64, rate: f64, waiting: WaitingGrowth) -> TipDrive 
 fn next(mut cracks: Vec<Crack>, mut tips: Vec<TipDrive>) -> Advance {
     tips.push(slow(cracks.len(), 0.0, 1e-6, WaitingGrowth::default()));
     cracks.push(crack(&[(100.0, 0.0), (100.0, -6.0)]));
-    let state = StepState {
-        step: 3,
-        cracks: &cracks,
-        junctions: &[],
-        break_outs: &[],
-        tips: &tips,
-        load_cycles: 0.0,
-        rail: RAIL,
-        resolution: 0.02,
-    };
+    let state = StepState { step: 3, ..fixtures::state(&cracks, &tips, RESOLUTION) };
     advance(&state, &SETTINGS)
 }
 
@@ -280,16 +255,7 @@ fn what_waits_counts_in_the_critical_length() {
     let long = WaitingGrowth { length: 0.14, ..RIGHT };
     let tips = [slow(0, 0.0, SLOW, long)];
     let cracks = [shelf()];
-    let state = StepState {
-        step: 0,
-        cracks: &cracks,
-        junctions: &[],
-        break_outs: &[],
-        tips: &tips,
-        load_cycles: 0.0,
-        rail: RAIL,
-        resolution: 0.02,
-    };
+    let state = fixtures::state(&cracks, &tips, RESOLUTION);
     for (critical, stop) in [(5.63, Some(RunStop::CriticalLength)), (5.65, None)] {
         let settings = GrowthSettings { critical_length: Some(critical), ..SETTINGS };
         assert_eq!(advance(&state, &settings).stop, stop);

@@ -28,27 +28,7 @@ pub(super) type Sums = [Row; ROWS];
 /// sums[r] += Σ_k tile[k][r] x[k] over the columns of the tile, in their order.
 #[inline(always)]
 pub(super) fn add_tile<S: Simd>(simd: S, tile: &[[f64; ROWS]], x: &[Row], sums: &mut Sums) {
-    let vectors = LANES / S::F64_LANES;
-    for v in (0..vectors).step_by(2) {
-        let mut held = [[simd.splat_f64s(0.0); 2]; ROWS];
-        for (held, sum) in held.iter_mut().zip(&*sums) {
-            let (sum, _) = S::as_simd_f64s(&sum.0);
-            *held = [sum[v], sum[v + 1]];
-        }
-        for (column, x) in tile.iter().zip(x) {
-            let (x, _) = S::as_simd_f64s(&x.0);
-            let (left, right) = (x[v], x[v + 1]);
-            for (held, &factor) in held.iter_mut().zip(column) {
-                let factor = simd.splat_f64s(factor);
-                held[0] = simd.mul_add_f64s(factor, left, held[0]);
-                held[1] = simd.mul_add_f64s(factor, right, held[1]);
-            }
-        }
-        for (held, sum) in held.iter().zip(&mut *sums) {
-            let (sum, _) = S::as_mut_simd_f64s(&mut sum.0);
-            [sum[v], sum[v + 1]] = *held;
-        }
-    }
+    add_products(simd, tile.iter(), x, sums);
 }
 
 /// Rows of a block of sums that are held in registers at once.
@@ -57,26 +37,39 @@ const HELD: usize = 8;
 /// sums[r] += Σ_k (lane r of a[k]) b[k], in the order of k.
 #[inline(always)]
 pub(super) fn add_outer<S: Simd>(simd: S, a: &[Row], b: &[Row], sums: &mut [Row; LANES]) {
-    for (group, sums) in sums.chunks_exact_mut(HELD).enumerate() {
-        for v in (0..LANES / S::F64_LANES).step_by(2) {
-            let mut held = [[simd.splat_f64s(0.0); 2]; HELD];
-            for (held, sum) in held.iter_mut().zip(&*sums) {
-                let (sum, _) = S::as_simd_f64s(&sum.0);
-                *held = [sum[v], sum[v + 1]];
+    let (groups, _) = sums.as_chunks_mut::<HELD>();
+    for (group, sums) in groups.iter_mut().enumerate() {
+        let lanes = a.iter().map(|row| &row.0.as_chunks::<HELD>().0[group]);
+        add_products(simd, lanes, b, sums);
+    }
+}
+
+/// sums[r] += Σ_k factors[k][r] x[k], in the order of k.
+#[inline(always)]
+fn add_products<'a, S: Simd, const R: usize>(
+    simd: S,
+    factors: impl Iterator<Item = &'a [f64; R]> + Clone,
+    x: &[Row],
+    sums: &mut [Row; R],
+) {
+    for v in (0..LANES / S::F64_LANES).step_by(2) {
+        let mut held = [[simd.splat_f64s(0.0); 2]; R];
+        for (held, sum) in held.iter_mut().zip(&*sums) {
+            let (sum, _) = S::as_simd_f64s(&sum.0);
+            *held = [sum[v], sum[v + 1]];
+        }
+        for (factors, x) in factors.clone().zip(x) {
+            let (x, _) = S::as_simd_f64s(&x.0);
+            let (left, right) = (x[v], x[v + 1]);
+            for (held, &factor) in held.iter_mut().zip(factors) {
+                let factor = simd.splat_f64s(factor);
+                held[0] = simd.mul_add_f64s(factor, left, held[0]);
+                held[1] = simd.mul_add_f64s(factor, right, held[1]);
             }
-            for (a, b) in a.iter().zip(b) {
-                let (b, _) = S::as_simd_f64s(&b.0);
-                let (left, right) = (b[v], b[v + 1]);
-                for (held, &factor) in held.iter_mut().zip(&a.0[group * HELD..]) {
-                    let factor = simd.splat_f64s(factor);
-                    held[0] = simd.mul_add_f64s(factor, left, held[0]);
-                    held[1] = simd.mul_add_f64s(factor, right, held[1]);
-                }
-            }
-            for (held, sum) in held.iter().zip(&mut *sums) {
-                let (sum, _) = S::as_mut_simd_f64s(&mut sum.0);
-                [sum[v], sum[v + 1]] = *held;
-            }
+        }
+        for (held, sum) in held.iter().zip(&mut *sums) {
+            let (sum, _) = S::as_mut_simd_f64s(&mut sum.0);
+            [sum[v], sum[v + 1]] = *held;
         }
     }
 }
