@@ -82,7 +82,7 @@ fn columns_are_those_of_the_contract() {
         ),
         (
             GROWTH_COLUMNS.join(","),
-            "step,crack,tip,tip_x_mm,tip_y_mm,length_mm,ki_max_mpa_sqrt_m,delta_ki_mpa_sqrt_m,delta_kii_mpa_sqrt_m,delta_keq_mpa_sqrt_m,kink_angle_deg,rival_angle_deg,rival_ratio,increment_mm,rate_mm_per_cycle,load_cycles,stop,waiting_mm",
+            "step,crack,tip,tip_x_mm,tip_y_mm,length_mm,ki_max_mpa_sqrt_m,delta_ki_mpa_sqrt_m,delta_kii_mpa_sqrt_m,delta_keq_mpa_sqrt_m,kink_angle_deg,rival_angle_deg,rival_ratio,increment_mm,rate_mm_per_cycle,load_cycles,stop",
         ),
         (
             FACES_COLUMNS.join(","),

@@ -56,7 +56,6 @@ mod tests {
             rate: 0.0,
             load_cycles: 100.0 * step as f64,
             stop: String::new(),
-            waiting: 0.0,
         }
     }
 

@@ -7,7 +7,7 @@ use crate::math::MPA_SQRT_MM;
 pub(crate) const GROWTH_FILE: &str = "growth.csv";
 
 /// Columns of `growth.csv`.
-pub const GROWTH_COLUMNS: [&str; 18] = [
+pub const GROWTH_COLUMNS: [&str; 17] = [
     "step",
     "crack",
     "tip",
@@ -25,7 +25,6 @@ pub const GROWTH_COLUMNS: [&str; 18] = [
     "rate_mm_per_cycle",
     "load_cycles",
     "stop",
-    "waiting_mm",
 ];
 
 pub(crate) fn growth_header() -> String {
@@ -33,12 +32,12 @@ pub(crate) fn growth_header() -> String {
         &[
             "One row per step and tip: the state at the start of the step, and the increment that follows it",
             "step: 0 is the initial geometry; crack: from 1; tip: from 1 within its crack",
-            "lengths and coordinates: mm, y upwards, the rail is y <= 0; length_mm: of the whole crack, waiting_mm counted",
+            "lengths and coordinates: mm, y upwards, the rail is y <= 0; length_mm: of the whole crack, with what waits at its tips",
             "K: MPa sqrt(m), ranges over the stabilised passage, K_I clipped at zero",
             "angles: degrees from straight ahead, counter-clockwise positive; empty: a tip that is not loaded, or no rival direction",
             "rival_ratio: growth rate in the rival direction over the chosen one",
             "load_cycles: axles up to the start of the step (explicit Euler); stop: why the tip, or in the last step the run, stopped",
-            "waiting_mm: growth of the tip that is not in its crack yet, since it would be too short a segment",
+            "increments of a slow tip wait, and are put into its crack together: until then the tip stays where it is",
         ],
         &GROWTH_COLUMNS,
     )
@@ -46,26 +45,8 @@ pub(crate) fn growth_header() -> String {
 
 /// Appends the rows of a step, tip by tip.
 pub(crate) fn growth_rows(rows: &mut Rows, record: &StepRecord) {
-    let [
-        _,
-        _,
-        _,
-        x,
-        y,
-        length,
-        ki_max,
-        dki,
-        dkii,
-        dkeq,
-        kink,
-        rival,
-        ratio,
-        increment,
-        rate,
-        cycles,
-        _,
-        waiting,
-    ] = GROWTH_COLUMNS;
+    let [_, _, _, x, y, length, ki_max, dki, dkii, dkeq, kink, rival, ratio, increment, rate, cycles, _] =
+        GROWTH_COLUMNS;
     for tip in &record.tips {
         rows.count(record.step);
         rows.count(tip.tip.crack + 1);
@@ -85,7 +66,6 @@ pub(crate) fn growth_rows(rows: &mut Rows, record: &StepRecord) {
         rows.real(cycles, record.load_cycles);
         let own = tip.stop.map(|stop| stop.name());
         rows.name(own.or(record.stop.map(|stop| stop.name())).unwrap_or(""));
-        rows.real(waiting, tip.waiting.length);
         rows.end();
     }
 }

@@ -21,7 +21,7 @@ pub(crate) use read::{Row, StepBlock, read_columns, read_step_blocks, read_steps
 pub(crate) use residual::{RESIDUAL_FILE, residual_table};
 pub(crate) use rows::Rows;
 pub(crate) use sif::{SIF_FILE, SifScale, sif_header, sif_rows};
-pub(crate) use tip_row::{TipRow, read_growth};
+pub(crate) use tip_row::{TipRow, read_growth, waiting};
 
 /// Comment lines, then the column names.
 pub(crate) fn header(comments: &[&str], columns: &[&str]) -> String {

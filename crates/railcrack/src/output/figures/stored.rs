@@ -1,7 +1,7 @@
 //! What the plots need of the tables.
 
 use crate::output::OutputError;
-use crate::output::csv::{FACES_FILE, Row, SIF_FILE, TipRow, read_steps};
+use crate::output::csv::{FACES_FILE, Row, SIF_FILE, TipRow, read_steps, waiting};
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -126,7 +126,7 @@ pub(super) fn read_faces(
     for (&crack, faces) in &mut cracks {
         faces.crack = crack;
         let rows = || growth.iter().filter(|row| row.step == step && row.crack == crack);
-        let waiting: f64 = rows().map(|row| row.waiting).sum();
+        let waiting: f64 = rows().map(|row| waiting(growth, row)).sum();
         // A crack that has joined others at all its ends has no row: it reaches to a little beyond its last point.
         let last = || faces.s.last().copied().unwrap_or(0.0);
         faces.length = rows().next().map_or_else(last, |row| row.length - waiting);
