@@ -37,7 +37,7 @@ pub use field_file::FieldFile;
 pub use markdown::markdown;
 pub use overrides::Overrides;
 pub use profile::ProfileFile;
-pub use queue::{NextRun, RailSlot, RunQueue, WaitingRun};
+pub use queue::{NextRun, RunQueue, WaitingRun};
 pub use run::PreparedRun;
 pub use schema::json_schema;
 pub use sections::SECTIONS;

@@ -5,7 +5,7 @@ use std::collections::{HashMap, VecDeque};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 /// A rail that several runs share, once one of them has made it; none where it cannot be made: the runs say why themselves.
-pub type RailSlot = Arc<OnceLock<Option<SharedRail>>>;
+type RailSlot = Arc<OnceLock<Option<SharedRail>>>;
 
 /// A run that waits.
 #[derive(Debug, Clone, Copy)]
@@ -24,8 +24,16 @@ pub struct NextRun {
     /// Its number among the runs.
     pub run: usize,
     /// Where it finds the rail that it shares with others; none where it shares none.
-    pub rail: Option<RailSlot>,
+    rail: Option<RailSlot>,
     group: usize,
+}
+
+impl NextRun {
+    /// The rail that this run of `case` shares with others, made where it is the first of them; none where it shares none, or where the rail cannot be
+    /// made, which the run itself will say.
+    pub fn shared_rail(&self, case: &Case) -> Option<&SharedRail> {
+        self.rail.as_ref()?.get_or_init(|| SharedRail::of(case).ok().flatten()).as_ref()
+    }
 }
 
 /// Runs that share a rail.

@@ -12,8 +12,18 @@ use rayon::prelude::*;
 /// Columns that are eliminated together, and rows of the rest that are updated together by one thread: their sums do not depend on who does
 /// them.
 const BLOCK: usize = 192;
-/// Right-hand sides that are solved together.
-const RIGHT_SIDES: usize = 64;
+/// Rows of a product that one thread computes.
+const STRIP: usize = 64;
+
+/// Makes the lower triangle of a symmetric matrix that of its Cholesky factor, on this thread. Where a pivot is not positive, its place is the error.
+pub(super) fn factor_in_place(matrix: MatMut<'_, f64>) -> Result<(), usize> {
+    let scratch = llt::factor::cholesky_in_place_scratch::<f64>(matrix.nrows(), Par::Seq, Spec::default());
+    let mut buffer = MemBuffer::new(scratch);
+    let stack = MemStack::new(&mut buffer);
+    llt::factor::cholesky_in_place(matrix, Default::default(), Par::Seq, stack, Spec::default())
+        .map(|_| ())
+        .map_err(|llt::factor::LltError::NonPositivePivot { index }| index)
+}
 
 /// Eliminates the first `columns` unknowns of a symmetric matrix (order × order), of which row j holds column j from the diagonal on: its first rows
 /// become columns of L, what remains of the others stands in their place. The bits do not depend on the number of threads. Where a pivot is not positive,
@@ -26,11 +36,7 @@ pub(super) fn eliminate(matrix: &mut [f64], order: usize, columns: usize) -> Res
         let (_, right) = matrix.rb_mut().split_at_col_mut(start);
         let (block, rest) = right.get_mut(start.., ..).split_at_col_mut(width);
         let (mut own, mut below) = block.split_at_row_mut(width);
-        let scratch = llt::factor::cholesky_in_place_scratch::<f64>(width, Par::Seq, Spec::default());
-        let mut buffer = MemBuffer::new(scratch);
-        let stack = MemStack::new(&mut buffer);
-        llt::factor::cholesky_in_place(own.rb_mut(), Default::default(), Par::Seq, stack, Spec::default())
-            .map_err(|llt::factor::LltError::NonPositivePivot { index }| start + index)?;
+        factor_in_place(own.rb_mut()).map_err(|pivot| start + pivot)?;
         let own = own.rb();
         below.rb_mut().par_row_chunks_mut(BLOCK).for_each(|rows| {
             solve_lower_triangular_in_place(own, rows.transpose_mut(), Par::Seq);
@@ -59,8 +65,8 @@ pub fn product_transposed(a: &Matrix, b: &Matrix) -> Result<Matrix, LinearError>
     }
     let mut product = Matrix::zeros(a.rows(), columns);
     let b = MatRef::from_row_major_slice(b.entries(), columns, inner).transpose();
-    let strips = product.entries_mut().par_chunks_mut((RIGHT_SIDES * columns).max(1));
-    strips.zip(a.entries().par_chunks((RIGHT_SIDES * inner).max(1))).for_each(|(product, a)| {
+    let strips = product.entries_mut().par_chunks_mut((STRIP * columns).max(1));
+    strips.zip(a.entries().par_chunks((STRIP * inner).max(1))).for_each(|(product, a)| {
         let rows = product.len() / columns;
         let a = MatRef::from_row_major_slice(a, rows, inner);
         let product = MatMut::from_row_major_slice_mut(product, rows, columns);

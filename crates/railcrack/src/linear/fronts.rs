@@ -172,7 +172,6 @@ impl Fronts<'_> {
     fn assemble(&self, s: usize, left: &mut Remainders, front: &mut Vec<f64>) {
         let node = &self.structure.supernodes[s];
         let below = self.structure.rows_below(node);
-        let end = node.start + node.columns;
         let size = node.columns + node.below;
         front.clear();
         front.resize(size * size, 0.0);
@@ -182,17 +181,13 @@ impl Fronts<'_> {
                 if place < node.start + j {
                     continue;
                 }
-                let at = match place {
-                    _ if place < end => place - node.start,
-                    _ => node.columns + below.partition_point(|&row| row < place),
-                };
-                column[at] += value;
+                column[place_in(node, below, place)] += value;
             }
         }
         for child in &self.children[s] {
             let Some(remainder) = left.remove(child) else { continue };
             let rows = self.structure.rows_below(&self.structure.supernodes[*child]);
-            let at = places_in(rows, node, below);
+            let at: Vec<usize> = rows.iter().map(|&row| place_in(node, below, row)).collect();
             let mut values = remainder.as_slice();
             for (j, &column) in at.iter().enumerate() {
                 let (own, others) = values.split_at(at.len() - j);
@@ -212,20 +207,13 @@ fn add_at(at: &[usize], values: &[f64], column: &mut [f64]) {
     }
 }
 
-/// Where the rows of a child stand in the front of its parent.
-fn places_in(rows: &[usize], parent: &Supernode, below: &[usize]) -> Vec<usize> {
-    let end = parent.start + parent.columns;
-    let mut k = 0;
-    let place = |&row: &usize| {
-        if row < end {
-            return row - parent.start;
-        }
-        while below.get(k).is_some_and(|&other| other < row) {
-            k += 1;
-        }
-        parent.columns + k
-    };
-    rows.iter().map(place).collect()
+/// Where a row, a place in the elimination order, stands in the front of a supernode with the rows `below` it.
+fn place_in(node: &Supernode, below: &[usize], row: usize) -> usize {
+    if row < node.start + node.columns {
+        row - node.start
+    } else {
+        node.columns + below.partition_point(|&other| other < row)
+    }
 }
 
 /// What a front is after the elimination of its first columns.
@@ -250,17 +238,9 @@ fn tiles(node: &Supernode, front: &[f64]) -> Tiles {
             })
         }));
     }
-    let (whole, rest) = (node.below / ROWS, node.below % ROWS);
-    let columns = || front.chunks_exact(size).take(node.columns).map(|column| &column[node.columns..]);
-    for block in 0..whole {
-        tiles.extend(columns().map(|column| *column[block * ROWS..].first_chunk().expect("a whole block")));
-    }
-    if rest > 0 {
-        let padded = |column: &[f64]| {
-            let end = &column[whole * ROWS..];
-            std::array::from_fn(|r| end.get(r).copied().unwrap_or(0.0))
-        };
-        tiles.extend(columns().map(padded));
+    for first in (node.columns..size).step_by(ROWS) {
+        let columns = front.chunks_exact(size).take(node.columns).map(|column| &column[first..]);
+        tiles.extend(columns.map(|column| std::array::from_fn(|r| column.get(r).copied().unwrap_or(0.0))));
     }
     tiles
 }

@@ -53,11 +53,6 @@ impl ReachedPanel {
     pub fn rows(&self) -> usize {
         self.rows.len()
     }
-
-    /// Memory that it holds, bytes.
-    pub fn memory_bytes(&self) -> usize {
-        size_of_val(&*self.supernodes) + size_of_val(&*self.starts) + size_of_val(&*self.rows)
-    }
 }
 
 impl SparseFactor {

@@ -1,13 +1,12 @@
 //! Dense Cholesky factors, of which the leading rows may serve again.
 
 use super::LinearError;
+use super::dense::factor_in_place;
 use crate::math::Matrix;
-use faer::dyn_stack::{MemBuffer, MemStack};
-use faer::linalg::cholesky::llt;
 use faer::linalg::matmul::matmul;
 use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
 use faer::prelude::ReborrowMut;
-use faer::{Accum, MatMut, MatRef, Par, Spec};
+use faer::{Accum, MatMut, MatRef, Par};
 use rayon::prelude::*;
 use std::sync::Arc;
 
@@ -86,11 +85,7 @@ impl SpdFactor {
             let across = left.get(from..from + columns.ncols(), ..).transpose();
             matmul(columns.get_mut(from.., ..), Accum::Add, left.get(from.., ..), across, -1.0, Par::Seq);
         });
-        let scratch = llt::factor::cholesky_in_place_scratch::<f64>(width, Par::Seq, Spec::default());
-        let mut buffer = MemBuffer::new(scratch);
-        let stack = MemStack::new(&mut buffer);
-        llt::factor::cholesky_in_place(own, Default::default(), Par::Seq, stack, Spec::default())
-            .map_err(|llt::factor::LltError::NonPositivePivot { index }| index)?;
+        factor_in_place(own)?;
         Ok(Block { start, rows })
     }
 

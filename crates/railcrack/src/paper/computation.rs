@@ -4,7 +4,7 @@ use super::plan::Job;
 use super::reproduce::{Earlier, PaperError, Telling};
 use super::stored::{store, stored};
 use super::{CaseRun, Effort};
-use crate::case::{Case, NextRun, RunQueue, SharedRail, WaitingRun};
+use crate::case::{Case, NextRun, RunQueue, WaitingRun};
 use crate::growth::Watch;
 use std::path::Path;
 use std::sync::{Arc, OnceLock};
@@ -69,11 +69,7 @@ impl Computation<'_> {
         }
         let (job, case) = (&self.jobs[next.run], &self.cases[next.run]);
         let started = Instant::now();
-        let rail = next.rail.as_ref().and_then(|slot| {
-            // A rail that cannot be made is left to the runs, which say what is wrong.
-            slot.get_or_init(|| SharedRail::of(case).ok().flatten()).as_ref()
-        });
-        let mut run = CaseRun::compute(&job.name, case, rail, &Silent(self.telling))?;
+        let mut run = CaseRun::compute(&job.name, case, next.shared_rail(case), &Silent(self.telling))?;
         run.effort.wall_s = started.elapsed().as_secs_f64();
         store(self.folder, &job.name, case, &run)?;
         self.telling.finished(&job.name, run.effort.wall_s);

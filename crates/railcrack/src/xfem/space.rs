@@ -125,9 +125,7 @@ fn sort_along<'a>(
     for entry in lists.flatten().flatten() {
         *entry = place[*entry];
     }
-    let mut numbered: Vec<(usize, Enrichment)> = place.into_iter().zip(std::mem::take(enrichments)).collect();
-    numbered.sort_by_key(|(at, _)| *at);
-    enrichments.extend(numbered.into_iter().map(|(_, enrichment)| enrichment));
+    *enrichments = sorted.iter().map(|&before| enrichments[before].clone()).collect();
 }
 
 /// The nodes that carry the functions of a tip or kink.

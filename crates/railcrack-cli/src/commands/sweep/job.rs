@@ -6,7 +6,7 @@ use crate::commands::run::{Job, Stage, carry_out};
 use crate::drive::{Ending, RunError};
 use crate::exit::Exit;
 use crate::interruption::Interruption;
-use railcrack::case::{NextRun, RailSlot, SharedRail, StudyRun};
+use railcrack::case::{NextRun, StudyRun};
 use railcrack::output::{Existing, Outcome, OutputError, PlannedRun, Recorder, RunEnd, StudyFolder, Summary};
 
 /// Where a run is computed, and who is told.
@@ -30,7 +30,7 @@ impl Workplace<'_> {
     /// Computes `run`, or what is missing of it, into its run folder, and remembers there how it ended. One that is interrupted has no
     /// end yet.
     pub fn compute(&self, run: &StudyRun, planned: &PlannedRun, next: &NextRun) -> Option<FailedRun> {
-        let computed = self.steps(run, planned, next.rail.as_ref());
+        let computed = self.steps(run, planned, next);
         let (outcome, told) = match &computed {
             Ok((Ending::Interrupted, _)) => return None,
             Ok((Ending::Ended, summary)) => (Outcome::done(), done(summary)),
@@ -47,7 +47,7 @@ impl Workplace<'_> {
         &self,
         run: &StudyRun,
         planned: &PlannedRun,
-        rail: Option<&RailSlot>,
+        next: &NextRun,
     ) -> Result<(Ending, Summary), RunError> {
         let job = Job::of(&run.case);
         let folder = self.folder.run_folder(planned);
@@ -60,11 +60,7 @@ impl Workplace<'_> {
         };
         let progress = |first| self.progress.of_run(job.increments + 1, first);
         carry_out(&folder, opened, progress, self.interruption, |stage| {
-            let shared = rail.and_then(|slot| {
-                // A rail that cannot be made is left to the runs, which say what is wrong.
-                slot.get_or_init(|| SharedRail::of(&run.case).ok().flatten()).as_ref()
-            });
-            let stage = Stage { shared, ..stage };
+            let stage = Stage { shared: next.shared_rail(&run.case), ..stage };
             let (prepared, residual) = residual::prepare(&run.case, &stage)?;
             Ok((prepared.growth(stage.state), residual))
         })
