@@ -3,9 +3,10 @@
 mod support;
 
 use railcrack::growth::{FacePoint, StepRecord};
+use railcrack::output::report::rebuild_report;
 use railcrack::output::{
     Existing, FACES_COLUMNS, GROWTH_COLUMNS, OutputError, RESIDUAL_COLUMNS, Recorder, ResidualRow,
-    ResidualSummary, SIF_COLUMNS, rebuild_plots,
+    ResidualSummary, SIF_COLUMNS,
 };
 use railcrack::vtu::read_vtu;
 use std::collections::BTreeMap;
@@ -372,20 +373,20 @@ fn plots_are_rebuilt_from_the_folder_alone() {
     let before = content(scratch.path());
     fs::remove_dir_all(scratch.path().join("plots")).unwrap();
     fs::remove_file(scratch.path().join("checkpoint.bin")).unwrap();
-    rebuild_plots(scratch.path()).unwrap();
+    rebuild_report(scratch.path()).unwrap();
     assert_eq!(before, content(scratch.path()));
     // A half row at the end is not a row.
     let path = scratch.path().join("sif.csv");
     let mut text = fs::read(&path).unwrap();
     text.extend_from_slice(b"4,3,1,1,1,-40.5,-6.0,0.0,1");
     fs::write(&path, &text).unwrap();
-    rebuild_plots(scratch.path()).unwrap();
+    rebuild_report(scratch.path()).unwrap();
     let after = content(scratch.path());
     assert!(
         before.iter().filter(|file| file.0.starts_with("plots")).all(|(name, bytes)| after[name] == *bytes)
     );
     fs::write(&path, "step,passage\n0,1\n").unwrap();
-    let refused = rebuild_plots(scratch.path()).unwrap_err();
+    let refused = rebuild_report(scratch.path()).unwrap_err();
     assert!(refused.to_string().contains("no column crack"), "{refused}");
 }
 

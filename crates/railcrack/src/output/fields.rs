@@ -40,6 +40,17 @@ pub(crate) fn is_field_file(file: &str) -> bool {
     step_and_position(file).is_some()
 }
 
+/// The fields of a step: of each wheel position its number (from 1), the name of its file in the run folder, and what the file holds.
+pub(crate) fn field_grids(record: &StepRecord) -> impl Iterator<Item = (usize, String, UnstructuredGrid)> {
+    record.fields.iter().flat_map(|fields| {
+        fields.snapshots.iter().map(|snapshot| {
+            let position = snapshot.position + 1;
+            let file = format!("{FIELDS_FOLDER}/{}", name(record.step, position));
+            (position, file, grid_of(&fields.grid, snapshot))
+        })
+    })
+}
+
 /// Writes the fields of a step, each to its file.
 ///
 /// Errors: a number that is not finite; the system refuses.
@@ -48,20 +59,19 @@ pub(crate) fn write_fields(
     record: &StepRecord,
     durability: Durability,
 ) -> Result<Vec<FieldFile>, OutputError> {
-    let Some(fields) = &record.fields else { return Ok(Vec::new()) };
-    let directory = folder.join(FIELDS_FOLDER);
-    fs::create_dir_all(&directory).map_err(OutputError::io("create", &directory))?;
+    if record.fields.is_some() {
+        let directory = folder.join(FIELDS_FOLDER);
+        fs::create_dir_all(&directory).map_err(OutputError::io("create", &directory))?;
+    }
     let positions = record.passages.last().map_or(1, |passage| passage.xc.len());
-    let write = |snapshot: &FieldSnapshot| {
-        let file = name(record.step, snapshot.position + 1);
-        let path = directory.join(&file);
-        let text = vtu_text(&grid_of(&fields.grid, snapshot))
-            .map_err(|reason| VtuError::Grid { path: path.clone(), reason })?;
+    let write = |(position, file, grid): (usize, String, UnstructuredGrid)| {
+        let path = folder.join(&file);
+        let text = vtu_text(&grid).map_err(|reason| VtuError::Grid { path: path.clone(), reason })?;
         replace_file(&path, &text, durability)?;
-        let time = record.step as f64 + snapshot.position as f64 / positions as f64;
-        Ok(FieldFile { name: format!("{FIELDS_FOLDER}/{file}"), time })
+        let time = record.step as f64 + (position - 1) as f64 / positions as f64;
+        Ok(FieldFile { name: file, time })
     };
-    fields.snapshots.iter().map(write).collect()
+    field_grids(record).map(write).collect()
 }
 
 /// Writes the list of `files` to `path`.

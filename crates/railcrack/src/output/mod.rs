@@ -18,6 +18,7 @@ mod recorder;
 pub mod report;
 mod residual;
 mod shakedown;
+mod shown;
 mod story;
 mod study;
 mod summary;
@@ -28,7 +29,6 @@ pub use compare::{
 };
 pub use csv::{FACES_COLUMNS, GROWTH_COLUMNS, RESIDUAL_COLUMNS, ResidualRow, SIF_COLUMNS};
 pub use error::OutputError;
-pub use figures::rebuild_plots;
 pub use folder::{CaseFiles, Existing, ROLLED_FOLDER};
 pub use paper::{
     CurveRecord, DecisionRecord, FailureRecord, FigureRecord, NumberRecord, PaperRecord, SetupRecord,

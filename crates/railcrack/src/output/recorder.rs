@@ -9,6 +9,7 @@ use super::fields::{self, FIELDS_FILE};
 use super::folder::{self, CASE_FILE, CaseFiles, Durability, SUMMARY_FILE};
 use super::memory::peak_memory_mb;
 use super::residual::ResidualSummary;
+use super::shown::ShownRun;
 use super::story::Story;
 use super::summary::{Summary, finite_summary};
 use super::{Existing, OutputError, ResidualRow, VERSION, report};
@@ -55,6 +56,8 @@ pub struct Recorder {
     /// When the disk was last known to have everything.
     synced: Instant,
     rows: [Rows; 3],
+    /// What plots and report show of the finished steps.
+    shown: ShownRun,
 }
 
 impl Recorder {
@@ -93,15 +96,18 @@ impl Recorder {
         same_case(folder, &checkpoint.case, &case)?;
         folder::restore_case(folder, &case)?;
         let lengths = checkpoint.lengths;
+        let counted = Instant::now();
         let recorder = Self {
             sif: CsvFile::cut_back(&folder.join(SIF_FILE), lengths.sif)?,
             growth: CsvFile::cut_back(&folder.join(GROWTH_FILE), lengths.growth)?,
             faces: CsvFile::cut_back(&folder.join(FACES_FILE), lengths.faces)?,
+            // Once the tables end with the last finished step.
+            shown: ShownRun::read(folder, checkpoint.story.steps.len())?,
             folder: folder.to_path_buf(),
             case,
             info,
             story: checkpoint.story,
-            counted: Instant::now(),
+            counted,
             synced: Instant::now(),
             rows: Default::default(),
         };
@@ -134,6 +140,7 @@ impl Recorder {
             counted: Instant::now(),
             synced: Instant::now(),
             rows: Default::default(),
+            shown: ShownRun::default(),
         })
     }
 
@@ -160,7 +167,9 @@ impl Recorder {
             Durability::Cached
         };
         let fields = fields::write_fields(&self.folder, record, durability)?;
-        self.append(record)?;
+        let scale = self.scale(record);
+        self.append(record, scale)?;
+        let shown = self.shown.of_record(record, scale)?;
         self.story.add(record);
         if !fields.is_empty() {
             self.story.fields.extend(fields);
@@ -187,23 +196,28 @@ impl Recorder {
         };
         checkpoint.write(&self.folder, durability)?;
         self.write_summary(Durability::Cached)?;
+        self.shown.push(shown);
         Ok(())
     }
 
     /// Writes summary, plots and report of the finished steps: at the end of a run, and when it is interrupted.
     pub fn finish(&mut self) -> Result<Summary, OutputError> {
         let begun = Instant::now();
-        // Plots and report are built from the files, so the summary must stand there first.
+        // Plots and report say what the summary says, so it must stand there first.
         self.write_summary(Durability::Cached)?;
-        report::rebuild_run(&self.folder)?;
+        report::finish_run(&self.folder, &self.shown)?;
         self.count_time(begun);
         self.write_summary(Durability::Synced)
     }
 
-    fn append(&mut self, record: &StepRecord) -> Result<(), OutputError> {
+    /// The scale of wheel positions, which the cracks of step 0 give.
+    fn scale(&self, record: &StepRecord) -> SifScale {
         let initial = if self.story.steps.is_empty() { &record.cracks } else { &self.story.initial_cracks };
         let origin = initial.first().map_or(0.0, |crack| crack.points()[0].x);
-        let scale = SifScale { origin, half_width: self.info.half_width };
+        SifScale { origin, half_width: self.info.half_width }
+    }
+
+    fn append(&mut self, record: &StepRecord, scale: SifScale) -> Result<(), OutputError> {
         let [sif, growth, faces] = &mut self.rows;
         for rows in [&mut *sif, &mut *growth, &mut *faces] {
             rows.clear();

@@ -1,8 +1,8 @@
 //! A run as its folder has it.
 
 use crate::output::csv::{GROWTH_FILE, SIF_FILE, TipRow, read_growth};
-use crate::output::figures::{History, read_histories};
 use crate::output::folder::{CASE_FILE, SUMMARY_FILE, read_if_there, stored_case};
+use crate::output::shown::{History, read_histories};
 use crate::output::{OutputError, Summary};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -58,8 +58,7 @@ impl StoredRun {
         let text = read_if_there(&path)?.unwrap_or_default();
         let summary: Summary = serde_json::from_slice(&text)
             .map_err(|reason| OutputError::damaged(&path, reason.to_string()))?;
-        let steps: Vec<usize> = (0..summary.steps_recorded).collect();
-        let histories = read_histories(folder, &steps)?;
+        let histories = read_histories(folder, |step| step < summary.steps_recorded)?;
         let growth = read_growth(folder, summary.steps_recorded)?;
         Ok(Self {
             folder: folder.to_path_buf(),

@@ -45,6 +45,13 @@ pub(crate) fn status_name(status: FaceStatus) -> &'static str {
     }
 }
 
+/// The status of this name; none where it is not one.
+pub(crate) fn status_of(name: &str) -> Option<FaceStatus> {
+    [FaceStatus::Open, FaceStatus::Stick, FaceStatus::Slip]
+        .into_iter()
+        .find(|&status| status_name(status) == name)
+}
+
 /// Appends the rows of a step: position by position, point by point.
 pub(crate) fn faces_rows(rows: &mut Rows, record: &StepRecord) {
     let [_, _, _, _, _, s_mm, opening, slip, s22, s12, _] = FACES_COLUMNS;

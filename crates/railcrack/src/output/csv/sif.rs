@@ -19,6 +19,13 @@ pub(crate) struct SifScale {
     pub half_width: f64,
 }
 
+impl SifScale {
+    /// `xc_over_a` of the wheel position `xc`, mm.
+    pub(crate) fn over_a(self, xc: f64) -> f64 {
+        (xc - self.origin) / self.half_width
+    }
+}
+
 pub(crate) fn sif_header() -> String {
     header(
         &[
@@ -44,7 +51,7 @@ pub(crate) fn sif_rows(rows: &mut Rows, record: &StepRecord, scale: SifScale) {
                 rows.count(tip.tip.tip + 1);
                 rows.count(i + 1);
                 rows.real(xc_mm, xc);
-                rows.real(xc_over_a, (xc - scale.origin) / scale.half_width);
+                rows.real(xc_over_a, scale.over_a(xc));
                 rows.real(ki, sif.k1 / MPA_SQRT_MM);
                 rows.real(kii, sif.k2 / MPA_SQRT_MM);
                 rows.end();

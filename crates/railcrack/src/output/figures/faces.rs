@@ -1,12 +1,13 @@
 //! The face map: wheel position × arc length, status and pressure.
 
-use super::stored::{CrackFaces, FaceMap, Status};
 use super::{HEADING, draw_heading, wheel_position};
+use crate::contact::FaceStatus;
 use crate::output::Summary;
 use crate::output::plot::{
     Anchor, Axes, Axis, BLUE, Entry, Frame, INK, Mark, ORANGE, Span, Svg, TextStyle, coordinate, draw_legend,
     legend_width, round_step, sequence,
 };
+use crate::output::shown::CrackFaces;
 use std::fmt::Write;
 
 /// The most cracks on one picture.
@@ -14,6 +15,21 @@ const SHOWN_CRACKS: usize = 9;
 /// The most classes of pressure.
 const LEVELS: usize = 8;
 const OPEN: &str = "#f0f0f0";
+
+/// The faces of all cracks in one step.
+pub(super) struct FaceMap<'a> {
+    pub step: usize,
+    /// x_c/a by position.
+    pub xc_over_a: &'a [f64],
+    pub cracks: Vec<CrackMap<'a>>,
+}
+
+/// The faces of one crack.
+pub(super) struct CrackMap<'a> {
+    /// Length of the crack, mm.
+    pub length: f64,
+    pub faces: &'a CrackFaces,
+}
 
 pub(super) fn face_map(summary: &Summary, map: &FaceMap) -> String {
     let shown = &map.cracks[..map.cracks.len().min(SHOWN_CRACKS)];
@@ -30,12 +46,12 @@ pub(super) fn face_map(summary: &Summary, map: &FaceMap) -> String {
         let _ = write!(shows, " (cracks 1 to {} of {})", shown.len(), map.cracks.len());
     }
     draw_heading(&mut svg, left, width - left, summary, &[Span::Plain(shows)]);
-    let cells = borders(&map.xc_over_a, None);
+    let cells = borders(map.xc_over_a, None);
     let (first, last) = match (cells.first(), cells.last()) {
         (Some(&a), Some(&b)) => (a.min(b), a.max(b)),
         _ => (0.0, 0.0),
     };
-    for (row, faces) in shown.iter().enumerate() {
+    for (row, crack) in shown.iter().enumerate() {
         let top = HEADING + 20.0 + row as f64 * (row_height + 14.0);
         for column in [Column::Status, Column::Pressure] {
             let beside = if column == Column::Status { 0.0 } else { panel + gap };
@@ -44,10 +60,10 @@ pub(super) fn face_map(summary: &Summary, map: &FaceMap) -> String {
             let axes = Axes {
                 frame,
                 x: Axis::exact(first, last, 8),
-                y: Axis::exact(0.0, faces.length.max(f64::MIN_POSITIVE), y_ticks),
+                y: Axis::exact(0.0, crack.length.max(f64::MIN_POSITIVE), y_ticks),
             };
             axes.clip(&mut svg);
-            draw_cells(&mut svg, &axes, &cells, faces, column, step);
+            draw_cells(&mut svg, &axes, &cells, crack, column, step);
             svg.unclip();
             let x_title = if row + 1 == shown.len() { wheel_position() } else { Vec::new() };
             axes.draw_frame(&mut svg, &x_title, &[]);
@@ -55,7 +71,7 @@ pub(super) fn face_map(summary: &Summary, map: &FaceMap) -> String {
                 draw_column_title(&mut svg, frame, column);
             }
             if shown.len() > 1 {
-                axes.note(&mut svg, &format!("crack {}", faces.crack));
+                axes.note(&mut svg, &format!("crack {}", crack.faces.crack));
             }
         }
     }
@@ -82,11 +98,11 @@ fn draw_column_title(svg: &mut Svg, frame: Frame, column: Column) {
 }
 
 /// One class of cells: 0 is an open face in either column.
-fn class(state: (Status, f64), column: Column, step: f64) -> usize {
+fn class(state: (FaceStatus, f64), column: Column, step: f64) -> usize {
     match (column, state.0) {
-        (_, Status::Open) => 0,
-        (Column::Status, Status::Stick) => 1,
-        (Column::Status, Status::Slip) => 2,
+        (_, FaceStatus::Open) => 0,
+        (Column::Status, FaceStatus::Stick) => 1,
+        (Column::Status, FaceStatus::Slip) => 2,
         (Column::Pressure, _) => 1 + ((state.1.max(0.0) / step) as usize).min(LEVELS - 1),
     }
 }
@@ -101,15 +117,13 @@ fn colour(class: usize, column: Column) -> String {
 }
 
 /// Cells of the same class are one path; neighbours along the passage are one rectangle of it.
-fn draw_cells(svg: &mut Svg, axes: &Axes, cells: &[f64], faces: &CrackFaces, column: Column, step: f64) {
-    let heights = borders(&faces.s, Some((0.0, faces.length)));
+fn draw_cells(svg: &mut Svg, axes: &Axes, cells: &[f64], crack: &CrackMap, column: Column, step: f64) {
+    let faces = crack.faces;
+    let heights = borders(&faces.s, Some((0.0, crack.length)));
     let mut outlines = vec![String::new(); LEVELS + 1];
-    let positions = faces.states.len().min(cells.len().saturating_sub(1));
+    let positions = faces.positions().min(cells.len().saturating_sub(1));
     for point in 0..faces.s.len() {
-        let at = |position: usize| {
-            let state = faces.states[position].get(point).copied().unwrap_or((Status::Open, 0.0));
-            class(state, column, step)
-        };
+        let at = |position: usize| class(faces.state(position, point), column, step);
         let mut from = 0;
         while from < positions {
             let here = at(from);
@@ -144,13 +158,16 @@ fn borders(centres: &[f64], ends: Option<(f64, f64)>) -> Vec<f64> {
 }
 
 /// A round step of pressure with at most [`LEVELS`] classes, MPa.
-fn pressure_step(cracks: &[CrackFaces]) -> f64 {
-    let states = cracks.iter().flat_map(|faces| &faces.states).flatten();
-    let most = states.map(|state| state.1).fold(0.0, f64::max);
+fn pressure_step(cracks: &[CrackMap]) -> f64 {
+    let most = states(cracks).map(|state| state.1).fold(0.0, f64::max);
     round_step(most, LEVELS)
 }
 
-fn legend(step: f64, cracks: &[CrackFaces]) -> Vec<Entry> {
+fn states(cracks: &[CrackMap]) -> impl Iterator<Item = (FaceStatus, f64)> {
+    cracks.iter().flat_map(|crack| crack.faces.states())
+}
+
+fn legend(step: f64, cracks: &[CrackMap]) -> Vec<Entry> {
     let entry = |fill: String, words: String| Entry { mark: Mark::Box(fill), words };
     let heading = |words: &str| Entry { mark: Mark::Heading, words: words.to_owned() };
     let mut entries = vec![
@@ -159,8 +176,7 @@ fn legend(step: f64, cracks: &[CrackFaces]) -> Vec<Entry> {
         entry(BLUE.to_owned(), "stick".to_owned()),
         entry(ORANGE.to_owned(), "slip".to_owned()),
     ];
-    let states = || cracks.iter().flat_map(|faces| &faces.states).flatten();
-    let highest = states().map(|&state| class(state, Column::Pressure, step)).max().unwrap_or(0);
+    let highest = states(cracks).map(|state| class(state, Column::Pressure, step)).max().unwrap_or(0);
     if highest > 0 {
         entries.extend([heading(""), heading("Pressure")]);
     }

@@ -1,4 +1,4 @@
-//! The plots of a run, built from its folder alone.
+//! The plots of a run.
 
 mod compare_paths;
 mod compare_sif;
@@ -9,21 +9,16 @@ mod paths;
 mod rolled_field;
 mod shakedown;
 mod sif;
-mod stored;
 mod study;
 
-use super::csv::read_growth;
-use super::folder::{SUMMARY_FILE, read_if_there};
+use super::Summary;
+use super::csv::{TipRow, waiting};
 use super::plot::{Anchor, GREY, INK, Span, Svg, TextStyle};
-use super::report::write_plots;
-use super::{OutputError, Summary};
-use rayon::prelude::*;
-use std::path::Path;
-use stored::{chosen_steps, read_faces};
+use super::shown::{CrackFaces, History, ShownRun, StepFaces};
+use faces::{CrackMap, FaceMap};
 
 pub(crate) use compare_paths::compared_paths;
 pub(crate) use compare_sif::{ComparedTip, compared_sifs};
-pub(crate) use stored::{History, read_histories};
 pub(crate) use study::{STUDY_PLOTS, study_plots};
 
 pub(crate) const PLOTS_FOLDER: &str = "plots";
@@ -48,49 +43,58 @@ pub(crate) const PLOT_FILES: [&str; 14] = [
     "field.svg",
 ];
 
-/// The plots of the run in `folder` (file name and SVG), from its tables and `summary.json`, for the steps that the
-/// summary counts. A run without a finished step has none.
-///
-/// Errors: no run in the folder; a file of it is damaged; the system refuses.
-pub(crate) fn run_plots(folder: &Path) -> Result<Vec<(&'static str, String)>, OutputError> {
-    let path = folder.join(SUMMARY_FILE);
-    let Some(text) = read_if_there(&path)? else {
-        return Err(OutputError::NoRun { folder: folder.to_path_buf() });
-    };
-    let summary: Summary =
-        serde_json::from_slice(&text).map_err(|reason| OutputError::damaged(&path, reason.to_string()))?;
+/// The plots of a run (file name and SVG): its `summary`, the rows of `growth.csv`, and what is `shown` of the rest. A run without a finished step
+/// has none.
+pub(crate) fn run_plots(
+    summary: &Summary,
+    growth: &[TipRow],
+    shown: &ShownRun,
+) -> Vec<(&'static str, String)> {
     if summary.steps_recorded == 0 {
-        return Ok(Vec::new());
+        return Vec::new();
     }
-    let growth = read_growth(folder, summary.steps_recorded)?;
-    let steps = chosen_steps(&growth);
-    let histories = read_histories(folder, &steps)?;
-    let last = summary.steps_recorded - 1;
+    let steps = chosen_steps(&shown.steps(), shown.histories(0).len());
+    let histories: Vec<&History> = steps.into_iter().flat_map(|step| shown.histories(step)).collect();
+    let maps = ["faces.svg", "faces-last.svg"].into_iter().zip(shown.end_faces());
+    let map = |(file, (step, faces))| (file, faces::face_map(summary, &face_map(step, faces, growth, shown)));
     let mut plots = vec![
-        ("ki.svg", sif::mode_1(&summary, &histories)),
-        ("kii.svg", sif::mode_2(&summary, &histories)),
-        ("paths.svg", paths::paths(&summary)),
-        ("length-cycles.svg", cycles::length_against_cycles(&summary, &growth)),
+        ("ki.svg", sif::mode_1(summary, &histories)),
+        ("kii.svg", sif::mode_2(summary, &histories)),
+        ("paths.svg", paths::paths(summary)),
+        ("length-cycles.svg", cycles::length_against_cycles(summary, growth)),
     ];
-    let shown =
-        if last > 0 { vec![("faces.svg", 0), ("faces-last.svg", last)] } else { vec![("faces.svg", 0)] };
-    let maps: Result<Vec<_>, OutputError> = shown
-        .into_par_iter()
-        .map(|(file, step)| {
-            let map = read_faces(folder, step, &histories, &growth)?;
-            Ok((file, faces::face_map(&summary, &map)))
-        })
-        .collect();
-    plots.extend(maps?);
-    Ok(plots)
+    plots.extend(maps.map(map));
+    plots
 }
 
-/// Builds the plots of the run in `folder` and writes them to `plots/`.
-///
-/// Errors: no run in the folder; a file of it is damaged; the system refuses.
-pub fn rebuild_plots(folder: &Path) -> Result<(), OutputError> {
-    write_plots(&folder.join(PLOTS_FOLDER), &run_plots(folder)?)
+/// The steps whose histories are drawn: evenly spaced ones of those that are `shown` for a single tip, first and last for several.
+fn chosen_steps(shown: &[usize], tips: usize) -> Vec<usize> {
+    let last = shown.len().saturating_sub(1);
+    let count = if tips > 1 { 2 } else { DRAWN_STEPS };
+    let parts = (count - 1).min(last).max(1);
+    let mut places: Vec<usize> = (0..=parts).map(|part| (part * last + parts / 2) / parts).collect();
+    places.dedup();
+    places.into_iter().filter_map(|place| shown.get(place).copied()).collect()
 }
+
+/// The `faces` at `step`, whose positions and lengths are those of `shown` and `growth`.
+fn face_map<'a>(step: usize, faces: &'a StepFaces, growth: &[TipRow], shown: &'a ShownRun) -> FaceMap<'a> {
+    let of_crack = |faces: &'a CrackFaces| {
+        let rows = || growth.iter().filter(|row| row.step == step && row.crack == faces.crack);
+        let waiting: f64 = rows().map(|row| waiting(growth, row)).sum();
+        // A crack that has joined others at all its ends has no row: it reaches to a little beyond its last point.
+        let last = || faces.s.last().copied().unwrap_or(0.0);
+        CrackMap { length: rows().next().map_or_else(last, |row| row.length - waiting), faces }
+    };
+    FaceMap {
+        step,
+        xc_over_a: shown.histories(step).first().map_or(&[], |history| &history.xc_over_a),
+        cracks: faces.cracks.iter().map(of_crack).collect(),
+    }
+}
+
+/// Steps at which the histories of a single tip are drawn, at most.
+const DRAWN_STEPS: usize = 5;
 
 /// Height of the heading.
 const HEADING: f64 = 58.0;

@@ -1,20 +1,20 @@
 //! K_I and K_II against the wheel position.
 
-use super::stored::History;
 use super::{HEADING, draw_heading, wheel_position};
 use crate::output::Summary;
 use crate::output::plot::{
     Axes, Axis, CATEGORIES, Entry, Frame, Mark, Span, Stroke, Svg, draw_legend, legend_width, sequence,
 };
+use crate::output::shown::History;
 
 /// The most entries of a legend: further tips are told by their colour's place in the order.
 const LEGEND_ENTRIES: usize = 18;
 
-pub(super) fn mode_1(summary: &Summary, histories: &[History]) -> String {
+pub(super) fn mode_1(summary: &Summary, histories: &[&History]) -> String {
     sif_plot(summary, histories, "I", |history| &history.ki)
 }
 
-pub(super) fn mode_2(summary: &Summary, histories: &[History]) -> String {
+pub(super) fn mode_2(summary: &Summary, histories: &[&History]) -> String {
     sif_plot(summary, histories, "II", |history| &history.kii)
 }
 
@@ -27,7 +27,7 @@ struct Curve<'a> {
 
 fn sif_plot(
     summary: &Summary,
-    histories: &[History],
+    histories: &[&History],
     mode: &'static str,
     k: fn(&History) -> &[f64],
 ) -> String {
@@ -63,7 +63,7 @@ fn sif_plot(
 }
 
 /// One colour per step for a single tip; for several tips one colour per tip, the last step dashed.
-fn curves(histories: &[History]) -> Vec<Curve<'_>> {
+fn curves<'a>(histories: &[&'a History]) -> Vec<Curve<'a>> {
     let initial: Vec<(usize, usize)> =
         histories.iter().filter(|h| h.step == 0).map(|h| (h.crack, h.tip)).collect();
     let has_two_tips = histories.iter().any(|h| h.tip > 1);
@@ -88,7 +88,7 @@ fn curves(histories: &[History]) -> Vec<Curve<'_>> {
         (Stroke { dashes, ..Stroke::solid(&colour, 1.6) }, words)
     };
     let curve = |(history, (stroke, words))| Curve { history, stroke, words };
-    histories.iter().map(|history| (history, named(history))).map(curve).collect()
+    histories.iter().map(|&history| (history, named(history))).map(curve).collect()
 }
 
 /// The colour of tip or crack `place` of `count`: distinct colours for a few, an ordered scale for many.
@@ -116,7 +116,7 @@ fn entries(curves: &[Curve]) -> Vec<Entry> {
 }
 
 /// The smallest and largest x_c/a.
-fn ends(histories: &[History]) -> (f64, f64) {
+fn ends(histories: &[&History]) -> (f64, f64) {
     let all = histories.iter().flat_map(|history| history.xc_over_a.iter().copied());
     let ends = all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
     if ends.0 <= ends.1 { ends } else { (0.0, 0.0) }

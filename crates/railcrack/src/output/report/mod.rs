@@ -35,7 +35,6 @@ mod compare;
 mod direction;
 mod html;
 mod numbers;
-mod pack;
 mod page;
 mod paper;
 mod rebuild;
@@ -51,7 +50,7 @@ pub use rebuild::{FolderKind, rebuild_report};
 pub use table::{Cell, Table};
 
 pub(crate) use compare::comparison_page;
-pub(crate) use rebuild::{REPORT_FILE, put, rebuild_run, write_plots};
+pub(crate) use rebuild::{REPORT_FILE, finish_run, put, write_plots};
 pub(crate) use shakedown::shakedown_page;
 pub(crate) use study::study_page;
 

@@ -1,10 +1,11 @@
 //! Plots and report of a folder, from what is stored in it.
 
 use super::paper::paper_page;
-use super::run::{RunData, run_page};
+use super::run::{RunFolder, run_page};
 use crate::output::OutputError;
 use crate::output::figures::{PLOTS_FOLDER, run_plots};
 use crate::output::folder::{Durability, SUMMARY_FILE, replace_file};
+use crate::output::shown::ShownRun;
 use crate::output::study::StudyFolder;
 use std::path::Path;
 
@@ -61,13 +62,23 @@ pub fn rebuild_report(folder: &Path) -> Result<FolderKind, OutputError> {
     Ok(kind)
 }
 
-/// Plots and report of a run. Without a finished step there are no plots.
-pub(crate) fn rebuild_run(folder: &Path) -> Result<(), OutputError> {
-    // Both read long tables.
-    let (plots, data) = rayon::join(|| run_plots(folder), || RunData::read(folder));
-    let plots = plots?;
-    write_plots(&folder.join(PLOTS_FOLDER), &plots)?;
-    put(&folder.join(REPORT_FILE), &run_page(data?, &plots).html())
+/// Plots and report of a run from its folder alone.
+fn rebuild_run(folder: &Path) -> Result<(), OutputError> {
+    let run = RunFolder::read(folder)?;
+    let shown = ShownRun::read(folder, run.summary.steps_recorded)?;
+    write_run(&run, &shown)
+}
+
+/// Plots and report of the run in `folder`, of which `shown` is what is long.
+pub(crate) fn finish_run(folder: &Path, shown: &ShownRun) -> Result<(), OutputError> {
+    write_run(&RunFolder::read(folder)?, shown)
+}
+
+/// Without a finished step there are no plots.
+fn write_run(run: &RunFolder, shown: &ShownRun) -> Result<(), OutputError> {
+    let plots = run_plots(&run.summary, &run.growth, shown);
+    write_plots(&run.path.join(PLOTS_FOLDER), &plots)?;
+    put(&run.path.join(REPORT_FILE), &run_page(run, shown, &plots).html())
 }
 
 /// Writes `plots` (file name and SVG) into `folder`.

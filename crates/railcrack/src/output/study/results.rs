@@ -4,10 +4,11 @@ use super::folder::StudyFolder;
 use super::plan::PlannedRun;
 use super::state::{RunState, StudyRow};
 use crate::output::csv::{TipRow, read_growth};
-use crate::output::figures::{History, STUDY_PLOTS, read_histories, study_plots};
+use crate::output::figures::{STUDY_PLOTS, study_plots};
 use crate::output::folder::{SUMMARY_FILE, read_if_there};
 use crate::output::leader::leading_tip;
 use crate::output::report::{REPORT_FILE, study_page};
+use crate::output::shown::{History, read_histories};
 use crate::output::{OutputError, Summary};
 use std::path::Path;
 
@@ -110,7 +111,7 @@ fn leading(folder: &Path, steps: usize) -> Result<Option<LeadingTip>, OutputErro
     let Some(rows) = leading_tip(&growth) else { return Ok(None) };
     let rows: Vec<TipRow> = rows.into_iter().cloned().collect();
     let first = rows[0].clone();
-    let histories = read_histories(folder, &[0])?;
+    let histories = read_histories(folder, |step| step == 0)?;
     let own = |history: &History| (history.crack, history.tip) == (first.crack, first.tip);
     let history = histories.into_iter().find(own).unwrap_or_default();
     Ok(Some(LeadingTip { first, rows, history }))

@@ -3,21 +3,18 @@
 mod assumptions;
 mod data;
 mod events;
-mod faces;
 mod facts;
-mod neighbourhood;
 mod stored;
 mod warnings;
 
 use super::numbers::{fixed, grouped, significant, tonnage};
 use super::{Block, ChartAxis, Curve, CurveLook, LineChart, Page, Section, Table};
-use crate::output::OutputError;
 use crate::output::csv::TipRow;
 use crate::output::folder::CASE_FILE;
-use neighbourhood::{Neighbourhood, neighbourhood};
+use crate::output::shown::{ShownFields, ShownRun};
 use serde_json::Value;
-use std::path::Path;
-use stored::RunFolder;
+
+pub(super) use stored::RunFolder;
 
 const EXPLORER: &str = include_str!("../assets/run.html");
 const EXPLORER_SCRIPT: &str = include_str!("../assets/run.js");
@@ -28,43 +25,22 @@ const BESIDE_COLUMNS: usize = 5;
 /// Rows of the table of steps; `growth.csv` has all.
 const TABLE_ROWS: usize = 500;
 
-/// What the page is made of.
-pub(super) struct RunData {
-    run: RunFolder,
-    /// What the explorer works with, and what of the run that is; none without a finished step.
-    explorer: Option<(Value, data::Shown)>,
-    neighbourhood: Neighbourhood,
-}
-
-impl RunData {
-    /// Errors: no run in the folder; a file of it is damaged; the system refuses.
-    pub(super) fn read(folder: &Path) -> Result<Self, OutputError> {
-        let run = RunFolder::read(folder)?;
-        if run.summary.steps_recorded == 0 {
-            return Ok(Self { run, explorer: None, neighbourhood: Neighbourhood::NoFiles });
-        }
-        let (explorer, neighbourhood) = rayon::join(|| data::explorer(&run), || neighbourhood(&run));
-        Ok(Self { explorer: Some(explorer?), neighbourhood: neighbourhood?, run })
-    }
-}
-
-/// The page of a run; `pictures` (file name and SVG) are its plots, for readers without scripts.
-pub(super) fn run_page(data: RunData, pictures: &[(&'static str, String)]) -> Page {
-    let RunData { run, explorer: passage, neighbourhood } = data;
-    let warnings = warnings::warnings(&run);
+/// The page of the run in a folder, of which `shown` is what is long; `pictures` (file name and SVG) are its plots, for readers without scripts.
+pub(super) fn run_page(run: &RunFolder, shown: &ShownRun, pictures: &[(&'static str, String)]) -> Page {
+    let warnings = warnings::warnings(run);
     let mut page = Page {
         title: run.summary.title.clone(),
         kind: "Growth of cracks under rolling contact".to_owned(),
-        verdict: facts::verdict(&run),
-        facts: facts::facts(&run, warnings.len()),
+        verdict: facts::verdict(run),
+        facts: facts::facts(run, warnings.len()),
         lead: Vec::new(),
         sections: Vec::new(),
     };
     if !warnings.is_empty() {
         page.lead.push(Block::Warnings(warnings));
     }
-    if let Some(table) = facts::lengths(&run) {
-        let chart = Block::Chart(length_cycles(&run));
+    if let Some(table) = facts::lengths(run) {
+        let chart = Block::Chart(length_cycles(run));
         // A table of many cracks takes the whole width.
         if table.headings.len() <= BESIDE_COLUMNS {
             page.lead.push(Block::Beside(vec![Block::Table(table), chart]));
@@ -72,20 +48,15 @@ pub(super) fn run_page(data: RunData, pictures: &[(&'static str, String)]) -> Pa
             page.lead.extend([Block::Table(table), Block::Beside(vec![chart])]);
         }
     }
-    page.lead.extend(facts::cracks(&run).map(Block::Table));
-    page.lead.extend(events::table(&run).map(Block::Table));
-    let (data, shown) = match passage {
-        Some((data, shown)) => (Some(data), shown),
-        None => (None, data::Shown { steps: Vec::new(), face_stride: 1 }),
-    };
+    page.lead.extend(facts::cracks(run).map(Block::Table));
+    page.lead.extend(events::table(run).map(Block::Table));
     page.lead.push(Block::Heading("Assumptions".to_owned()));
-    page.lead.push(Block::List(assumptions::assumptions(&run)));
-    let remarks = warnings::remarks(&run, &shown);
-    if let Some(data) = data {
-        page.sections.push(explorer(data, pictures));
-        page.sections.extend(around(neighbourhood));
-        page.sections.push(growth(&run, remarks));
-        page.sections.push(steps(&run));
+    page.lead.push(Block::List(assumptions::assumptions(run)));
+    if run.summary.steps_recorded > 0 {
+        page.sections.push(explorer(data::explorer(run, shown), pictures));
+        page.sections.extend(around(&shown.fields));
+        page.sections.push(growth(run, warnings::remarks(run, shown)));
+        page.sections.push(steps(run));
     }
     page.sections.push(Section {
         id: "case".to_owned(),
@@ -114,16 +85,16 @@ fn explorer(data: Value, pictures: &[(&'static str, String)]) -> Section {
     Section { id: "passage".to_owned(), heading: "Passage of the wheel".to_owned(), blocks }
 }
 
-fn around(fields: Neighbourhood) -> Option<Section> {
-    let block = match fields {
-        Neighbourhood::NoFiles => return None,
-        Neighbourhood::TooLarge => Block::Text(
+fn around(fields: &ShownFields) -> Option<Section> {
+    if fields.is_empty() {
+        return None;
+    }
+    let block = match fields.data() {
+        None => Block::Text(
             "The files in fields/ have too many cells for this page; ParaView shows them by fields.pvd."
                 .to_owned(),
         ),
-        Neighbourhood::Shown(data) => {
-            Block::Viewer { html: FIELDS, data_id: "field-data", data, script: FIELDS_SCRIPT }
-        }
+        Some(data) => Block::Viewer { html: FIELDS, data_id: "field-data", data, script: FIELDS_SCRIPT },
     };
     let (id, heading) = ("around".to_owned(), "Around the cracks, deformed".to_owned());
     Some(Section { id, heading, blocks: vec![block] })

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 
 /// A run as its folder has it, without K and faces.
 #[derive(Debug)]
-pub(super) struct RunFolder {
+pub(in crate::output::report) struct RunFolder {
     pub path: PathBuf,
     /// Text of `case.toml`.
     pub case: String,
@@ -25,7 +25,7 @@ pub(super) struct RunFolder {
 
 impl RunFolder {
     /// Errors: no run in the folder; a file of it is damaged; the system refuses.
-    pub(super) fn read(folder: &Path) -> Result<Self, OutputError> {
+    pub(in crate::output::report) fn read(folder: &Path) -> Result<Self, OutputError> {
         let path = folder.join(SUMMARY_FILE);
         let Some(text) = read_if_there(&path)? else {
             return Err(OutputError::NotARun { folder: folder.to_path_buf(), file: SUMMARY_FILE });

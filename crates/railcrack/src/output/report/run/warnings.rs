@@ -1,9 +1,9 @@
 //! What the reader must not miss.
 
-use super::data::Shown;
 use super::stored::RunFolder;
 use crate::growth::Warning;
 use crate::output::report::numbers::{fixed, significant};
+use crate::output::shown::ShownRun;
 use std::fmt::Write;
 
 /// Warnings of a kind that are shown before the others are counted.
@@ -69,7 +69,7 @@ fn grouped_text(kind: &str, warnings: &[&Warning]) -> String {
 
 /// What is known of the path beyond warnings: how close the closest rival direction was; what of the run the page leaves
 /// out.
-pub(super) fn remarks(run: &RunFolder, shown: &Shown) -> Vec<String> {
+pub(super) fn remarks(run: &RunFolder, shown: &ShownRun) -> Vec<String> {
     let mut texts = Vec::new();
     let rivals = run.growth.iter().filter_map(|row| Some((row, row.rival_deg?, row.rival_ratio?)));
     if let Some((row, angle, ratio)) = rivals.reduce(|most, next| if next.2 > most.2 { next } else { most }) {
@@ -84,17 +84,17 @@ pub(super) fn remarks(run: &RunFolder, shown: &Shown) -> Vec<String> {
             fixed(kink, 0)
         ));
     }
-    if shown.steps.len() < run.summary.steps_recorded {
+    let steps = shown.steps().len();
+    if steps < run.summary.steps_recorded {
         texts.push(format!(
             "To keep this file small, the passage explorer has {} of {} steps; charts of growth have all.",
-            shown.steps.len(),
-            run.summary.steps_recorded
+            steps, run.summary.steps_recorded
         ));
     }
-    if shown.face_stride > 1 {
+    if shown.face_stride() > 1 {
         texts.push(format!(
             "To keep this file small, faces are shown at one in {} wheel positions; faces.csv has all.",
-            shown.face_stride
+            shown.face_stride()
         ));
     }
     texts
