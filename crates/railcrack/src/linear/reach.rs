@@ -65,12 +65,8 @@ impl SparseFactor {
     }
 
     fn forward_panel(&self, columns: &[SparseColumn]) -> Result<ReachedPanel, LinearError> {
-        let mut supernodes = Vec::new();
-        for column in columns {
-            supernodes.extend(self.reach(column)?);
-        }
-        supernodes.sort_unstable();
-        supernodes.dedup();
+        let entries = columns.iter().flat_map(|column| &column.entries);
+        let supernodes = self.reach(entries.map(|&(unknown, _)| unknown))?;
         let mut panel = Panel::new(self, &supernodes);
         for (lane, column) in columns.iter().enumerate() {
             for &(unknown, value) in &column.entries {
@@ -88,29 +84,19 @@ impl SparseFactor {
         Ok(ReachedPanel { columns: columns.len(), supernodes, starts, rows })
     }
 
-    /// The supernodes of the entries of a column and all their ancestors, increasing.
-    fn reach(&self, column: &SparseColumn) -> Result<Vec<usize>, LinearError> {
-        let mut reach = Vec::new();
-        for &(unknown, _) in &column.entries {
-            let place = self
-                .structure
-                .place
-                .get(unknown)
-                .ok_or(LinearError::NoSuchUnknown { unknown, order: self.order() })?;
-            reach.push(self.structure.supernode_of[*place]);
-        }
-        reach.sort_unstable();
-        reach.dedup();
-        let mut pending = reach.clone();
-        while let Some(s) = pending.pop() {
-            if let Some(parent) = self.structure.parent(s)
-                && let Err(at) = reach.binary_search(&parent)
-            {
-                reach.insert(at, parent);
-                pending.push(parent);
+    /// The supernodes of `unknowns` and all their ancestors, increasing.
+    fn reach(&self, unknowns: impl Iterator<Item = usize>) -> Result<Vec<usize>, LinearError> {
+        let mut reached = vec![false; self.structure.supernodes.len()];
+        for unknown in unknowns {
+            let no_such = || LinearError::NoSuchUnknown { unknown, order: self.order() };
+            let place = *self.structure.place.get(unknown).ok_or_else(no_such)?;
+            let mut next = Some(self.structure.supernode_of[place]);
+            while let Some(s) = next.filter(|&s| !reached[s]) {
+                reached[s] = true;
+                next = self.structure.parent(s);
             }
         }
-        Ok(reach)
+        Ok((0..reached.len()).filter(|&s| reached[s]).collect())
     }
 
     /// Solves K x = b for right-hand sides b one after the other in `columns` (a multiple of `order` entries), which become
@@ -118,26 +104,43 @@ impl SparseFactor {
     ///
     /// Errors: another length.
     pub fn solve(&self, columns: &mut [f64]) -> Result<(), LinearError> {
+        let all: Vec<usize> = (0..self.structure.supernodes.len()).collect();
+        self.solve_over(&all, columns)
+    }
+
+    /// [`SparseFactor::solve`] for some unknowns alone: at the `wanted` ones the solutions are the same, elsewhere they are not complete. The work is that on
+    /// the paths from these and from the entries of the right-hand sides to the root of the elimination tree.
+    ///
+    /// Errors: another length; an unknown that is not there.
+    pub fn solve_for(
+        &self,
+        wanted: impl IntoIterator<Item = usize>,
+        columns: &mut [f64],
+    ) -> Result<(), LinearError> {
+        let given = columns.iter().enumerate().filter(|(_, value)| **value != 0.0);
+        let given = given.map(|(i, _)| i % self.order());
+        let reach = self.reach(wanted.into_iter().chain(given))?;
+        self.solve_over(&reach, columns)
+    }
+
+    /// Solves with some `supernodes` in elimination order, which hold every ancestor of each, for their unknowns.
+    fn solve_over(&self, supernodes: &[usize], columns: &mut [f64]) -> Result<(), LinearError> {
         let order = self.order();
         if columns.len() != columns.len().next_multiple_of(order.max(1)) {
             let expected = columns.len().next_multiple_of(order.max(1));
             let quantity = "entries of right-hand sides";
             return Err(LinearError::WrongLength { quantity, given: columns.len(), expected });
         }
-        let all: Vec<usize> = (0..self.structure.supernodes.len()).collect();
+        let places = || supernodes.iter().flat_map(|&s| self.structure.supernodes[s].places());
         columns.par_chunks_mut(LANES * order.max(1)).for_each(|columns| {
-            let mut panel = Panel::new(self, &all);
+            let mut panel = Panel::new(self, supernodes);
             for (lane, column) in columns.chunks(order).enumerate() {
-                for (unknown, &value) in column.iter().enumerate() {
-                    panel.add(self.structure.place[unknown], lane, value);
-                }
+                places().for_each(|place| panel.add(place, lane, column[self.structure.order[place]]));
             }
             panel.forward();
             panel.backward();
             for (lane, column) in columns.chunks_mut(order).enumerate() {
-                for (unknown, value) in column.iter_mut().enumerate() {
-                    *value = panel.entry(self.structure.place[unknown], lane);
-                }
+                places().for_each(|place| column[self.structure.order[place]] = panel.entry(place, lane));
             }
         });
         Ok(())

@@ -209,6 +209,28 @@ fn the_bits_do_not_depend_on_the_company() {
 }
 
 #[test]
+fn wanted_unknowns_are_those_of_the_whole_solution() {
+    let grid = Grid::new(30, 30);
+    let (_, factor) = grid.factored(3);
+    let right: Vec<f64> = grid.local_columns(3).iter().flat_map(|b| full(grid.order(), b)).collect();
+    let mut whole = right.clone();
+    factor.solve(&mut whole).unwrap();
+    // Far from the right-hand sides, and beside them.
+    let wanted = [grid.order() - 1, 7, 8];
+    let mut part = right.clone();
+    factor.solve_for(wanted, &mut part).unwrap();
+    for (x, y) in whole.chunks(grid.order()).zip(part.chunks(grid.order())) {
+        assert!(wanted.iter().all(|&i| x[i] == y[i] && x[i] != 0.0));
+    }
+    let left = right.iter().zip(&part).zip(&whole).filter(|((b, y), x)| b == y && y != x).count();
+    assert!(2 * left > right.len(), "{left} of {} unknowns left alone", right.len());
+    assert!(matches!(
+        factor.solve_for([grid.order()], &mut part).unwrap_err(),
+        LinearError::NoSuchUnknown { .. }
+    ));
+}
+
+#[test]
 fn the_bits_do_not_depend_on_the_number_of_threads() {
     let grid = Grid::new(110, 104);
     let columns = grid.local_columns(90);

@@ -9,6 +9,7 @@ use faer::sparse::linalg::cholesky::{
     CholeskySymbolicParams, SymbolicCholeskyRaw, SymmetricOrdering, factorize_symbolic_cholesky,
 };
 use faer::{Side, sparse::linalg::cholesky::supernodal::SymbolicSupernodalCholesky};
+use std::ops::Range;
 
 /// The shape of L in P K Pᵀ = L Lᵀ. Columns with the same rows below them form supernodes, dense blocks.
 #[derive(Debug)]
@@ -39,6 +40,11 @@ pub(super) struct Supernode {
 }
 
 impl Supernode {
+    /// Its columns, places in the elimination order.
+    pub(super) fn places(&self) -> Range<usize> {
+        self.start..self.start + self.columns
+    }
+
     /// Blocks of rows of the triangle.
     pub(super) fn blocks(&self) -> usize {
         self.columns.div_ceil(ROWS)

@@ -53,7 +53,7 @@ impl<'a> Panel<'a> {
         Arch::new().dispatch(Forward(self));
     }
 
-    /// L⁻ᵀ of every lane; all supernodes must take part.
+    /// L⁻ᵀ of every lane, for the supernodes that take part.
     pub(super) fn backward(&mut self) {
         Arch::new().dispatch(Backward(self));
     }

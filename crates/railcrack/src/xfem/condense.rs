@@ -204,11 +204,13 @@ impl System<'_> {
 }
 
 impl Elimination {
-    /// The unknowns under each of some tractions Σ λ_j τ_j on the faces: `tractions` are the τ_j (MPa), along x and y.
+    /// The unknowns under each of some tractions Σ λ_j τ_j on the faces: `tractions` are the τ_j (MPa), along x and y. Those of the mesh are complete at the
+    /// `nodes` alone.
     pub(super) fn unknowns(
         &self,
         rail: &BulkRail,
         tractions: &[Vec<f64>],
+        nodes: impl Iterator<Item = usize>,
     ) -> Result<Vec<Unknowns>, XfemError> {
         let mesh = rail.factor().order();
         let enriched: Vec<Vec<f64>> =
@@ -228,7 +230,8 @@ impl Elimination {
                 (factor.as_ref(), right)
             }
         };
-        factor.solve(&mut together)?;
+        let wanted = nodes.flat_map(|node| rail.unknowns(node)).flatten();
+        factor.solve_for(wanted.chain(mesh..factor.order()), &mut together)?;
         let solutions = together.chunks(factor.order().max(1)).zip(enriched);
         Ok(solutions
             .map(|(solution, mut enriched)| {

@@ -32,7 +32,7 @@ const MARGIN: f64 = 0.25;
 
 /// The displacements under one load.
 struct Displacements {
-    /// Displacement of the nodes of the mesh, mm.
+    /// Displacement of the nodes of the mesh that the grid depends on, mm; of the others nothing of use.
     nodes: Vec<Vec2>,
     enriched: Vec<f64>,
 }
@@ -56,17 +56,20 @@ impl Inside {
         wheel: Option<&HertzianContact>,
     ) -> Result<BodyFields, XfemError> {
         let layout = Layout::new(self.rail.mesh(), &self.cuts, &self.interface, margin);
-        let fields = self.unknowns(loads, wheel)?.iter().map(|unknowns| self.on(&layout, unknowns)).collect();
+        let unknowns = self.unknowns(&layout, loads, wheel)?;
+        let fields = unknowns.iter().map(|unknowns| self.on(&layout, unknowns)).collect();
         Ok(BodyFields { grid: layout.grid, loads: fields })
     }
 
     fn unknowns(
         &self,
+        layout: &Layout,
         loads: &[FieldLoad],
         wheel: Option<&HertzianContact>,
     ) -> Result<Vec<Displacements>, XfemError> {
         let tractions: Vec<Vec<f64>> = loads.iter().map(|load| self.duality.tractions(load.forces)).collect();
-        let solutions = self.elimination.unknowns(&self.rail, &tractions)?;
+        let nodes = layout.mesh_nodes(self.rail.mesh());
+        let solutions = self.elimination.unknowns(&self.rail, &tractions, nodes)?;
         let under = |(load, Unknowns { standard, enriched }): (&FieldLoad, Unknowns)| {
             let of_node = |node: usize| {
                 let [x, y] =

@@ -47,6 +47,12 @@ impl Layout {
         layout
     }
 
+    /// The nodes of all its elements, some several times.
+    pub(super) fn mesh_nodes(&self, mesh: &QuadMesh) -> impl Iterator<Item = usize> {
+        let others = self.cells.iter().flat_map(|(place, _)| mesh.element(place.element).nodes);
+        self.nodes.keys().copied().chain(others)
+    }
+
     fn add_whole(&mut self, mesh: &QuadMesh, elements: impl Iterator<Item = usize>) {
         self.whole = elements.collect();
         for node in self.whole.iter().flat_map(|&e| mesh.element(e).nodes) {
