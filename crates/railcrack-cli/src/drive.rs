@@ -125,12 +125,13 @@ impl Watch for Watcher<'_> {
     }
 }
 
-/// Computes the steps of `source` into `recorder` until the run ends or is interrupted, and writes summary and plots.
+/// Computes the steps of `source` into `recorder` until the run ends or is interrupted, and writes summary and plots. What the
+/// computation held is free before these are built.
 ///
 /// Errors: a step cannot be computed (the steps before it are kept, with summary and plots); the system refuses to
 /// write.
 pub fn drive(
-    source: &mut impl StepSource,
+    source: impl StepSource,
     recorder: &mut Recorder,
     progress: &dyn Tell,
     interruption: &Interruption,
@@ -153,11 +154,7 @@ pub fn drive(
 const WAITING: usize = 1;
 
 /// Computes step after step while another thread writes the one before.
-fn compute(
-    source: &mut impl StepSource,
-    recorder: &mut Recorder,
-    watcher: &Watcher,
-) -> Result<Ending, RunError> {
+fn compute(source: impl StepSource, recorder: &mut Recorder, watcher: &Watcher) -> Result<Ending, RunError> {
     let progress = watcher.progress;
     std::thread::scope(|scope| {
         let (finished, to_write) = sync_channel::<(StepRecord, GrowthState)>(WAITING);
@@ -168,8 +165,7 @@ fn compute(
             }
             Ok(())
         });
-        let ending = compute_into(source, watcher, &finished);
-        drop(finished);
+        let ending = compute_into(source, watcher, finished);
         // What was computed is written before anything else is said of the run.
         match writer.join() {
             Ok(written) => written?,
@@ -181,9 +177,9 @@ fn compute(
 
 /// Computes steps into `finished` until the run ends, is interrupted or fails, or nobody takes them any more.
 fn compute_into(
-    source: &mut impl StepSource,
+    mut source: impl StepSource,
     watcher: &Watcher,
-    finished: &SyncSender<(StepRecord, GrowthState)>,
+    finished: SyncSender<(StepRecord, GrowthState)>,
 ) -> Result<Ending, RunError> {
     while source.state().ended.is_none() {
         if watcher.interrupted() {

@@ -173,23 +173,24 @@ pub fn carry_out<S: StepSource, T: Tell>(
         progress.close();
         return Ok((Ending::Ended, recorder.finish()?));
     }
-    let (mut source, residual) = start(Stage { folder, progress: &progress, shared: None, state })?;
+    let (source, residual) = start(Stage { folder, progress: &progress, shared: None, state })?;
     if let Some(residual) = residual {
         residual.record(&mut recorder, &progress)?;
     }
-    drive(&mut source, &mut recorder, &progress, interruption)
+    drive(source, &mut recorder, &progress, interruption)
 }
 
-/// Has all parallel parts use `threads` threads; all of the machine where none are given. Once per program.
+/// Has all parallel parts use `threads` threads; all of the machine where none are given. The calling thread is one of them, so that what it computes between two
+/// parallel parts stays in its caches and in its memory. A thread beside it, like the one that writes steps, must not have parallel parts: it might wait for a
+/// caller that waits for it. Once per program.
 ///
 /// Errors: the system refuses.
 pub fn use_threads(threads: Option<NonZeroUsize>) -> Result<(), RunError> {
-    let Some(threads) = threads else { return Ok(()) };
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.get());
-    pool.build_global().map_err(|reason| RunError::System {
-        action: format!("start {threads} threads"),
-        reason: reason.to_string(),
-    })
+    // None is the default of the pool: as many as the machine has.
+    let count = threads.map_or(0, NonZeroUsize::get);
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(count).use_current_thread();
+    pool.build_global()
+        .map_err(|reason| RunError::System { action: "start threads".to_owned(), reason: reason.to_string() })
 }
 
 /// `case.toml` and the files that it names.
