@@ -2,7 +2,7 @@
 
 use super::checkpoint::{Checkpoint, TableLengths};
 use super::csv::{
-    CsvFile, FACES_FILE, GROWTH_FILE, RESIDUAL_FILE, Rows, SIF_FILE, SifScale, faces_header, faces_rows,
+    CsvFile, FACES_FILE, FaceRows, GROWTH_FILE, RESIDUAL_FILE, Rows, SIF_FILE, SifScale, faces_header,
     growth_header, growth_rows, residual_table, sif_header, sif_rows,
 };
 use super::fields::{self, FIELDS_FILE};
@@ -20,6 +20,9 @@ use std::time::{Duration, Instant};
 /// Steps faster than this do not each wait for the disk: a kill loses nothing by that, a power failure at most a run
 /// that is quickly computed again.
 const SYNC_INTERVAL: Duration = Duration::from_millis(500);
+
+/// The rows of the faces are written in pieces of about so many bytes: a step may have millions of them.
+const PIECE: usize = 1 << 16;
 
 /// What the files say of a run that its step records do not.
 #[derive(Debug, Clone, PartialEq)]
@@ -55,7 +58,7 @@ pub struct Recorder {
     counted: Instant,
     /// When the disk was last known to have everything.
     synced: Instant,
-    rows: [Rows; 3],
+    rows: Rows,
     /// What plots and report show of the finished steps.
     shown: ShownRun,
 }
@@ -109,7 +112,7 @@ impl Recorder {
             story: checkpoint.story,
             counted,
             synced: Instant::now(),
-            rows: Default::default(),
+            rows: Rows::default(),
         };
         Ok((recorder, Some(checkpoint.state)))
     }
@@ -139,7 +142,7 @@ impl Recorder {
             story: Story::default(),
             counted: Instant::now(),
             synced: Instant::now(),
-            rows: Default::default(),
+            rows: Rows::default(),
             shown: ShownRun::default(),
         })
     }
@@ -187,11 +190,7 @@ impl Recorder {
             program: VERSION.to_owned(),
             case: self.case.clone(),
             state: state.clone(),
-            lengths: TableLengths {
-                sif: self.sif.length(),
-                growth: self.growth.length(),
-                faces: self.faces.length(),
-            },
+            lengths: self.lengths(),
             story: self.story.clone(),
         };
         checkpoint.write(&self.folder, durability)?;
@@ -218,17 +217,38 @@ impl Recorder {
     }
 
     fn append(&mut self, record: &StepRecord, scale: SifScale) -> Result<(), OutputError> {
-        let [sif, growth, faces] = &mut self.rows;
-        for rows in [&mut *sif, &mut *growth, &mut *faces] {
-            rows.clear();
+        let before = self.lengths();
+        let appended = self.append_rows(record, scale);
+        if appended.is_err() {
+            self.sif.take_back(before.sif);
+            self.growth.take_back(before.growth);
+            self.faces.take_back(before.faces);
         }
-        sif_rows(sif, record, scale);
-        growth_rows(growth, record);
-        faces_rows(faces, record);
-        let texts = (sif.text(SIF_FILE)?, growth.text(GROWTH_FILE)?, faces.text(FACES_FILE)?);
-        self.sif.append(texts.0)?;
-        self.faces.append(texts.2)?;
-        self.growth.append(texts.1)
+        appended
+    }
+
+    fn append_rows(&mut self, record: &StepRecord, scale: SifScale) -> Result<(), OutputError> {
+        let rows = &mut self.rows;
+        rows.clear();
+        sif_rows(rows, record, scale);
+        self.sif.append(rows.text(SIF_FILE)?)?;
+        rows.clear();
+        growth_rows(rows, record);
+        self.growth.append(rows.text(GROWTH_FILE)?)?;
+        rows.clear();
+        let faces = FaceRows::of(record);
+        for position in 0..record.faces.states.len() {
+            faces.append(rows, position);
+            if rows.length() >= PIECE {
+                self.faces.append(rows.text(FACES_FILE)?)?;
+                rows.clear();
+            }
+        }
+        self.faces.append(rows.text(FACES_FILE)?)
+    }
+
+    fn lengths(&self) -> TableLengths {
+        TableLengths { sif: self.sif.length(), growth: self.growth.length(), faces: self.faces.length() }
     }
 
     /// Adds the time since the last count to the wall time, and the time since `begun` to that of writing.

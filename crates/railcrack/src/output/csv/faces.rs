@@ -2,7 +2,7 @@
 
 use super::{Rows, header};
 use crate::contact::FaceStatus;
-use crate::growth::StepRecord;
+use crate::growth::{FacePoint, StepRecord};
 
 pub(crate) const FACES_FILE: &str = "faces.csv";
 
@@ -52,21 +52,29 @@ pub(crate) fn status_of(name: &str) -> Option<FaceStatus> {
         .find(|&status| status_name(status) == name)
 }
 
-/// Appends the rows of a step: position by position, point by point.
-pub(crate) fn faces_rows(rows: &mut Rows, record: &StepRecord) {
-    let [_, _, _, _, _, s_mm, opening, slip, s22, s12, _] = FACES_COLUMNS;
-    // Crack, segment and s recur at every position: they are turned into text once per step.
-    let points: Vec<String> = (record.faces.points.iter())
-        .map(|point| {
+/// The rows of a step: position by position, point by point.
+pub(crate) struct FaceRows<'a> {
+    record: &'a StepRecord,
+    /// Crack, segment and s of each point, as text: they recur at every position.
+    places: Vec<String>,
+}
+
+impl<'a> FaceRows<'a> {
+    pub(crate) fn of(record: &'a StepRecord) -> Self {
+        let place = |point: &FacePoint| {
             let s = ryu::Buffer::new().format(point.s).to_owned();
             format!("{},{},{s}", point.crack + 1, point.segment + 1)
-        })
-        .collect();
-    let passage = record.passages.len();
-    for (i, states) in record.faces.states.iter().enumerate() {
-        for ((point, place), state) in record.faces.points.iter().zip(&points).zip(states) {
-            rows.count(record.step);
-            rows.count(passage);
+        };
+        Self { record, places: record.faces.points.iter().map(place).collect() }
+    }
+
+    /// Appends the rows of position `i` (from 0).
+    pub(crate) fn append(&self, rows: &mut Rows, i: usize) {
+        let [_, _, _, _, _, s_mm, opening, slip, s22, s12, _] = FACES_COLUMNS;
+        let StepRecord { step, passages, faces, .. } = self.record;
+        for ((point, place), state) in faces.points.iter().zip(&self.places).zip(&faces.states[i]) {
+            rows.count(*step);
+            rows.count(passages.len());
             rows.count(i + 1);
             if point.s.is_finite() {
                 rows.name(place);

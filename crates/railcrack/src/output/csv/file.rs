@@ -48,13 +48,18 @@ impl CsvFile {
     /// Appends whole rows. On an error the table is cut back to what it held before.
     pub(crate) fn append(&mut self, rows: &[u8]) -> Result<(), OutputError> {
         if let Err(reason) = write_whole_rows(&mut self.file, rows) {
-            // Best effort: the error of the write is the one to report.
-            let _ = self.file.set_len(self.length);
-            let _ = self.file.seek(SeekFrom::Start(self.length));
+            self.take_back(self.length);
             return Err(OutputError::Io { action: "write", path: self.path.clone(), reason });
         }
         self.length += rows.len() as u64;
         Ok(())
+    }
+
+    /// Takes rows back that should not have been appended: the table held `length` bytes before. Best effort, since there is another error to report.
+    pub(crate) fn take_back(&mut self, length: u64) {
+        let _ = self.file.set_len(length);
+        let _ = self.file.seek(SeekFrom::Start(length));
+        self.length = length;
     }
 
     /// Waits until the disk has the rows: a checkpoint must not outlive what it counts on.

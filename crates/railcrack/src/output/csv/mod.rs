@@ -14,7 +14,7 @@ pub use growth::GROWTH_COLUMNS;
 pub use residual::{RESIDUAL_COLUMNS, ResidualRow};
 pub use sif::SIF_COLUMNS;
 
-pub(crate) use faces::{FACES_FILE, faces_header, faces_rows, status_of};
+pub(crate) use faces::{FACES_FILE, FaceRows, faces_header, status_of};
 pub(crate) use file::CsvFile;
 pub(crate) use growth::{GROWTH_FILE, growth_header, growth_rows};
 pub(crate) use read::{Row, StepBlock, read_columns, read_step_blocks, read_steps};

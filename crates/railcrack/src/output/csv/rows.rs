@@ -18,6 +18,11 @@ impl Rows {
         self.not_finite = None;
     }
 
+    /// Bytes of the rows.
+    pub(crate) fn length(&self) -> usize {
+        self.text.len()
+    }
+
     /// A number that counts.
     pub(crate) fn count(&mut self, mut value: usize) {
         let mut digits = [0u8; 20];

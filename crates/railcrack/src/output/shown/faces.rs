@@ -95,6 +95,17 @@ impl StepFaces {
         Ok(Self::of_cracks(cracks))
     }
 
+    /// What a face map shows of it: status and pressure.
+    fn drawn(self) -> Self {
+        let drawn = |faces: CrackFaces| CrackFaces {
+            opening: Vec::new(),
+            slip: Vec::new(),
+            shear: Vec::new(),
+            ..faces
+        };
+        Self { cracks: self.cracks.into_iter().map(drawn).collect() }
+    }
+
     fn of_cracks(cracks: BTreeMap<usize, CrackFaces>) -> Self {
         Self { cracks: cracks.into_iter().map(|(crack, faces)| CrackFaces { crack, ..faces }).collect() }
     }
@@ -204,7 +215,7 @@ pub(crate) struct ShownFaces {
     pub steps: Thinned<PackedFaces>,
     /// Every how many positions the faces are packed.
     pub stride: usize,
-    /// As they are: of the first step, and of the last where it is another one.
+    /// What face maps show: of the first step, and of the last where it is another one.
     pub ends: Vec<(usize, StepFaces)>,
     most: usize,
 }
@@ -257,7 +268,7 @@ impl OfSteps for ShownFaces {
         }
         self.steps.push(step, packed);
         self.ends.truncate(1);
-        self.ends.push((step, faces));
+        self.ends.push((step, faces.drawn()));
         while self.steps.weight(PackedFaces::states) > self.most && self.halve() {}
         self.steps.thin_to(self.most, PackedFaces::states);
     }
@@ -310,7 +321,7 @@ mod tests {
             assert_eq!((shown.stride, there.len()), (stride, count), "{steps} steps");
             assert_eq!((there[0], there[count - 1]), (0, steps - 1));
             assert_eq!(shown.ends.iter().map(|(step, _)| *step).collect::<Vec<_>>(), [0, steps - 1]);
-            assert_eq!(shown.ends[1].1, faces(steps - 1, 241));
+            assert_eq!(shown.ends[1].1, faces(steps - 1, 241).drawn());
         }
         // Fewer than twice the positions that are wanted at least.
         assert_eq!([120, 119].map(|positions| shown(27, positions, 1).stride), [2, 1]);

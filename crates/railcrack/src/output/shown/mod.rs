@@ -149,7 +149,7 @@ impl ShownRun {
         self.faces.stride
     }
 
-    /// The crack faces as they are: of the first step, and of the last where it is another one.
+    /// Status and pressure on the crack faces: of the first step, and of the last where it is another one.
     pub(crate) fn end_faces(&self) -> impl Iterator<Item = (usize, &StepFaces)> {
         self.faces.ends.iter().map(|(step, faces)| (*step, faces))
     }
