@@ -82,6 +82,7 @@ fn compare_folders(arguments: &CompareArguments, runs: [&PathBuf; 2], out: &Path
 
 /// Runs the case with every engine, each into a folder of its name in `out`, and compares them.
 fn compare_engines(arguments: &CompareArguments, out: &Path) -> Result<Exit, Failure> {
+    run::use_threads(None)?;
     Case::read(&arguments.first)?;
     let interruption = run::listen()?;
     let mut folders = Vec::new();

@@ -51,6 +51,7 @@ pub struct RunArguments {
 
 /// Runs the case and prints the result.
 pub fn run(arguments: &RunArguments) -> Result<Exit, Failure> {
+    use_threads(arguments.threads)?;
     let finished = compute(arguments, &listen()?)?;
     print::stdout(&result_text(&finished))?;
     Ok(match finished.ending {
@@ -77,7 +78,6 @@ pub fn compute(arguments: &RunArguments, interruption: &Interruption) -> Result<
         contact: arguments.contact.clone(),
     };
     let case = Case::read_with(&arguments.case, &overrides)?;
-    use_threads(arguments.threads)?;
     let finished = execute(arguments, Job::of(&case), interruption, |stage| {
         let (prepared, residual) = residual::prepare(&case, &stage)?;
         Ok((prepared.growth(stage.state), residual))
@@ -182,7 +182,7 @@ pub fn carry_out<S: StepSource, T: Tell>(
 
 /// Has all parallel parts use `threads` threads; all of the machine where none are given. The calling thread is one of them, so that what it computes between two
 /// parallel parts stays in its caches and in its memory. A thread beside it, like the one that writes steps, must not have parallel parts: it might wait for a
-/// caller that waits for it. Once per program.
+/// caller that waits for it. Once per program, before any parallel part.
 ///
 /// Errors: the system refuses.
 pub fn use_threads(threads: Option<NonZeroUsize>) -> Result<(), RunError> {
