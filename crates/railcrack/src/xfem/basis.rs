@@ -73,6 +73,9 @@ struct TipBasis<'a> {
 pub(super) const MODES: [Sif; 2] = [Sif { k1: 1.0, k2: 0.0 }, Sif { k1: 0.0, k2: 1.0 }];
 
 impl<'a> CellBasis<'a> {
+    /// The first functions, those of the nodes.
+    pub(super) const NODAL: usize = 2 * NODES;
+
     pub(super) fn new(
         cuts: &'a Cuts,
         space: &Space,

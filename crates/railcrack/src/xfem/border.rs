@@ -2,10 +2,11 @@
 
 use super::basis::{CellBasis, Elasticity, Function, Target};
 use super::cuts::{CellPlace, Cuts};
-use super::quadrature::Rules;
+use super::quadrature::{Rules, WeightedPoint};
 use super::space::Space;
 use crate::math::Vec2;
 use rayon::prelude::*;
+use std::ops::Range;
 
 /// (unknown, value), in increasing order.
 pub(super) type Entries = Vec<(usize, f64)>;
@@ -31,6 +32,8 @@ impl Border {
         let cells: Vec<Vec<CellStiffness>> = space
             .elements
             .par_iter()
+            // One by one: the few around a tip, which lie side by side, take most of the time.
+            .with_max_len(1)
             .map(|&e| element_stiffness(cuts, space, e, elasticity, &rules))
             .collect();
         let unknowns = space.unknowns();
@@ -74,6 +77,8 @@ pub(super) fn merge(entries: &mut Entries) {
     });
 }
 
+/// The stiffness of the cells of an element in which enrichments live. Products of the shape functions alone are polynomials and are integrated
+/// as such, near a tip too: so what they come to does not change in any bit when a tip moves on.
 fn element_stiffness(
     cuts: &Cuts,
     space: &Space,
@@ -84,32 +89,61 @@ fn element_stiffness(
     let cut = &cuts.elements[&element];
     let singular: Vec<Vec2> =
         space.tips_in(element).iter().map(|&(tip, _)| cuts.poles[tip].position()).collect();
-    let mut functions: Vec<Function> = Vec::new();
     (0..cut.arrangement.cells.len())
         .filter_map(|cell| {
             let place = CellPlace { element, cell };
             let basis = CellBasis::new(cuts, space, cut, place, &elasticity.steel);
-            if basis.targets.iter().all(|target| target.enriched.is_none()) {
+            let (nodal, of_tips) = basis.targets.split_at(CellBasis::NODAL);
+            let mut stiffness = Integral::new(&basis, elasticity);
+            if nodal.iter().any(|target| target.enriched.is_some()) {
+                stiffness.add(0..nodal.len(), &rules.on_cell(cut, cell, &[]));
+            } else if of_tips.is_empty() {
                 return None;
             }
-            let n = basis.targets.len();
-            let mut entries = vec![0.0; n * (n + 1) / 2];
-            let mut strains = vec![[0.0; 3]; n];
-            for (point, weight) in rules.on_cell(cut, cell, &singular) {
-                basis.at(point, &mut functions);
-                for (strain, function) in strains.iter_mut().zip(&functions) {
-                    *strain = function.strain();
-                }
-                let mut rest = entries.iter_mut();
-                for (a, strain) in strains.iter().enumerate() {
-                    let stress = elasticity.stress(*strain).map(|s| s * weight);
-                    for other in &strains[..=a] {
-                        *rest.next().expect("lower triangle") +=
-                            stress[0] * other[0] + stress[1] * other[1] + stress[2] * other[2];
-                    }
-                }
+            if !of_tips.is_empty() {
+                stiffness.add(nodal.len()..basis.targets.len(), &rules.on_cell(cut, cell, &singular));
             }
+            let entries = stiffness.entries;
             Some(CellStiffness { targets: basis.targets, entries })
         })
         .collect()
+}
+
+/// The lower triangle of ∫ ε_aᵀ D ε_b dA over a cell.
+struct Integral<'a> {
+    basis: &'a CellBasis<'a>,
+    elasticity: &'a Elasticity,
+    entries: Vec<f64>,
+}
+
+impl<'a> Integral<'a> {
+    fn new(basis: &'a CellBasis<'a>, elasticity: &'a Elasticity) -> Self {
+        let n = basis.targets.len();
+        Self { basis, elasticity, entries: vec![0.0; n * (n + 1) / 2] }
+    }
+
+    /// Adds to `rows`, at quadrature `points`.
+    fn add(&mut self, rows: Range<usize>, points: &[WeightedPoint]) {
+        let start = |row: usize| row * (row + 1) / 2;
+        let entries = &mut self.entries[start(rows.start)..start(rows.end)];
+        let mut functions: Vec<Function> = Vec::new();
+        let mut strains = [(); 3].map(|()| vec![0.0; rows.end]);
+        for &(point, weight) in points {
+            self.basis.at(point, &mut functions);
+            for (b, function) in functions[..rows.end].iter().enumerate() {
+                let strain = function.strain();
+                strains.iter_mut().zip(strain).for_each(|(own, value)| own[b] = value);
+            }
+            let mut rest = &mut *entries;
+            for (a, function) in functions[..rows.end].iter().enumerate().skip(rows.start) {
+                let stress = self.elasticity.stress(function.strain()).map(|s| s * weight);
+                let (row, others) = rest.split_at_mut(a + 1);
+                rest = others;
+                let [xx, yy, xy] = &strains;
+                for (entry, ((xx, yy), xy)) in row.iter_mut().zip(xx.iter().zip(yy).zip(xy)) {
+                    *entry += stress[0] * xx + stress[1] * yy + stress[2] * xy;
+                }
+            }
+        }
+    }
 }
