@@ -11,19 +11,29 @@ use std::ops::Range;
 /// (unknown, value), in increasing order.
 pub(super) type Entries = Vec<(usize, f64)>;
 
-/// Stiffness of the enriched unknowns, N/mm per unit of each unknown.
+/// Stiffness of the enriched functions, cell by cell; N/mm per unit of each unknown.
 #[derive(Debug, Clone)]
 pub(super) struct Border {
+    /// Number of enriched unknowns.
+    pub unknowns: usize,
+    pub cells: Vec<CellStiffness>,
+}
+
+/// Stiffness of the functions of one cell.
+#[derive(Debug, Clone)]
+pub(super) struct CellStiffness {
+    pub targets: Vec<Target>,
+    /// The lower triangle row by row.
+    entries: Vec<f64>,
+}
+
+/// The border of the system, cells added up.
+#[derive(Debug, Clone)]
+pub(super) struct BorderEntries {
     /// K_se: per enriched unknown, the entries of unknowns 2 node + axis of the mesh, held ones included.
     pub columns: Vec<Entries>,
     /// K_ee: of row i the entries of the enriched unknowns j ≤ i; the diagonal is always there.
     pub square: Vec<Entries>,
-}
-
-/// Stiffness of the functions of one cell, lower triangle row by row.
-struct CellStiffness {
-    targets: Vec<Target>,
-    entries: Vec<f64>,
 }
 
 impl Border {
@@ -36,32 +46,58 @@ impl Border {
             .with_max_len(1)
             .map(|&e| element_stiffness(cuts, space, e, elasticity, &rules))
             .collect();
-        let unknowns = space.unknowns();
-        let mut columns: Vec<Entries> = vec![Vec::new(); unknowns];
-        let mut square: Vec<Entries> = (0..unknowns).map(|i| vec![(i, 0.0)]).collect();
-        for cell in cells.iter().flatten() {
-            let mut entries = cell.entries.iter();
+        Self { unknowns: space.unknowns(), cells: cells.into_iter().flatten().collect() }
+    }
+
+    pub(super) fn entries(&self) -> BorderEntries {
+        let mut columns: Vec<Entries> = vec![Vec::new(); self.unknowns];
+        let mut square: Vec<Entries> = (0..self.unknowns).map(|i| vec![(i, 0.0)]).collect();
+        for cell in &self.cells {
             for (a, row) in cell.targets.iter().enumerate() {
-                for column in &cell.targets[..=a] {
-                    let value = *entries.next().expect("lower triangle");
-                    for (s, e) in [(row, column), (column, row)].iter().take(if std::ptr::eq(row, column) {
-                        1
-                    } else {
-                        2
-                    }) {
-                        if let (Some(standard), Some(enriched)) = (s.standard, e.enriched) {
-                            columns[enriched].push((standard, value));
-                        }
+                for (b, column) in cell.targets[..=a].iter().enumerate() {
+                    let value = cell.entry(a, b);
+                    if let (Some(standard), Some(enriched)) = (row.standard, column.enriched) {
+                        columns[enriched].push((standard, value));
+                    }
+                    if a != b
+                        && let (Some(standard), Some(enriched)) = (column.standard, row.enriched)
+                    {
+                        columns[enriched].push((standard, value));
                     }
                     if let (Some(i), Some(j)) = (row.enriched, column.enriched) {
-                        let twice = i == j && !std::ptr::eq(row, column);
-                        square[i.max(j)].push((i.min(j), if twice { 2.0 * value } else { value }));
+                        square[i.max(j)].push((i.min(j), value));
                     }
                 }
             }
         }
         columns.par_iter_mut().chain(&mut square).for_each(merge);
-        Self { columns, square }
+        BorderEntries { columns, square }
+    }
+
+    /// The diagonal of K_ee.
+    pub(super) fn diagonal(&self) -> Vec<f64> {
+        let mut diagonal = vec![0.0; self.unknowns];
+        for cell in &self.cells {
+            for (a, target) in cell.targets.iter().enumerate() {
+                if let Some(enriched) = target.enriched {
+                    diagonal[enriched] += cell.entry(a, a);
+                }
+            }
+        }
+        diagonal
+    }
+}
+
+impl CellStiffness {
+    /// Those functions that belong to an unknown of a kind.
+    pub(super) fn functions(&self, unknown: fn(&Target) -> Option<usize>) -> impl Iterator<Item = usize> {
+        (0..self.targets.len()).filter(move |&a| unknown(&self.targets[a]).is_some())
+    }
+
+    /// Of two functions, in the order of the targets.
+    pub(super) fn entry(&self, a: usize, b: usize) -> f64 {
+        let (row, column) = (a.max(b), a.min(b));
+        self.entries[row * (row + 1) / 2 + column]
     }
 }
 

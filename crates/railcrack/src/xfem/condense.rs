@@ -1,8 +1,9 @@
 //! The unknowns behind the faces, eliminated: C and S.
 
 use super::body::XfemError;
-use super::border::{Border, Entries};
+use super::border::{Border, BorderEntries, Entries};
 use super::columns::ColumnStore;
+use super::enriched::EnrichedStiffness;
 use super::interface::Duality;
 use super::sif::SifFunctional;
 use super::space::{Enrichment, Space};
@@ -71,7 +72,7 @@ impl System<'_> {
     /// the cracks and the mesh alone, so that a resumed run finds the same bits.
     pub(super) fn condensed(&self, store: &mut ColumnStore) -> Result<Condensed, XfemError> {
         let mesh = self.rail.factor().order() as f64;
-        if self.border.columns.len() as f64 <= DENSE * mesh.sqrt() {
+        if self.border.unknowns as f64 <= DENSE * mesh.sqrt() {
             self.by_border(store)
         } else {
             store.clear();
@@ -79,35 +80,34 @@ impl System<'_> {
         }
     }
 
-    /// The columns of the border and then the functionals, of the free unknowns of the mesh.
-    fn columns(&self) -> Vec<SparseColumn> {
+    /// Columns of unknowns 2 node + axis of the mesh, on its free unknowns.
+    fn on_free_unknowns<'c>(&self, columns: impl Iterator<Item = &'c Entries>) -> Vec<SparseColumn> {
         let free = |&(unknown, value): &(usize, f64)| {
             self.rail.unknowns(unknown / 2)[unknown % 2].map(|free| (free, value))
         };
-        let own = self.border.columns.iter().chain(self.functionals.iter().map(|f| &f.standard));
-        own.map(|column| SparseColumn { entries: column.iter().filter_map(free).collect() }).collect()
-    }
-
-    fn diagonal(&self, i: usize) -> f64 {
-        self.border.square[i].last().map_or(0.0, |entry| entry.1)
+        columns.map(|column| SparseColumn { entries: column.iter().filter_map(free).collect() }).collect()
     }
 
     pub(super) fn by_border(&self, store: &mut ColumnStore) -> Result<Condensed, XfemError> {
-        let n = self.border.columns.len();
-        let scale: Vec<f64> = (0..n)
-            .map(|i| self.diagonal(i))
+        let n = self.border.unknowns;
+        let BorderEntries { columns, square } = self.border.entries();
+        let scale: Vec<f64> = square
+            .iter()
+            .map(|row| row.last().map_or(0.0, |entry| entry.1))
             .map(|own| if own > 0.0 { 1.0 / own.sqrt() } else { 0.0 })
             .collect();
-        let products = store.products(self.rail.factor(), &self.columns())?;
+        let functionals = self.functionals.iter().map(|functional| &functional.standard);
+        let products =
+            store.products(self.rail.factor(), &self.on_free_unknowns(columns.iter().chain(functionals)))?;
         let of_functionals: Vec<Arc<[f64]>> = products[n..].to_vec();
         let fill = |i: usize, row: &mut [f64], products: &[f64]| {
             row.iter_mut().zip(products).zip(&scale).for_each(|((entry, p), s)| *entry = -p * scale[i] * s);
-            for &(j, value) in &self.border.square[i] {
+            for &(j, value) in &square[i] {
                 row[j] = (value - products[j]) * scale[i] * scale[j];
             }
             row[i] += if scale[i] > 0.0 { REDUNDANT } else { 1.0 };
         };
-        let factor = store.factor(&self.border.square, fill)?;
+        let factor = store.factor(&square, fill)?;
         let faces = self.jumps.len();
         let mut right = Matrix::zeros(faces + self.functionals.len(), n);
         for (i, row) in self.jumps.iter().enumerate() {
@@ -129,33 +129,23 @@ impl System<'_> {
             .enumerate()
             .map(|(k, f)| (0..faces).map(|j| energies[(faces + k, j)] + f.tractions[j]).collect())
             .collect();
-        let coupling = Arc::new(self.border.columns.clone());
-        let elimination = Elimination::Border { coupling, factor, jumps, scale };
+        let elimination = Elimination::Border { coupling: Arc::new(columns), factor, jumps, scale };
         Ok(self.at_face_points(compliance, &influence, elimination))
     }
 
     pub(super) fn together(&self) -> Result<Condensed, XfemError> {
         let mesh = self.rail.factor().order();
-        let mut columns = self.columns();
-        let functionals = columns.split_off(self.border.columns.len());
-        let border: Vec<Entries> = columns.into_iter().map(|column| column.entries).collect();
-        let mut square = self.border.square.clone();
-        for (i, row) in square.iter_mut().enumerate() {
-            let own = self.diagonal(i);
-            row.iter_mut().filter(|entry| entry.0 == i).for_each(|entry| {
-                entry.1 += if own > 0.0 { REDUNDANT * own } else { 1.0 };
-            });
-        }
-        let matrix = self.rail.matrix().bordered(&border, &square)?;
-        drop((border, square));
-        let analysis = SparseCholesky::analyse(Arc::clone(matrix.pattern()), self.order())?;
-        let factor = analysis.factor(&matrix)?;
-        drop((analysis, matrix));
+        let redundant = |own: f64| if own > 0.0 { REDUNDANT * own } else { 1.0 };
+        let added = self.border.diagonal().into_iter().map(redundant).collect();
+        let stiffness = EnrichedStiffness::new(self.rail, self.border, added);
+        let factor = SparseCholesky::analyse(&stiffness, self.order())?.factor(&stiffness)?;
         let enriched = |entries: &Entries| entries.iter().map(|&(i, v)| (mesh + i, v)).collect::<Entries>();
         let jumps: Vec<Entries> = self.jumps.iter().map(enriched).collect();
         let mut columns: Vec<SparseColumn> =
             jumps.iter().map(|row| SparseColumn { entries: row.clone() }).collect();
-        for (functional, mut standard) in self.functionals.iter().zip(functionals) {
+        let functionals = self.functionals.iter().map(|functional| &functional.standard);
+        let functionals = self.functionals.iter().zip(self.on_free_unknowns(functionals));
+        for (functional, mut standard) in functionals {
             standard.entries.extend(enriched(&functional.enriched));
             columns.push(standard);
         }
