@@ -18,7 +18,7 @@ mod structure;
 mod sweep;
 
 pub use cholesky::{SparseCholesky, SparseFactor};
-pub use dense::{SmallFactor, add_product, general_inverse, product, product_transposed, spd_inverse};
+pub use dense::{SmallFactor, add_product, general_inverse, product, products_of_rows, spd_inverse};
 pub use elements::ElementSum;
 pub use error::LinearError;
 pub use gram::gram;

@@ -50,27 +50,28 @@ impl Border {
     }
 
     pub(super) fn entries(&self) -> BorderEntries {
-        let mut columns: Vec<Entries> = vec![Vec::new(); self.unknowns];
-        let mut square: Vec<Entries> = (0..self.unknowns).map(|i| vec![(i, 0.0)]).collect();
+        let mut functions_of: Vec<Vec<(&CellStiffness, usize)>> = vec![Vec::new(); self.unknowns];
         for cell in &self.cells {
-            for (a, row) in cell.targets.iter().enumerate() {
-                for (b, column) in cell.targets[..=a].iter().enumerate() {
-                    let value = cell.entry(a, b);
-                    if let (Some(standard), Some(enriched)) = (row.standard, column.enriched) {
-                        columns[enriched].push((standard, value));
-                    }
-                    if a != b
-                        && let (Some(standard), Some(enriched)) = (column.standard, row.enriched)
-                    {
-                        columns[enriched].push((standard, value));
-                    }
-                    if let (Some(i), Some(j)) = (row.enriched, column.enriched) {
-                        square[i.max(j)].push((i.min(j), value));
-                    }
+            for (a, target) in cell.targets.iter().enumerate() {
+                if let Some(unknown) = target.enriched {
+                    functions_of[unknown].push((cell, a));
                 }
             }
         }
-        columns.par_iter_mut().chain(&mut square).for_each(merge);
+        let of_unknown = |(i, functions): (usize, &Vec<(&CellStiffness, usize)>)| {
+            let (mut column, mut row) = (Entries::new(), vec![(i, 0.0)]);
+            for &(cell, a) in functions {
+                for (b, target) in cell.targets.iter().enumerate() {
+                    let value = cell.entry(a, b);
+                    column.extend(target.standard.map(|standard| (standard, value)));
+                    row.extend(target.enriched.filter(|&j| j <= i).map(|j| (j, value)));
+                }
+            }
+            merge(&mut column);
+            merge(&mut row);
+            (column, row)
+        };
+        let (columns, square) = functions_of.par_iter().enumerate().map(of_unknown).unzip();
         BorderEntries { columns, square }
     }
 
@@ -181,5 +182,47 @@ impl<'a> Integral<'a> {
                 }
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::crack::{Crack, CrackNetwork, End};
+    use crate::material::IsotropicElastic;
+    use crate::xfem::body::Discretisation;
+    use crate::xfem::space::Enrichment;
+    use crate::xfem::{MeshSettings, Outline, Window, XfemSettings};
+
+    #[test]
+    fn a_tip_that_moves_on_changes_no_bit_behind_it() {
+        let short = Crack::surface_breaking(0.0, 6.0, 0.3).unwrap();
+        let long = short.extended(End::Last, 0.7, -0.05).unwrap();
+        let [short, long] = [short, long].map(CrackNetwork::from);
+        let window = Window::new(&short, MeshSettings { element_size: 0.25, expected_growth: 1.5 });
+        let mesh = window.mesh(Outline { left: -900.0, right: 900.0, depth: 900.0 }).unwrap();
+        let elasticity = Elasticity::new(IsotropicElastic::new(210e3, 0.3).unwrap());
+        let of = |network: &CrackNetwork| {
+            let parts = Discretisation::new(&mesh, network, &XfemSettings::default()).unwrap();
+            let entries = Border::new(&parts.cuts, &parts.space, &elasticity).entries();
+            (parts, entries)
+        };
+        let ((before, short), (after, long)) = (of(&short), of(&long));
+        let (tip, size) = (before.cuts.tips[0].position(), before.sizes[0]);
+        let mut behind = 0;
+        for (i, enrichment) in before.space.enrichments.iter().enumerate() {
+            let Enrichment::Part { node, .. } = enrichment else { continue };
+            let distance = (mesh.node_position(*node) - tip).length();
+            // Tip functions reach 2.5 elements and those that touch them.
+            if distance > 2.0 * size {
+                behind += usize::from(distance < 3.5 * size);
+                assert_eq!(*enrichment, after.space.enrichments[i]);
+                for unknown in [2 * i, 2 * i + 1] {
+                    assert_eq!(short.columns[unknown], long.columns[unknown], "{distance} mm");
+                    assert_eq!(short.square[unknown], long.square[unknown], "{distance} mm");
+                }
+            }
+        }
+        assert!(behind > 5, "{behind} functions beside those of the tip");
     }
 }

@@ -2,7 +2,6 @@
 
 use super::border::Entries;
 use crate::linear::{LinearError, PANEL_COLUMNS, ReachedPanel, SparseColumn, SparseFactor, SpdFactor, gram};
-use rayon::prelude::*;
 use std::sync::Arc;
 
 /// Half-solved columns L⁻¹ b of the border and their scalar products, and the factor of its Schur complement.
@@ -11,29 +10,32 @@ use std::sync::Arc;
 /// middle finds the same bits without it. A clone shares all of it.
 #[derive(Debug, Clone, Default)]
 pub struct ColumnStore {
-    columns: Vec<Content>,
+    columns: Arc<[SparseColumn]>,
     panels: Vec<Arc<ReachedPanel>>,
     products: Vec<Arc<[f64]>>,
     factored: Option<Factored>,
 }
 
-/// Entries by their bits.
-type Content = Arc<[(usize, u64)]>;
-
-/// A factor, and what every row of its matrix was made of: the column, and its row of K_ee.
+/// A factor, and what the rows of its matrix were made of: of each the column, and its row of K_ee.
 #[derive(Debug, Clone)]
 struct Factored {
-    rows: Vec<[Content; 2]>,
+    columns: Arc<[SparseColumn]>,
+    square: Arc<[Entries]>,
     factor: SpdFactor,
 }
 
-fn content(entries: &[(usize, f64)]) -> Content {
-    entries.iter().map(|&(unknown, value)| (unknown, value.to_bits())).collect()
+/// How many of the first ones are the same, bit by bit.
+fn in_common<'a>(one: impl Iterator<Item = &'a Entries>, other: impl Iterator<Item = &'a Entries>) -> usize {
+    let same = |(a, b): &(&Entries, &Entries)| a.len() == b.len() && bits(a).eq(bits(b));
+    one.zip(other).take_while(same).count()
 }
 
-/// How many of the first ones are the same.
-fn in_common<T: PartialEq>(one: &[T], other: &[T]) -> usize {
-    one.iter().zip(other).take_while(|(a, b)| a == b).count()
+fn bits(entries: &Entries) -> impl Iterator<Item = (usize, u64)> {
+    entries.iter().map(|&(unknown, value)| (unknown, value.to_bits()))
+}
+
+fn entries(columns: &[SparseColumn]) -> impl Iterator<Item = &Entries> {
+    columns.iter().map(|column| &column.entries)
 }
 
 impl ColumnStore {
@@ -46,13 +48,12 @@ impl ColumnStore {
     pub(super) fn products(
         &mut self,
         factor: &SparseFactor,
-        columns: &[SparseColumn],
+        columns: Vec<SparseColumn>,
     ) -> Result<&[Arc<[f64]>], LinearError> {
-        let contents: Vec<Content> = columns.par_iter().map(|column| content(&column.entries)).collect();
-        let panels = in_common(&contents, &self.columns) / PANEL_COLUMNS;
+        let panels = in_common(entries(&columns), entries(&self.columns)) / PANEL_COLUMNS;
         let kept = panels * PANEL_COLUMNS;
         let fresh = factor.forward(&columns[kept..])?;
-        self.columns = contents;
+        self.columns = columns.into();
         self.panels.truncate(panels);
         self.products.truncate(kept);
         self.panels.extend(fresh.into_iter().map(Arc::new));
@@ -60,24 +61,25 @@ impl ColumnStore {
         Ok(&self.products)
     }
 
-    /// The factor of the matrix that `fill` makes, as for [`SpdFactor::new`], of the first columns of the last call of [`Self::products`] and
-    /// the rows `square` of K_ee. Of it those rows are taken over that were made of the same.
+    /// The factor of a matrix of the first columns of the last call of [`Self::products`] and the rows `square` of K_ee, of which
+    /// `fill(i, row, products, square)` makes row i as for [`SpdFactor::new`], of the products of column i and its row of K_ee. Those rows are taken over
+    /// that were made of the same.
     pub(super) fn factor(
         &mut self,
-        square: &[Entries],
-        fill: impl Fn(usize, &mut [f64], &[f64]) + Sync,
+        square: Vec<Entries>,
+        fill: impl Fn(usize, &mut [f64], &[f64], &Entries) + Sync,
     ) -> Result<SpdFactor, LinearError> {
-        let rows: Vec<[Content; 2]> = square
-            .par_iter()
-            .zip(&self.columns)
-            .map(|(square, column)| [Arc::clone(column), content(square)])
-            .collect();
-        let fill = |i: usize, row: &mut [f64]| fill(i, row, &self.products[i]);
+        let (columns, square): (_, Arc<[Entries]>) = (Arc::clone(&self.columns), square.into());
+        let fill = |i: usize, row: &mut [f64]| fill(i, row, &self.products[i], &square[i]);
         let factor = match self.factored.take() {
-            Some(before) => before.factor.changed(in_common(&rows, &before.rows), square.len(), fill)?,
+            Some(before) => {
+                let same_columns = in_common(entries(&columns), entries(&before.columns));
+                let unchanged = same_columns.min(in_common(square.iter(), before.square.iter()));
+                before.factor.changed(unchanged, square.len(), fill)?
+            }
             None => SpdFactor::new(square.len(), fill)?,
         };
-        self.factored = Some(Factored { rows, factor: factor.clone() });
+        self.factored = Some(Factored { columns, square: Arc::clone(&square), factor: factor.clone() });
         Ok(factor)
     }
 }

@@ -9,10 +9,9 @@ use super::sif::SifFunctional;
 use super::space::{Enrichment, Space};
 use crate::bulk::BulkRail;
 use crate::linear::{
-    LinearError, ReachedPanel, SparseCholesky, SparseColumn, SparseFactor, SpdFactor, gram,
-    product_transposed,
+    LinearError, ReachedPanel, SparseCholesky, SparseColumn, SparseFactor, SpdFactor, gram, products_of_rows,
 };
-use crate::math::{Matrix, add_rows};
+use crate::math::Matrix;
 use std::sync::Arc;
 
 /// C and S, and what the unknowns under a load follow from.
@@ -45,8 +44,8 @@ pub(super) enum Elimination {
         coupling: Arc<Vec<Entries>>,
         /// L Lᵀ = S_ee, of scaled unknowns.
         factor: SpdFactor,
-        /// L⁻¹ Bᵀ, transposed: row of a component of B.
-        jumps: Matrix,
+        /// B, row by row.
+        jumps: Vec<Entries>,
         /// The unknowns over the scaled ones.
         scale: Vec<f64>,
     },
@@ -97,17 +96,17 @@ impl System<'_> {
             .map(|own| if own > 0.0 { 1.0 / own.sqrt() } else { 0.0 })
             .collect();
         let functionals = self.functionals.iter().map(|functional| &functional.standard);
-        let products =
-            store.products(self.rail.factor(), &self.on_free_unknowns(columns.iter().chain(functionals)))?;
+        let free = self.on_free_unknowns(columns.iter().chain(functionals));
+        let products = store.products(self.rail.factor(), free)?;
         let of_functionals: Vec<Arc<[f64]>> = products[n..].to_vec();
-        let fill = |i: usize, row: &mut [f64], products: &[f64]| {
+        let fill = |i: usize, row: &mut [f64], products: &[f64], square: &Entries| {
             row.iter_mut().zip(products).zip(&scale).for_each(|((entry, p), s)| *entry = -p * scale[i] * s);
-            for &(j, value) in &square[i] {
+            for &(j, value) in square {
                 row[j] = (value - products[j]) * scale[i] * scale[j];
             }
             row[i] += if scale[i] > 0.0 { REDUNDANT } else { 1.0 };
         };
-        let factor = store.factor(&square, fill)?;
+        let factor = store.factor(square, fill)?;
         let faces = self.jumps.len();
         let mut right = Matrix::zeros(faces + self.functionals.len(), n);
         for (i, row) in self.jumps.iter().enumerate() {
@@ -120,8 +119,7 @@ impl System<'_> {
             row.iter_mut().zip(&scale).for_each(|(own, scale)| *own *= scale);
         }
         let half = factor.half_solve_rows(right)?;
-        let jumps = Matrix::from_fn(faces, n, |i, j| half[(i, j)]);
-        let energies = product_transposed(&half, &jumps)?;
+        let energies = products_of_rows(&half);
         let compliance = Matrix::from_fn(faces, faces, |i, j| energies[(i, j)]);
         let influence: Vec<Vec<f64>> = self
             .functionals
@@ -129,7 +127,8 @@ impl System<'_> {
             .enumerate()
             .map(|(k, f)| (0..faces).map(|j| energies[(faces + k, j)] + f.tractions[j]).collect())
             .collect();
-        let elimination = Elimination::Border { coupling: Arc::new(columns), factor, jumps, scale };
+        let elimination =
+            Elimination::Border { coupling: Arc::new(columns), factor, jumps: self.jumps.to_vec(), scale };
         Ok(self.at_face_points(compliance, &influence, elimination))
     }
 
@@ -201,21 +200,14 @@ impl Elimination {
         tractions: &[Vec<f64>],
     ) -> Result<Vec<Unknowns>, XfemError> {
         let mesh = rail.factor().order();
-        let enriched: Vec<Vec<f64>> =
-            tractions.iter().map(|own| self.enriched(own)).collect::<Result<_, _>>()?;
+        let enriched = self.enriched(tractions)?;
         let (factor, mut together) = match self {
             Self::Border { coupling, .. } => {
                 let pulls: Vec<Vec<f64>> = enriched.iter().map(|own| pull_of(rail, coupling, own)).collect();
                 (rail.factor(), pulls.concat())
             }
             Self::Together { factor, jumps } => {
-                let mut right = vec![0.0; factor.order() * tractions.len()];
-                for (right, tractions) in right.chunks_mut(factor.order().max(1)).zip(tractions) {
-                    for (row, traction) in jumps.iter().zip(tractions) {
-                        row.iter().for_each(|&(unknown, value)| right[unknown] += traction * value);
-                    }
-                }
-                (factor.as_ref(), right)
+                (factor.as_ref(), under_tractions(jumps, tractions, factor.order()).entries().to_vec())
             }
         };
         factor.solve(&mut together)?;
@@ -229,15 +221,35 @@ impl Elimination {
             .collect())
     }
 
-    /// The enriched unknowns, where they can be had without those of the mesh.
-    fn enriched(&self, tractions: &[f64]) -> Result<Vec<f64>, LinearError> {
-        let Self::Border { factor, jumps, scale, .. } = self else { return Ok(Vec::new()) };
-        let mut enriched = vec![0.0; jumps.columns()];
-        add_rows(tractions, |row| jumps.row(row), &mut enriched);
-        factor.back_solve(&mut enriched)?;
-        enriched.iter_mut().zip(scale).for_each(|(value, scale)| *value *= scale);
-        Ok(enriched)
+    /// The enriched unknowns under each of some tractions, where they can be had without those of the mesh.
+    fn enriched(&self, tractions: &[Vec<f64>]) -> Result<Vec<Vec<f64>>, LinearError> {
+        let Self::Border { factor, jumps, scale, .. } = self else {
+            return Ok(vec![Vec::new(); tractions.len()]);
+        };
+        let scaled = |values: &mut [f64]| values.iter_mut().zip(scale).for_each(|(value, s)| *value *= s);
+        let mut right = under_tractions(jumps, tractions, scale.len());
+        (0..right.rows()).for_each(|k| scaled(right.row_mut(k)));
+        let half = factor.half_solve_rows(right)?;
+        let whole = |k: usize| {
+            let mut enriched = half.row(k).to_vec();
+            factor.back_solve(&mut enriched)?;
+            scaled(&mut enriched);
+            Ok(enriched)
+        };
+        (0..tractions.len()).map(whole).collect()
     }
+}
+
+/// Bᵀ τ of `unknowns` unknowns for each of some tractions τ, row by row, from B = `jumps` row by row.
+fn under_tractions(jumps: &[Entries], tractions: &[Vec<f64>], unknowns: usize) -> Matrix {
+    let mut right = Matrix::zeros(tractions.len(), unknowns);
+    for (k, tractions) in tractions.iter().enumerate() {
+        let own = right.row_mut(k);
+        for (row, traction) in jumps.iter().zip(tractions) {
+            row.iter().for_each(|&(unknown, value)| own[unknown] += traction * value);
+        }
+    }
+    right
 }
 
 /// The unknowns under one load.
