@@ -49,15 +49,21 @@ impl SpdFactor {
         order: usize,
         fill: impl Fn(usize, &mut [f64]) + Sync,
     ) -> Result<Self, LinearError> {
-        let kept = unchanged.min(self.order).min(order) / BLOCK;
+        let first = self.kept(unchanged.min(order));
+        let kept = first / BLOCK;
         let mut factor = Self { order, blocks: self.blocks[..kept].to_vec() };
-        for (start, rows) in (kept * BLOCK..order).step_by(BLOCK).zip(factor.rows_from(kept * BLOCK, fill)) {
+        for (start, rows) in (first..order).step_by(BLOCK).zip(factor.rows_from(first, fill)) {
             let block = factor.block(start, kept, rows);
             factor.blocks.push(Arc::new(
                 block.map_err(|pivot| LinearError::NotPositiveDefinite { order, pivot: start + pivot })?,
             ));
         }
         Ok(factor)
+    }
+
+    /// How many rows [`SpdFactor::changed`] takes over from this one, and does not ask for, where those before `unchanged` are the same.
+    pub fn kept(&self, unchanged: usize) -> usize {
+        unchanged.min(self.order) / BLOCK * BLOCK
     }
 
     /// The rows of the matrix from `first` on in blocks, what is there of L applied to them.

@@ -2,7 +2,7 @@
 
 use super::body::XfemError;
 use super::border::{Border, BorderEntries, Entries};
-use super::columns::ColumnStore;
+use super::columns::{ColumnStore, Eliminated};
 use super::enriched::EnrichedStiffness;
 use super::interface::Duality;
 use super::sif::SifFunctional;
@@ -97,8 +97,6 @@ impl System<'_> {
             .collect();
         let functionals = self.functionals.iter().map(|functional| &functional.standard);
         let free = self.on_free_unknowns(columns.iter().chain(functionals));
-        let products = store.products(self.rail.factor(), free)?;
-        let of_functionals: Vec<Arc<[f64]>> = products[n..].to_vec();
         let fill = |i: usize, row: &mut [f64], products: &[f64], square: &Entries| {
             row.iter_mut().zip(products).zip(&scale).for_each(|((entry, p), s)| *entry = -p * scale[i] * s);
             for &(j, value) in square {
@@ -106,7 +104,7 @@ impl System<'_> {
             }
             row[i] += if scale[i] > 0.0 { REDUNDANT } else { 1.0 };
         };
-        let factor = store.factor(square, fill)?;
+        let Eliminated { factor, further } = store.eliminated(self.rail.factor(), free, square, fill)?;
         let faces = self.jumps.len();
         let mut right = Matrix::zeros(faces + self.functionals.len(), n);
         for (i, row) in self.jumps.iter().enumerate() {
@@ -114,7 +112,7 @@ impl System<'_> {
         }
         for (k, functional) in self.functionals.iter().enumerate() {
             let row = right.row_mut(faces + k);
-            row.iter_mut().zip(&*of_functionals[k]).for_each(|(own, product)| *own = -product);
+            row.iter_mut().zip(&*further[k]).for_each(|(own, product)| *own = -product);
             functional.enriched.iter().for_each(|&(unknown, value)| row[unknown] += value);
             row.iter_mut().zip(&scale).for_each(|(own, scale)| *own *= scale);
         }
