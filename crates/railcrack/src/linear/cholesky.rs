@@ -37,14 +37,20 @@ impl SparseCholesky {
 pub struct SparseFactor {
     pub(super) structure: Arc<Structure>,
     /// L in tiles, supernode by supernode.
-    pub(super) tiles: Vec<Tiles>,
+    tiles: Vec<Tile>,
 }
 
-/// A supernode of L in tiles of [`ROWS`] rows, column by column: first the blocks of the triangle, block b with the columns up to its own,
-/// then the blocks below. Rows that pad the last block are zero; on the diagonal stands 1 / L_ii.
-pub(super) type Tiles = Vec<[f64; ROWS]>;
+/// [`ROWS`] entries of a column. The tiles of a supernode stand column by column: first the blocks of the triangle, block b with the columns up to
+/// its own, then the blocks below. Rows that pad the last block are zero; on the diagonal stands 1 / L_ii.
+pub(super) type Tile = [f64; ROWS];
 
 impl SparseFactor {
+    /// The tiles of a supernode.
+    pub(super) fn tiles(&self, s: usize) -> &[Tile] {
+        let node = &self.structure.supernodes[s];
+        &self.tiles[node.first_tile..][..node.tiles()]
+    }
+
     /// Number of unknowns.
     pub fn order(&self) -> usize {
         self.structure.order.len()
@@ -57,7 +63,6 @@ impl SparseFactor {
 
     /// Memory that it holds, bytes.
     pub fn memory_bytes(&self) -> usize {
-        let tiles: usize = self.tiles.iter().map(|tiles| size_of_val(&**tiles)).sum();
-        tiles + self.structure.memory_bytes()
+        size_of_val(&*self.tiles) + self.structure.memory_bytes()
     }
 }

@@ -2,7 +2,7 @@
 //! 1992). The front of a supernode is the dense matrix of its columns and the rows below them; what its elimination leaves of it is added to
 //! the front of its parent.
 
-use super::cholesky::Tiles;
+use super::cholesky::Tile;
 use super::dense::eliminate;
 use super::lanes::ROWS;
 use super::structure::{Structure, Supernode};
@@ -18,33 +18,46 @@ const BRANCH_SHARE: f64 = 1.0 / 24.0;
 ///
 /// Errors: another number of unknowns; an element that does not fit its unknowns or the structure; a matrix that is not positive definite (the
 /// unknown is named).
-pub(super) fn eliminated(structure: &Structure, matrix: &impl ElementSum) -> Result<Vec<Tiles>, LinearError> {
+pub(super) fn eliminated(structure: &Structure, matrix: &impl ElementSum) -> Result<Vec<Tile>, LinearError> {
     let elements = ElementsBySupernode::new(structure, matrix)?;
     let fronts = Fronts { structure, matrix, elements, children: children(structure) };
+    let mut tiles = vec![[0.0; ROWS]; structure.supernodes.iter().map(Supernode::tiles).sum()];
     let (branches, trunk) = branches(structure);
-    let mut results: Vec<(Eliminated, Remainders)> =
-        branches.into_par_iter().map(|branch| fronts.branch(&branch, Remainders::new())).collect();
-    let failures = results.iter_mut().filter_map(|(result, _)| result.failure.take());
-    if let Some(failure) = failures.min_by_key(|failure| failure.place) {
+    let mut places = Places::new(structure, &mut tiles);
+    let branches: Vec<Vec<Place>> = branches.iter().map(|branch| places.take(branch)).collect();
+    let results: Vec<(Option<Failure>, Remainders)> =
+        branches.into_par_iter().map(|branch| fronts.branch(branch, Remainders::new())).collect();
+    let (failures, left): (Vec<Option<Failure>>, Vec<Remainders>) = results.into_iter().unzip();
+    if let Some(failure) = failures.into_iter().flatten().min_by_key(|failure| failure.place) {
         return Err(failure.reason);
     }
-    let left = results.iter_mut().flat_map(|(_, left)| left.drain()).collect();
-    let (root, _) = fronts.branch(&trunk, left);
-    if let Some(failure) = root.failure {
-        return Err(failure.reason);
+    let left = left.into_iter().flatten().collect();
+    match fronts.branch(places.take(&trunk), left) {
+        (Some(failure), _) => Err(failure.reason),
+        (None, _) => Ok(tiles),
     }
-    let mut tiles = vec![Tiles::new(); structure.supernodes.len()];
-    for (s, own) in results.into_iter().flat_map(|(result, _)| result.tiles).chain(root.tiles) {
-        tiles[s] = own;
-    }
-    Ok(tiles)
 }
 
-/// What some supernodes came to.
-#[derive(Default)]
-struct Eliminated {
-    tiles: Vec<(usize, Tiles)>,
-    failure: Option<Failure>,
+/// A supernode, and where its tiles go.
+type Place<'a> = (usize, &'a mut [Tile]);
+
+/// The places that are still to be given away.
+struct Places<'a>(Vec<Option<&'a mut [Tile]>>);
+
+impl<'a> Places<'a> {
+    fn new(structure: &Structure, mut tiles: &'a mut [Tile]) -> Self {
+        let place = |node: &Supernode| {
+            let (own, rest) = std::mem::take(&mut tiles).split_at_mut(node.tiles());
+            tiles = rest;
+            Some(own)
+        };
+        Self(structure.supernodes.iter().map(place).collect())
+    }
+
+    /// Those of `supernodes`, each of which is given away once.
+    fn take(&mut self, supernodes: &[usize]) -> Vec<Place<'a>> {
+        supernodes.iter().map(|&s| (s, self.0[s].take().unwrap_or_default())).collect()
+    }
 }
 
 /// Why elimination ended at a place.
@@ -153,24 +166,18 @@ struct Fronts<'a, M> {
 }
 
 impl<M: ElementSum> Fronts<'_, M> {
-    /// Eliminates `supernodes`, given what those before have left, by supernode; with what all of these have left for others.
-    fn branch(&self, supernodes: &[usize], mut left: Remainders) -> (Eliminated, Remainders) {
-        let mut result = Eliminated::default();
+    /// Eliminates supernodes, given what those before have left, by supernode; with what all of these have left for others.
+    fn branch(&self, places: Vec<Place>, mut left: Remainders) -> (Option<Failure>, Remainders) {
         let mut front = Vec::new();
-        for &s in supernodes {
+        for (s, place) in places {
             let node = self.structure.supernodes[s];
-            match self.eliminate(s, &mut left, &mut front) {
-                Ok(()) => {
-                    result.tiles.push((s, tiles(&node, &front)));
-                    left.insert(s, remainder(&front, node.size(), node.columns));
-                }
-                Err(failure) => {
-                    result.failure = Some(failure);
-                    break;
-                }
+            if let Err(failure) = self.eliminate(s, &mut left, &mut front) {
+                return (Some(failure), left);
             }
+            write_tiles(&node, &front, place);
+            left.insert(s, remainder(&front, node.size(), node.columns));
         }
-        (result, left)
+        (None, left)
     }
 
     /// The front of a supernode, its columns eliminated: row j holds column j from the diagonal on.
@@ -268,23 +275,22 @@ fn remainder(front: &[f64], size: usize, columns: usize) -> Vec<f64> {
     remainder
 }
 
-/// The columns of a supernode from its front.
-fn tiles(node: &Supernode, front: &[f64]) -> Tiles {
+/// Writes the columns of a supernode from its front.
+fn write_tiles(node: &Supernode, front: &[f64], tiles: &mut [Tile]) {
     let size = node.size();
-    let blocks_below = node.below.div_ceil(ROWS);
-    let mut tiles = Tiles::with_capacity(node.triangle(node.blocks()) + blocks_below * node.columns);
-    for first in (0..node.columns).step_by(ROWS) {
-        tiles.extend((0..first + ROWS).map(|j| {
-            std::array::from_fn(|r| match first + r {
+    let (triangle, below) = tiles.split_at_mut(node.triangle(node.blocks()));
+    for (b, first) in (0..node.columns).step_by(ROWS).enumerate() {
+        for (j, tile) in triangle[node.triangle(b)..node.triangle(b + 1)].iter_mut().enumerate() {
+            *tile = std::array::from_fn(|r| match first + r {
                 i if i >= node.columns || j > i => 0.0,
                 i if i == j => 1.0 / front[i * size + i],
                 i => front[j * size + i],
-            })
-        }));
+            });
+        }
     }
-    for first in (node.columns..size).step_by(ROWS) {
-        let columns = front.chunks_exact(size).take(node.columns).map(|column| &column[first..]);
-        tiles.extend(columns.map(|column| std::array::from_fn(|r| column.get(r).copied().unwrap_or(0.0))));
+    for (block, first) in below.chunks_exact_mut(node.columns).zip((node.columns..size).step_by(ROWS)) {
+        for (tile, column) in block.iter_mut().zip(front.chunks_exact(size)) {
+            *tile = std::array::from_fn(|r| column.get(first + r).copied().unwrap_or(0.0));
+        }
     }
-    tiles
 }

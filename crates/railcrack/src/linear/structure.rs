@@ -37,6 +37,8 @@ pub(super) struct Supernode {
     pattern: usize,
     /// Number of rows below.
     pub(super) below: usize,
+    /// First of its tiles among all.
+    pub(super) first_tile: usize,
 }
 
 impl Supernode {
@@ -58,6 +60,11 @@ impl Supernode {
     /// Where block `b` of the triangle begins, counted from its first tile: all blocks before it have 6, 12, 18, … columns.
     pub(super) fn triangle(&self, b: usize) -> usize {
         ROWS * b * (b + 1) / 2
+    }
+
+    /// Number of its tiles.
+    pub(super) fn tiles(&self) -> usize {
+        self.triangle(self.blocks()) + self.below.div_ceil(ROWS) * self.columns
     }
 
     /// Entries of L, the zeros included that make it dense.
@@ -105,15 +112,14 @@ impl Structure {
         self.pattern = symbolic.row_idx().iter().map(|&row| row as usize).collect();
         let patterns = symbolic.col_ptr_for_row_idx().windows(2);
         let columns = symbolic.supernode_begin().iter().zip(symbolic.supernode_end());
+        let mut first_tile = 0;
         for (s, ((&start, &end), pattern)) in columns.zip(patterns).enumerate() {
             let [start, end, first, last] = [start, end, pattern[0], pattern[1]].map(|i| i as usize);
             self.supernode_of[start..end].fill(s);
-            self.supernodes.push(Supernode {
-                start,
-                columns: end - start,
-                pattern: first,
-                below: last - first,
-            });
+            let node =
+                Supernode { start, columns: end - start, pattern: first, below: last - first, first_tile };
+            first_tile += node.tiles();
+            self.supernodes.push(node);
         }
     }
 
