@@ -14,7 +14,7 @@ pub use cancel::ElasticField;
 pub use correction::{BlockCorrection, CorrectionAtPoints, WheelAt};
 pub use gauss_stress::StressAtPoints;
 pub(crate) use grid::gauss_lines;
-pub use rail::{BulkError, BulkRail};
+pub use rail::{BulkError, BulkRail, RailStiffness};
 pub use stiffness::RectangleStiffness;
 
 #[cfg(test)]

@@ -2,11 +2,10 @@
 
 use super::boundary::{Boundary, Freedom};
 use super::stiffness::RectangleStiffness;
-use crate::linear::{LinearError, SparseCholesky, SparseFactor, SparseSymmetric, SymmetricPattern};
+use crate::linear::{ElementSum, LinearError, SparseCholesky, SparseFactor};
 use crate::material::IsotropicElastic;
-use crate::math::Vec2;
+use crate::math::{Matrix, Vec2};
 use crate::mesh::{NODES, QuadMesh};
-use std::sync::Arc;
 use thiserror::Error;
 
 /// A rail that cannot be computed.
@@ -69,7 +68,7 @@ pub enum BulkError {
     Stiffness(#[from] LinearError),
 }
 
-/// The rail without cracks: a mesh of 8-node rectangles, supports, the stiffness of the free unknowns and its factor.
+/// The rail without cracks: a mesh of 8-node rectangles, supports, and the factor of the stiffness of the free unknowns.
 #[derive(Debug, Clone)]
 pub struct BulkRail {
     mesh: QuadMesh,
@@ -77,8 +76,34 @@ pub struct BulkRail {
     boundary: Boundary,
     /// Along x and y of each node; none where it is held.
     unknowns: Vec<[Option<usize>; 2]>,
-    matrix: SparseSymmetric,
     factor: SparseFactor,
+}
+
+/// The stiffness of the free unknowns of a rail, element by element; N/mm per mm of thickness.
+#[derive(Debug, Clone)]
+pub struct RailStiffness<'a> {
+    mesh: &'a QuadMesh,
+    unknowns: &'a [[Option<usize>; 2]],
+    order: usize,
+    of_rectangles: RectangleStiffness,
+}
+
+impl ElementSum for RailStiffness<'_> {
+    fn order(&self) -> usize {
+        self.order
+    }
+
+    fn count(&self) -> usize {
+        self.mesh.element_count()
+    }
+
+    fn unknowns(&self, element: usize) -> Vec<Option<usize>> {
+        of_element(self.mesh, self.unknowns, element).to_vec()
+    }
+
+    fn matrix(&self, element: usize) -> Matrix {
+        self.of_rectangles.matrix(self.mesh.element(element).size())
+    }
 }
 
 impl BulkRail {
@@ -99,17 +124,11 @@ impl BulkRail {
         };
         let unknowns: Vec<[Option<usize>; 2]> =
             boundary.nodes(&mesh).into_iter().map(|axes| axes.map(&mut number)).collect();
-        let blocks: Vec<[Option<usize>; 2 * NODES]> =
-            (0..mesh.element_count()).map(|e| of_element(&mesh, &unknowns, e)).collect();
-        let pattern = Arc::new(SymmetricPattern::from_blocks(count, &blocks)?);
-        let mut matrix = SparseSymmetric::zeros(Arc::clone(&pattern));
-        let stiffness = RectangleStiffness::new(steel);
-        for (e, block) in blocks.iter().enumerate() {
-            matrix.add_block(block, &stiffness.matrix(mesh.element(e).size()))?;
-        }
+        let of_rectangles = RectangleStiffness::new(steel);
+        let stiffness = RailStiffness { mesh: &mesh, unknowns: &unknowns, order: count, of_rectangles };
         let order = mesh.nested_dissection().into_iter().flat_map(|node| unknowns[node]).flatten().collect();
-        let factor = SparseCholesky::analyse(pattern, order)?.factor(&matrix)?;
-        Ok(Self { mesh, steel: *steel, boundary, unknowns, matrix, factor })
+        let factor = SparseCholesky::analyse(&stiffness, order)?.factor(&stiffness)?;
+        Ok(Self { mesh, steel: *steel, boundary, unknowns, factor })
     }
 
     /// The mesh.
@@ -137,9 +156,14 @@ impl BulkRail {
         of_element(&self.mesh, &self.unknowns, e)
     }
 
-    /// The stiffness of the free unknowns, N/mm per mm of thickness.
-    pub fn matrix(&self) -> &SparseSymmetric {
-        &self.matrix
+    /// The stiffness of the free unknowns.
+    pub fn stiffness(&self) -> RailStiffness<'_> {
+        RailStiffness {
+            mesh: &self.mesh,
+            unknowns: &self.unknowns,
+            order: self.factor.order(),
+            of_rectangles: RectangleStiffness::new(&self.steel),
+        }
     }
 
     /// Its factor.

@@ -30,6 +30,15 @@ pub struct WilliamsField {
     kolosov: f64,
 }
 
+/// z, z^λ and the first two derivatives of it at a point z = r e^{iθ}.
+#[derive(Debug, Clone, Copy)]
+pub struct TipPowers {
+    z: Complex64,
+    power: Complex64,
+    slope: Complex64,
+    curvature: Complex64,
+}
+
 impl WilliamsField {
     /// The field of a tip with the stress intensity factors `k` (MPa √mm): λ = 1/2, A = (K_I − i K_II)/√(2π)
     /// (Williams 1957, in the form of Muskhelishvili's potentials).
@@ -58,12 +67,24 @@ impl WilliamsField {
     /// The field at distance `r` (mm, positive) and angle `theta` (radians from x1). The angle may leave (−π, π]: the field
     /// is continued, so that the jump can follow a crack that is kinked behind the tip.
     pub fn at(&self, r: f64, theta: f64, poisson: f64) -> TipField {
+        self.of_powers(&self.powers(r, theta), poisson)
+    }
+
+    /// What all fields of this one's λ have in common at a point, as for [`WilliamsField::at`].
+    pub fn powers(&self, r: f64, theta: f64) -> TipPowers {
         let l = self.exponent;
         let z = Complex64::from_polar(r, theta);
         let power = Complex64::from_polar(r.powf(l), l * theta);
-        let (phi, psi) = (self.phi * power, self.psi * power);
-        let (phi_1, psi_1) = (phi * l / z, psi * l / z);
-        let phi_2 = phi_1 * (l - 1.0) / z;
+        let slope = power * l / z;
+        TipPowers { z, power, slope, curvature: slope * (l - 1.0) / z }
+    }
+
+    /// [`WilliamsField::at`] from the `powers` of a field with the same λ.
+    pub fn of_powers(&self, powers: &TipPowers, poisson: f64) -> TipField {
+        let z = powers.z;
+        let (phi, psi) = (self.phi * powers.power, self.psi * powers.power);
+        let (phi_1, psi_1) = (self.phi * powers.slope, self.psi * powers.slope);
+        let phi_2 = self.phi * powers.curvature;
         let per_two_g = 0.5 / self.shear_modulus;
         let u = (phi * self.kolosov - z * phi_1.conj() - psi.conj()) * per_two_g;
         let even = phi_1 * self.kolosov - phi_1.conj();

@@ -3,38 +3,30 @@
 use super::fronts::eliminated;
 use super::lanes::ROWS;
 use super::structure::Structure;
-use super::{LinearError, SparseSymmetric, SymmetricPattern};
+use super::{ElementSum, LinearError};
 use std::sync::Arc;
 
-/// The structure of the factor P K Pᵀ = L Lᵀ of all matrices on a pattern, with the unknowns in a given order.
+/// The structure of the factor P K Pᵀ = L Lᵀ of all matrices whose elements couple the same unknowns, with the unknowns in a given order.
 #[derive(Debug)]
 pub struct SparseCholesky {
-    pattern: Arc<SymmetricPattern>,
     structure: Arc<Structure>,
 }
 
 impl SparseCholesky {
-    /// Analyses `pattern` for the elimination order `order`: every unknown once. A good order decides the size of the
+    /// Analyses `matrix` for the elimination order `order`: every unknown once. A good order decides the size of the
     /// factor ([`crate::mesh::QuadMesh::nested_dissection`]).
     ///
-    /// Errors: an order that is not one of the unknowns.
-    pub fn analyse(pattern: Arc<SymmetricPattern>, order: Vec<usize>) -> Result<Self, LinearError> {
-        let structure = Arc::new(Structure::new(&pattern, order)?);
-        Ok(Self { pattern, structure })
+    /// Errors: an order that is not one of the unknowns; an element with an unknown that is not there.
+    pub fn analyse(matrix: &impl ElementSum, order: Vec<usize>) -> Result<Self, LinearError> {
+        Ok(Self { structure: Arc::new(Structure::new(matrix, order)?) })
     }
 
-    /// Factors `matrix`, whose pattern must be the one analysed, front by front: branches of the elimination tree in parallel, and towards its
-    /// root the blocks of a front. The bits do not depend on the number of threads.
+    /// Factors `matrix`, whose elements must couple no other unknowns than those analysed, front by front: branches of the elimination tree in
+    /// parallel, and towards its root the blocks of a front. The bits do not depend on the number of threads.
     ///
-    /// Errors: another pattern; a matrix that is not positive definite (the unknown is named); too many entries for their indices.
-    pub fn factor(&self, matrix: &SparseSymmetric) -> Result<SparseFactor, LinearError> {
-        if !Arc::ptr_eq(&self.pattern, matrix.pattern()) && self.pattern != *matrix.pattern() {
-            return Err(LinearError::WrongLength {
-                quantity: "entries of the pattern that was analysed",
-                given: matrix.pattern().entries(),
-                expected: self.pattern.entries(),
-            });
-        }
+    /// Errors: another number of unknowns, or entries outside of the structure; an element whose matrix has another size than its unknowns; a
+    /// matrix that is not positive definite (the unknown is named).
+    pub fn factor(&self, matrix: &impl ElementSum) -> Result<SparseFactor, LinearError> {
         let tiles = eliminated(&self.structure, matrix)?;
         Ok(SparseFactor { structure: Arc::clone(&self.structure), tiles })
     }
@@ -45,14 +37,20 @@ impl SparseCholesky {
 pub struct SparseFactor {
     pub(super) structure: Arc<Structure>,
     /// L in tiles, supernode by supernode.
-    pub(super) tiles: Vec<Tiles>,
+    tiles: Vec<Tile>,
 }
 
-/// A supernode of L in tiles of [`ROWS`] rows, column by column: first the blocks of the triangle, block b with the columns up to its own,
-/// then the blocks below. Rows that pad the last block are zero; on the diagonal stands 1 / L_ii.
-pub(super) type Tiles = Vec<[f64; ROWS]>;
+/// [`ROWS`] entries of a column. The tiles of a supernode stand column by column: first the blocks of the triangle, block b with the columns up to
+/// its own, then the blocks below. Rows that pad the last block are zero; on the diagonal stands 1 / L_ii.
+pub(super) type Tile = [f64; ROWS];
 
 impl SparseFactor {
+    /// The tiles of a supernode.
+    pub(super) fn tiles(&self, s: usize) -> &[Tile] {
+        let node = &self.structure.supernodes[s];
+        &self.tiles[node.first_tile..][..node.tiles()]
+    }
+
     /// Number of unknowns.
     pub fn order(&self) -> usize {
         self.structure.order.len()
@@ -65,7 +63,6 @@ impl SparseFactor {
 
     /// Memory that it holds, bytes.
     pub fn memory_bytes(&self) -> usize {
-        let tiles: usize = self.tiles.iter().map(|tiles| size_of_val(&**tiles)).sum();
-        tiles + self.structure.memory_bytes()
+        size_of_val(&*self.tiles) + self.structure.memory_bytes()
     }
 }

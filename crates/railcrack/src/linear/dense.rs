@@ -13,7 +13,7 @@ use rayon::prelude::*;
 /// them.
 const BLOCK: usize = 192;
 /// Rows of a product that one thread computes.
-const STRIP: usize = 64;
+const STRIP: usize = 32;
 
 /// Makes the lower triangle of a symmetric matrix that of its Cholesky factor, on this thread. Where a pivot is not positive, its place is the error.
 pub(super) fn factor_in_place(matrix: MatMut<'_, f64>) -> Result<(), usize> {
@@ -54,25 +54,27 @@ pub(super) fn eliminate(matrix: &mut [f64], order: usize, columns: usize) -> Res
     Ok(())
 }
 
-/// The product A Bᵀ.
-///
-/// Errors: rows of A and B must be of one length.
-pub fn product_transposed(a: &Matrix, b: &Matrix) -> Result<Matrix, LinearError> {
-    let (inner, columns) = (a.columns(), b.rows());
-    if inner != b.columns() {
-        let quantity = "columns of the second factor of a transposed product";
-        return Err(LinearError::WrongLength { quantity, given: b.columns(), expected: inner });
-    }
-    let mut product = Matrix::zeros(a.rows(), columns);
-    let b = MatRef::from_row_major_slice(b.entries(), columns, inner).transpose();
-    let strips = product.entries_mut().par_chunks_mut((STRIP * columns).max(1));
-    strips.zip(a.entries().par_chunks((STRIP * inner).max(1))).for_each(|(product, a)| {
-        let rows = product.len() / columns;
-        let a = MatRef::from_row_major_slice(a, rows, inner);
-        let product = MatMut::from_row_major_slice_mut(product, rows, columns);
-        matmul(product, Accum::Replace, a, b, 1.0, Par::Seq);
+/// The scalar products R Rᵀ of the rows of R with each other, exactly symmetric. Where rows with leading zeros stand beside each other, these are
+/// skipped.
+pub fn products_of_rows(rows: &Matrix) -> Matrix {
+    let (count, length) = (rows.rows(), rows.columns());
+    let all = MatRef::from_row_major_slice(rows.entries(), count, length);
+    let mut products = Matrix::zeros(count, count);
+    products.entries_mut().par_chunks_mut((STRIP * count).max(1)).enumerate().for_each(|(k, strip)| {
+        let own = k * STRIP..k * STRIP + strip.len() / count;
+        let zeros = |i: usize| rows.row(i).iter().take_while(|value| **value == 0.0).count();
+        let from = own.clone().map(zeros).min().unwrap_or(0);
+        // The part on and below the diagonal.
+        let product = MatMut::from_row_major_slice_mut(strip, own.len(), count).get_mut(.., ..own.end);
+        let (left, right) = (all.get(own.clone(), from..), all.get(..own.end, from..).transpose());
+        matmul(product, Accum::Replace, left, right, 1.0, Par::Seq);
     });
-    Ok(product)
+    for i in 0..count {
+        for j in 0..i {
+            products[(j, i)] = products[(i, j)];
+        }
+    }
+    products
 }
 
 /// The product A B.
@@ -308,6 +310,16 @@ mod tests {
         let sum = |i: usize, j: usize| (0..3).map(|k| a[(i, k)] * b[(k, j)]).sum();
         assert_eq!(product(&a, &b), Ok(Matrix::from_fn(2, 4, sum)));
         assert!(matches!(product(&b, &b), Err(LinearError::WrongLength { given: 3, expected: 4, .. })));
+    }
+
+    #[test]
+    fn products_of_rows_with_leading_zeros() {
+        // Rows of two strips, of which most begin with zeros.
+        let value = |i: usize, j: usize| if 2 * j < i { 0.0 } else { ((3 * i + 5 * j) % 11) as f64 - 5.0 };
+        let rows = Matrix::from_fn(STRIP + 9, 47, value);
+        let sum = |i: usize, j: usize| rows.row(i).iter().zip(rows.row(j)).map(|(a, b)| a * b).sum();
+        assert_eq!(products_of_rows(&rows), Matrix::from_fn(rows.rows(), rows.rows(), sum));
+        assert_eq!(products_of_rows(&Matrix::zeros(0, 3)), Matrix::zeros(0, 0));
     }
 
     #[test]

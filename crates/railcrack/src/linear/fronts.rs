@@ -2,11 +2,11 @@
 //! 1992). The front of a supernode is the dense matrix of its columns and the rows below them; what its elimination leaves of it is added to
 //! the front of its parent.
 
-use super::cholesky::Tiles;
+use super::cholesky::Tile;
 use super::dense::eliminate;
 use super::lanes::ROWS;
 use super::structure::{Structure, Supernode};
-use super::{LinearError, SparseSymmetric};
+use super::{ElementSum, LinearError};
 use crate::math::axpy;
 use rayon::prelude::*;
 use std::collections::HashMap;
@@ -16,36 +16,54 @@ const BRANCH_SHARE: f64 = 1.0 / 24.0;
 
 /// L in tiles, supernode by supernode.
 ///
-/// Errors: a matrix that is not positive definite (the unknown is named); too many entries for their indices.
-pub(super) fn eliminated(structure: &Structure, matrix: &SparseSymmetric) -> Result<Vec<Tiles>, LinearError> {
-    let order = structure.order.len();
-    let fronts = Fronts { structure, matrix: Sides::new(matrix)?, children: children(structure) };
-    let not_definite =
-        |place: usize| LinearError::NotPositiveDefinite { order, pivot: structure.order[place] };
+/// Errors: another number of unknowns; an element that does not fit its unknowns or the structure; a matrix that is not positive definite (the
+/// unknown is named).
+pub(super) fn eliminated(structure: &Structure, matrix: &impl ElementSum) -> Result<Vec<Tile>, LinearError> {
+    let elements = ElementsBySupernode::new(structure, matrix)?;
+    let fronts = Fronts { structure, matrix, elements, children: children(structure) };
+    let mut tiles = vec![[0.0; ROWS]; structure.supernodes.iter().map(Supernode::tiles).sum()];
     let (branches, trunk) = branches(structure);
-    let mut results: Vec<(Eliminated, Remainders)> =
-        branches.into_par_iter().map(|branch| fronts.branch(&branch, Remainders::new())).collect();
-    if let Some(place) = results.iter().filter_map(|(result, _)| result.failed_at).min() {
-        return Err(not_definite(place));
+    let mut places = Places::new(structure, &mut tiles);
+    let branches: Vec<Vec<Place>> = branches.iter().map(|branch| places.take(branch)).collect();
+    let results: Vec<(Option<Failure>, Remainders)> =
+        branches.into_par_iter().map(|branch| fronts.branch(branch, Remainders::new())).collect();
+    let (failures, left): (Vec<Option<Failure>>, Vec<Remainders>) = results.into_iter().unzip();
+    if let Some(failure) = failures.into_iter().flatten().min_by_key(|failure| failure.place) {
+        return Err(failure.reason);
     }
-    let left = results.iter_mut().flat_map(|(_, left)| left.drain()).collect();
-    let (root, _) = fronts.branch(&trunk, left);
-    if let Some(place) = root.failed_at {
-        return Err(not_definite(place));
+    let left = left.into_iter().flatten().collect();
+    match fronts.branch(places.take(&trunk), left) {
+        (Some(failure), _) => Err(failure.reason),
+        (None, _) => Ok(tiles),
     }
-    let mut tiles = vec![Tiles::new(); structure.supernodes.len()];
-    for (s, own) in results.into_iter().flat_map(|(result, _)| result.tiles).chain(root.tiles) {
-        tiles[s] = own;
-    }
-    Ok(tiles)
 }
 
-/// What some supernodes came to.
-#[derive(Default)]
-struct Eliminated {
-    tiles: Vec<(usize, Tiles)>,
-    /// The place that had no positive pivot.
-    failed_at: Option<usize>,
+/// A supernode, and where its tiles go.
+type Place<'a> = (usize, &'a mut [Tile]);
+
+/// The places that are still to be given away.
+struct Places<'a>(Vec<Option<&'a mut [Tile]>>);
+
+impl<'a> Places<'a> {
+    fn new(structure: &Structure, mut tiles: &'a mut [Tile]) -> Self {
+        let place = |node: &Supernode| {
+            let (own, rest) = std::mem::take(&mut tiles).split_at_mut(node.tiles());
+            tiles = rest;
+            Some(own)
+        };
+        Self(structure.supernodes.iter().map(place).collect())
+    }
+
+    /// Those of `supernodes`, each of which is given away once.
+    fn take(&mut self, supernodes: &[usize]) -> Vec<Place<'a>> {
+        supernodes.iter().map(|&s| (s, self.0[s].take().unwrap_or_default())).collect()
+    }
+}
+
+/// Why elimination ended at a place.
+struct Failure {
+    place: usize,
+    reason: LinearError,
 }
 
 /// Branches that are eliminated independently of each other, and the trunk that they grow from; supernodes in elimination order.
@@ -93,97 +111,130 @@ fn children(structure: &Structure) -> Vec<Vec<usize>> {
     children
 }
 
-/// A symmetric matrix with both halves of each row at hand.
-struct Sides<'a> {
-    matrix: &'a SparseSymmetric,
-    /// Where each row has its entries left of the diagonal; one more at the end.
-    starts: Vec<u32>,
-    /// Column, and place among the values of the matrix.
-    left: Vec<(u32, u32)>,
+/// The elements that begin in the front of each supernode: where the first of their unknowns is eliminated.
+struct ElementsBySupernode {
+    /// Supernode s has its elements at `starts[s]..starts[s + 1]`.
+    starts: Vec<usize>,
+    /// In increasing order.
+    elements: Vec<usize>,
 }
 
-impl<'a> Sides<'a> {
-    fn new(matrix: &'a SparseSymmetric) -> Result<Self, LinearError> {
-        let pattern = matrix.pattern();
-        let order = pattern.order();
-        if u32::try_from(pattern.entries().max(order)).is_err() {
-            return Err(LinearError::TooLarge { order });
+impl ElementsBySupernode {
+    fn new(structure: &Structure, matrix: &impl ElementSum) -> Result<Self, LinearError> {
+        let order = structure.order.len();
+        if matrix.order() != order {
+            let quantity = "unknowns of a matrix to factor";
+            return Err(LinearError::WrongLength { quantity, given: matrix.order(), expected: order });
         }
-        let mut starts = vec![0u32; order + 1];
-        for j in 0..order {
-            pattern.rows()[pattern.starts()[j] + 1..pattern.starts()[j + 1]]
-                .iter()
-                .for_each(|&row| starts[row + 1] += 1);
+        let first = |element: usize| {
+            let places = matrix.unknowns(element).into_iter().flatten().map(|unknown| {
+                structure.place.get(unknown).copied().ok_or(LinearError::NoSuchUnknown { unknown, order })
+            });
+            let places: Vec<usize> = places.collect::<Result<_, _>>()?;
+            Ok(places.into_iter().min().map(|place| structure.supernode_of[place]))
+        };
+        let owners: Vec<Option<usize>> = (0..matrix.count()).map(first).collect::<Result<_, _>>()?;
+        let mut starts = vec![0; structure.supernodes.len() + 1];
+        owners.iter().flatten().for_each(|&s| starts[s + 1] += 1);
+        for s in 0..structure.supernodes.len() {
+            starts[s + 1] += starts[s];
         }
-        for row in 0..order {
-            starts[row + 1] += starts[row];
-        }
-        let mut left = vec![(0, 0); starts[order] as usize];
+        let mut elements = vec![0; starts[structure.supernodes.len()]];
         let mut next = starts.clone();
-        for j in 0..order {
-            for at in pattern.starts()[j] + 1..pattern.starts()[j + 1] {
-                let row = pattern.rows()[at];
-                left[next[row] as usize] = (j as u32, at as u32);
-                next[row] += 1;
+        for (element, owner) in owners.iter().enumerate() {
+            if let Some(s) = *owner {
+                elements[next[s]] = element;
+                next[s] += 1;
             }
         }
-        Ok(Self { matrix, starts, left })
+        Ok(Self { starts, elements })
     }
 
-    /// All entries of the row of an unknown: (other unknown, value).
-    fn row(&self, unknown: usize) -> impl Iterator<Item = (usize, f64)> {
-        let (pattern, values) = (self.matrix.pattern(), self.matrix.values());
-        let right = pattern.starts()[unknown]..pattern.starts()[unknown + 1];
-        let left = &self.left[self.starts[unknown] as usize..self.starts[unknown + 1] as usize];
-        let right = right.map(move |at| (pattern.rows()[at], values[at]));
-        right.chain(left.iter().map(move |&(column, at)| (column as usize, values[at as usize])))
+    fn of(&self, s: usize) -> &[usize] {
+        &self.elements[self.starts[s]..self.starts[s + 1]]
     }
 }
 
 /// What is left of the fronts of some supernodes, where their parents wait for it: the lower triangle, column by column.
 type Remainders = HashMap<usize, Vec<f64>>;
 
-struct Fronts<'a> {
+struct Fronts<'a, M> {
     structure: &'a Structure,
-    matrix: Sides<'a>,
+    matrix: &'a M,
+    elements: ElementsBySupernode,
     children: Vec<Vec<usize>>,
 }
 
-impl Fronts<'_> {
-    /// Eliminates `supernodes`, given what those before have left, by supernode; with what all of these have left for others.
-    fn branch(&self, supernodes: &[usize], mut left: Remainders) -> (Eliminated, Remainders) {
-        let mut result = Eliminated::default();
+impl<M: ElementSum> Fronts<'_, M> {
+    /// Eliminates supernodes, given what those before have left, by supernode; with what all of these have left for others.
+    fn branch(&self, places: Vec<Place>, mut left: Remainders) -> (Option<Failure>, Remainders) {
         let mut front = Vec::new();
-        for &s in supernodes {
+        for (s, place) in places {
             let node = self.structure.supernodes[s];
-            let size = node.columns + node.below;
-            self.assemble(s, &mut left, &mut front);
-            if let Err(pivot) = eliminate(&mut front, size, node.columns) {
-                result.failed_at = Some(node.start + pivot);
-                break;
+            if let Err(failure) = self.eliminate(s, &mut left, &mut front) {
+                return (Some(failure), left);
             }
-            result.tiles.push((s, tiles(&node, &front)));
-            left.insert(s, remainder(&front, size, node.columns));
+            write_tiles(&node, &front, place);
+            left.insert(s, remainder(&front, node.size(), node.columns));
         }
-        (result, left)
+        (None, left)
     }
 
-    /// The front of a supernode: row j holds column j from the diagonal on.
-    fn assemble(&self, s: usize, left: &mut Remainders, front: &mut Vec<f64>) {
+    /// The front of a supernode, its columns eliminated: row j holds column j from the diagonal on.
+    fn eliminate(&self, s: usize, left: &mut Remainders, front: &mut Vec<f64>) -> Result<(), Failure> {
         let node = &self.structure.supernodes[s];
-        let below = self.structure.rows_below(node);
-        let size = node.columns + node.below;
         front.clear();
-        front.resize(size * size, 0.0);
-        for (j, column) in front.chunks_exact_mut(size).take(node.columns).enumerate() {
-            for (other, value) in self.matrix.row(self.structure.order[node.start + j]) {
-                let place = self.structure.place[other];
-                if place < node.start + j {
-                    continue;
+        front.resize(node.size() * node.size(), 0.0);
+        self.add_elements(s, front).map_err(|reason| Failure { place: node.start, reason })?;
+        self.add_remainders(s, left, front);
+        eliminate(front, node.size(), node.columns).map_err(|pivot| {
+            let (order, place) = (self.structure.order.len(), node.start + pivot);
+            let reason = LinearError::NotPositiveDefinite { order, pivot: self.structure.order[place] };
+            Failure { place, reason }
+        })
+    }
+
+    /// Adds the elements that begin with a supernode to its front.
+    fn add_elements(&self, s: usize, front: &mut [f64]) -> Result<(), LinearError> {
+        let node = &self.structure.supernodes[s];
+        let size = node.size();
+        for &element in self.elements.of(s) {
+            let (unknowns, matrix) = (self.matrix.unknowns(element), self.matrix.matrix(element));
+            let expected = unknowns.len();
+            if matrix.rows() != expected || matrix.columns() != expected {
+                let (quantity, given) = ("rows of the matrix of an element", matrix.rows());
+                return Err(LinearError::WrongLength { quantity, given, expected });
+            }
+            let at: Vec<Option<usize>> = unknowns
+                .iter()
+                .map(|unknown| unknown.map(|unknown| self.place_of(node, unknown)).transpose())
+                .collect::<Result<_, _>>()?;
+            for (i, row) in at.iter().enumerate() {
+                let Some(row) = *row else { continue };
+                for (column, value) in at[..=i].iter().zip(matrix.row(i)) {
+                    let Some(column) = *column else { continue };
+                    front[row.min(column) * size + row.max(column)] += value;
                 }
-                column[place_in(node, below, place)] += value;
             }
         }
+        Ok(())
+    }
+
+    /// Where an unknown stands in the front of a supernode.
+    fn place_of(&self, node: &Supernode, unknown: usize) -> Result<usize, LinearError> {
+        let below = self.structure.rows_below(node);
+        let place = self.structure.place[unknown];
+        let at = place_in(node, below, place);
+        let there = at < node.columns || below.get(at - node.columns) == Some(&place);
+        let outside = LinearError::OutsidePattern { row: unknown, column: self.structure.order[node.start] };
+        if there { Ok(at) } else { Err(outside) }
+    }
+
+    /// Adds what the children of a supernode have left to its front.
+    fn add_remainders(&self, s: usize, left: &mut Remainders, front: &mut [f64]) {
+        let node = &self.structure.supernodes[s];
+        let below = self.structure.rows_below(node);
+        let size = node.size();
         for child in &self.children[s] {
             let Some(remainder) = left.remove(child) else { continue };
             let rows = self.structure.rows_below(&self.structure.supernodes[*child]);
@@ -224,23 +275,22 @@ fn remainder(front: &[f64], size: usize, columns: usize) -> Vec<f64> {
     remainder
 }
 
-/// The columns of a supernode from its front.
-fn tiles(node: &Supernode, front: &[f64]) -> Tiles {
-    let size = node.columns + node.below;
-    let blocks_below = node.below.div_ceil(ROWS);
-    let mut tiles = Tiles::with_capacity(node.triangle(node.blocks()) + blocks_below * node.columns);
-    for first in (0..node.columns).step_by(ROWS) {
-        tiles.extend((0..first + ROWS).map(|j| {
-            std::array::from_fn(|r| match first + r {
+/// Writes the columns of a supernode from its front.
+fn write_tiles(node: &Supernode, front: &[f64], tiles: &mut [Tile]) {
+    let size = node.size();
+    let (triangle, below) = tiles.split_at_mut(node.triangle(node.blocks()));
+    for (b, first) in (0..node.columns).step_by(ROWS).enumerate() {
+        for (j, tile) in triangle[node.triangle(b)..node.triangle(b + 1)].iter_mut().enumerate() {
+            *tile = std::array::from_fn(|r| match first + r {
                 i if i >= node.columns || j > i => 0.0,
                 i if i == j => 1.0 / front[i * size + i],
                 i => front[j * size + i],
-            })
-        }));
+            });
+        }
     }
-    for first in (node.columns..size).step_by(ROWS) {
-        let columns = front.chunks_exact(size).take(node.columns).map(|column| &column[first..]);
-        tiles.extend(columns.map(|column| std::array::from_fn(|r| column.get(r).copied().unwrap_or(0.0))));
+    for (block, first) in below.chunks_exact_mut(node.columns).zip((node.columns..size).step_by(ROWS)) {
+        for (tile, column) in block.iter_mut().zip(front.chunks_exact(size)) {
+            *tile = std::array::from_fn(|r| column.get(first + r).copied().unwrap_or(0.0));
+        }
     }
-    tiles
 }

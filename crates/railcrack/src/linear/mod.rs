@@ -5,12 +5,12 @@
 
 mod cholesky;
 mod dense;
+mod elements;
 mod error;
 mod fronts;
 mod gram;
 mod lanes;
 mod reach;
-mod sparse;
 #[cfg(test)]
 mod sparse_tests;
 mod spd;
@@ -18,9 +18,9 @@ mod structure;
 mod sweep;
 
 pub use cholesky::{SparseCholesky, SparseFactor};
-pub use dense::{SmallFactor, add_product, general_inverse, product, product_transposed, spd_inverse};
+pub use dense::{SmallFactor, add_product, general_inverse, product, products_of_rows, spd_inverse};
+pub use elements::ElementSum;
 pub use error::LinearError;
 pub use gram::gram;
 pub use reach::{PANEL_COLUMNS, ReachedPanel, SparseColumn};
-pub use sparse::{SparseSymmetric, SymmetricPattern};
 pub use spd::SpdFactor;

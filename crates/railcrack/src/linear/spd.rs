@@ -24,12 +24,12 @@ pub struct SpdFactor {
 #[derive(Debug)]
 struct Block {
     start: usize,
-    /// w × (start + w), with nothing of meaning right of the diagonal.
+    /// (start + w) × w: the rows stand beside each other, as products with them read them, with nothing of meaning above the diagonal.
     rows: Matrix,
 }
 
 /// Rows of a block.
-const BLOCK: usize = 192;
+const BLOCK: usize = 96;
 /// Rows that one thread solves together: their sums do not depend on who does them.
 const TOGETHER: usize = 48;
 
@@ -49,10 +49,11 @@ impl SpdFactor {
         order: usize,
         fill: impl Fn(usize, &mut [f64]) + Sync,
     ) -> Result<Self, LinearError> {
-        let kept = unchanged.min(self.order).min(order) / BLOCK;
+        let first = self.kept(unchanged.min(order));
+        let kept = first / BLOCK;
         let mut factor = Self { order, blocks: self.blocks[..kept].to_vec() };
-        for start in (kept * BLOCK..order).step_by(BLOCK) {
-            let block = factor.block(start, BLOCK.min(order - start), &fill);
+        for (start, rows) in (first..order).step_by(BLOCK).zip(factor.rows_from(first, fill)) {
+            let block = factor.block(start, kept, rows);
             factor.blocks.push(Arc::new(
                 block.map_err(|pivot| LinearError::NotPositiveDefinite { order, pivot: start + pivot })?,
             ));
@@ -60,21 +61,35 @@ impl SpdFactor {
         Ok(factor)
     }
 
-    /// The rows of L that follow those that are there, or the place among them without a positive pivot.
-    fn block(
-        &self,
-        start: usize,
-        width: usize,
-        fill: &(impl Fn(usize, &mut [f64]) + Sync),
-    ) -> Result<Block, usize> {
-        let stride = start + width;
-        let mut rows = Matrix::zeros(width, stride);
-        rows.entries_mut().par_chunks_mut(TOGETHER * stride).enumerate().for_each(|(chunk, rows)| {
-            for (k, row) in rows.chunks_exact_mut(stride).enumerate() {
-                let i = chunk * TOGETHER + k;
-                fill(start + i, &mut row[..=start + i]);
-            }
-            self.forward(rows, stride, 0);
+    /// How many rows [`SpdFactor::changed`] takes over from this one, and does not ask for, where those before `unchanged` are the same.
+    pub fn kept(&self, unchanged: usize) -> usize {
+        unchanged.min(self.order) / BLOCK * BLOCK
+    }
+
+    /// The rows of the matrix from `first` on in blocks, what is there of L applied to them.
+    fn rows_from(&self, first: usize, fill: impl Fn(usize, &mut [f64]) + Sync) -> Vec<Matrix> {
+        let starts = (first..self.order).step_by(BLOCK);
+        let width = |start: usize| BLOCK.min(self.order - start);
+        let mut blocks: Vec<Matrix> =
+            starts.map(|start| Matrix::zeros(width(start), start + width(start))).collect();
+        blocks.par_iter_mut().enumerate().for_each(|(k, block)| {
+            let stride = block.columns();
+            block.entries_mut().par_chunks_mut(TOGETHER * stride).enumerate().for_each(|(chunk, rows)| {
+                for (i, row) in (first + k * BLOCK + chunk * TOGETHER..).zip(rows.chunks_exact_mut(stride)) {
+                    fill(i, &mut row[..=i]);
+                }
+                forward(&self.blocks, rows, stride, 0);
+            });
+        });
+        blocks
+    }
+
+    /// The block of L at `start` from its `rows` of the matrix, to which the first `applied` blocks are applied, or the place among them without
+    /// a positive pivot.
+    fn block(&self, start: usize, applied: usize, mut rows: Matrix) -> Result<Block, usize> {
+        let (width, stride) = (rows.rows(), rows.columns());
+        rows.entries_mut().par_chunks_mut(TOGETHER * stride).for_each(|rows| {
+            forward(&self.blocks[applied..], rows, stride, 0);
         });
         let all = MatMut::from_row_major_slice_mut(rows.entries_mut(), width, stride);
         let (left, mut own) = all.split_at_col_mut(start);
@@ -86,20 +101,7 @@ impl SpdFactor {
             matmul(columns.get_mut(from.., ..), Accum::Add, left.get(from.., ..), across, -1.0, Par::Seq);
         });
         factor_in_place(own)?;
-        Ok(Block { start, rows })
-    }
-
-    /// Right-hand sides as rows of `stride` entries, of which those before the block `first` are zero: their first entries become those of L⁻¹ b.
-    fn forward(&self, rows: &mut [f64], stride: usize, first: usize) {
-        let from = first * BLOCK;
-        let mut all = MatMut::from_row_major_slice_mut(rows, rows.len() / stride, stride);
-        for block in &self.blocks[first..] {
-            let (solved, right) = all.rb_mut().split_at_col_mut(block.start);
-            let mut own = right.get_mut(.., ..block.rows.rows());
-            let known = block.matrix().get(.., from..block.start).transpose();
-            matmul(own.rb_mut(), Accum::Add, solved.as_ref().get(.., from..), known, -1.0, Par::Seq);
-            solve_lower_triangular_in_place(block.diagonal(), own.transpose_mut(), Par::Seq);
-        }
+        Ok(Block { start, rows: rows.transposed() })
     }
 
     /// L⁻¹ Bᵀ as rows, one for each row of `right` (r × order), so that their scalar products are B K⁻¹ Bᵀ. Where rows with leading zeros stand
@@ -112,7 +114,7 @@ impl SpdFactor {
         right.entries_mut().par_chunks_mut((TOGETHER * stride).max(1)).for_each(|rows| {
             let zeros = |row: &[f64]| row.iter().take_while(|value| **value == 0.0).count();
             let first = rows.chunks_exact(stride).map(zeros).min().unwrap_or(0) / BLOCK;
-            self.forward(rows, stride, first.min(self.blocks.len()));
+            forward(&self.blocks[first.min(self.blocks.len())..], rows, stride, first * BLOCK);
         });
         Ok(right)
     }
@@ -125,7 +127,7 @@ impl SpdFactor {
         let mut rest = MatMut::from_column_major_slice_mut(half, self.order, 1);
         for block in self.blocks.iter().rev() {
             let (before, mut own) = rest.rb_mut().split_at_row_mut(block.start);
-            let mut own = own.rb_mut().get_mut(..block.rows.rows(), ..);
+            let mut own = own.rb_mut().get_mut(..block.width(), ..);
             solve_upper_triangular_in_place(block.diagonal().transpose(), own.rb_mut(), Par::Seq);
             let coupling = block.matrix().get(.., ..block.start).transpose();
             matmul(before, Accum::Add, coupling, own.as_ref(), -1.0, Par::Seq);
@@ -140,9 +142,27 @@ impl SpdFactor {
     }
 }
 
+/// Right-hand sides as rows of `stride` entries, of which those before `first` are zero: what the `blocks` have rows for becomes that of L⁻¹ b. All
+/// blocks before them are applied already, or have nothing but zeros to be applied to.
+fn forward(blocks: &[Arc<Block>], rows: &mut [f64], stride: usize, first: usize) {
+    let mut all = MatMut::from_row_major_slice_mut(rows, rows.len() / stride, stride);
+    for block in blocks {
+        let (solved, right) = all.rb_mut().split_at_col_mut(block.start);
+        let mut own = right.get_mut(.., ..block.width());
+        let known = block.matrix().get(.., first..block.start).transpose();
+        matmul(own.rb_mut(), Accum::Add, solved.as_ref().get(.., first..), known, -1.0, Par::Seq);
+        solve_lower_triangular_in_place(block.diagonal(), own.transpose_mut(), Par::Seq);
+    }
+}
+
 impl Block {
+    fn width(&self) -> usize {
+        self.rows.columns()
+    }
+
+    /// Its rows, w × (start + w).
     fn matrix(&self) -> MatRef<'_, f64> {
-        MatRef::from_row_major_slice(self.rows.entries(), self.rows.rows(), self.rows.columns())
+        MatRef::from_column_major_slice(self.rows.entries(), self.width(), self.rows.rows())
     }
 
     /// The lower triangle at the diagonal.
@@ -154,7 +174,7 @@ impl Block {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::linear::{product_transposed, spd_inverse};
+    use crate::linear::{products_of_rows, spd_inverse};
 
     const ORDER: usize = 2 * BLOCK + 40;
 
@@ -179,7 +199,7 @@ mod tests {
         let inverse = spd_inverse(&Matrix::from_fn(ORDER, ORDER, entry)).unwrap();
         let right = right();
         let half = factor.half_solve_rows(right.clone()).unwrap();
-        let energies = product_transposed(&half, &half).unwrap();
+        let energies = products_of_rows(&half);
         for i in 0..right.rows() {
             let solution = inverse.times(right.row(i));
             for j in 0..right.rows() {

@@ -1,7 +1,8 @@
 //! The shape of a sparse Cholesky factor: supernodes and their tree.
 
+use super::elements::Pattern;
 use super::lanes::ROWS;
-use super::{LinearError, SymmetricPattern};
+use super::{ElementSum, LinearError};
 use faer::perm::PermRef;
 use faer::sparse::SymbolicSparseColMatRef;
 use faer::sparse::linalg::SupernodalThreshold;
@@ -37,12 +38,19 @@ pub(super) struct Supernode {
     pattern: usize,
     /// Number of rows below.
     pub(super) below: usize,
+    /// First of its tiles among all.
+    pub(super) first_tile: usize,
 }
 
 impl Supernode {
     /// Its columns, places in the elimination order.
     pub(super) fn places(&self) -> Range<usize> {
         self.start..self.start + self.columns
+    }
+
+    /// Rows of its front.
+    pub(super) fn size(&self) -> usize {
+        self.columns + self.below
     }
 
     /// Blocks of rows of the triangle.
@@ -60,6 +68,11 @@ impl Supernode {
         ROWS * b * (b + 1) / 2
     }
 
+    /// Number of its tiles.
+    pub(super) fn tiles(&self) -> usize {
+        self.triangle(self.blocks()) + self.below.div_ceil(ROWS) * self.columns
+    }
+
     /// Entries of L, the zeros included that make it dense.
     pub(super) fn entries(&self) -> usize {
         self.columns * (self.columns + 1) / 2 + self.columns * self.below
@@ -67,44 +80,52 @@ impl Supernode {
 }
 
 impl Structure {
-    /// Errors: an order that is not one of the unknowns.
-    pub(super) fn new(pattern: &SymmetricPattern, order: Vec<usize>) -> Result<Self, LinearError> {
-        let place = places(&order, pattern.order())?;
-        let unknowns = pattern.order();
-        let params = CholeskySymbolicParams {
-            supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SUPERNODAL,
-            ..Default::default()
-        };
-        let permutation = SymmetricOrdering::Custom(PermRef::new_checked(&order, &place, unknowns));
-        let view =
-            SymbolicSparseColMatRef::new_checked(unknowns, unknowns, pattern.starts(), None, pattern.rows());
-        let symbolic = factorize_symbolic_cholesky(view, Side::Lower, permutation, params)
-            .map_err(|_| LinearError::TooLarge { order: unknowns })?;
+    /// Errors: an order that is not one of the unknowns; an element with an unknown that is not there.
+    pub(super) fn new(matrix: &impl ElementSum, order: Vec<usize>) -> Result<Self, LinearError> {
+        let place = places(&order, matrix.order())?;
+        let pattern = Pattern::new(matrix)?;
         let mut structure = Self {
-            supernode_of: vec![0; unknowns],
+            supernode_of: vec![0; order.len()],
             order,
             place,
             supernodes: Vec::new(),
             pattern: Vec::new(),
         };
-        if let SymbolicCholeskyRaw::Supernodal(symbolic) = symbolic.raw() {
-            structure.take_supernodes(symbolic);
-        }
+        structure.analyse(&pattern)?;
         Ok(structure)
     }
 
-    fn take_supernodes(&mut self, symbolic: &SymbolicSupernodalCholesky<usize>) {
-        self.pattern = symbolic.row_idx().to_vec();
+    fn analyse(&mut self, pattern: &Pattern) -> Result<(), LinearError> {
+        let unknowns = self.order.len();
+        let params = CholeskySymbolicParams {
+            supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SUPERNODAL,
+            ..Default::default()
+        };
+        let [order, place] =
+            [&self.order, &self.place].map(|list| list.iter().map(|&i| i as u32).collect::<Vec<u32>>());
+        let permutation = SymmetricOrdering::Custom(PermRef::new_checked(&order, &place, unknowns));
+        let view =
+            SymbolicSparseColMatRef::new_checked(unknowns, unknowns, &pattern.starts, None, &pattern.rows);
+        let symbolic = factorize_symbolic_cholesky(view, Side::Lower, permutation, params)
+            .map_err(|_| LinearError::TooLarge { order: unknowns })?;
+        if let SymbolicCholeskyRaw::Supernodal(symbolic) = symbolic.raw() {
+            self.take_supernodes(symbolic);
+        }
+        Ok(())
+    }
+
+    fn take_supernodes(&mut self, symbolic: &SymbolicSupernodalCholesky<u32>) {
+        self.pattern = symbolic.row_idx().iter().map(|&row| row as usize).collect();
         let patterns = symbolic.col_ptr_for_row_idx().windows(2);
         let columns = symbolic.supernode_begin().iter().zip(symbolic.supernode_end());
+        let mut first_tile = 0;
         for (s, ((&start, &end), pattern)) in columns.zip(patterns).enumerate() {
+            let [start, end, first, last] = [start, end, pattern[0], pattern[1]].map(|i| i as usize);
             self.supernode_of[start..end].fill(s);
-            self.supernodes.push(Supernode {
-                start,
-                columns: end - start,
-                pattern: pattern[0],
-                below: pattern[1] - pattern[0],
-            });
+            let node =
+                Supernode { start, columns: end - start, pattern: first, below: last - first, first_tile };
+            first_tile += node.tiles();
+            self.supernodes.push(node);
         }
     }
 

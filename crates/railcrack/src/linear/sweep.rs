@@ -70,7 +70,7 @@ impl WithSimd for Forward<'_, '_> {
         let factor = panel.factor;
         for &s in panel.supernodes {
             let node = factor.structure.supernodes[s];
-            let tiles = &factor.tiles[s];
+            let tiles = factor.tiles(s);
             let end = panel.offset[s] + node.panel_rows();
             let (before, after) = panel.rows.split_at_mut(end);
             let x = &mut before[panel.offset[s]..];
@@ -127,7 +127,7 @@ impl WithSimd for Backward<'_, '_> {
             let from = panel.offset[s];
             let x = &mut panel.rows[from..from + node.panel_rows()];
             for b in (0..node.blocks()).rev() {
-                backward_block(simd, &factor.tiles[s], &node, b, below, x);
+                backward_block(simd, factor.tiles(s), &node, b, below, x);
             }
         }
     }

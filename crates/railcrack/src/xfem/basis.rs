@@ -73,6 +73,9 @@ struct TipBasis<'a> {
 pub(super) const MODES: [Sif; 2] = [Sif { k1: 1.0, k2: 0.0 }, Sif { k1: 0.0, k2: 1.0 }];
 
 impl<'a> CellBasis<'a> {
+    /// The first functions, those of the nodes.
+    pub(super) const NODAL: usize = 2 * NODES;
+
     pub(super) fn new(
         cuts: &'a Cuts,
         space: &Space,
@@ -110,7 +113,8 @@ impl<'a> CellBasis<'a> {
         let (xi, eta) = self.element.reference(point);
         let size = self.element.size();
         let slopes = (2.0 / size.x, 2.0 / size.y);
-        for [n, d_xi, d_eta] in shape_functions(xi, eta) {
+        let shapes = shape_functions(xi, eta);
+        for [n, d_xi, d_eta] in shapes {
             let (dx, dy) = (d_xi * slopes.0, d_eta * slopes.1);
             let along = |v: f64| Vec2::new(v, 0.0);
             let up = |v: f64| Vec2::new(0.0, v);
@@ -119,7 +123,6 @@ impl<'a> CellBasis<'a> {
         }
         for tip in &self.tips {
             let fields = tip.fields(point);
-            let shapes = shape_functions(xi, eta);
             for (_, [n, d_xi, d_eta]) in tip.nodes.iter().zip(shapes).filter(|(node, _)| node.is_some()) {
                 let (dx, dy) = (d_xi * slopes.0, d_eta * slopes.1);
                 for field in &fields {
@@ -142,8 +145,9 @@ impl TipBasis<'_> {
         }
         let theta = self.path.angle_near(point, self.sheet.0, self.sheet.1);
         let ahead = self.path.ahead;
+        let powers = self.modes[0].powers(r, theta);
         self.modes.map(|mode| {
-            let field = mode.at(r, theta, 0.0);
+            let field = mode.of_powers(&powers, 0.0);
             let (along, across) = (self.path.to_global(field.along), self.path.to_global(field.across));
             Function {
                 value: self.path.to_global(field.displacement),

@@ -2,38 +2,50 @@
 
 use super::border::Entries;
 use crate::linear::{LinearError, PANEL_COLUMNS, ReachedPanel, SparseColumn, SparseFactor, SpdFactor, gram};
-use rayon::prelude::*;
 use std::sync::Arc;
 
-/// Half-solved columns L⁻¹ b of the border and their scalar products, and the factor of its Schur complement.
+/// Half-solved columns L⁻¹ b of the border and scalar products of the last ones, and the factor of its Schur complement.
 ///
 /// What the first columns came to is used again as long as these are the same bits; since it depends on nothing else, a run that begins in the
 /// middle finds the same bits without it. A clone shares all of it.
 #[derive(Debug, Clone, Default)]
 pub struct ColumnStore {
-    columns: Vec<Content>,
+    columns: Arc<[SparseColumn]>,
     panels: Vec<Arc<ReachedPanel>>,
+    /// b_iᵀ K⁻¹ b_j of the columns from `first_product` on with all up to their own: those before are in the factor.
     products: Vec<Arc<[f64]>>,
+    first_product: usize,
     factored: Option<Factored>,
 }
 
-/// Entries by their bits.
-type Content = Arc<[(usize, u64)]>;
-
-/// A factor, and what every row of its matrix was made of: the column, and its row of K_ee.
+/// A factor, and what the rows of its matrix were made of: of each the column, and its row of K_ee.
 #[derive(Debug, Clone)]
 struct Factored {
-    rows: Vec<[Content; 2]>,
+    columns: Arc<[SparseColumn]>,
+    square: Arc<[Entries]>,
     factor: SpdFactor,
 }
 
-fn content(entries: &[(usize, f64)]) -> Content {
-    entries.iter().map(|&(unknown, value)| (unknown, value.to_bits())).collect()
+/// The border, eliminated.
+pub(super) struct Eliminated {
+    /// L Lᵀ of the Schur complement.
+    pub factor: SpdFactor,
+    /// The scalar products of each further column with all those before it and itself.
+    pub further: Vec<Arc<[f64]>>,
 }
 
-/// How many of the first ones are the same.
-fn in_common<T: PartialEq>(one: &[T], other: &[T]) -> usize {
-    one.iter().zip(other).take_while(|(a, b)| a == b).count()
+/// How many of the first ones are the same, bit by bit.
+fn in_common<'a>(one: impl Iterator<Item = &'a Entries>, other: impl Iterator<Item = &'a Entries>) -> usize {
+    let same = |(a, b): &(&Entries, &Entries)| a.len() == b.len() && bits(a).eq(bits(b));
+    one.zip(other).take_while(same).count()
+}
+
+fn bits(entries: &Entries) -> impl Iterator<Item = (usize, u64)> {
+    entries.iter().map(|&(unknown, value)| (unknown, value.to_bits()))
+}
+
+fn entries(columns: &[SparseColumn]) -> impl Iterator<Item = &Entries> {
+    columns.iter().map(|column| &column.entries)
 }
 
 impl ColumnStore {
@@ -42,42 +54,129 @@ impl ColumnStore {
         *self = Self::default();
     }
 
-    /// b_iᵀ K⁻¹ b_j of all `columns`: row i with the columns up to its own. Keeps them for the next call and forgets all others.
-    pub(super) fn products(
+    /// Eliminates a border of `columns` and rows `square` of K_ee; after those of the border, `columns` may have further ones.
+    /// `fill(i, row, products, square)` makes row i of the Schur complement as for [`SpdFactor::new`], from the products b_iᵀ K⁻¹ b_j and its row of K_ee.
+    /// Keeps what the next call may use and forgets the rest.
+    pub(super) fn eliminated(
         &mut self,
-        factor: &SparseFactor,
-        columns: &[SparseColumn],
-    ) -> Result<&[Arc<[f64]>], LinearError> {
-        let contents: Vec<Content> = columns.par_iter().map(|column| content(&column.entries)).collect();
-        let panels = in_common(&contents, &self.columns) / PANEL_COLUMNS;
-        let kept = panels * PANEL_COLUMNS;
-        let fresh = factor.forward(&columns[kept..])?;
-        self.columns = contents;
-        self.panels.truncate(panels);
-        self.products.truncate(kept);
-        self.panels.extend(fresh.into_iter().map(Arc::new));
-        self.products.extend(gram(&self.panels, panels).into_iter().map(Arc::from));
-        Ok(&self.products)
-    }
-
-    /// The factor of the matrix that `fill` makes, as for [`SpdFactor::new`], of the first columns of the last call of [`Self::products`] and
-    /// the rows `square` of K_ee. Of it those rows are taken over that were made of the same.
-    pub(super) fn factor(
-        &mut self,
-        square: &[Entries],
-        fill: impl Fn(usize, &mut [f64], &[f64]) + Sync,
-    ) -> Result<SpdFactor, LinearError> {
-        let rows: Vec<[Content; 2]> = square
-            .par_iter()
-            .zip(&self.columns)
-            .map(|(square, column)| [Arc::clone(column), content(square)])
-            .collect();
-        let fill = |i: usize, row: &mut [f64]| fill(i, row, &self.products[i]);
-        let factor = match self.factored.take() {
-            Some(before) => before.factor.changed(in_common(&rows, &before.rows), square.len(), fill)?,
+        rail: &SparseFactor,
+        columns: Vec<SparseColumn>,
+        square: Vec<Entries>,
+        fill: impl Fn(usize, &mut [f64], &[f64], &Entries) + Sync,
+    ) -> Result<Eliminated, LinearError> {
+        let same = in_common(entries(&columns), entries(&self.columns));
+        let before = self.factored.take();
+        let unchanged = before.as_ref().map_or(0, |before| {
+            let same_columns = in_common(entries(&columns), entries(&before.columns));
+            same_columns.min(in_common(square.iter(), before.square.iter()))
+        });
+        let filled = before.as_ref().map_or(0, |before| before.factor.kept(unchanged.min(square.len())));
+        self.solve(rail, columns, same, filled)?;
+        let first = self.first_product;
+        let fill = |i: usize, row: &mut [f64]| fill(i, row, &self.products[i - first], &square[i]);
+        let factor = match before {
+            Some(before) => before.factor.changed(unchanged, square.len(), fill)?,
             None => SpdFactor::new(square.len(), fill)?,
         };
-        self.factored = Some(Factored { rows, factor: factor.clone() });
-        Ok(factor)
+        let further = self.products[square.len() - first..].to_vec();
+        let (columns, square) = (Arc::clone(&self.columns), square.into());
+        self.factored = Some(Factored { columns, square, factor: factor.clone() });
+        Ok(Eliminated { factor, further })
+    }
+
+    /// Solves `columns`, of which the first ones are the `same` as before, and multiplies those from `needed` on with all up to their own.
+    fn solve(
+        &mut self,
+        rail: &SparseFactor,
+        columns: Vec<SparseColumn>,
+        same: usize,
+        needed: usize,
+    ) -> Result<(), LinearError> {
+        let whole = |columns: usize| columns / PANEL_COLUMNS * PANEL_COLUMNS;
+        let (kept, needed) = (whole(same), whole(needed.min(same)));
+        let fresh = rail.forward(&columns[kept..])?;
+        self.columns = columns.into();
+        self.panels.truncate(kept / PANEL_COLUMNS);
+        self.panels.extend(fresh.into_iter().map(Arc::new));
+        self.products.truncate(kept.saturating_sub(self.first_product));
+        if needed < self.first_product {
+            self.products.clear();
+        } else {
+            self.products.drain(..(needed - self.first_product).min(self.products.len()));
+        }
+        self.first_product = needed;
+        let first = (needed + self.products.len()) / PANEL_COLUMNS;
+        self.products.extend(gram(&self.panels, first).into_iter().map(Arc::from));
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bulk::{Boundary, BulkRail};
+    use crate::material::IsotropicElastic;
+    use crate::math::Matrix;
+    use crate::mesh::QuadMesh;
+
+    const BORDER: usize = 330;
+    const FURTHER: usize = 2;
+
+    fn rail() -> BulkRail {
+        let lines = |from: f64| (0..=16).map(|i| from + f64::from(i)).collect();
+        let mesh = QuadMesh::new(lines(-8.0), lines(-16.0)).unwrap();
+        BulkRail::new(mesh, &IsotropicElastic::new(210e3, 0.3).unwrap(), Boundary::HalfPlane).unwrap()
+    }
+
+    /// Columns along the unknowns; from `changed` on others with another `seed`.
+    fn columns(order: usize, changed: usize, seed: usize) -> Vec<SparseColumn> {
+        let entry = |i: usize, k: usize| {
+            let chance = if i < changed { 0 } else { seed };
+            (((3 * i + k) % order), 30.0 * ((7 * i + 3 * k + 11 * chance) as f64).sin())
+        };
+        (0..BORDER + FURTHER)
+            .map(|i| SparseColumn { entries: (0..5).map(|k| entry(i, k)).collect() })
+            .collect()
+    }
+
+    /// The diagonal of K_ee; another one at `changed`.
+    fn square(changed: Option<usize>) -> Vec<Entries> {
+        (0..BORDER).map(|i| vec![(i, 60.0 + f64::from(changed == Some(i)))]).collect()
+    }
+
+    /// L⁻¹ of a row, and the further products.
+    fn result(
+        store: &mut ColumnStore,
+        rail: &BulkRail,
+        columns: Vec<SparseColumn>,
+        square: Vec<Entries>,
+    ) -> (Matrix, Vec<Arc<[f64]>>) {
+        let fill = |i: usize, row: &mut [f64], products: &[f64], square: &Entries| {
+            row.iter_mut().zip(products).for_each(|(entry, product)| *entry -= product);
+            row[i] += square[0].1;
+        };
+        let Eliminated { factor, further } = store.eliminated(rail.factor(), columns, square, fill).unwrap();
+        let right = Matrix::from_fn(1, BORDER, |_, j| (j as f64).cos());
+        (factor.half_solve_rows(right).unwrap(), further)
+    }
+
+    #[test]
+    fn what_is_kept_cannot_show_wherever_the_change_begins() {
+        let rail = rail();
+        let order = rail.factor().order();
+        let mut kept = ColumnStore::default();
+        let mut seen = Vec::new();
+        // Forwards, back to before what is kept in K_ee and in the columns, everything, and nothing.
+        let changes =
+            [(0, None), (250, None), (300, None), (BORDER, None), (320, Some(120)), (40, None), (310, None)];
+        for (seed, (changed, in_square)) in changes.into_iter().chain([(0, None), (0, None)]).enumerate() {
+            let columns = columns(order, changed, seed.min(7));
+            let afresh = result(&mut ColumnStore::default(), &rail, columns.clone(), square(in_square));
+            assert_eq!(result(&mut kept, &rail, columns, square(in_square)), afresh, "from column {changed}");
+            assert_eq!(afresh.1.len(), FURTHER);
+            assert!(!seen.contains(&afresh) || seed > 7, "from column {changed}");
+            seen.push(afresh);
+        }
+        assert!(kept.products.len() < BORDER + FURTHER, "products that are in the factor are forgotten");
     }
 }

@@ -1,17 +1,17 @@
 //! The unknowns behind the faces, eliminated: C and S.
 
 use super::body::XfemError;
-use super::border::{Border, Entries};
-use super::columns::ColumnStore;
+use super::border::{Border, BorderEntries, Entries};
+use super::columns::{ColumnStore, Eliminated};
+use super::enriched::EnrichedStiffness;
 use super::interface::Duality;
 use super::sif::SifFunctional;
 use super::space::{Enrichment, Space};
 use crate::bulk::BulkRail;
 use crate::linear::{
-    LinearError, ReachedPanel, SparseCholesky, SparseColumn, SparseFactor, SpdFactor, gram,
-    product_transposed,
+    LinearError, ReachedPanel, SparseCholesky, SparseColumn, SparseFactor, SpdFactor, gram, products_of_rows,
 };
-use crate::math::{Matrix, add_rows};
+use crate::math::Matrix;
 use std::sync::Arc;
 
 /// C and S, and what the unknowns under a load follow from.
@@ -44,8 +44,8 @@ pub(super) enum Elimination {
         coupling: Arc<Vec<Entries>>,
         /// L Lᵀ = S_ee, of scaled unknowns.
         factor: SpdFactor,
-        /// L⁻¹ Bᵀ, transposed: row of a component of B.
-        jumps: Matrix,
+        /// B, row by row.
+        jumps: Vec<Entries>,
         /// The unknowns over the scaled ones.
         scale: Vec<f64>,
     },
@@ -71,7 +71,7 @@ impl System<'_> {
     /// the cracks and the mesh alone, so that a resumed run finds the same bits.
     pub(super) fn condensed(&self, store: &mut ColumnStore) -> Result<Condensed, XfemError> {
         let mesh = self.rail.factor().order() as f64;
-        if self.border.columns.len() as f64 <= DENSE * mesh.sqrt() {
+        if self.border.unknowns as f64 <= DENSE * mesh.sqrt() {
             self.by_border(store)
         } else {
             store.clear();
@@ -79,35 +79,32 @@ impl System<'_> {
         }
     }
 
-    /// The columns of the border and then the functionals, of the free unknowns of the mesh.
-    fn columns(&self) -> Vec<SparseColumn> {
+    /// Columns of unknowns 2 node + axis of the mesh, on its free unknowns.
+    fn on_free_unknowns<'c>(&self, columns: impl Iterator<Item = &'c Entries>) -> Vec<SparseColumn> {
         let free = |&(unknown, value): &(usize, f64)| {
             self.rail.unknowns(unknown / 2)[unknown % 2].map(|free| (free, value))
         };
-        let own = self.border.columns.iter().chain(self.functionals.iter().map(|f| &f.standard));
-        own.map(|column| SparseColumn { entries: column.iter().filter_map(free).collect() }).collect()
-    }
-
-    fn diagonal(&self, i: usize) -> f64 {
-        self.border.square[i].last().map_or(0.0, |entry| entry.1)
+        columns.map(|column| SparseColumn { entries: column.iter().filter_map(free).collect() }).collect()
     }
 
     pub(super) fn by_border(&self, store: &mut ColumnStore) -> Result<Condensed, XfemError> {
-        let n = self.border.columns.len();
-        let scale: Vec<f64> = (0..n)
-            .map(|i| self.diagonal(i))
+        let n = self.border.unknowns;
+        let BorderEntries { columns, square } = self.border.entries();
+        let scale: Vec<f64> = square
+            .iter()
+            .map(|row| row.last().map_or(0.0, |entry| entry.1))
             .map(|own| if own > 0.0 { 1.0 / own.sqrt() } else { 0.0 })
             .collect();
-        let products = store.products(self.rail.factor(), &self.columns())?;
-        let of_functionals: Vec<Arc<[f64]>> = products[n..].to_vec();
-        let fill = |i: usize, row: &mut [f64], products: &[f64]| {
+        let functionals = self.functionals.iter().map(|functional| &functional.standard);
+        let free = self.on_free_unknowns(columns.iter().chain(functionals));
+        let fill = |i: usize, row: &mut [f64], products: &[f64], square: &Entries| {
             row.iter_mut().zip(products).zip(&scale).for_each(|((entry, p), s)| *entry = -p * scale[i] * s);
-            for &(j, value) in &self.border.square[i] {
+            for &(j, value) in square {
                 row[j] = (value - products[j]) * scale[i] * scale[j];
             }
             row[i] += if scale[i] > 0.0 { REDUNDANT } else { 1.0 };
         };
-        let factor = store.factor(&self.border.square, fill)?;
+        let Eliminated { factor, further } = store.eliminated(self.rail.factor(), free, square, fill)?;
         let faces = self.jumps.len();
         let mut right = Matrix::zeros(faces + self.functionals.len(), n);
         for (i, row) in self.jumps.iter().enumerate() {
@@ -115,13 +112,12 @@ impl System<'_> {
         }
         for (k, functional) in self.functionals.iter().enumerate() {
             let row = right.row_mut(faces + k);
-            row.iter_mut().zip(&*of_functionals[k]).for_each(|(own, product)| *own = -product);
+            row.iter_mut().zip(&*further[k]).for_each(|(own, product)| *own = -product);
             functional.enriched.iter().for_each(|&(unknown, value)| row[unknown] += value);
             row.iter_mut().zip(&scale).for_each(|(own, scale)| *own *= scale);
         }
         let half = factor.half_solve_rows(right)?;
-        let jumps = Matrix::from_fn(faces, n, |i, j| half[(i, j)]);
-        let energies = product_transposed(&half, &jumps)?;
+        let energies = products_of_rows(&half);
         let compliance = Matrix::from_fn(faces, faces, |i, j| energies[(i, j)]);
         let influence: Vec<Vec<f64>> = self
             .functionals
@@ -129,33 +125,24 @@ impl System<'_> {
             .enumerate()
             .map(|(k, f)| (0..faces).map(|j| energies[(faces + k, j)] + f.tractions[j]).collect())
             .collect();
-        let coupling = Arc::new(self.border.columns.clone());
-        let elimination = Elimination::Border { coupling, factor, jumps, scale };
+        let elimination =
+            Elimination::Border { coupling: Arc::new(columns), factor, jumps: self.jumps.to_vec(), scale };
         Ok(self.at_face_points(compliance, &influence, elimination))
     }
 
     pub(super) fn together(&self) -> Result<Condensed, XfemError> {
         let mesh = self.rail.factor().order();
-        let mut columns = self.columns();
-        let functionals = columns.split_off(self.border.columns.len());
-        let border: Vec<Entries> = columns.into_iter().map(|column| column.entries).collect();
-        let mut square = self.border.square.clone();
-        for (i, row) in square.iter_mut().enumerate() {
-            let own = self.diagonal(i);
-            row.iter_mut().filter(|entry| entry.0 == i).for_each(|entry| {
-                entry.1 += if own > 0.0 { REDUNDANT * own } else { 1.0 };
-            });
-        }
-        let matrix = self.rail.matrix().bordered(&border, &square)?;
-        drop((border, square));
-        let analysis = SparseCholesky::analyse(Arc::clone(matrix.pattern()), self.order())?;
-        let factor = analysis.factor(&matrix)?;
-        drop((analysis, matrix));
+        let redundant = |own: f64| if own > 0.0 { REDUNDANT * own } else { 1.0 };
+        let added = self.border.diagonal().into_iter().map(redundant).collect();
+        let stiffness = EnrichedStiffness::new(self.rail, self.border, added);
+        let factor = SparseCholesky::analyse(&stiffness, self.order())?.factor(&stiffness)?;
         let enriched = |entries: &Entries| entries.iter().map(|&(i, v)| (mesh + i, v)).collect::<Entries>();
         let jumps: Vec<Entries> = self.jumps.iter().map(enriched).collect();
         let mut columns: Vec<SparseColumn> =
             jumps.iter().map(|row| SparseColumn { entries: row.clone() }).collect();
-        for (functional, mut standard) in self.functionals.iter().zip(functionals) {
+        let functionals = self.functionals.iter().map(|functional| &functional.standard);
+        let functionals = self.functionals.iter().zip(self.on_free_unknowns(functionals));
+        for (functional, mut standard) in functionals {
             standard.entries.extend(enriched(&functional.enriched));
             columns.push(standard);
         }
@@ -213,21 +200,14 @@ impl Elimination {
         nodes: impl Iterator<Item = usize>,
     ) -> Result<Vec<Unknowns>, XfemError> {
         let mesh = rail.factor().order();
-        let enriched: Vec<Vec<f64>> =
-            tractions.iter().map(|own| self.enriched(own)).collect::<Result<_, _>>()?;
+        let enriched = self.enriched(tractions)?;
         let (factor, mut together) = match self {
             Self::Border { coupling, .. } => {
                 let pulls: Vec<Vec<f64>> = enriched.iter().map(|own| pull_of(rail, coupling, own)).collect();
                 (rail.factor(), pulls.concat())
             }
             Self::Together { factor, jumps } => {
-                let mut right = vec![0.0; factor.order() * tractions.len()];
-                for (right, tractions) in right.chunks_mut(factor.order().max(1)).zip(tractions) {
-                    for (row, traction) in jumps.iter().zip(tractions) {
-                        row.iter().for_each(|&(unknown, value)| right[unknown] += traction * value);
-                    }
-                }
-                (factor.as_ref(), right)
+                (factor.as_ref(), under_tractions(jumps, tractions, factor.order()).entries().to_vec())
             }
         };
         let wanted = nodes.flat_map(|node| rail.unknowns(node)).flatten();
@@ -242,15 +222,35 @@ impl Elimination {
             .collect())
     }
 
-    /// The enriched unknowns, where they can be had without those of the mesh.
-    fn enriched(&self, tractions: &[f64]) -> Result<Vec<f64>, LinearError> {
-        let Self::Border { factor, jumps, scale, .. } = self else { return Ok(Vec::new()) };
-        let mut enriched = vec![0.0; jumps.columns()];
-        add_rows(tractions, |row| jumps.row(row), &mut enriched);
-        factor.back_solve(&mut enriched)?;
-        enriched.iter_mut().zip(scale).for_each(|(value, scale)| *value *= scale);
-        Ok(enriched)
+    /// The enriched unknowns under each of some tractions, where they can be had without those of the mesh.
+    fn enriched(&self, tractions: &[Vec<f64>]) -> Result<Vec<Vec<f64>>, LinearError> {
+        let Self::Border { factor, jumps, scale, .. } = self else {
+            return Ok(vec![Vec::new(); tractions.len()]);
+        };
+        let scaled = |values: &mut [f64]| values.iter_mut().zip(scale).for_each(|(value, s)| *value *= s);
+        let mut right = under_tractions(jumps, tractions, scale.len());
+        (0..right.rows()).for_each(|k| scaled(right.row_mut(k)));
+        let half = factor.half_solve_rows(right)?;
+        let whole = |k: usize| {
+            let mut enriched = half.row(k).to_vec();
+            factor.back_solve(&mut enriched)?;
+            scaled(&mut enriched);
+            Ok(enriched)
+        };
+        (0..tractions.len()).map(whole).collect()
     }
+}
+
+/// Bᵀ τ of `unknowns` unknowns for each of some tractions τ, row by row, from B = `jumps` row by row.
+fn under_tractions(jumps: &[Entries], tractions: &[Vec<f64>], unknowns: usize) -> Matrix {
+    let mut right = Matrix::zeros(tractions.len(), unknowns);
+    for (k, tractions) in tractions.iter().enumerate() {
+        let own = right.row_mut(k);
+        for (row, traction) in jumps.iter().zip(tractions) {
+            row.iter().for_each(|&(unknown, value)| own[unknown] += traction * value);
+        }
+    }
+    right
 }
 
 /// The unknowns under one load.

@@ -9,6 +9,7 @@ mod condense;
 mod cuts;
 mod domain;
 mod engine;
+mod enriched;
 mod field;
 mod field_grid;
 mod interface;

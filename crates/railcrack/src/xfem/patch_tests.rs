@@ -55,7 +55,7 @@ impl Dense {
     pub fn new(mesh: &QuadMesh, network: &CrackNetwork) -> Self {
         let parts = Discretisation::new(mesh, network, &XfemSettings::default()).unwrap();
         let elasticity = Elasticity::new(steel());
-        let border = Border::new(&parts.cuts, &parts.space, &elasticity);
+        let border = Border::new(&parts.cuts, &parts.space, &elasticity).entries();
         let standard = 2 * mesh.node_count();
         let mut matrix = Matrix::zeros(standard + parts.space.unknowns(), standard + parts.space.unknowns());
         let stiffness = RectangleStiffness::new(&steel());

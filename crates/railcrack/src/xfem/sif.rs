@@ -141,8 +141,9 @@ impl Dual<'_> {
         let theta = path.angle_near(point, sheet.0, sheet.1);
         let r = (point - path.position()).length();
         let nu = self.context.elasticity.steel.poisson();
+        let powers = self.fields[0].powers(r, theta);
         self.fields.map(|field| {
-            let field = field.at(r, theta, nu);
+            let field = field.of_powers(&powers, nu);
             DualValue {
                 displacement: path.to_global(field.displacement),
                 stress: field.stress.rotated(path.ahead),

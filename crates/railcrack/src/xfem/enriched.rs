@@ -1,0 +1,81 @@
+//! The stiffness of all unknowns together.
+
+use super::border::{Border, CellStiffness};
+use crate::bulk::{BulkRail, RailStiffness};
+use crate::linear::ElementSum;
+use crate::math::Matrix;
+
+/// The stiffness of the free unknowns of the mesh and, after these, of the enriched ones: the elements of the mesh, the cells with enrichments, and what
+/// is added to the diagonal.
+pub(super) struct EnrichedStiffness<'a> {
+    rail: &'a BulkRail,
+    mesh: RailStiffness<'a>,
+    border: &'a Border,
+    /// Per enriched unknown.
+    added: Vec<f64>,
+}
+
+/// An element of the sum.
+enum Part<'a> {
+    /// An element of the mesh.
+    Mesh(usize),
+    /// A cell: what its functions add to that of the mesh.
+    Cell(&'a CellStiffness),
+    /// What is added at an enriched unknown.
+    Added(usize),
+}
+
+impl<'a> EnrichedStiffness<'a> {
+    /// With `added[i]` on the diagonal at enriched unknown i.
+    pub(super) fn new(rail: &'a BulkRail, border: &'a Border, added: Vec<f64>) -> Self {
+        Self { rail, mesh: rail.stiffness(), border, added }
+    }
+
+    fn part(&self, element: usize) -> Part<'a> {
+        let cells = &self.border.cells;
+        match element.checked_sub(self.mesh.count()) {
+            None => Part::Mesh(element),
+            Some(other) => cells.get(other).map_or_else(|| Part::Added(other - cells.len()), Part::Cell),
+        }
+    }
+}
+
+impl ElementSum for EnrichedStiffness<'_> {
+    fn order(&self) -> usize {
+        self.mesh.order() + self.border.unknowns
+    }
+
+    fn count(&self) -> usize {
+        self.mesh.count() + self.border.cells.len() + self.added.len()
+    }
+
+    fn unknowns(&self, element: usize) -> Vec<Option<usize>> {
+        let free = |unknown: usize| self.rail.unknowns(unknown / 2)[unknown % 2];
+        let enriched = |unknown: usize| Some(self.mesh.order() + unknown);
+        match self.part(element) {
+            Part::Mesh(element) => self.mesh.unknowns(element),
+            Part::Cell(cell) => {
+                let standard = cell.targets.iter().filter_map(|target| target.standard.map(free));
+                standard
+                    .chain(cell.targets.iter().filter_map(|target| target.enriched.map(enriched)))
+                    .collect()
+            }
+            Part::Added(unknown) => vec![enriched(unknown)],
+        }
+    }
+
+    fn matrix(&self, element: usize) -> Matrix {
+        match self.part(element) {
+            Part::Mesh(element) => self.mesh.matrix(element),
+            Part::Cell(cell) => {
+                let mut functions: Vec<usize> = cell.functions(|target| target.standard).collect();
+                let standard = functions.len();
+                functions.extend(cell.functions(|target| target.enriched));
+                // Between unknowns of the mesh the elements have it all.
+                let entry = |i, j| if i < standard { 0.0 } else { cell.entry(functions[i], functions[j]) };
+                Matrix::from_fn(functions.len(), functions.len(), entry)
+            }
+            Part::Added(unknown) => Matrix::from_fn(1, 1, |_, _| self.added[unknown]),
+        }
+    }
+}
