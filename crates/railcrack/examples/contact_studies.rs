@@ -81,7 +81,7 @@ fn step_control(cases: &[Case], title: &str) -> Result<(), Box<dyn Error>> {
         let mut cells = Vec::new();
         for (case, exact) in cases.iter().zip(&exact) {
             let result = passage(case, &newton, refinement, tolerance)?;
-            let solves = result.counts.solves / result.counts.passages;
+            let solves = result.counts.solves;
             cells.push(format!("{:.3} % ({solves})", 100.0 * error(&result, exact, refinement)));
         }
         println!("| {name} | {} |", cells.join(" | "));

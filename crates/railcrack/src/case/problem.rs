@@ -157,7 +157,10 @@ pub(super) const PASSAGE: Section = Section {
         choice(
             "step_control",
             &[
-                now("adaptive", "substeps end where points touch or turn back, by step_tolerance"),
+                now(
+                    "adaptive",
+                    "events between positions are met in their order, steps are cut by step_tolerance where the load bends",
+                ),
                 now(
                     "fixed",
                     "one step from output position to output position, as in a code without control",

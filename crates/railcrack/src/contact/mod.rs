@@ -1,16 +1,17 @@
 //! Unilateral contact with Coulomb friction on the crack faces.
 
 mod condition;
-mod forecast;
+#[cfg(test)]
+mod fixtures;
 mod latin;
 mod law;
 mod newton;
 mod problem;
 mod response;
 mod solver;
-mod span;
 mod stepping;
 mod tableau;
+mod trace;
 
 pub use latin::Latin;
 pub use law::{FaceState, FaceStatus};

@@ -87,7 +87,7 @@ impl<'a> StepSolver<'a> for NewtonSteps<'a> {
         }
         let mut worst = f64::INFINITY;
         for iteration in 1..=self.max_iterations {
-            if !in_equilibrium && faces.equilibrate_again(step.forces).is_err() {
+            if !in_equilibrium && faces.equilibrate_again().is_err() {
                 return Err(NotConverged { iterations: iteration, indicator: worst, tolerance: ROUND_OFF });
             }
             let scale = self.scale.including(faces.solution(), step.forces);
@@ -140,7 +140,7 @@ impl<'a> NewtonSteps<'a> {
         let others = [Stick, SlipForward, SlipBackward, Open].into_iter();
         for status in [wanted].into_iter().chain(others.filter(|&s| s != wanted && s != before)) {
             faces.set_status(point, status, reference);
-            let solved = faces.equilibrate_again(step.forces).is_ok();
+            let solved = faces.equilibrate_again().is_ok();
             if solved && demanded(self.problem, faces, scale, point, reference).is_none() {
                 return true;
             }
@@ -153,53 +153,8 @@ impl<'a> NewtonSteps<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::body::{BodyTip, CrackedBody, FaceMesh, MeshPoint};
-    use crate::math::{Matrix, Vec2};
-
-    /// One face point with the compliance (mm per N/mm) c of its shear and its pressure and what is between them.
-    struct OnePoint {
-        faces: FaceMesh,
-        compliance: Matrix,
-        stiffness: Matrix,
-        none: Matrix,
-    }
-
-    impl OnePoint {
-        fn new(own: f64, between: f64) -> Self {
-            let along = Vec2 { x: 1.0, y: 0.0 };
-            let point =
-                MeshPoint { crack: 0, segment: 0, s: 0.0, position: along, tangent: along, weight: 1.0 };
-            let symmetric = |own, between| Matrix::from_fn(2, 2, |i, j| if i == j { own } else { between });
-            let determinant = own * own - between * between;
-            Self {
-                faces: FaceMesh { points: vec![point], samples: Vec::new() },
-                compliance: symmetric(own, between),
-                stiffness: symmetric(own / determinant, -between / determinant),
-                none: Matrix::zeros(0, 2),
-            }
-        }
-    }
-
-    impl CrackedBody for OnePoint {
-        fn faces(&self) -> &FaceMesh {
-            &self.faces
-        }
-        fn tips(&self) -> &[BodyTip] {
-            &[]
-        }
-        fn compliance(&self) -> &Matrix {
-            &self.compliance
-        }
-        fn stiffness(&self) -> &Matrix {
-            &self.stiffness
-        }
-        fn sif_influence(&self) -> &Matrix {
-            &self.none
-        }
-        fn dofs(&self) -> usize {
-            0
-        }
-    }
+    use crate::body::CrackedBody;
+    use crate::contact::fixtures::OnePoint;
 
     #[test]
     fn a_point_that_can_neither_open_nor_slip_sticks() {
@@ -210,7 +165,8 @@ mod tests {
         let forces = body.stiffness().times(&[3.0, -1.0]);
         let mut faces = FaceResponse::virgin(&problem);
         faces.set_status(0, PointStatus::Open, 0.0);
-        faces.equilibrate(&forces, None).unwrap();
+        faces.load([forces.clone()]);
+        faces.equilibrate().unwrap();
         let step = LoadStep { forces: &forces, reference_slip: &[0.0] };
         Newton::default().prepare(&problem).solve(step, &mut faces).unwrap();
         let solution = faces.solution();

@@ -1,10 +1,8 @@
 //! The linear response of the faces while no point changes its status.
 
 use super::condition::{Condition, Degenerate};
-use super::span::Combination;
-use super::tableau::Tableau;
+use super::tableau::{Faces, Tableau};
 use super::{FaceProblem, FaceSolution, PointStatus};
-use crate::math::Matrix;
 
 /// The faces with their statuses: for given loads the jumps of the free components and the forces of the held ones
 /// follow linearly. Newton's method works on it; the step control uses it to foresee events.
@@ -13,6 +11,15 @@ pub struct FaceResponse<'a> {
     tableau: Tableau<'a>,
     solution: FaceSolution,
     kept: FaceSolution,
+}
+
+/// How jumps and contact forces change, in the order of a [`FaceSolution`].
+#[derive(Debug, Clone)]
+pub(super) struct FaceRate {
+    /// mm
+    pub jump: Vec<f64>,
+    /// N/mm
+    pub contact: Vec<f64>,
 }
 
 impl<'a> FaceResponse<'a> {
@@ -59,26 +66,34 @@ impl<'a> FaceResponse<'a> {
         self.tableau.set(2 * point + 1, normal);
     }
 
-    /// Remembers `loads` (N/mm, each a row), of which others will be combined.
-    pub(super) fn remember(&mut self, loads: Matrix) {
-        self.tableau.remember(loads);
+    /// Makes `loads` (N/mm, 2p each) those to answer: the first one acts, others are rates.
+    pub(super) fn load(&mut self, loads: impl IntoIterator<Item = Vec<f64>>) {
+        self.tableau.load(loads);
     }
 
-    /// Jumps and contact forces under the nodal forces `load` with the present statuses; `combination` is how the load is combined of those
-    /// remembered, if it is.
-    pub(super) fn equilibrate(
-        &mut self,
-        load: &[f64],
-        combination: Option<&Combination>,
-    ) -> Result<(), Degenerate> {
-        let FaceSolution { jump, contact, .. } = &mut self.solution;
-        self.tableau.solve(load, combination, jump, contact)
+    /// One more load (N/mm, 2p) to answer as a rate.
+    pub(super) fn load_also(&mut self, load: Vec<f64>) {
+        self.tableau.load_also(load);
     }
 
-    /// [`FaceResponse::equilibrate`] after changes of status, under the same `load`.
-    pub(super) fn equilibrate_again(&mut self, load: &[f64]) -> Result<(), Degenerate> {
+    /// Jumps and contact forces under the load with the present statuses.
+    pub(super) fn equilibrate(&mut self) -> Result<(), Degenerate> {
         let FaceSolution { jump, contact, .. } = &mut self.solution;
-        self.tableau.solve_again(load, jump, contact)
+        self.tableau.solve(jump, contact)
+    }
+
+    /// [`FaceResponse::equilibrate`] after changes of status that may be undone.
+    pub(super) fn equilibrate_again(&mut self) -> Result<(), Degenerate> {
+        let FaceSolution { jump, contact, .. } = &mut self.solution;
+        self.tableau.solve_again(jump, contact)
+    }
+
+    /// What the loads from number `first` on add to jumps and contact forces with the present statuses, one after the other in `rates`.
+    pub(super) fn rates(&mut self, first: usize, rates: &mut [FaceRate]) -> Result<(), Degenerate> {
+        self.tableau.rates(
+            first,
+            rates.iter_mut().map(|rate| Faces { jump: &mut rate.jump, contact: &mut rate.contact }),
+        )
     }
 
     /// Takes over statuses and values of `solution`, which is in equilibrium.

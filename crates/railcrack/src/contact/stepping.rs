@@ -1,7 +1,6 @@
 //! Adaptive load steps: friction remembers the order of events.
 
-use super::forecast::{Forecast, Motion, Turn, shorter_than};
-use super::span::{Combination, LoadSpan};
+use super::trace::{Accuracy, StepLoad, Stop, Traced, follow};
 use super::{
     ContactSolver, FaceProblem, FaceResponse, FaceScale, FaceSolution, LoadStep, NotConverged, PointStatus,
     StepSolver,
@@ -17,7 +16,8 @@ pub trait LoadPath: Sync {
 /// How the load steps of a path are chosen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum StepControl {
-    /// Steps end where points touch or turn back, as finely as the tolerance asks for.
+    /// Points touch, stick, slip and open one after the other within a step, along a parabola of the load; a step is as long as the tolerance lets that be
+    /// accurate.
     #[default]
     Adaptive,
     /// One step from station to station, as in a code without control: a point that closes and sticks within a step is
@@ -73,13 +73,12 @@ pub struct SteppingCounts {
     pub violation_max: f64,
 }
 
-/// Follows load paths with steps that end where points touch.
+/// Follows load paths from station to station, event by event.
 ///
 /// Between changes of status the response to the load has no memory, so a step has no error of its own. What a step can
-/// get wrong is the slip at which a point is held when it closes, or stops slipping, within the step. Before each step
-/// the linear response of the unchanged statuses at its end foresees such events and the slip at their moment; a step in
-/// which a point with an event would slip by more than `tolerance` of the largest jump seen there is cut so that it ends
-/// shortly before the event.
+/// get wrong is the slip at which a point is held when it closes, or stops slipping, within the step. So all changes of status
+/// are met in their order, along a parabola of the load; where what that misses of the load would change the slip of such a point by more than `tolerance` of the largest jump seen there,
+/// the step is cut. At the end of a step the solver has the last word, under the exact load.
 pub struct Stepper<'a> {
     problem: &'a FaceProblem<'a>,
     solver: Box<dyn StepSolver<'a> + 'a>,
@@ -92,8 +91,6 @@ pub struct Stepper<'a> {
     largest: FaceScale,
     /// The accepted solution.
     current: FaceSolution,
-    /// The last step.
-    last: Option<LastStep>,
     at: f64,
     load: Vec<f64>,
     counts: SteppingCounts,
@@ -106,33 +103,30 @@ const MOST_ATTEMPTS: usize = 3000;
 /// Steps between two stations at most in which the contact does not converge, each of hundreds of iterations. Halving a step down to the
 /// smallest takes 24 of them.
 const MOST_FAILURES: usize = 48;
-/// Steps that are tried between two stations before their loads are combined of a few, and components from which on that saves more than it
-/// costs.
-const PLAIN_ATTEMPTS: usize = 1;
-const MANY_COMPONENTS: usize = 300;
-/// Slip of a point in a step in which it touches or turns back, over the tolerance times the largest jump seen there.
+/// Error of the slip at which a point is held, over the tolerance times the largest jump seen there.
 /// Measured in `docs/step-control.md`.
-const FREE_SLIP: f64 = 0.7;
+const HELD_SLIP: f64 = 0.2;
 /// Slip that counts as large before any has been seen, as a share of the slip without contact.
-const EXPECTED_SHARE: f64 = 1e-3;
+const EXPECTED_SHARE: f64 = 2e-2;
+/// Difference of two jumps, over the error that a step may make, that is none.
+const ALIKE: f64 = 1e-3;
 /// Smallest step as a fraction of the distance between stations.
 const SMALLEST: f64 = 1e-7;
 
-/// What the step before the current solution tells of the next one.
-struct LastStep {
-    length: f64,
-    /// Slip of each point per unit of path.
-    slip_rates: Vec<f64>,
-    /// Change of each point's margin against slipping (N/mm) per unit of path.
-    margin_rates: Vec<f64>,
+/// How a step went.
+enum Attempt {
+    Accepted,
+    /// To be tried with this share of its length.
+    Shorter(f64),
+    /// The same, without tracing.
+    Untraced(f64),
 }
 
-/// Whether a step may be cut for accuracy.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Cutting {
-    Allowed,
-    Over,
-}
+/// A step that can be followed to less than this share of it is made untraced, with a share [`UNTRACED`] of its length; others
+/// end at this share of what could be followed.
+const EARLY: f64 = 0.05;
+const UNTRACED: f64 = 1.0 / 16.0;
+const BEFORE: f64 = 0.95;
 
 impl<'a> Stepper<'a> {
     /// Virgin faces without load. `tolerance` is that on K relative to its peak; `expected` (mm, p) is the slip that
@@ -152,7 +146,6 @@ impl<'a> Stepper<'a> {
             scale: expected.iter().map(|slip| EXPECTED_SHARE * slip.abs()).collect(),
             largest: FaceScale::NONE,
             current: FaceSolution::virgin(problem.points()),
-            last: None,
             at: 0.0,
             load: vec![0.0; 2 * problem.points()],
             counts: SteppingCounts::default(),
@@ -175,6 +168,13 @@ impl<'a> Stepper<'a> {
         &self.current
     }
 
+    /// Whether the current solution is `other`, as far as what comes after it can tell: the same statuses, and jumps that differ by less than a thousandth of
+    /// the error that a step may make.
+    pub fn is_like(&self, other: &FaceSolution) -> bool {
+        let near = |i: usize| (self.current.jump[i] - other.jump[i]).abs() <= ALIKE * self.allowed(i / 2);
+        self.current.status == other.status && (0..other.jump.len()).all(near)
+    }
+
     /// The nodal forces of the current solution.
     pub fn load(&self) -> &[f64] {
         &self.load
@@ -188,7 +188,6 @@ impl<'a> Stepper<'a> {
     /// Begins a new path at coordinate `start`: its load there must be the current one.
     pub fn begin(&mut self, start: f64) {
         self.at = start;
-        self.last = None;
     }
 
     /// Follows `path` to `station`, in as many steps as the tolerance asks for. `accepted` sees every accepted solution
@@ -205,7 +204,7 @@ impl<'a> Stepper<'a> {
         let whole = station - from;
         let mut step = whole;
         let (mut attempts, mut failures) = (0, 0);
-        let mut span: Option<LoadSpan> = None;
+        let mut control = self.control;
         while self.at != station {
             if (self.interrupted)() {
                 return Err(SteppingError::Interrupted { at: self.at });
@@ -213,29 +212,22 @@ impl<'a> Stepper<'a> {
             if attempts == MOST_ATTEMPTS {
                 return Err(SteppingError::TooManySteps { at: self.at, attempts, from, to: station });
             }
-            if attempts == PLAIN_ATTEMPTS && self.load.len() >= MANY_COMPONENTS {
-                let loads = LoadSpan::new(path, self.at, station);
-                self.faces.remember(loads.loads().clone());
-                span = Some(loads);
-            }
             attempts += 1;
             let target = if step.abs() >= (station - self.at).abs() { station } else { self.at + step };
             let smallest = (target - self.at).abs() <= SMALLEST * whole.abs();
-            let cutting =
-                if smallest || self.control == StepControl::Fixed { Cutting::Over } else { Cutting::Allowed };
-            let (load, combination) = match &span {
-                Some(span) => span.load(path, target),
-                None => (path.nodal_forces(target), None),
-            };
-            match self.attempt((load, combination.as_ref()), target, cutting) {
-                Ok(None) => {
+            match self.attempt(path, target, if smallest { StepControl::Fixed } else { control }, accepted) {
+                Ok(Attempt::Accepted) => {
                     if target != station {
                         self.counts.substeps += 1;
                     }
-                    accepted(&self.current, &self.load);
                     step = station - self.at;
+                    control = self.control;
                 }
-                Ok(Some(shorter)) => step = shorter.abs().max(SMALLEST * whole.abs()).copysign(whole),
+                Ok(Attempt::Shorter(share)) => step = share * (target - self.at),
+                Ok(Attempt::Untraced(share)) => {
+                    step = share * (target - self.at);
+                    control = StepControl::Fixed;
+                }
                 Err(failure) => {
                     failures += 1;
                     if smallest || failures == MOST_FAILURES {
@@ -248,132 +240,129 @@ impl<'a> Stepper<'a> {
         Ok(())
     }
 
-    /// Tries a step to the `load` at `target`. `Some(step)` asks for a shorter one; the solution is then as before.
+    /// Tries a step to `target`. If it is not accepted, the solution is as before.
     fn attempt(
         &mut self,
-        (load, combination): (Vec<f64>, Option<&Combination>),
+        path: &dyn LoadPath,
         target: f64,
-        cutting: Cutting,
-    ) -> Result<Option<f64>, NotConverged> {
-        let step = target - self.at;
+        control: StepControl,
+        accepted: &mut dyn FnMut(&FaceSolution, &[f64]),
+    ) -> Result<Attempt, NotConverged> {
+        let end = path.nodal_forces(target);
         self.faces.keep();
-        let forecasts = self.foresee(&load, combination, step)?;
-        let events = forecasts.iter().enumerate().filter(|(j, _)| self.problem.friction(*j) > 0.0);
-        let wishes = events.filter_map(|(j, forecast)| forecast.cut(self.allowed(j), step));
-        if let (Some(shorter), Cutting::Allowed) = (wishes.reduce(shortest), cutting) {
-            self.faces.restore();
-            return Ok(Some(shorter));
-        }
-        let reference_slip: Vec<f64> = match self.control {
-            StepControl::Adaptive => forecasts.iter().map(|f| f.slip).collect(),
-            StepControl::Fixed => self.current.jump.iter().step_by(2).copied().collect(),
+        let result = if control == StepControl::Adaptive && self.problem.has_friction() {
+            self.traced(path, target, end, accepted)
+        } else {
+            self.untraced(target, end, accepted)
         };
-        self.solver.keep();
-        let solved =
-            self.solver.solve(LoadStep { forces: &load, reference_slip: &reference_slip }, &mut self.faces);
-        self.counts.solves += 1;
-        let iterations = solved.inspect_err(|failure| {
-            self.counts.iterations += failure.iterations;
+        if !matches!(result, Ok(Attempt::Accepted)) {
             self.solver.restore();
             self.faces.restore();
-        })?;
-        self.counts.iterations += iterations;
-        self.counts.iterations_max = self.counts.iterations_max.max(iterations);
-        if cutting == Cutting::Allowed
-            && let Some(shorter) = self.unforeseen(&forecasts, step)
-        {
-            self.solver.restore();
-            self.faces.restore();
-            return Ok(Some(shorter));
         }
-        self.accept(target, load);
-        Ok(None)
+        result
     }
 
-    /// What each point would do in a step to `load` of length `step` if no point changed its status.
-    fn foresee(
+    /// A step in which all events are met in their order.
+    fn traced(
         &mut self,
-        load: &[f64],
-        combination: Option<&Combination>,
-        step: f64,
-    ) -> Result<Vec<Forecast>, NotConverged> {
-        if self.faces.equilibrate(load, combination).is_err() {
-            self.faces.restore();
+        path: &dyn LoadPath,
+        target: f64,
+        end: Vec<f64>,
+        accepted: &mut dyn FnMut(&FaceSolution, &[f64]),
+    ) -> Result<Attempt, NotConverged> {
+        let along = |share: f64| self.at + share * (target - self.at);
+        let load = StepLoad::through(&self.load, &path.nodal_forces(along(0.5)), end);
+        self.faces.load([load.end.clone(), load.first.clone(), load.second.clone()]);
+        self.solver.keep();
+        let scale = self.largest.including(&self.current, &load.end);
+        let (tolerance, scale_of) = (self.tolerance, &self.scale);
+        let accuracy = Accuracy {
+            missed: &|| {
+                let exact = path.nodal_forces(along(0.75));
+                exact.iter().zip(load.at(0.75)).map(|(exact, assumed)| exact - assumed).collect()
+            },
+            allowed: &|j| allowed(tolerance, scale_of[j]),
+        };
+        let traced = follow(self.problem, &mut self.faces, &self.current, scale, accuracy);
+        let Traced { reference_slip, holds } = match traced {
+            Ok(traced) => traced,
+            Err(Stop::Inaccurate { excess }) => return Ok(Attempt::Shorter((0.9 / excess.cbrt()).max(0.2))),
+            Err(Stop::Lost { share }) if share > EARLY => return Ok(Attempt::Shorter(BEFORE * share)),
+            Err(Stop::Lost { .. }) => return Ok(Attempt::Untraced(UNTRACED)),
+        };
+        let before = self.faces.solution().status.clone();
+        self.solve(&load.end, &reference_slip)?;
+        let after = self.faces.solution();
+        let astray = |j: usize| {
+            let (traced, solved) = (before[j], after.status[j]);
+            let holds = traced != solved && solved.is_closed() && traced != PointStatus::Stick;
+            let slip = (after.jump[2 * j] - self.current.jump[2 * j]).abs();
+            holds && self.problem.friction(j) > 0.0 && slip > self.allowed(j)
+        };
+        if (0..self.problem.points()).any(astray) {
+            return Ok(Attempt::Shorter(0.5));
+        }
+        for hold in &holds {
+            accepted(&hold.solution, &load.at(hold.share));
+        }
+        self.accept(target, load.end);
+        accepted(&self.current, &self.load);
+        Ok(Attempt::Accepted)
+    }
+
+    /// A step whose events all count as at its start.
+    fn untraced(
+        &mut self,
+        target: f64,
+        end: Vec<f64>,
+        accepted: &mut dyn FnMut(&FaceSolution, &[f64]),
+    ) -> Result<Attempt, NotConverged> {
+        self.faces.load([end.clone()]);
+        let reference_slip: Vec<f64> = self.current.jump.iter().step_by(2).copied().collect();
+        self.solver.keep();
+        self.solve(&end, &reference_slip)?;
+        self.accept(target, end);
+        accepted(&self.current, &self.load);
+        Ok(Attempt::Accepted)
+    }
+
+    /// Solves contact under `forces` from the statuses in `faces`.
+    fn solve(&mut self, forces: &[f64], reference_slip: &[f64]) -> Result<(), NotConverged> {
+        if self.faces.equilibrate().is_err() {
             return Err(NotConverged { iterations: 0, indicator: f64::INFINITY, tolerance: self.tolerance });
         }
-        let end = self.faces.solution();
-        let motion = |j: usize| Motion {
-            status: self.current.status[j],
-            slip: (self.current.jump[2 * j], end.jump[2 * j]),
-            opening: (self.current.jump[2 * j + 1], end.jump[2 * j + 1]),
-            last_rate: self.last.as_ref().map(|last| (last.slip_rates[j], last.length)),
+        let solved = self.solver.solve(LoadStep { forces, reference_slip }, &mut self.faces);
+        self.counts.solves += 1;
+        let iterations = match &solved {
+            Ok(iterations) => *iterations,
+            Err(failure) => failure.iterations,
         };
-        Ok((0..self.problem.points()).map(|j| Forecast::of(&motion(j), step)).collect())
-    }
-
-    /// A shorter step for an event that was not foreseen, since another one caused it or since it is over by the end of
-    /// the step.
-    fn unforeseen(&self, forecasts: &[Forecast], step: f64) -> Option<f64> {
-        let after = self.faces.solution();
-        let wish = |(j, forecast): (usize, &Forecast)| {
-            let change = (self.current.status[j], after.status[j]);
-            if change == (PointStatus::Stick, PointStatus::Stick) {
-                return self.passing_slip(j, after, step);
-            }
-            let gone = after.jump[2 * j] - self.current.jump[2 * j];
-            let last = self.last.as_ref().map(|last| (last.slip_rates[j], last.length));
-            forecast.cut_unforeseen(change, gone, last, self.allowed(j), step)
-        };
-        let points = forecasts.iter().enumerate().filter(|(j, _)| self.problem.friction(*j) > 0.0);
-        points.filter_map(wish).reduce(shortest)
-    }
-
-    /// A step to the moment at which point `j`, which sticks before and `after`, slips in between: its margin against
-    /// slipping, a parabola through the last steps, falls below zero by a force that moves the point too far.
-    fn passing_slip(&self, j: usize, after: &FaceSolution, step: f64) -> Option<f64> {
-        let last = self.last.as_ref()?;
-        let start = self.margin(&self.current, j);
-        let rate = (self.margin(after, j) - start) / step;
-        let lowest = Turn::of((last.margin_rates[j], last.length), rate, step)?;
-        let moved = -(start + lowest.change) * self.problem.body().compliance()[(2 * j, 2 * j)];
-        (moved > self.allowed(j)).then(|| shorter_than(step, lowest.path))
-    }
-
-    /// How far (N/mm) the shear force of point `j` is below that at which it slips.
-    fn margin(&self, solution: &FaceSolution, j: usize) -> f64 {
-        self.problem.friction(j) * solution.contact[2 * j + 1] - solution.contact[2 * j].abs()
+        self.counts.iterations += iterations;
+        self.counts.iterations_max = self.counts.iterations_max.max(iterations);
+        solved.map(|_| ())
     }
 
     /// Makes the solution in `faces` the current one.
     fn accept(&mut self, target: f64, load: Vec<f64>) {
-        let step = target - self.at;
         let after = self.faces.solution();
         self.largest = self.largest.including(after, &load);
         self.counts.violation_max =
             self.counts.violation_max.max(after.violation(self.problem, self.largest));
-        let points = 0..self.scale.len();
-        let slip_rate = |j: usize| (after.jump[2 * j] - self.current.jump[2 * j]) / step;
-        let margin_rate = |j: usize| (self.margin(after, j) - self.margin(&self.current, j)) / step;
-        let last = LastStep {
-            length: step,
-            slip_rates: points.clone().map(slip_rate).collect(),
-            margin_rates: points.map(margin_rate).collect(),
-        };
         for (j, scale) in self.scale.iter_mut().enumerate() {
             *scale = scale.max(after.jump[2 * j].abs()).max(after.jump[2 * j + 1].abs());
         }
         self.current.clone_from(after);
-        self.last = Some(last);
         self.at = target;
         self.load = load;
     }
 
-    /// Slip of point `j` in a step with an event that leaves K within the tolerance, mm.
+    /// Error (mm) of the slip at which point `j` is held that leaves K within the tolerance.
     fn allowed(&self, j: usize) -> f64 {
-        FREE_SLIP * self.tolerance * self.scale[j]
+        allowed(self.tolerance, self.scale[j])
     }
 }
 
-fn shortest(one: f64, other: f64) -> f64 {
-    if other.abs() < one.abs() { other } else { one }
+/// The same for a point whose jumps go up to `scale`, mm.
+fn allowed(tolerance: f64, scale: f64) -> f64 {
+    HELD_SLIP * tolerance * scale
 }

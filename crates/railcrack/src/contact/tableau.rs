@@ -1,9 +1,8 @@
 //! Jumps and contact forces of the faces, as components are held and freed.
 
 use super::condition::{Condition, Degenerate};
-use super::span::Combination;
-use crate::linear::{LinearError, SmallFactor, add_product, general_inverse, product};
-use crate::math::{Matrix, add_rows, axpy, dot};
+use crate::linear::{BorderedFactor, LinearError, SmallFactor, add_product, general_inverse, product};
+use crate::math::{Matrix, add_rows_to_each, axpy};
 
 /// The equations A w = load + q of the faces under a condition for each component: its jump w_i is held, or it is free with
 /// q_i + c_i q_{i+1} = 0, where c_i ≠ 0 couples the shear of a slipping point to its pressure.
@@ -23,49 +22,111 @@ pub(super) struct Tableau<'a> {
     responses: Matrix,
     now: Vec<Condition>,
     kept: Vec<Condition>,
-    /// Inputs under the last load, as if the conditions of the base held, and their outputs.
+    /// Where the base holds components (mm), zero where it does not, and its outputs for that: what is held seldom moves.
+    held: Vec<f64>,
+    of_held: Vec<f64>,
+    probe: Probe,
+    loads: Vec<Load>,
+    /// Memory for answers.
+    spare: Vec<Answer>,
+    differences: Differences,
+}
+
+/// Nodal forces, and what the base makes of them.
+struct Load {
+    /// N/mm.
+    forces: Vec<f64>,
+    /// The base where all that it holds is held at zero; none before that is asked for.
+    answer: Option<Answer>,
+}
+
+/// The base under some action.
+#[derive(Debug, Default)]
+struct Answer {
     input: Vec<f64>,
     output: Vec<f64>,
-    /// The part of the outputs that comes from what the base holds: it seldom moves.
-    of_held: Vec<f64>,
-    base_state: BaseState,
-    remembered: Remembered,
-    /// None where conditions have changed since.
-    differences: Option<Differences>,
+    /// Of the inputs where the conditions of today differ.
+    changes: Vec<f64>,
+}
+
+/// What acts on the faces.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Action {
+    /// One of the loads, if any.
+    load: Option<usize>,
+    /// Whether the held components are where their conditions say, or at zero.
+    held: bool,
+}
+
+/// Jumps and contact forces of all components to write to.
+pub(super) struct Faces<'f> {
+    /// mm, or mm per unit of load.
+    pub jump: &'f mut [f64],
+    /// N/mm
+    pub contact: &'f mut [f64],
 }
 
 /// Where the conditions of today differ from those of the base.
+#[derive(Default)]
 struct Differences {
+    /// In the order in which they came.
     components: Vec<usize>,
-    /// Their system, once it was needed.
-    factor: Option<SmallFactor>,
+    /// The factor of the equations of the first of them.
+    factor: BorderedFactor,
+    /// That of all, with exchange of rows, where the other one finds no pivot.
+    whole: Option<SmallFactor>,
 }
 
-/// Loads of which others are combined.
-struct Remembered {
-    /// Nodal forces (N/mm), each load a row.
-    loads: Matrix,
-    /// Outputs of the base for them, without what is held; none before they are asked for.
-    outputs: Option<Matrix>,
+impl Differences {
+    /// Takes note that the condition of `component` has changed, and whether it `differs` from that of the base.
+    fn change(&mut self, component: usize, differs: bool) {
+        self.whole = None;
+        if let Some(place) = self.components.iter().position(|&other| other == component) {
+            self.components.remove(place);
+            self.factor.truncate(place);
+        }
+        if differs {
+            self.components.push(component);
+        }
+    }
+
+    /// Solves their equations in place.
+    fn solve(&self, right: &mut [f64]) -> Result<(), LinearError> {
+        match &self.whole {
+            Some(whole) => whole.solve(right),
+            None => self.factor.solve(right),
+        }
+    }
 }
 
-/// Whether the numbers of a base can be relied on.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum BaseState {
-    /// Its first solution has not been set against the equations yet.
-    New,
-    Checked,
+/// A sum of the equations that is quickly made: each with a weight of its own, so that errors do not cancel.
+struct Probe {
+    weights: Vec<f64>,
+    /// A times the weights, N/mm.
+    of_jumps: Vec<f64>,
+    /// The largest sum of absolute terms so far, N/mm.
+    size: f64,
+}
+
+impl Probe {
+    fn new(stiffness: &Matrix) -> Self {
+        // Between 1/2 and 3/2, without order, of either sign.
+        let golden = |i: usize| (i as f64 * 0.618_033_988_749_895).fract();
+        let weight = |i: usize| (0.5 + golden(i)).copysign(golden(i + 7 * i * i) - 0.5);
+        let weights: Vec<f64> = (0..stiffness.rows()).map(weight).collect();
+        Self { of_jumps: stiffness.times(&weights), weights, size: 0.0 }
+    }
 }
 
 /// Components per difference that it takes to make a new base, and how many differences at least and at most: a system of more costs
 /// more than a base.
-const MANY: usize = 16;
-const FEW: usize = 8;
+const MANY: usize = 12;
+const FEW: usize = 10;
 const MOST: usize = 80;
 /// A new base is made at once beyond this multiple of that number.
 const URGENT: usize = 3;
-/// Residual of the equations, relative to the largest force, above which a base is made afresh.
-const DRIFT: f64 = 1e-11;
+/// Residual of the probe, relative to its terms so far, above which a base is made afresh.
+const DRIFT: f64 = 1e-13;
 
 impl<'a> Tableau<'a> {
     /// All components held at zero. `stiffness` is A, symmetric.
@@ -80,25 +141,30 @@ impl<'a> Tableau<'a> {
             responses: in_units(stiffness, unit),
             now: held.clone(),
             kept: held,
-            input: vec![0.0; n],
-            output: vec![0.0; n],
+            held: vec![0.0; n],
             of_held: vec![0.0; n],
-            base_state: BaseState::Checked,
-            remembered: Remembered { loads: Matrix::zeros(0, n), outputs: None },
-            differences: None,
+            probe: Probe::new(stiffness),
+            loads: Vec::new(),
+            spare: Vec::new(),
+            differences: Differences::default(),
         }
     }
 
-    /// Remembers `loads` (N/mm, each a row) instead of others.
-    pub(super) fn remember(&mut self, loads: Matrix) {
-        self.remembered = Remembered { loads, outputs: None };
+    /// Makes `loads` (N/mm) those to answer.
+    pub(super) fn load(&mut self, loads: impl IntoIterator<Item = Vec<f64>>) {
+        self.loads = loads.into_iter().map(|forces| Load { forces, answer: None }).collect();
+    }
+
+    /// One more load (N/mm) to answer.
+    pub(super) fn load_also(&mut self, forces: Vec<f64>) {
+        self.loads.push(Load { forces, answer: None });
     }
 
     /// Sets the condition of `component`. Only one that another follows may be coupled, and only to one that is free without
     /// coupling or held.
     pub(super) fn set(&mut self, component: usize, condition: Condition) {
         if !condition.is_like(self.now[component]) {
-            self.differences = None;
+            self.differences.change(component, !condition.is_like(self.base[component]));
         }
         self.now[component] = condition;
     }
@@ -110,175 +176,210 @@ impl<'a> Tableau<'a> {
 
     /// Returns to what was kept.
     pub(super) fn restore(&mut self) {
-        if self.now.iter().zip(&self.kept).any(|(now, kept)| !now.is_like(*kept)) {
-            self.differences = None;
+        for component in 0..self.now.len() {
+            self.set(component, self.kept[component]);
         }
-        self.now.clone_from(&self.kept);
-    }
-
-    /// The components whose condition is of another kind than in the base.
-    fn take_differences(&mut self) -> Differences {
-        self.differences.take().unwrap_or_else(|| {
-            let differs = |&i: &usize| !self.now[i].is_like(self.base[i]);
-            Differences { components: (0..self.now.len()).filter(differs).collect(), factor: None }
-        })
-    }
-
-    /// How many there are.
-    fn different(&mut self) -> usize {
-        let differences = self.take_differences();
-        self.differences.insert(differences).components.len()
     }
 
     fn many(&self) -> usize {
         (self.now.len() / MANY).clamp(FEW, MOST)
     }
 
-    /// The jumps (mm) and contact forces q (N/mm) of all components under the nodal forces `load`; `combination` is how it is combined of the loads
-    /// remembered, if it is.
+    /// The jumps (mm) and contact forces q (N/mm) of all components under the first load.
     ///
     /// Errors: conditions that leave a component without equation.
-    pub(super) fn solve(
+    pub(super) fn solve(&mut self, jump: &mut [f64], contact: &mut [f64]) -> Result<(), Degenerate> {
+        self.rebase_beyond(self.many());
+        self.solve_checked(jump, contact)
+    }
+
+    /// [`Tableau::solve`] in an iteration, whose conditions may well be undone.
+    pub(super) fn solve_again(&mut self, jump: &mut [f64], contact: &mut [f64]) -> Result<(), Degenerate> {
+        self.rebase_beyond(URGENT * self.many());
+        self.solve_checked(jump, contact)
+    }
+
+    /// What the loads from number `first` on add to jumps and contact forces while nothing that is held moves, one after the other in `rates`.
+    ///
+    /// Errors: conditions that leave a component without equation.
+    pub(super) fn rates<'f>(
         &mut self,
-        load: &[f64],
-        combination: Option<&Combination>,
-        jump: &mut [f64],
-        contact: &mut [f64],
+        first: usize,
+        rates: impl IntoIterator<Item = Faces<'f>>,
     ) -> Result<(), Degenerate> {
-        if self.different() > self.many() {
+        self.rebase_beyond(self.many());
+        let rates: Vec<Faces> = rates.into_iter().collect();
+        let action = |k| Action { load: Some(first + k), held: false };
+        let actions: Vec<Action> = (0..rates.len()).map(action).collect();
+        let answers = self.answers(&actions)?;
+        for ((k, answer), rate) in answers.iter().enumerate().zip(rates) {
+            self.write(first + k, false, answer, rate);
+        }
+        self.spare.extend(answers);
+        Ok(())
+    }
+
+    /// Makes a base of the present conditions, if more than `most` differ.
+    fn rebase_beyond(&mut self, most: usize) {
+        if self.differences.components.len() > most {
             // Where that fails, the differences remain, and their own system decides.
             let _ = self.rebase();
         }
-        match combination {
-            Some(combination) => self.respond_combined(load, combination),
-            None => self.respond(load),
-        }
-        self.solve_again(load, jump, contact)
     }
 
-    /// [`Tableau::solve`] under the same `load`, with other conditions.
-    pub(super) fn solve_again(
-        &mut self,
-        load: &[f64],
-        jump: &mut [f64],
-        contact: &mut [f64],
-    ) -> Result<(), Degenerate> {
-        if self.different() > URGENT * self.many() && self.rebase().is_ok() {
-            self.respond(load);
-        }
-        let sound = self.equilibrium(load, jump, contact);
-        if sound.is_ok() && self.base_state == BaseState::Checked {
+    /// Jumps and contact forces under the first load. A base whose numbers turn out wrong is made afresh.
+    fn solve_checked(&mut self, jump: &mut [f64], contact: &mut [f64]) -> Result<(), Degenerate> {
+        let sound = self.equilibrium(jump, contact);
+        if sound.is_ok() && self.fulfils(jump, contact) {
             return Ok(());
         }
-        let held = |condition: &Condition| condition.held().unwrap_or(0.0);
-        let pushed = self.stiffness.times(&self.now.iter().map(held).collect::<Vec<f64>>());
-        let scale = load.iter().chain(&pushed).fold(0.0f64, |m, v| m.max(v.abs()));
-        if sound.is_err() || self.residual(load, jump, contact) > DRIFT * scale {
-            self.refresh()?;
-            self.respond(load);
-            self.equilibrium(load, jump, contact)?;
+        self.refresh()?;
+        self.equilibrium(jump, contact)
+    }
+
+    /// Whether A w = load + q holds under the first load, as far as a sum of all equations with the weights of the probe tells.
+    fn fulfils(&mut self, jump: &[f64], contact: &[f64]) -> bool {
+        let (mut sum, mut size) = (0.0f64, 0.0f64);
+        let load = &self.loads[0].forces;
+        for (i, (&weight, &of_jump)) in self.probe.weights.iter().zip(&self.probe.of_jumps).enumerate() {
+            for term in [of_jump * jump[i], -weight * load[i], -weight * contact[i]] {
+                sum += term;
+                size += term.abs();
+            }
         }
-        self.base_state = BaseState::Checked;
+        self.probe.size = self.probe.size.max(size);
+        sum.abs() <= DRIFT * self.probe.size
+    }
+
+    /// Lets the base answer all loads that it has not answered yet, in one pass over it.
+    fn answer(&mut self) {
+        let n = self.now.len();
+        let open: Vec<usize> = (0..self.loads.len()).filter(|&k| self.loads[k].answer.is_none()).collect();
+        if open.is_empty() {
+            return;
+        }
+        let free: Vec<usize> = (0..n).filter(|&i| self.base[i].held().is_none()).collect();
+        let driven = |&k: &usize| (0..n).map(|i| self.driven_input(&self.loads[k].forces, i)).collect();
+        let inputs: Vec<Vec<f64>> = open.iter().map(driven).collect();
+        let chosen = |input: &Vec<f64>| free.iter().map(|&i| input[i]).collect();
+        let weights: Vec<Vec<f64>> = inputs.iter().map(chosen).collect();
+        let mut outputs = vec![vec![0.0; n]; open.len()];
+        add_rows_to_each(&weights, |m| self.responses.row(free[m]), &mut outputs);
+        for (k, (input, output)) in open.into_iter().zip(inputs.into_iter().zip(outputs)) {
+            self.loads[k].answer = Some(Answer { input, output, changes: Vec::new() });
+        }
+    }
+
+    /// Jumps and contact forces under the first load.
+    fn equilibrium(&mut self, jump: &mut [f64], contact: &mut [f64]) -> Result<(), Degenerate> {
+        self.move_held();
+        let action = Action { load: Some(0), held: true };
+        let answers = self.answers(&[action])?;
+        self.write(0, true, &answers[0], Faces { jump, contact });
+        self.spare.extend(answers);
         Ok(())
     }
 
-    /// The largest |A w − load − q|, N/mm.
-    fn residual(&self, load: &[f64], jump: &[f64], contact: &[f64]) -> f64 {
-        let gap = |i: usize| (dot(self.stiffness.row(i), jump) - load[i] - contact[i]).abs();
-        (0..load.len()).map(gap).fold(0.0, f64::max)
+    /// The base under each of `actions` with the inputs at which the conditions of today are met.
+    fn answers(&mut self, actions: &[Action]) -> Result<Vec<Answer>, Degenerate> {
+        self.answer();
+        self.factor()?;
+        let mut answers: Vec<Answer> = Vec::with_capacity(actions.len());
+        for &action in actions {
+            let spare = self.spare.pop().unwrap_or_default();
+            answers.push(self.answer_to(action, spare));
+        }
+        let components = &self.differences.components;
+        for (&action, answer) in actions.iter().zip(&mut answers) {
+            let Answer { input, output, changes } = answer;
+            changes.clear();
+            changes.extend(components.iter().map(|&i| self.defect(i, action, input, output)));
+            self.differences.solve(changes).map_err(|_| Degenerate)?;
+            components.iter().zip(changes).for_each(|(&i, change)| input[i] += *change);
+        }
+        let (changes, mut outputs): (Vec<&[f64]>, Vec<&mut [f64]>) =
+            answers.iter_mut().map(|a| (a.changes.as_slice(), a.output.as_mut_slice())).unzip();
+        add_rows_to_each(&changes, |k| self.responses.row(components[k]), &mut outputs);
+        Ok(answers)
     }
 
-    /// Inputs and outputs of the base under `load`.
-    fn respond(&mut self, load: &[f64]) {
-        self.begin_response(load);
-        self.add_outputs(load);
-    }
-
-    /// [`Tableau::respond`], where most of the outputs are known.
-    fn respond_combined(&mut self, load: &[f64], combination: &Combination) {
-        let loads = &self.remembered.loads;
-        let outputs = match self.remembered.outputs.take() {
-            Some(outputs) => Ok(outputs),
-            None => {
-                let inputs =
-                    Matrix::from_fn(loads.rows(), load.len(), |k, i| self.driven_input(loads.row(k), i));
-                product(&inputs, &self.responses)
-            }
-        };
-        let Ok(outputs) = outputs else { return self.respond(load) };
-        self.begin_response(load);
-        add_rows(&combination.weights, |k| outputs.row(k), &mut self.output);
-        self.remembered.outputs = Some(outputs);
-        self.add_outputs(&combination.rest);
-    }
-
-    /// The inputs under `load`, and the outputs of what is held.
-    fn begin_response(&mut self, load: &[f64]) {
-        self.move_held();
-        for i in 0..load.len() {
-            if let Condition::Free(coupling) = self.base[i] {
-                self.input[i] = self.driven(load, i, coupling);
+    /// Factors the equations of what differs from the base.
+    fn factor(&mut self) -> Result<(), Degenerate> {
+        let mut differences = std::mem::take(&mut self.differences);
+        let entry =
+            |k: usize, m: usize| self.coefficient(differences.components[k], differences.components[m]);
+        let n = differences.components.len();
+        for new in differences.factor.order()..n {
+            let row: Vec<f64> = (0..new).map(|m| entry(new, m)).collect();
+            let column: Vec<f64> = (0..new).map(|k| entry(k, new)).collect();
+            if differences.factor.push(&row, &column, entry(new, new)).is_err() {
+                break;
             }
         }
-        self.output.clone_from(&self.of_held);
-    }
-
-    /// Adds the outputs for the nodal forces `load` on what the base holds free.
-    fn add_outputs(&mut self, load: &[f64]) {
-        let inputs = (0..load.len()).map(|i| (i, self.driven_input(load, i)));
-        let acting = inputs.filter(|(_, input)| *input != 0.0);
-        let (acting, inputs): (Vec<usize>, Vec<f64>) = acting.unzip();
-        add_rows(&inputs, |k| self.responses.row(acting[k]), &mut self.output);
-    }
-
-    /// Jumps and contact forces from the outputs of the base and the inputs where the conditions differ.
-    fn equilibrium(&mut self, load: &[f64], jump: &mut [f64], contact: &mut [f64]) -> Result<(), Degenerate> {
-        self.move_held();
-        let Differences { components, factor } = self.take_differences();
-        let n = components.len();
-        let factor = match factor {
-            Some(factor) => factor,
-            None => {
-                let entry = |k: usize, m: usize| self.coefficient(components[k], components[m]);
-                SmallFactor::new(Matrix::from_fn(n, n, entry)).map_err(|_| Degenerate)?
+        let mut solvable = Ok(());
+        if differences.factor.order() < n && differences.whole.is_none() {
+            match SmallFactor::new(Matrix::from_fn(n, n, entry)) {
+                Ok(whole) => differences.whole = Some(whole),
+                Err(_) => solvable = Err(Degenerate),
             }
-        };
-        let mut changes: Vec<f64> = components.iter().map(|&i| self.defect(i, load)).collect();
-        factor.solve(&mut changes).map_err(|_| Degenerate)?;
-        let mut output = self.output.clone();
-        add_rows(&changes, |k| self.responses.row(components[k]), &mut output);
-        let mut input = self.input.clone();
-        components.iter().zip(&changes).for_each(|(&i, change)| input[i] += change);
-        self.differences = Some(Differences { components, factor: Some(factor) });
-        // A w, from the last component on: a coupled one needs the next.
-        let mut force = 0.0;
-        for i in (0..load.len()).rev() {
-            let next = force;
+        }
+        self.differences = differences;
+        solvable
+    }
+
+    /// Jumps and contact forces of `answer` to `load`, with what is held in place or at zero.
+    fn write(&self, load: usize, held: bool, answer: &Answer, faces: Faces) {
+        let conditions = self.base.iter().zip(&self.now);
+        let answers = answer.input.iter().zip(&answer.output).zip(&self.loads[load].forces);
+        let results = faces.jump.iter_mut().zip(faces.contact);
+        // From the last component on: a coupled one needs the next.
+        let (mut force, mut next_contact) = (0.0, 0.0);
+        for (((base, now), ((&input, &output), load)), (jump, contact)) in
+            conditions.zip(answers).zip(results).rev()
+        {
             let free_jump;
-            (free_jump, force) = match self.base[i] {
-                Condition::Held(_) => (input[i], output[i]),
-                Condition::Free(coupling) => (output[i], input[i] - times(coupling, || next)),
-            };
-            (jump[i], contact[i]) = match self.now[i] {
+            (free_jump, force) = base.state(input, output, force);
+            (*jump, *contact) = match *now {
                 // Exactly, so that what sticks does not creep and what slips is on the cone.
-                Condition::Held(at) => (at, force * self.unit - load[i]),
-                Condition::Free(coupling) => (free_jump, -times(coupling, || contact[i + 1])),
+                Condition::Held(at) => (if held { at } else { 0.0 }, force * self.unit - load),
+                Condition::Free(coupling) => (free_jump, -times(coupling, || next_contact)),
             };
+            next_contact = *contact;
         }
-        Ok(())
     }
 
-    /// Moves what is held, as in the base, but elsewhere than at the last response. Where the base holds what is free now, the input is unknown, and
+    /// The base under `action`, in the memory of `answer`.
+    fn answer_to(&self, action: Action, mut answer: Answer) -> Answer {
+        match action.load.and_then(|k| self.loads[k].answer.as_ref()) {
+            Some(of_load) => {
+                answer.input.clone_from(&of_load.input);
+                answer.output.clone_from(&of_load.output);
+            }
+            None => {
+                let Answer { input, output, .. } = &mut answer;
+                for values in [input, output] {
+                    values.clear();
+                    values.resize(self.now.len(), 0.0);
+                }
+            }
+        }
+        if action.held {
+            // Where the base holds nothing, this is zero.
+            axpy(1.0, &self.held, &mut answer.input);
+            axpy(1.0, &self.of_held, &mut answer.output);
+        }
+        answer
+    }
+
+    /// Moves what is held, as in the base, but elsewhere than before. Where the base holds what is free now, the input is unknown, and
     /// what it was last a good guess.
     fn move_held(&mut self) {
         for i in 0..self.now.len() {
             if let (Condition::Held(_), Condition::Held(at)) = (self.base[i], self.now[i])
-                && at != self.input[i]
+                && at != self.held[i]
             {
-                let change = at - self.input[i];
-                axpy(change, self.responses.row(i), &mut self.of_held);
-                axpy(change, self.responses.row(i), &mut self.output);
-                self.input[i] = at;
+                axpy(at - self.held[i], self.responses.row(i), &mut self.of_held);
+                self.held[i] = at;
             }
         }
     }
@@ -299,20 +400,21 @@ impl<'a> Tableau<'a> {
         }
     }
 
-    /// What is missing at the outputs of the base for the condition of component `i` today.
-    fn defect(&self, i: usize, load: &[f64]) -> f64 {
+    /// What `input` and `output` of the base lack for the condition of component `i` today.
+    fn defect(&self, i: usize, action: Action, input: &[f64], output: &[f64]) -> f64 {
+        let driven = |coupling| action.load.map_or(0.0, |k| self.driven(&self.loads[k].forces, i, coupling));
         let next = || match self.base[i + 1] {
-            Condition::Held(_) => self.output[i + 1],
-            Condition::Free(_) => self.input[i + 1],
+            Condition::Held(_) => output[i + 1],
+            Condition::Free(_) => input[i + 1],
         };
         match (self.base[i], self.now[i]) {
             (Condition::Held(_), Condition::Free(coupling)) => {
-                self.driven(load, i, coupling) - self.output[i] - times(coupling, next)
+                driven(coupling) - output[i] - times(coupling, next)
             }
             (Condition::Free(before), Condition::Free(coupling)) => {
-                self.driven(load, i, coupling) - self.input[i] - times(coupling - before, next)
+                driven(coupling) - input[i] - times(coupling - before, next)
             }
-            (_, Condition::Held(at)) => at - self.output[i],
+            (_, Condition::Held(at)) => (if action.held { at } else { 0.0 }) - output[i],
         }
     }
 
@@ -334,22 +436,28 @@ impl<'a> Tableau<'a> {
         self.base.fill(Condition::Held(0.0));
         self.responses = in_units(self.stiffness, self.unit);
         self.begin_base();
+        self.differences.components = (0..self.now.len()).filter(|&i| self.now[i].held().is_none()).collect();
         self.rebase().map_err(|_| Degenerate)
     }
 
     /// A base that has not answered yet: everything that is held moves there from zero with the next response.
     fn begin_base(&mut self) {
-        self.differences = None;
-        self.base_state = BaseState::New;
-        self.remembered.outputs = None;
-        self.input.fill(0.0);
+        self.differences = Differences::default();
+        self.loads.iter_mut().for_each(|load| load.answer = None);
+        self.held.fill(0.0);
         self.of_held.fill(0.0);
     }
 
     /// Makes the present conditions the base. With K the components that differ, R the coefficients of all inputs in their conditions and
     /// Z = R_K⁻¹, the inputs of K are u_K = Z (s − R u) in terms of their new ones s and of the others u.
     fn rebase(&mut self) -> Result<(), LinearError> {
-        let differences = self.take_differences().components;
+        // What the loads do under the new conditions is known without the new base.
+        self.move_held();
+        let loads = (0..self.loads.len()).map(|k| Action { load: Some(k), held: false });
+        let actions: Vec<Action> = loads.chain([Action { load: None, held: true }]).collect();
+        let answers = self.answers(&actions).map(|answers| self.renewed(&answers));
+        let mut differences = self.differences.components.clone();
+        differences.sort_unstable();
         let (n, k) = (self.now.len(), differences.len());
         let mut conditions = Matrix::from_fn(n, k, |j, m| self.coefficient(differences[m], j));
         let own = Matrix::from_fn(k, k, |m, p| conditions[(differences[p], m)]);
@@ -389,7 +497,52 @@ impl<'a> Tableau<'a> {
         }
         self.base.clone_from(&self.now);
         self.begin_base();
+        if let Ok(answers) = answers {
+            self.take_over(answers);
+        }
         Ok(())
+    }
+
+    /// Inputs and outputs under the conditions of today of `answers` of the base before.
+    fn renewed(&self, answers: &[Answer]) -> Vec<Answer> {
+        let renewed = |answer: &Answer| {
+            let n = self.now.len();
+            let mut new = Answer { input: vec![0.0; n], output: vec![0.0; n], changes: Vec::new() };
+            let (mut force, mut next);
+            force = 0.0;
+            for i in (0..n).rev() {
+                next = force;
+                let jump;
+                (jump, force) = self.base[i].state(answer.input[i], answer.output[i], next);
+                (new.input[i], new.output[i]) = match self.now[i] {
+                    Condition::Held(_) => (jump, force),
+                    Condition::Free(coupling) => (force + times(coupling, || next), jump),
+                };
+            }
+            new
+        };
+        answers.iter().map(renewed).collect()
+    }
+
+    /// Makes `answers`, those to all loads and to what is held, those of the base.
+    fn take_over(&mut self, mut answers: Vec<Answer>) {
+        if let Some(of_held) = answers.pop() {
+            self.held = self.base.iter().map(|condition| condition.held().unwrap_or(0.0)).collect();
+            self.of_held = of_held.output;
+        }
+        for (load, answer) in self.loads.iter_mut().zip(answers) {
+            load.answer = Some(answer);
+        }
+    }
+}
+
+impl Condition {
+    /// Jump (mm) and A w (in units) of a component of which the base has this condition, from its input and output; `next` is A w of the one after it.
+    fn state(self, input: f64, output: f64, next: f64) -> (f64, f64) {
+        match self {
+            Self::Held(_) => (input, output),
+            Self::Free(coupling) => (output, input - times(coupling, || next)),
+        }
     }
 }
 

@@ -14,10 +14,11 @@ const LOAD: [f64; N] = [10.0, -20.0, 5.0, 30.0, 3.0, -10.0, 20.0, 7.0];
 /// By how much A w = load + q and the conditions are missed, over the load.
 fn defect(tableau: &mut Tableau, conditions: &[Condition; N], again: bool) -> f64 {
     let (mut jump, mut contact) = ([0.0; N], [0.0; N]);
+    tableau.load([LOAD.to_vec()]);
     let solved = if again {
-        tableau.solve_again(&LOAD, &mut jump, &mut contact)
+        tableau.solve_again(&mut jump, &mut contact)
     } else {
-        tableau.solve(&LOAD, None, &mut jump, &mut contact)
+        tableau.solve(&mut jump, &mut contact)
     };
     solved.unwrap();
     let forces = tableau.stiffness.times(&jump);
@@ -57,7 +58,7 @@ proptest! {
             match action {
                 0 => {
                     tableau.rebase().unwrap();
-                    prop_assert!(tableau.different() == 0);
+                    prop_assert!(tableau.differences.components.is_empty());
                     prop_assert!(defect(&mut tableau, &conditions, false) < ROUND_OFF);
                 }
                 1 => {
@@ -100,44 +101,58 @@ fn conditions_without_a_solution_are_refused_and_others_are_met_afterwards() {
     // A base with forces for inputs, which what comes after a refusal must not take for jumps.
     tableau.set(1, Free(0.0));
     tableau.rebase().unwrap();
-    tableau.solve(&[1.0, 2.0, 1.0], None, &mut w, &mut q).unwrap();
+    tableau.load([vec![1.0, 2.0, 1.0]]);
+    tableau.solve(&mut w, &mut q).unwrap();
     tableau.set(1, Held(0.0));
     tableau.set(0, Free(1.0));
-    assert_eq!(tableau.solve(&[1.0, 2.0, 1.0], None, &mut w, &mut q), Err(Degenerate));
+    assert_eq!(tableau.solve(&mut w, &mut q), Err(Degenerate));
     tableau.set(2, Free(0.0));
-    tableau.solve(&[1.0, 2.0, 1.0], None, &mut w, &mut q).unwrap();
+    tableau.solve(&mut w, &mut q).unwrap();
     // (A_0 + A_1)·w = 1.5 w_2 = 3 and A_2·w = w_0 + 4 w_2 = 1.
     assert!((w[0] + 7.0).abs() < 1e-14 && (w[2] - 2.0).abs() < 1e-14, "{w:?}");
 }
 
 #[test]
-fn a_combined_load_is_answered_like_a_plain_one() {
+fn rates_are_what_a_load_adds_before_and_after_a_new_base() {
     let stiffness = stiffness();
     let mut tableau = Tableau::new(&stiffness);
     for (i, condition) in [(0, Free(0.3)), (2, Held(1e-4)), (4, Free(0.0)), (5, Free(0.0)), (6, Free(-0.5))] {
         tableau.set(i, condition);
     }
-    let loads = Matrix::from_fn(2, N, |k, i| LOAD[(i + k) % N]);
-    tableau.remember(loads.clone());
-    let (weights, mut rest) = (vec![0.75, -2.0], vec![0.0; N]);
-    (rest[4], rest[7]) = (3.0, -1.0);
-    let load: Vec<f64> = (0..N).map(|i| 0.75 * loads[(0, i)] - 2.0 * loads[(1, i)] + rest[i]).collect();
-    let combination = Combination { weights, rest };
-    let solutions = |tableau: &mut Tableau| {
-        [None, Some(&combination)].map(|combination| {
+    let added: Vec<f64> = (0..N).map(|i| LOAD[(i + 3) % N] - 5.0).collect();
+    let more: Vec<f64> = LOAD.iter().zip(&added).map(|(load, added)| load + added).collect();
+    for step in 0..4 {
+        let solution = |tableau: &mut Tableau, load: &[f64]| {
             let (mut jump, mut contact) = ([0.0; N], [0.0; N]);
-            tableau.solve(&load, combination, &mut jump, &mut contact).unwrap();
+            tableau.load([load.to_vec(), added.clone()]);
+            tableau.solve(&mut jump, &mut contact).unwrap();
             (jump, contact)
-        })
-    };
-    // Before a new base, with it, and where the base is another than when the loads were remembered.
-    for step in 0..3 {
-        let [plain, combined] = solutions(&mut tableau);
+        };
+        let with = solution(&mut tableau, &more);
+        let without = solution(&mut tableau, &LOAD);
+        let (mut jump, mut contact) = ([1.0; N], [1.0; N]);
+        tableau.rates(1, [Faces { jump: &mut jump, contact: &mut contact }]).unwrap();
         for i in 0..N {
-            assert!((plain.0[i] - combined.0[i]).abs() < 1e-17, "{step}, {i}");
-            assert!((plain.1[i] - combined.1[i]).abs() < 1e-12, "{step}, {i}");
+            assert!((with.0[i] - without.0[i] - jump[i]).abs() < 1e-16, "{step}, {i}");
+            assert!((with.1[i] - without.1[i] - contact[i]).abs() < 1e-11, "{step}, {i}");
         }
+        // The loads have been answered: the new base takes that over.
         tableau.set(3, if step == 0 { Held(0.0) } else { Free(0.0) });
-        tableau.rebase().unwrap();
+        tableau.set(2, Held(1e-4 * f64::from(step)));
+        if step > 0 {
+            tableau.rebase().unwrap();
+            assert!(tableau.loads.iter().all(|load| load.answer.is_some()));
+            let (mut jump, mut contact) = ([1.0; N], [1.0; N]);
+            tableau.rates(1, [Faces { jump: &mut jump, contact: &mut contact }]).unwrap();
+            let (mut again, mut forces) = ([1.0; N], [1.0; N]);
+            tableau.loads[1].answer = None;
+            tableau.rates(1, [Faces { jump: &mut again, contact: &mut forces }]).unwrap();
+            for i in 0..N {
+                assert!(
+                    (jump[i] - again[i]).abs() < 1e-16 && (contact[i] - forces[i]).abs() < 1e-11,
+                    "{step}, {i}"
+                );
+            }
+        }
     }
 }

@@ -1,7 +1,7 @@
 //! One geometry under the wheel: residual stress, then passages until the history repeats.
 
 use super::face_load::{FaceLoad, Part};
-use super::tip_sifs::TipSifs;
+use super::tip_sifs::{TipMark, TipSifs};
 use super::{FacePoint, FaceRecord, PassageRecord, SolverCounts, Watch};
 use crate::contact::{
     ContactSolver, FaceProblem, FaceSolution, FaceState, StepControl, Stepper, SteppingError,
@@ -104,11 +104,17 @@ pub fn stabilised_passage(
         wheel.residual_stress(&mut tips)?;
     }
     let mut passages: Vec<PassageRecord> = Vec::new();
+    let mut before: Option<Pass> = None;
     loop {
-        let pass = wheel.pass(passages.len() + 1, &mut tips, watch)?;
-        let last_change = passages.last().map(|before| change(before, &pass.record));
-        passages.push(pass.record);
-        let repeats = last_change.is_some_and(|change| change <= settings.passage_tolerance);
+        let pass = wheel.pass(passages.len() + 1, before.as_ref(), &mut tips, watch)?;
+        let mut last_change = passages.last().map(|before| change(before, &pass.record));
+        passages.push(pass.record.clone());
+        let mut repeats = last_change.is_some_and(|change| change <= settings.passage_tolerance);
+        if pass.joins && !repeats && passages.len() < settings.max_passages {
+            // It ends like the one before it, so the next one begins and goes like this one.
+            passages.push(pass.record.clone());
+            (last_change, repeats) = (Some(0.0), true);
+        }
         if repeats || passages.len() >= settings.max_passages || !problem.has_friction() {
             let points = problem.body().faces().points.iter();
             let points = points.map(|p| FacePoint { crack: p.crack, segment: p.segment, s: p.s }).collect();
@@ -120,6 +126,7 @@ pub fn stabilised_passage(
                 last_change,
             });
         }
+        before = Some(pass);
     }
 }
 
@@ -153,6 +160,33 @@ struct Pass {
     record: PassageRecord,
     histories: Vec<SifHistory>,
     states: Vec<Vec<FaceState>>,
+    /// At each output position.
+    marks: Vec<Mark>,
+    /// Whether from some position on it is the one before it.
+    joins: bool,
+}
+
+/// What determines the rest of a passage.
+#[derive(Clone)]
+struct Mark {
+    faces: FaceSolution,
+    tips: TipMark,
+}
+
+impl Pass {
+    /// Goes on from its last position as `other`, which was there in the same state.
+    fn join(&mut self, other: &Self) {
+        let from = self.marks.len();
+        for (own, sifs) in self.record.sifs.iter_mut().zip(&other.record.sifs) {
+            own.extend_from_slice(&sifs[from..]);
+        }
+        let past = other.marks[from - 1].tips.samples();
+        for (own, history) in self.histories.iter_mut().zip(&other.histories) {
+            own.samples.extend_from_slice(&history.samples[past..]);
+        }
+        self.states.extend_from_slice(&other.states[from..]);
+        self.joins = true;
+    }
 }
 
 impl Wheel<'_> {
@@ -164,7 +198,16 @@ impl Wheel<'_> {
     }
 
     /// One passage, approach and departure included. `number` counts from 1.
-    fn pass(&mut self, number: usize, tips: &mut TipSifs, watch: &dyn Watch) -> Result<Pass, PassageError> {
+    ///
+    /// The faces forget: what sticks now was held by events of this passage, or else has stuck all the time. So sooner or later they are in the state of
+    /// the passage `before` at the same position, and then the rest of the way is known.
+    fn pass(
+        &mut self,
+        number: usize,
+        before: Option<&Pass>,
+        tips: &mut TipSifs,
+        watch: &dyn Watch,
+    ) -> Result<Pass, PassageError> {
         let problem = self.problem;
         let (first, last) = (self.xc[0], self.xc[self.xc.len() - 1]);
         let travel = (last - first).signum();
@@ -183,22 +226,32 @@ impl Wheel<'_> {
         };
         arrived.map_err(failure(number, "approach"))?;
 
-        let mut record =
+        let record =
             PassageRecord { xc: self.xc.to_vec(), sifs: vec![Vec::new(); problem.body().tips().len()] };
-        let mut states = Vec::with_capacity(self.xc.len());
+        let mut pass =
+            Pass { record, histories: Vec::new(), states: Vec::new(), marks: Vec::new(), joins: false };
         self.stepper.begin(first);
         for (i, &x) in self.xc.iter().enumerate() {
             let over = self.face_load.along(Part::Over);
-            let before = if i == 0 { x } else { self.xc[i - 1] };
-            for station in self.edges_between(before, x).chain([x]) {
+            let last = if i == 0 { x } else { self.xc[i - 1] };
+            for station in self.edges_between(last, x).chain([x]) {
                 self.edge_steps += usize::from(station != x);
                 let mut take =
                     |solution: &FaceSolution, forces: &[f64]| tips.follow(problem, solution, forces);
                 self.stepper.advance(&over, station, &mut take).map_err(failure(number, "passage"))?;
             }
-            record.sifs.iter_mut().zip(tips.sifs()).for_each(|(tip, k)| tip.push(k));
-            states.push(self.stepper.solution().face_states(self.problem));
+            pass.record.sifs.iter_mut().zip(tips.sifs()).for_each(|(tip, k)| tip.push(k));
+            pass.states.push(self.stepper.solution().face_states(self.problem));
+            pass.marks.push(Mark { faces: self.stepper.solution().clone(), tips: tips.mark() });
             watch.progress((i + 1) as f64 / self.xc.len() as f64);
+            if let Some(before) = before
+                && self.stepper.is_like(&before.marks[i].faces)
+                && tips.is_like(&before.marks[i].tips)
+            {
+                pass.histories = tips.histories();
+                pass.join(before);
+                return Ok(pass);
+            }
         }
 
         let near = self.distance(last);
@@ -213,7 +266,8 @@ impl Wheel<'_> {
             self.follow(departure, share(FAR_STATIONS), stations, &mut |s, f| tips.follow(problem, s, f))
         };
         left.map_err(failure(number, "departure"))?;
-        Ok(Pass { record, histories: tips.histories(), states })
+        pass.histories = tips.histories();
+        Ok(pass)
     }
 
     /// Wheel positions between two output positions at which an edge of the contact is over a mouth or close by, in the

@@ -19,6 +19,25 @@ pub(super) struct TipSifs {
 /// A slip over the largest so far that is none: a hundred times the tolerance of the solvers, whose measure is the largest jump of all points.
 const STILL: f64 = 1e-6;
 
+/// A difference of K over its peak that is none.
+const ALIKE: f64 = 1e-6;
+
+/// K at some position of a passage.
+#[derive(Debug, Clone)]
+pub(super) struct TipMark {
+    /// K of each tip, and whether it is held.
+    tips: Vec<(Sif, bool)>,
+    /// Length of the histories.
+    samples: usize,
+}
+
+impl TipMark {
+    /// Samples of the histories so far.
+    pub fn samples(&self) -> usize {
+        self.samples
+    }
+}
+
 #[derive(Debug, Clone)]
 struct TipSif {
     /// The face point next to the tip.
@@ -85,6 +104,20 @@ impl TipSifs {
     /// K of each tip, MPa √mm.
     pub fn sifs(&self) -> impl Iterator<Item = Sif> + '_ {
         self.tips.iter().map(|tip| tip.sif)
+    }
+
+    /// Where the tips are in their passage.
+    pub fn mark(&self) -> TipMark {
+        let samples = self.tips.first().map_or(0, |tip| tip.history.samples.len());
+        TipMark { tips: self.tips.iter().map(|tip| (tip.sif, tip.held)).collect(), samples }
+    }
+
+    /// Whether K of all tips is that of `mark`, and held if it was there.
+    pub fn is_like(&self, mark: &TipMark) -> bool {
+        self.tips.iter().zip(&mark.tips).all(|(tip, (sif, held))| {
+            let near = |one: f64, other: f64| (one - other).abs() <= ALIKE * tip.history.peak();
+            tip.held == *held && near(tip.sif.k1, sif.k1) && near(tip.sif.k2, sif.k2)
+        })
     }
 
     /// The history of each tip through the passage, unloaded ends included.

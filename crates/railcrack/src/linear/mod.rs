@@ -3,6 +3,7 @@
 //! Results are the same bits whatever the number of threads: what runs in parallel are blocks and columns that do not know of each other, cut in
 //! the same places for any number.
 
+mod bordered;
 mod cholesky;
 mod dense;
 mod elements;
@@ -17,6 +18,7 @@ mod spd;
 mod structure;
 mod sweep;
 
+pub use bordered::BorderedFactor;
 pub use cholesky::{SparseCholesky, SparseFactor};
 pub use dense::{SmallFactor, add_product, general_inverse, product, products_of_rows, spd_inverse};
 pub use elements::ElementSum;

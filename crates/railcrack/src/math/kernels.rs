@@ -16,20 +16,18 @@ pub(crate) fn axpy(a: f64, x: &[f64], y: &mut [f64]) {
     Arch::new().dispatch(Axpy { a, x, y });
 }
 
-/// y += a x + b z, in one pass over y.
-fn axpy_two((a, x): (f64, &[f64]), (b, z): (f64, &[f64]), y: &mut [f64]) {
-    Arch::new().dispatch(AxpyTwo { a, x, b, z, y });
-}
+/// Rows that are added in one pass over the sum.
+const ROWS: usize = 4;
 
-/// y += Σ weights_i rows(i), two rows at a time.
-pub(crate) fn add_rows<'m>(weights: &[f64], rows: impl Fn(usize) -> &'m [f64], y: &mut [f64]) {
-    let mut pairs = weights.chunks_exact(2);
-    for (k, pair) in pairs.by_ref().enumerate() {
-        axpy_two((pair[0], rows(2 * k)), (pair[1], rows(2 * k + 1)), y);
-    }
-    if let [last] = pairs.remainder() {
-        axpy(*last, rows(weights.len() - 1), y);
-    }
+/// y += Σ weights_i rows(i) to each of `ys`, with weights of its own; every row is read once.
+pub(crate) fn add_rows_to_each<'m>(
+    weights: &[impl AsRef<[f64]>],
+    rows: impl Fn(usize) -> &'m [f64],
+    ys: &mut [impl AsMut<[f64]>],
+) {
+    let count = weights.iter().map(|weights| weights.as_ref().len()).min().unwrap_or(0);
+    let rows: Vec<&[f64]> = (0..count).map(rows).collect();
+    Arch::new().dispatch(AddRows { weights, rows: &rows, ys });
 }
 
 struct Dot<'a> {
@@ -42,9 +40,63 @@ impl WithSimd for Dot<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) -> f64 {
+        inlined::dot(self.a, self.b)
+    }
+}
+
+struct Axpy<'a> {
+    a: f64,
+    x: &'a [f64],
+    y: &'a mut [f64],
+}
+
+impl WithSimd for Axpy<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        inlined::axpy(self.a, self.x, self.y);
+    }
+}
+
+struct AddRows<'a, W, Y> {
+    weights: &'a [W],
+    rows: &'a [&'a [f64]],
+    ys: &'a mut [Y],
+}
+
+impl<W: AsRef<[f64]>, Y: AsMut<[f64]>> WithSimd for AddRows<'_, W, Y> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        let (blocks, rest) = self.rows.as_chunks::<ROWS>();
+        for (block, [x, z, u, v]) in blocks.iter().enumerate() {
+            for (weights, y) in self.weights.iter().zip(self.ys.iter_mut()) {
+                let [a, b, c, d] = weights.as_ref().as_chunks::<ROWS>().0[block];
+                for ((((y, x), z), u), v) in y.as_mut().iter_mut().zip(*x).zip(*z).zip(*u).zip(*v) {
+                    *y = (((*y + a * x) + b * z) + c * u) + d * v;
+                }
+            }
+        }
+        for (k, x) in rest.iter().enumerate() {
+            for (weights, y) in self.weights.iter().zip(self.ys.iter_mut()) {
+                inlined::axpy(weights.as_ref()[ROWS * blocks.len() + k], x, y.as_mut());
+            }
+        }
+    }
+}
+
+/// The same loops to be part of a larger one that is compiled for the vector unit: short vectors are not worth a call.
+pub(crate) mod inlined {
+    use super::SUMS;
+
+    /// Scalar product.
+    #[inline(always)]
+    pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
         let mut sums = [0.0; SUMS];
-        let (a_blocks, a_rest) = self.a.as_chunks::<SUMS>();
-        let (b_blocks, b_rest) = self.b.as_chunks::<SUMS>();
+        let (a_blocks, a_rest) = a.as_chunks::<SUMS>();
+        let (b_blocks, b_rest) = b.as_chunks::<SUMS>();
         for (x, y) in a_blocks.iter().zip(b_blocks) {
             for k in 0..SUMS {
                 sums[k] += x[k] * y[k];
@@ -62,40 +114,12 @@ impl WithSimd for Dot<'_> {
         }
         sums[0]
     }
-}
 
-struct Axpy<'a> {
-    a: f64,
-    x: &'a [f64],
-    y: &'a mut [f64],
-}
-
-impl WithSimd for Axpy<'_> {
-    type Output = ();
-
+    /// y += a x.
     #[inline(always)]
-    fn with_simd<S: Simd>(self, _: S) {
-        for (y, x) in self.y.iter_mut().zip(self.x) {
-            *y += self.a * x;
-        }
-    }
-}
-
-struct AxpyTwo<'a> {
-    a: f64,
-    x: &'a [f64],
-    b: f64,
-    z: &'a [f64],
-    y: &'a mut [f64],
-}
-
-impl WithSimd for AxpyTwo<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, _: S) {
-        for ((y, x), z) in self.y.iter_mut().zip(self.x).zip(self.z) {
-            *y = (*y + self.a * x) + self.b * z;
+    pub(crate) fn axpy(a: f64, x: &[f64], y: &mut [f64]) {
+        for (y, x) in y.iter_mut().zip(x) {
+            *y += a * x;
         }
     }
 }
@@ -112,16 +136,15 @@ mod tests {
             let plain: f64 = a.iter().zip(&b).map(|(x, y)| x * y).sum();
             assert!((dot(&a, &b) - plain).abs() < 1e-14 * (1.0 + n as f64), "{n}");
             let mut once = b.clone();
-            axpy(2.0, &a, &mut once);
-            axpy(-3.0, &b, &mut once);
-            let mut both = b.clone();
-            axpy_two((2.0, &a), (-3.0, &b), &mut both);
-            assert_eq!(once, both);
-            let mut together = b.clone();
-            let rows = [&a, &b, &a];
-            add_rows(&[2.0, -3.0, 0.0], |k| rows[k], &mut together);
-            assert_eq!(once, together);
-            assert!(once.iter().zip(&a).zip(&b).all(|((y, a), b)| (y - (2.0 * a - 2.0 * b)).abs() < 1e-14));
+            for (weight, row) in [(2.0, &a), (-3.0, &b), (0.5, &a), (1.5, &b), (-0.5, &a)] {
+                axpy(weight, row, &mut once);
+            }
+            let rows = [&a, &b, &a, &b, &a];
+            let weights = [2.0, -3.0, 0.5, 1.5, -0.5];
+            let (mut one, mut other) = (b.clone(), a.clone());
+            add_rows_to_each(&[weights, [0.0; 5]], |k| rows[k], &mut [&mut one, &mut other]);
+            assert_eq!([&one, &other], [&once, &a]);
+            assert!(once.iter().zip(&a).zip(&b).all(|((y, a), b)| (y - (2.0 * a - 0.5 * b)).abs() < 1e-14));
         }
     }
 }

@@ -15,7 +15,7 @@ mod vector;
 pub(crate) use anderson::Anderson;
 pub use ball::{Ball, smallest_ball};
 pub use grading::quantiles;
-pub(crate) use kernels::{add_rows, axpy, dot};
+pub(crate) use kernels::{add_rows_to_each, axpy, dot, inlined};
 pub use matrix::Matrix;
 pub use predicate::{Orientation, orientation, segments_touch};
 pub use quadrature::gauss_legendre;

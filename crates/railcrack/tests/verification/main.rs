@@ -14,6 +14,7 @@ mod engine_paths;
 mod far_apart;
 mod half_plane_histories;
 mod interruption;
+mod joined_passage;
 mod junction_run;
 mod junctions;
 mod kinked_crack;

@@ -1,0 +1,354 @@
+//! A load step followed event by event.
+
+use super::condition::Degenerate;
+use super::response::FaceRate;
+use super::{FaceProblem, FaceResponse, FaceScale, FaceSolution, PointStatus};
+
+/// The load within a step, at share τ of it: start + τ first + τ² second.
+pub(super) struct StepLoad {
+    /// Nodal forces at its start, N/mm, 2p.
+    pub start: Vec<f64>,
+    /// At its end.
+    pub end: Vec<f64>,
+    /// Coefficient of τ.
+    pub first: Vec<f64>,
+    /// Coefficient of τ².
+    pub second: Vec<f64>,
+}
+
+impl StepLoad {
+    /// The parabola through the forces at the start, in the middle and at the end.
+    pub(super) fn through(start: &[f64], middle: &[f64], end: Vec<f64>) -> Self {
+        let each = |form: fn(f64, f64, f64) -> f64| -> Vec<f64> {
+            start.iter().zip(middle).zip(&end).map(|((&s, &m), &e)| form(s, m, e)).collect()
+        };
+        let first = each(|s, m, e| 4.0 * m - 3.0 * s - e);
+        let second = each(|s, m, e| 2.0 * (s + e) - 4.0 * m);
+        Self { start: start.to_vec(), end, first, second }
+    }
+
+    /// The forces at share `share` of the step.
+    pub(super) fn at(&self, share: f64) -> Vec<f64> {
+        let forces = self.start.iter().zip(&self.first).zip(&self.second);
+        forces.map(|((start, first), second)| start + share * (first + share * second)).collect()
+    }
+}
+
+/// What happened in a step.
+pub(super) struct Traced {
+    /// The slip (mm, p) from which friction counts at its end.
+    pub reference_slip: Vec<f64>,
+    /// Where points were held at the slip that they had.
+    pub holds: Vec<Hold>,
+}
+
+/// A point touches or ceases to slip.
+pub(super) struct Hold {
+    /// When, as share of the step.
+    pub share: f64,
+    /// The faces then.
+    pub solution: FaceSolution,
+}
+
+/// How accurate a step has to be.
+pub(super) struct Accuracy<'s> {
+    /// What the parabola of the load misses (N/mm, 2p), where it misses most.
+    pub missed: &'s dyn Fn() -> Vec<f64>,
+    /// By how much (mm) the slip may be wrong at which a point is held.
+    pub allowed: &'s dyn Fn(usize) -> f64,
+}
+
+/// A step that was not followed to its end.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Stop {
+    /// No next change could be found, at this share of the step.
+    Lost {
+        /// Share of the step.
+        share: f64,
+    },
+    /// The load is too far from a parabola.
+    Inaccurate {
+        /// Error of the slip at which a point would be held, over what is allowed.
+        excess: f64,
+    },
+}
+
+/// Forces and jumps below this fraction of the largest are round-off.
+const ROUND_OFF: f64 = 1e-11;
+/// Events at one moment, and in a step over the number of points, that are too many: the law has no solution there, or the faces have just begun to touch
+/// everywhere.
+const MOST_AT_ONCE: usize = 32;
+const MOST_PER_POINT: usize = 4;
+/// Shares of a step that are one moment.
+const MOMENT: f64 = 1e-12;
+
+/// The faces on their way through a step.
+struct Way<'w, 'a> {
+    problem: &'w FaceProblem<'a>,
+    faces: &'w mut FaceResponse<'a>,
+    /// Jumps and forces that are round-off.
+    round_off: FaceScale,
+    share: f64,
+    now: FaceSolution,
+    /// Coefficients of τ and τ².
+    rates: [FaceRate; 2],
+    reference_slip: Vec<f64>,
+    holds: Vec<Hold>,
+    accuracy: Accuracy<'w>,
+    /// What the parabola misses, over what it means for slip at most; none before it is asked for.
+    missed: Option<Missed>,
+}
+
+/// What the parabola of the load misses.
+struct Missed {
+    /// By crack, a bound of the error of slip over √C_jj of the point: by Cauchy and Schwarz |C_jk| ≤ √(C_jj C_kk).
+    bounds: Vec<f64>,
+}
+
+/// The next change of status.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Event {
+    point: usize,
+    status: PointStatus,
+    /// Share of the step from now on.
+    after: f64,
+}
+
+/// Follows the faces from `current` through a step, of whose load `faces` has the coefficients as loads 1 and 2. Between two changes of status the response is
+/// a parabola like the load; so the changes are found one after the other, in their order. The statuses of `faces` are those at the end then.
+pub(super) fn follow<'a>(
+    problem: &FaceProblem<'a>,
+    faces: &mut FaceResponse<'a>,
+    current: &FaceSolution,
+    scale: FaceScale,
+    accuracy: Accuracy<'_>,
+) -> Result<Traced, Stop> {
+    let n = 2 * problem.points();
+    let rate = || FaceRate { jump: vec![0.0; n], contact: vec![0.0; n] };
+    let mut way = Way {
+        problem,
+        faces,
+        round_off: FaceScale { jump: ROUND_OFF * scale.jump, force: ROUND_OFF * scale.force },
+        share: 0.0,
+        now: current.clone(),
+        rates: [rate(), rate()],
+        reference_slip: current.jump.iter().step_by(2).copied().collect(),
+        holds: Vec::new(),
+        accuracy,
+        missed: None,
+    };
+    let most = MOST_AT_ONCE + MOST_PER_POINT * problem.points();
+    let (mut events, mut at_once) = (0, 0);
+    loop {
+        let lost = Stop::Lost { share: way.share };
+        way.respond().map_err(|Degenerate| lost)?;
+        let Some(event) = way.next_event() else { break };
+        at_once = if event.after > MOMENT { 0 } else { at_once + 1 };
+        events += 1;
+        if at_once > MOST_AT_ONCE || events > most {
+            return Err(lost);
+        }
+        way.advance(event.after);
+        way.change(event)?;
+    }
+    way.advance(1.0 - way.share);
+    Ok(Traced { reference_slip: way.reference_slip, holds: way.holds })
+}
+
+impl Way<'_, '_> {
+    /// The rates under the present statuses.
+    fn respond(&mut self) -> Result<(), Degenerate> {
+        self.faces.rates(1, &mut self.rates)
+    }
+
+    /// Goes on by `after` of the step.
+    fn advance(&mut self, after: f64) {
+        let (one, two) = (after, after * (2.0 * self.share + after));
+        let go = |values: &mut [f64], first: &[f64], second: &[f64]| {
+            for ((value, first), second) in values.iter_mut().zip(first).zip(second) {
+                *value += one * first + two * second;
+            }
+        };
+        let [first, second] = &self.rates;
+        go(&mut self.now.jump, &first.jump, &second.jump);
+        go(&mut self.now.contact, &first.contact, &second.contact);
+        self.share += after;
+    }
+
+    /// The first change of status within the step.
+    fn next_event(&self) -> Option<Event> {
+        let mut next: Option<Event> = None;
+        let mut span = 1.0 - self.share;
+        for point in 0..self.problem.points() {
+            if let Some((after, status)) = self.event_of(point, span) {
+                span = after;
+                next = Some(Event { point, status, after });
+            }
+        }
+        next
+    }
+
+    /// When, before `span` is over, and to what status `point` changes.
+    fn event_of(&self, point: usize, span: f64) -> Option<(f64, PointStatus)> {
+        use PointStatus::{Open, SlipBackward, SlipForward, Stick};
+        let (t, n) = (2 * point, 2 * point + 1);
+        let mu = self.problem.friction(point);
+        let [first, second] = &self.rates;
+        let force =
+            |i: usize| Parabola::of(self.now.contact[i], first.contact[i], second.contact[i], self.share);
+        let jump = |i: usize| Parabola::of(self.now.jump[i], first.jump[i], second.jump[i], self.share);
+        let FaceScale { jump: small_jump, force: small_force } = self.round_off;
+        let status = self.now.status[point];
+        if status == Open {
+            let after = jump(n).first_fall(small_jump, span)?;
+            return Some((after, self.touching(point, after)));
+        }
+        let normal = force(n);
+        let opens = normal.first_fall(small_force, span).map(|after| (after, Open));
+        let span = opens.map_or(span, |(after, _)| after);
+        if mu == 0.0 {
+            return opens;
+        }
+        let other = match status {
+            Stick => {
+                let shear = force(t);
+                let forward = normal.times(mu).plus(shear).first_fall(small_force, span);
+                let before = forward.unwrap_or(span);
+                let backward = normal.times(mu).plus(shear.times(-1.0)).first_fall(small_force, before);
+                backward.map(|after| (after, SlipBackward)).or(forward.map(|after| (after, SlipForward)))
+            }
+            SlipForward | SlipBackward => {
+                let slip = jump(t).times(status.direction());
+                slip.rate_falls(small_jump, span).map(|after| (after, Stick))
+            }
+            Open => None,
+        };
+        other.or(opens)
+    }
+
+    /// Speed of slip and of closing (mm over the step) of `point` at share `at` of the step.
+    fn speed(&self, point: usize, at: f64) -> (f64, f64) {
+        let [first, second] = &self.rates;
+        let speed = |i: usize| first.jump[i] + 2.0 * at * second.jump[i];
+        (speed(2 * point), -speed(2 * point + 1))
+    }
+
+    /// What an open point does that touches `after` from now: the law met from there along the way on which it comes.
+    fn touching(&self, point: usize, after: f64) -> PointStatus {
+        let (along, closing) = self.speed(point, self.share + after);
+        let mu = self.problem.friction(point);
+        if mu > 0.0 && along.abs() <= mu * closing {
+            PointStatus::Stick
+        } else if along >= 0.0 {
+            PointStatus::SlipForward
+        } else {
+            PointStatus::SlipBackward
+        }
+    }
+
+    /// Gives the point of `event` its new status.
+    fn change(&mut self, event: Event) -> Result<(), Stop> {
+        let Event { point, status, .. } = event;
+        let before = self.now.status[point];
+        let slip = self.now.jump[2 * point];
+        let held = before == PointStatus::Open || status == PointStatus::Stick;
+        if held && self.problem.friction(point) > 0.0 {
+            self.check(point)?;
+            self.holds.push(Hold { share: self.share, solution: self.now.clone() });
+        }
+        self.reference_slip[point] = slip;
+        self.now.status[point] = status;
+        self.faces.set_status(point, status, slip);
+        Ok(())
+    }
+
+    /// Whether the slip of `point` is accurate enough to be held.
+    fn check(&mut self, point: usize) -> Result<(), Stop> {
+        let allowed = (self.accuracy.allowed)(point);
+        let body = self.problem.body();
+        let (points, compliance) = (&body.faces().points, body.compliance());
+        let mobility = |i: usize| compliance[(i, i)].sqrt();
+        // A point that touches earlier or later does so at another slip.
+        let slope = match (self.now.status[point], self.speed(point, self.share)) {
+            (PointStatus::Open, (along, closing)) => (along / closing).abs(),
+            _ => 0.0,
+        };
+        let missed = self.missed.get_or_insert_with(|| {
+            let forces = (self.accuracy.missed)();
+            let mut bounds = vec![0.0; points.iter().map(|point| point.crack + 1).max().unwrap_or(0)];
+            for (i, force) in forces.iter().enumerate() {
+                bounds[points[i / 2].crack] += mobility(i) * force.abs();
+            }
+            self.faces.load_also(forces);
+            Missed { bounds }
+        });
+        let bound =
+            missed.bounds[points[point].crack] * (mobility(2 * point) + slope * mobility(2 * point + 1));
+        if bound <= allowed {
+            return Ok(());
+        }
+        let n = self.now.jump.len();
+        let mut rate = [FaceRate { jump: vec![0.0; n], contact: vec![0.0; n] }];
+        let lost = Stop::Lost { share: self.share };
+        self.faces.rates(3, &mut rate).map_err(|Degenerate| lost)?;
+        let excess = (rate[0].jump[2 * point].abs() + slope * rate[0].jump[2 * point + 1].abs()) / allowed;
+        if excess <= 1.0 { Ok(()) } else { Err(Stop::Inaccurate { excess }) }
+    }
+}
+
+/// c0 + c1 δ + c2 δ².
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Parabola {
+    c0: f64,
+    c1: f64,
+    c2: f64,
+}
+
+impl Parabola {
+    /// Of a value that is `now` at share `share` and has the coefficients `first` and `second` in shares of the step; δ counts from now.
+    fn of(now: f64, first: f64, second: f64, share: f64) -> Self {
+        Self { c0: now, c1: first + 2.0 * share * second, c2: second }
+    }
+
+    fn times(self, factor: f64) -> Self {
+        Self { c0: factor * self.c0, c1: factor * self.c1, c2: factor * self.c2 }
+    }
+
+    fn plus(self, other: Self) -> Self {
+        Self { c0: self.c0 + other.c0, c1: self.c1 + other.c1, c2: self.c2 + other.c2 }
+    }
+
+    /// The first δ < `span` at which the value falls by more than `small` below zero; one that is below zero now counts as zero.
+    fn first_fall(self, small: f64, span: f64) -> Option<f64> {
+        let Self { c0, c1, c2 } = self;
+        let c0 = c0.max(0.0) + small;
+        if c0 + span * (c1 + span * c2) >= 0.0 {
+            // Below zero in between?
+            let dips = c1 < 0.0 && c2 > 0.0 && -c1 < 2.0 * c2 * span && c1 * c1 > 4.0 * c2 * c0;
+            if !dips {
+                return None;
+            }
+        }
+        let root = (c1 * c1 - 4.0 * c0 * c2).max(0.0).sqrt();
+        let after = if c1 < 0.0 { 2.0 * c0 / (root - c1) } else { (c1 + root) / (-2.0 * c2) };
+        (after < span).then_some(after)
+    }
+
+    /// The first δ < `span` at which the rate is below zero, if the value then falls by more than `small` in a step.
+    fn rate_falls(self, small: f64, span: f64) -> Option<f64> {
+        let Self { c1, c2, .. } = self;
+        if c1 < -small {
+            return Some(0.0);
+        }
+        let rate_at_end = c1 + 2.0 * c2 * span;
+        if rate_at_end >= -small {
+            return None;
+        }
+        let after = (c1 + small) / (-2.0 * c2);
+        (after < span).then_some(after)
+    }
+}
+
+#[cfg(test)]
+#[path = "trace_tests.rs"]
+mod tests;
