@@ -170,6 +170,9 @@ impl Growth {
         let network = CrackNetwork::joined(self.state.cracks.clone(), self.state.junctions.clone())
             .map_err(|source| GrowthError::Network { step, source })?;
         let body = self.problem.engine.body(&network).map_err(|source| GrowthError::Body { step, source })?;
+        if step >= self.problem.growth.steps {
+            self.problem.engine.forget();
+        }
         let body_s = started.elapsed().as_secs_f64();
 
         let started = Instant::now();

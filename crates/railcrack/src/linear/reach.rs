@@ -105,7 +105,7 @@ impl SparseFactor {
     /// Errors: another length.
     pub fn solve(&self, columns: &mut [f64]) -> Result<(), LinearError> {
         let all: Vec<usize> = (0..self.structure.supernodes.len()).collect();
-        self.solve_over(&all, columns)
+        self.solve_over(&all, &[], columns)
     }
 
     /// [`SparseFactor::solve`] for some unknowns alone: at the `wanted` ones the solutions are the same, elsewhere they are not complete. The work is that on
@@ -118,31 +118,73 @@ impl SparseFactor {
         columns: &mut [f64],
     ) -> Result<(), LinearError> {
         let given = columns.iter().enumerate().filter(|(_, value)| **value != 0.0);
-        let given = given.map(|(i, _)| i % self.order());
-        let reach = self.reach(wanted.into_iter().chain(given))?;
-        self.solve_over(&reach, columns)
+        let trunk = self.reach(given.map(|(i, _)| i % self.order()))?;
+        let branches = self.branches(&trunk, &self.reach(wanted.into_iter())?);
+        self.solve_over(&trunk, &branches, columns)
     }
 
-    /// Solves with some `supernodes` in elimination order, which hold every ancestor of each, for their unknowns.
-    fn solve_over(&self, supernodes: &[usize], columns: &mut [f64]) -> Result<(), LinearError> {
+    /// Those of `supernodes`, which hold every ancestor of each, that are not in the `trunk`, as branches of the elimination tree that grow from it.
+    fn branches(&self, trunk: &[usize], supernodes: &[usize]) -> Vec<Vec<usize>> {
+        let in_trunk = |s: usize| trunk.binary_search(&s).is_ok();
+        let mut branch_of = vec![0; self.structure.supernodes.len()];
+        let mut branches: Vec<Vec<usize>> = Vec::new();
+        for &s in supernodes.iter().rev().filter(|&&s| !in_trunk(s)) {
+            branch_of[s] = match self.structure.parent(s).filter(|&parent| !in_trunk(parent)) {
+                Some(parent) => branch_of[parent],
+                None => {
+                    branches.push(Vec::new());
+                    branches.len() - 1
+                }
+            };
+            branches[branch_of[s]].push(s);
+        }
+        branches.iter_mut().for_each(|branch| branch.reverse());
+        branches
+    }
+
+    /// Solves for the unknowns of some supernodes in elimination order: of the `trunk`, which holds every ancestor of each, and of `branches` that grow
+    /// from it, where the right-hand sides are zero. What a branch takes serves the next one.
+    fn solve_over(
+        &self,
+        trunk: &[usize],
+        branches: &[Vec<usize>],
+        columns: &mut [f64],
+    ) -> Result<(), LinearError> {
         let order = self.order();
         if columns.len() != columns.len().next_multiple_of(order.max(1)) {
             let expected = columns.len().next_multiple_of(order.max(1));
             let quantity = "entries of right-hand sides";
             return Err(LinearError::WrongLength { quantity, given: columns.len(), expected });
         }
-        let places = || supernodes.iter().flat_map(|&s| self.structure.supernodes[s].places());
         columns.par_chunks_mut(LANES * order.max(1)).for_each(|columns| {
-            let mut panel = Panel::new(self, supernodes);
+            let mut panel = Panel::new(self, trunk);
             for (lane, column) in columns.chunks(order).enumerate() {
-                places().for_each(|place| panel.add(place, lane, column[self.structure.order[place]]));
+                self.places(trunk)
+                    .for_each(|place| panel.add(place, lane, column[self.structure.order[place]]));
             }
             panel.forward();
             panel.backward();
-            for (lane, column) in columns.chunks_mut(order).enumerate() {
-                places().for_each(|place| column[self.structure.order[place]] = panel.entry(place, lane));
+            self.write(&panel, trunk, columns);
+            let kept = panel.height();
+            for branch in branches {
+                panel.go_on(kept, branch);
+                panel.backward();
+                self.write(&panel, branch, columns);
             }
         });
         Ok(())
+    }
+
+    /// The places of some supernodes in the elimination order.
+    fn places(&self, supernodes: &[usize]) -> impl Iterator<Item = usize> {
+        supernodes.iter().flat_map(|&s| self.structure.supernodes[s].places())
+    }
+
+    /// Writes what a panel has at `supernodes` to the columns in its lanes.
+    fn write(&self, panel: &Panel, supernodes: &[usize], columns: &mut [f64]) {
+        for (lane, column) in columns.chunks_mut(self.order()).enumerate() {
+            self.places(supernodes)
+                .for_each(|place| column[self.structure.order[place]] = panel.entry(place, lane));
+        }
     }
 }

@@ -44,21 +44,22 @@ impl SpdFactor {
 
     /// [`SpdFactor::new`] of a matrix whose rows before `unchanged` are those of this one. The bits are the same as without them.
     pub fn changed(
-        &self,
+        mut self,
         unchanged: usize,
         order: usize,
         fill: impl Fn(usize, &mut [f64]) + Sync,
     ) -> Result<Self, LinearError> {
         let first = self.kept(unchanged.min(order));
         let kept = first / BLOCK;
-        let mut factor = Self { order, blocks: self.blocks[..kept].to_vec() };
-        for (start, rows) in (first..order).step_by(BLOCK).zip(factor.rows_from(first, fill)) {
-            let block = factor.block(start, kept, rows);
-            factor.blocks.push(Arc::new(
+        self.blocks.truncate(kept);
+        self.order = order;
+        for (start, rows) in (first..order).step_by(BLOCK).zip(self.rows_from(first, fill)) {
+            let block = self.block(start, kept, rows);
+            self.blocks.push(Arc::new(
                 block.map_err(|pivot| LinearError::NotPositiveDefinite { order, pivot: start + pivot })?,
             ));
         }
-        Ok(factor)
+        Ok(self)
     }
 
     /// How many rows [`SpdFactor::changed`] takes over from this one, and does not ask for, where those before `unchanged` are the same.

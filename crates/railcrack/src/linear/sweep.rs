@@ -17,13 +17,29 @@ pub(super) struct Panel<'a> {
 impl<'a> Panel<'a> {
     /// The zero panel over `supernodes`, which must be in elimination order and hold every ancestor of each.
     pub(super) fn new(factor: &'a SparseFactor, supernodes: &'a [usize]) -> Self {
-        let mut offset = vec![0; factor.structure.supernodes.len()];
-        let mut next = 0;
+        let offset = vec![0; factor.structure.supernodes.len()];
+        let mut panel = Self { factor, supernodes, offset, rows: Vec::new() };
+        panel.go_on(0, supernodes);
+        panel
+    }
+
+    /// Keeps the first rows, `kept` of them, and goes on with zeros over `supernodes` in elimination order, which hold every ancestor of each that has no
+    /// row among those kept: for [`Panel::backward`] over these alone.
+    pub(super) fn go_on(&mut self, kept: usize, supernodes: &'a [usize]) {
+        let mut next = kept;
         for &s in supernodes {
-            offset[s] = next;
-            next += factor.structure.supernodes[s].panel_rows();
+            self.offset[s] = next;
+            next += self.factor.structure.supernodes[s].panel_rows();
         }
-        Self { factor, supernodes, offset, rows: vec![Row::ZERO; next] }
+        self.rows.truncate(kept);
+        self.rows.reserve_exact(next - kept);
+        self.rows.resize(next, Row::ZERO);
+        self.supernodes = supernodes;
+    }
+
+    /// Number of rows.
+    pub(super) fn height(&self) -> usize {
+        self.rows.len()
     }
 
     /// The row that belongs to a place in the elimination order.

@@ -94,19 +94,19 @@ impl ColumnStore {
     ) -> Result<(), LinearError> {
         let whole = |columns: usize| columns / PANEL_COLUMNS * PANEL_COLUMNS;
         let (kept, needed) = (whole(same), whole(needed.min(same)));
-        let fresh = rail.forward(&columns[kept..])?;
-        self.columns = columns.into();
-        self.panels.truncate(kept / PANEL_COLUMNS);
-        self.panels.extend(fresh.into_iter().map(Arc::new));
-        self.products.truncate(kept.saturating_sub(self.first_product));
-        if needed < self.first_product {
-            self.products.clear();
+        // What cannot be used again makes room first; where a solution fails, nothing is kept.
+        let Self { mut panels, mut products, first_product, .. } = std::mem::take(self);
+        panels.truncate(kept / PANEL_COLUMNS);
+        products.truncate(kept.saturating_sub(first_product));
+        if needed < first_product {
+            products.clear();
         } else {
-            self.products.drain(..(needed - self.first_product).min(self.products.len()));
+            products.drain(..(needed - first_product).min(products.len()));
         }
-        self.first_product = needed;
-        let first = (needed + self.products.len()) / PANEL_COLUMNS;
-        self.products.extend(gram(&self.panels, first).into_iter().map(Arc::from));
+        panels.extend(rail.forward(&columns[kept..])?.into_iter().map(Arc::new));
+        let first = (needed + products.len()) / PANEL_COLUMNS;
+        products.extend(gram(&panels, first).into_iter().map(Arc::from));
+        *self = Self { columns: columns.into(), panels, products, first_product: needed, factored: None };
         Ok(())
     }
 }

@@ -231,6 +231,10 @@ impl BodyEngine for XfemEngine {
         }
     }
 
+    fn forget(&mut self) {
+        self.columns.clear();
+    }
+
     fn resolution(&self, network: &CrackNetwork) -> f64 {
         self.window.resolution(network)
     }
