@@ -53,7 +53,7 @@ impl SparseFactor {
 
     /// Number of unknowns.
     pub fn order(&self) -> usize {
-        self.structure.order.len()
+        self.structure.unknowns()
     }
 
     /// Entries of L, the zeros included that make supernodes dense.

@@ -121,17 +121,16 @@ struct ElementsBySupernode {
 
 impl ElementsBySupernode {
     fn new(structure: &Structure, matrix: &impl ElementSum) -> Result<Self, LinearError> {
-        let order = structure.order.len();
+        let order = structure.unknowns();
         if matrix.order() != order {
             let quantity = "unknowns of a matrix to factor";
             return Err(LinearError::WrongLength { quantity, given: matrix.order(), expected: order });
         }
         let first = |element: usize| {
-            let places = matrix.unknowns(element).into_iter().flatten().map(|unknown| {
-                structure.place.get(unknown).copied().ok_or(LinearError::NoSuchUnknown { unknown, order })
-            });
-            let places: Vec<usize> = places.collect::<Result<_, _>>()?;
-            Ok(places.into_iter().min().map(|place| structure.supernode_of[place]))
+            let unknowns = matrix.unknowns(element).into_iter().flatten();
+            let places: Vec<usize> =
+                unknowns.map(|unknown| structure.place_of(unknown)).collect::<Result<_, _>>()?;
+            Ok(places.into_iter().min().map(|place| structure.supernode_at(place)))
         };
         let owners: Vec<Option<usize>> = (0..matrix.count()).map(first).collect::<Result<_, _>>()?;
         let mut starts = vec![0; structure.supernodes.len() + 1];
@@ -188,8 +187,8 @@ impl<M: ElementSum> Fronts<'_, M> {
         self.add_elements(s, front).map_err(|reason| Failure { place: node.start, reason })?;
         self.add_remainders(s, left, front);
         eliminate(front, node.size(), node.columns).map_err(|pivot| {
-            let (order, place) = (self.structure.order.len(), node.start + pivot);
-            let reason = LinearError::NotPositiveDefinite { order, pivot: self.structure.order[place] };
+            let (order, place) = (self.structure.unknowns(), node.start + pivot);
+            let reason = LinearError::NotPositiveDefinite { order, pivot: self.structure.unknown_at(place) };
             Failure { place, reason }
         })
     }
@@ -223,10 +222,11 @@ impl<M: ElementSum> Fronts<'_, M> {
     /// Where an unknown stands in the front of a supernode.
     fn place_of(&self, node: &Supernode, unknown: usize) -> Result<usize, LinearError> {
         let below = self.structure.rows_below(node);
-        let place = self.structure.place[unknown];
+        let place = self.structure.place_of(unknown)?;
         let at = place_in(node, below, place);
-        let there = at < node.columns || below.get(at - node.columns) == Some(&place);
-        let outside = LinearError::OutsidePattern { row: unknown, column: self.structure.order[node.start] };
+        let there = at < node.columns || below.get(at - node.columns) == Some(&(place as u32));
+        let outside =
+            LinearError::OutsidePattern { row: unknown, column: self.structure.unknown_at(node.start) };
         if there { Ok(at) } else { Err(outside) }
     }
 
@@ -238,7 +238,7 @@ impl<M: ElementSum> Fronts<'_, M> {
         for child in &self.children[s] {
             let Some(remainder) = left.remove(child) else { continue };
             let rows = self.structure.rows_below(&self.structure.supernodes[*child]);
-            let at: Vec<usize> = rows.iter().map(|&row| place_in(node, below, row)).collect();
+            let at: Vec<usize> = rows.iter().map(|&row| place_in(node, below, row as usize)).collect();
             let mut values = remainder.as_slice();
             for (j, &column) in at.iter().enumerate() {
                 let (own, others) = values.split_at(at.len() - j);
@@ -259,11 +259,11 @@ fn add_at(at: &[usize], values: &[f64], column: &mut [f64]) {
 }
 
 /// Where a row, a place in the elimination order, stands in the front of a supernode with the rows `below` it.
-fn place_in(node: &Supernode, below: &[usize], row: usize) -> usize {
+fn place_in(node: &Supernode, below: &[u32], row: usize) -> usize {
     if row < node.start + node.columns {
         row - node.start
     } else {
-        node.columns + below.partition_point(|&other| other < row)
+        node.columns + below.partition_point(|&other| (other as usize) < row)
     }
 }
 

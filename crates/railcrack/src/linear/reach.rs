@@ -70,7 +70,7 @@ impl SparseFactor {
         let mut panel = Panel::new(self, &supernodes);
         for (lane, column) in columns.iter().enumerate() {
             for &(unknown, value) in &column.entries {
-                panel.add(self.structure.place[unknown], lane, value);
+                panel.add(self.structure.place_of(unknown)?, lane, value);
             }
         }
         panel.forward();
@@ -88,9 +88,7 @@ impl SparseFactor {
     fn reach(&self, unknowns: impl Iterator<Item = usize>) -> Result<Vec<usize>, LinearError> {
         let mut reached = vec![false; self.structure.supernodes.len()];
         for unknown in unknowns {
-            let no_such = || LinearError::NoSuchUnknown { unknown, order: self.order() };
-            let place = *self.structure.place.get(unknown).ok_or_else(no_such)?;
-            let mut next = Some(self.structure.supernode_of[place]);
+            let mut next = Some(self.structure.supernode_at(self.structure.place_of(unknown)?));
             while let Some(s) = next.filter(|&s| !reached[s]) {
                 reached[s] = true;
                 next = self.structure.parent(s);
@@ -160,7 +158,7 @@ impl SparseFactor {
             let mut panel = Panel::new(self, trunk);
             for (lane, column) in columns.chunks(order).enumerate() {
                 self.places(trunk)
-                    .for_each(|place| panel.add(place, lane, column[self.structure.order[place]]));
+                    .for_each(|place| panel.add(place, lane, column[self.structure.unknown_at(place)]));
             }
             panel.forward();
             panel.backward();
@@ -184,7 +182,7 @@ impl SparseFactor {
     fn write(&self, panel: &Panel, supernodes: &[usize], columns: &mut [f64]) {
         for (lane, column) in columns.chunks_mut(self.order()).enumerate() {
             self.places(supernodes)
-                .for_each(|place| column[self.structure.order[place]] = panel.entry(place, lane));
+                .for_each(|place| column[self.structure.unknown_at(place)] = panel.entry(place, lane));
         }
     }
 }

@@ -16,15 +16,15 @@ use std::ops::Range;
 #[derive(Debug)]
 pub(super) struct Structure {
     /// Elimination order: the unknown at each place.
-    pub(super) order: Vec<usize>,
+    order: Vec<u32>,
     /// The place of each unknown in it.
-    pub(super) place: Vec<usize>,
+    place: Vec<u32>,
     /// In elimination order: every one before its parent.
     pub(super) supernodes: Vec<Supernode>,
     /// The supernode of each place.
-    pub(super) supernode_of: Vec<usize>,
+    supernode_of: Vec<u32>,
     /// Rows below the supernodes, one after the other.
-    pattern: Vec<usize>,
+    pattern: Vec<u32>,
 }
 
 /// A supernode.
@@ -82,7 +82,7 @@ impl Supernode {
 impl Structure {
     /// Errors: an order that is not one of the unknowns; an element with an unknown that is not there.
     pub(super) fn new(matrix: &impl ElementSum, order: Vec<usize>) -> Result<Self, LinearError> {
-        let place = places(&order, matrix.order())?;
+        let (order, place) = places(&order, matrix.order())?;
         let pattern = Pattern::new(matrix)?;
         let mut structure = Self {
             supernode_of: vec![0; order.len()],
@@ -101,9 +101,7 @@ impl Structure {
             supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SUPERNODAL,
             ..Default::default()
         };
-        let [order, place] =
-            [&self.order, &self.place].map(|list| list.iter().map(|&i| i as u32).collect::<Vec<u32>>());
-        let permutation = SymmetricOrdering::Custom(PermRef::new_checked(&order, &place, unknowns));
+        let permutation = SymmetricOrdering::Custom(PermRef::new_checked(&self.order, &self.place, unknowns));
         let view =
             SymbolicSparseColMatRef::new_checked(unknowns, unknowns, &pattern.starts, None, &pattern.rows);
         let symbolic = factorize_symbolic_cholesky(view, Side::Lower, permutation, params)
@@ -115,13 +113,13 @@ impl Structure {
     }
 
     fn take_supernodes(&mut self, symbolic: &SymbolicSupernodalCholesky<u32>) {
-        self.pattern = symbolic.row_idx().iter().map(|&row| row as usize).collect();
+        self.pattern = symbolic.row_idx().to_vec();
         let patterns = symbolic.col_ptr_for_row_idx().windows(2);
         let columns = symbolic.supernode_begin().iter().zip(symbolic.supernode_end());
         let mut first_tile = 0;
         for (s, ((&start, &end), pattern)) in columns.zip(patterns).enumerate() {
             let [start, end, first, last] = [start, end, pattern[0], pattern[1]].map(|i| i as usize);
-            self.supernode_of[start..end].fill(s);
+            self.supernode_of[start..end].fill(s as u32);
             let node =
                 Supernode { start, columns: end - start, pattern: first, below: last - first, first_tile };
             first_tile += node.tiles();
@@ -129,25 +127,49 @@ impl Structure {
         }
     }
 
+    /// Number of unknowns.
+    pub(super) fn unknowns(&self) -> usize {
+        self.order.len()
+    }
+
+    /// The unknown at a place in the elimination order.
+    pub(super) fn unknown_at(&self, place: usize) -> usize {
+        self.order[place] as usize
+    }
+
+    /// The place of an unknown in the elimination order.
+    ///
+    /// Errors: an unknown that is not there.
+    pub(super) fn place_of(&self, unknown: usize) -> Result<usize, LinearError> {
+        let no_such = LinearError::NoSuchUnknown { unknown, order: self.unknowns() };
+        self.place.get(unknown).map(|&place| place as usize).ok_or(no_such)
+    }
+
+    /// The supernode of a place in the elimination order.
+    #[inline(always)]
+    pub(super) fn supernode_at(&self, place: usize) -> usize {
+        self.supernode_of[place] as usize
+    }
+
     /// Rows below a supernode, places in the elimination order, increasing.
-    pub(super) fn rows_below(&self, s: &Supernode) -> &[usize] {
+    pub(super) fn rows_below(&self, s: &Supernode) -> &[u32] {
         &self.pattern[s.pattern..s.pattern + s.below]
     }
 
     /// The supernode next on the way to the root of the elimination tree.
     pub(super) fn parent(&self, s: usize) -> Option<usize> {
-        self.rows_below(&self.supernodes[s]).first().map(|&row| self.supernode_of[row])
+        self.rows_below(&self.supernodes[s]).first().map(|&row| self.supernode_at(row as usize))
     }
 
     /// Memory that it holds, bytes.
     pub(super) fn memory_bytes(&self) -> usize {
         let indices = self.order.len() + self.place.len() + self.supernode_of.len() + self.pattern.len();
-        indices * size_of::<usize>() + size_of_val(&*self.supernodes)
+        indices * size_of::<u32>() + size_of_val(&*self.supernodes)
     }
 }
 
-/// The place of each unknown in an elimination order, which must name each once.
-fn places(order: &[usize], unknowns: usize) -> Result<Vec<usize>, LinearError> {
+/// An elimination order, which must name each unknown once, and the place of each unknown in it.
+fn places(order: &[usize], unknowns: usize) -> Result<(Vec<u32>, Vec<u32>), LinearError> {
     if order.len() != unknowns {
         return Err(LinearError::WrongLength {
             quantity: "unknowns in the elimination order",
@@ -155,13 +177,17 @@ fn places(order: &[usize], unknowns: usize) -> Result<Vec<usize>, LinearError> {
             expected: unknowns,
         });
     }
+    if u32::try_from(unknowns).is_err() {
+        return Err(LinearError::TooLarge { order: unknowns });
+    }
     let mut place = vec![None; unknowns];
     for (at, &unknown) in order.iter().enumerate() {
         match place.get_mut(unknown) {
             None => return Err(LinearError::NoSuchUnknown { unknown, order: unknowns }),
             Some(Some(_)) => return Err(LinearError::EliminatedTwice { unknown }),
-            Some(fresh) => *fresh = Some(at),
+            Some(fresh) => *fresh = Some(at as u32),
         }
     }
-    Ok(place.into_iter().flatten().collect())
+    let order = order.iter().map(|&unknown| unknown as u32).collect();
+    Ok((order, place.into_iter().flatten().collect()))
 }

@@ -44,7 +44,7 @@ impl<'a> Panel<'a> {
 
     /// The row that belongs to a place in the elimination order.
     fn row_of(&self, place: usize) -> usize {
-        let s = self.factor.structure.supernode_of[place];
+        let s = self.factor.structure.supernode_at(place);
         self.offset[s] + place - self.factor.structure.supernodes[s].start
     }
 
@@ -98,8 +98,8 @@ impl WithSimd for Forward<'_, '_> {
                 let Some(tile) = tiles.next() else { break };
                 let mut sums = [Row::ZERO; ROWS];
                 add_tile(simd, tile, x, &mut sums);
-                for (&row, sum) in rows.iter().zip(&sums) {
-                    let t = factor.structure.supernode_of[row];
+                for (row, sum) in rows.iter().map(|&row| row as usize).zip(&sums) {
+                    let t = factor.structure.supernode_at(row);
                     let at = panel.offset[t] + row - factor.structure.supernodes[t].start;
                     subtract(simd, sum, &mut after[at - end]);
                 }
@@ -135,7 +135,8 @@ impl WithSimd for Backward<'_, '_> {
         let mut below = Vec::new();
         for &s in panel.supernodes.iter().rev() {
             let node = factor.structure.supernodes[s];
-            let rows = factor.structure.rows_below(&node).iter().map(|&row| panel.rows[panel.row_of(row)]);
+            let rows = factor.structure.rows_below(&node).iter();
+            let rows = rows.map(|&row| panel.rows[panel.row_of(row as usize)]);
             below.clear();
             below.extend(rows);
             below.resize(node.below.next_multiple_of(ROWS), Row::ZERO);

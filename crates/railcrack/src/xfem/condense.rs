@@ -198,28 +198,21 @@ impl Elimination {
         rail: &BulkRail,
         tractions: &[Vec<f64>],
         nodes: impl Iterator<Item = usize>,
-    ) -> Result<Vec<Unknowns>, XfemError> {
+    ) -> Result<Unknowns, XfemError> {
         let mesh = rail.factor().order();
-        let enriched = self.enriched(tractions)?;
+        let mut enriched = self.enriched(tractions)?;
         let (factor, mut together) = match self {
-            Self::Border { coupling, .. } => {
-                let pulls: Vec<Vec<f64>> = enriched.iter().map(|own| pull_of(rail, coupling, own)).collect();
-                (rail.factor(), pulls.concat())
-            }
+            Self::Border { coupling, .. } => (rail.factor(), pulls(rail, coupling, &enriched)),
             Self::Together { factor, jumps } => {
-                (factor.as_ref(), under_tractions(jumps, tractions, factor.order()).entries().to_vec())
+                (factor.as_ref(), under_tractions(jumps, tractions, factor.order()))
             }
         };
         let wanted = nodes.flat_map(|node| rail.unknowns(node)).flatten();
-        factor.solve_for(wanted.chain(mesh..factor.order()), &mut together)?;
-        let solutions = together.chunks(factor.order().max(1)).zip(enriched);
-        Ok(solutions
-            .map(|(solution, mut enriched)| {
-                let (standard, own) = solution.split_at(mesh);
-                enriched.extend_from_slice(own);
-                Unknowns { standard: standard.to_vec(), enriched }
-            })
-            .collect())
+        factor.solve_for(wanted.chain(mesh..factor.order()), together.entries_mut())?;
+        for (k, enriched) in enriched.iter_mut().enumerate() {
+            enriched.extend_from_slice(&together.row(k)[mesh..]);
+        }
+        Ok(Unknowns { standard: together, enriched })
     }
 
     /// The enriched unknowns under each of some tractions, where they can be had without those of the mesh.
@@ -253,21 +246,24 @@ fn under_tractions(jumps: &[Entries], tractions: &[Vec<f64>], unknowns: usize) -
     right
 }
 
-/// The unknowns under one load.
+/// The unknowns under some loads.
 pub(super) struct Unknowns {
-    /// The free ones of the mesh.
-    pub standard: Vec<f64>,
-    /// Those of the enrichments.
-    pub enriched: Vec<f64>,
+    /// The free ones of the mesh, at the beginning of a row for each load.
+    pub standard: Matrix,
+    /// Those of the enrichments, for each load.
+    pub enriched: Vec<Vec<f64>>,
 }
 
-/// What the `enriched` unknowns do to the equations of those of the mesh: −K_se u_e.
-fn pull_of(rail: &BulkRail, coupling: &[Entries], enriched: &[f64]) -> Vec<f64> {
-    let mut right = vec![0.0; rail.factor().order()];
-    for (column, value) in coupling.iter().zip(enriched) {
-        for &(unknown, entry) in column {
-            if let Some(free) = rail.unknowns(unknown / 2)[unknown % 2] {
-                right[free] -= entry * value;
+/// What `enriched` unknowns do to the equations of those of the mesh: −K_se u_e, a row for each of some loads.
+fn pulls(rail: &BulkRail, coupling: &[Entries], enriched: &[Vec<f64>]) -> Matrix {
+    let mut right = Matrix::zeros(enriched.len(), rail.factor().order());
+    for (k, enriched) in enriched.iter().enumerate() {
+        let right = right.row_mut(k);
+        for (column, value) in coupling.iter().zip(enriched) {
+            for &(unknown, entry) in column {
+                if let Some(free) = rail.unknowns(unknown / 2)[unknown % 2] {
+                    right[free] -= entry * value;
+                }
             }
         }
     }

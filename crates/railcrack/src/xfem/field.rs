@@ -69,8 +69,9 @@ impl Inside {
     ) -> Result<Vec<Displacements>, XfemError> {
         let tractions: Vec<Vec<f64>> = loads.iter().map(|load| self.duality.tractions(load.forces)).collect();
         let nodes = layout.mesh_nodes(self.rail.mesh());
-        let solutions = self.elimination.unknowns(&self.rail, &tractions, nodes)?;
-        let under = |(load, Unknowns { standard, enriched }): (&FieldLoad, Unknowns)| {
+        let Unknowns { standard, enriched } = self.elimination.unknowns(&self.rail, &tractions, nodes)?;
+        let under = |(k, (load, enriched)): (usize, (&FieldLoad, Vec<f64>))| {
+            let standard = standard.row(k);
             let of_node = |node: usize| {
                 let [x, y] =
                     self.rail.unknowns(node).map(|unknown| unknown.map_or(0.0, |free| standard[free]));
@@ -85,7 +86,7 @@ impl Inside {
             }
             Ok(Displacements { nodes, enriched })
         };
-        loads.iter().zip(solutions).map(under).collect()
+        loads.iter().zip(enriched).enumerate().map(under).collect()
     }
 
     fn on(&self, layout: &Layout, unknowns: &Displacements) -> PointField {
