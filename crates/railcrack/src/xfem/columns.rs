@@ -54,6 +54,11 @@ impl ColumnStore {
         *self = Self::default();
     }
 
+    #[cfg(test)]
+    pub(super) fn is_kept(&self) -> bool {
+        !self.panels.is_empty() && self.factored.is_some()
+    }
+
     /// Eliminates a border of `columns` and rows `square` of K_ee; after those of the border, `columns` may have further ones.
     /// `fill(i, row, products, square)` makes row i of the Schur complement as for [`SpdFactor::new`], from the products b_iᵀ K⁻¹ b_j and its row of K_ee.
     /// Keeps what the next call may use and forgets the rest.

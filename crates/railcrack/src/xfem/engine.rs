@@ -239,3 +239,24 @@ impl BodyEngine for XfemEngine {
         self.window.resolution(network)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::crack::Crack;
+
+    #[test]
+    fn what_is_forgotten_is_free_and_changes_no_body() {
+        let network = CrackNetwork::from(Crack::surface_breaking(0.0, 4.0, 0.5).unwrap());
+        let steel = IsotropicElastic::new(210e3, 0.3).unwrap();
+        let (end, settings) = (RailEnd::HalfPlane { centre: 0.0 }, XfemSettings::default());
+        let mesh = MeshSettings { element_size: 0.5, expected_growth: 1.0 };
+        let mut engine = XfemEngine::new(&network, steel, mesh, end, settings);
+        let bits = |body: &dyn CrackedBody| body.compliance().entries().to_vec();
+        let before = engine.body(&network).unwrap();
+        assert!(engine.columns.is_kept());
+        engine.forget();
+        assert!(!engine.columns.is_kept());
+        assert_eq!(bits(engine.body(&network).unwrap().as_ref()), bits(before.as_ref()));
+    }
+}
