@@ -137,11 +137,14 @@ fn rates_are_what_a_load_adds_before_and_after_a_new_base() {
             assert!((with.1[i] - without.1[i] - contact[i]).abs() < 1e-11, "{step}, {i}");
         }
         // The loads have been answered: the new base takes that over.
+        tableau.set(0, Free(0.3));
         tableau.set(3, if step == 0 { Held(0.0) } else { Free(0.0) });
         tableau.set(2, Held(1e-4 * f64::from(step)));
         if step > 0 {
             tableau.rebase().unwrap();
             assert!(tableau.loads.iter().all(|load| load.answer.is_some()));
+            // What was the input of a coupled component is missing at another condition.
+            tableau.set(0, Free(-0.2));
             let (mut jump, mut contact) = ([1.0; N], [1.0; N]);
             tableau.rates(1, [Faces { jump: &mut jump, contact: &mut contact }]).unwrap();
             let (mut again, mut forces) = ([1.0; N], [1.0; N]);
