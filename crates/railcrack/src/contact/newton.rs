@@ -1,5 +1,6 @@
 //! Semismooth Newton (primal–dual active set) on the law of the faces.
 
+use super::problem::ROUND_OFF;
 use super::{
     ContactSolver, FaceProblem, FaceResponse, FaceScale, LoadStep, NotConverged, PointStatus, StepSolver,
 };
@@ -27,8 +28,6 @@ impl ContactSolver for Newton {
 
 /// Iterations in which all points change at once; after that the worst one is settled by itself, which breaks cycles.
 const SIMULTANEOUS: usize = 12;
-/// Forces and jumps below this fraction of the largest are round-off.
-const ROUND_OFF: f64 = 1e-11;
 
 struct NewtonSteps<'a> {
     problem: &'a FaceProblem<'a>,
@@ -52,12 +51,7 @@ fn demanded(
     let FaceScale { jump: jump_scale, force: force_scale } = scale;
     let status = solution.status[point];
     if status == PointStatus::Open {
-        // The law met from this open state along equal directions in shear and pressure.
-        let after = match slip - reference {
-            ahead if ahead.abs() <= -mu * opening && mu > 0.0 => PointStatus::Stick,
-            ahead if ahead >= 0.0 => PointStatus::SlipForward,
-            _ => PointStatus::SlipBackward,
-        };
+        let after = PointStatus::of_touching(slip - reference, -opening, mu);
         return (opening < -ROUND_OFF * jump_scale).then(|| (after, -opening / jump_scale));
     }
     if normal < -ROUND_OFF * force_scale {

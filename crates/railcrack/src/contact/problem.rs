@@ -24,6 +24,18 @@ impl PointStatus {
         self != Self::Open
     }
 
+    /// The status of an open point that touches, having moved by `along` while it closed by `closing` > 0: the law met along that way with equal
+    /// stiffness in shear and pressure.
+    pub(super) fn of_touching(along: f64, closing: f64, friction: f64) -> Self {
+        if friction > 0.0 && along.abs() <= friction * closing {
+            Self::Stick
+        } else if along >= 0.0 {
+            Self::SlipForward
+        } else {
+            Self::SlipBackward
+        }
+    }
+
     /// The direction of slip: +1, −1, or 0 without slip.
     pub fn direction(self) -> f64 {
         match self {
@@ -132,6 +144,9 @@ impl FaceSolution {
         })
     }
 }
+
+/// Forces and jumps below this fraction of the largest are round-off.
+pub(super) const ROUND_OFF: f64 = 1e-11;
 
 /// What counts as large on the faces: the largest values so far.
 #[derive(Debug, Clone, Copy, PartialEq)]

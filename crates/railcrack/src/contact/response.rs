@@ -1,7 +1,7 @@
 //! The linear response of the faces while no point changes its status.
 
 use super::condition::{Condition, Degenerate};
-use super::tableau::{Faces, Tableau};
+use super::tableau::{FaceRate, Tableau};
 use super::{FaceProblem, FaceSolution, PointStatus};
 
 /// The faces with their statuses: for given loads the jumps of the free components and the forces of the held ones
@@ -11,15 +11,6 @@ pub struct FaceResponse<'a> {
     tableau: Tableau<'a>,
     solution: FaceSolution,
     kept: FaceSolution,
-}
-
-/// How jumps and contact forces change, in the order of a [`FaceSolution`].
-#[derive(Debug, Clone)]
-pub(super) struct FaceRate {
-    /// mm
-    pub jump: Vec<f64>,
-    /// N/mm
-    pub contact: Vec<f64>,
 }
 
 impl<'a> FaceResponse<'a> {
@@ -90,10 +81,7 @@ impl<'a> FaceResponse<'a> {
 
     /// What the loads from number `first` on add to jumps and contact forces with the present statuses, one after the other in `rates`.
     pub(super) fn rates(&mut self, first: usize, rates: &mut [FaceRate]) -> Result<(), Degenerate> {
-        self.tableau.rates(
-            first,
-            rates.iter_mut().map(|rate| Faces { jump: &mut rate.jump, contact: &mut rate.contact }),
-        )
+        self.tableau.rates(first, rates)
     }
 
     /// Takes over statuses and values of `solution`, which is in equilibrium.

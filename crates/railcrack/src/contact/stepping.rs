@@ -305,9 +305,7 @@ impl<'a> Stepper<'a> {
         for hold in &holds {
             accepted(&hold.solution, &load.at(hold.share));
         }
-        self.accept(target, load.end);
-        accepted(&self.current, &self.load);
-        Ok(Attempt::Accepted)
+        Ok(self.accept(target, load.end, accepted))
     }
 
     /// A step whose events all count as at its start.
@@ -321,9 +319,7 @@ impl<'a> Stepper<'a> {
         let reference_slip: Vec<f64> = self.current.jump.iter().step_by(2).copied().collect();
         self.solver.keep();
         self.solve(&end, &reference_slip)?;
-        self.accept(target, end);
-        accepted(&self.current, &self.load);
-        Ok(Attempt::Accepted)
+        Ok(self.accept(target, end, accepted))
     }
 
     /// Solves contact under `forces` from the statuses in `faces`.
@@ -343,7 +339,12 @@ impl<'a> Stepper<'a> {
     }
 
     /// Makes the solution in `faces` the current one.
-    fn accept(&mut self, target: f64, load: Vec<f64>) {
+    fn accept(
+        &mut self,
+        target: f64,
+        load: Vec<f64>,
+        accepted: &mut dyn FnMut(&FaceSolution, &[f64]),
+    ) -> Attempt {
         let after = self.faces.solution();
         self.largest = self.largest.including(after, &load);
         self.counts.violation_max =
@@ -354,6 +355,8 @@ impl<'a> Stepper<'a> {
         self.current.clone_from(after);
         self.at = target;
         self.load = load;
+        accepted(&self.current, &self.load);
+        Attempt::Accepted
     }
 
     /// Error (mm) of the slip at which point `j` is held that leaves K within the tolerance.

@@ -58,12 +58,20 @@ struct Action {
     held: bool,
 }
 
-/// Jumps and contact forces of all components to write to.
-pub(super) struct Faces<'f> {
-    /// mm, or mm per unit of load.
-    pub jump: &'f mut [f64],
+/// How jumps and contact forces change.
+#[derive(Debug, Clone)]
+pub(super) struct FaceRate {
+    /// mm
+    pub jump: Vec<f64>,
     /// N/mm
-    pub contact: &'f mut [f64],
+    pub contact: Vec<f64>,
+}
+
+impl FaceRate {
+    /// None of `components` changes.
+    pub(super) fn zero(components: usize) -> Self {
+        Self { jump: vec![0.0; components], contact: vec![0.0; components] }
+    }
 }
 
 /// Where the conditions of today differ from those of the base.
@@ -202,18 +210,13 @@ impl<'a> Tableau<'a> {
     /// What the loads from number `first` on add to jumps and contact forces while nothing that is held moves, one after the other in `rates`.
     ///
     /// Errors: conditions that leave a component without equation.
-    pub(super) fn rates<'f>(
-        &mut self,
-        first: usize,
-        rates: impl IntoIterator<Item = Faces<'f>>,
-    ) -> Result<(), Degenerate> {
+    pub(super) fn rates(&mut self, first: usize, rates: &mut [FaceRate]) -> Result<(), Degenerate> {
         self.rebase_beyond(self.many());
-        let rates: Vec<Faces> = rates.into_iter().collect();
         let action = |k| Action { load: Some(first + k), held: false };
         let actions: Vec<Action> = (0..rates.len()).map(action).collect();
         let answers = self.answers(&actions)?;
         for ((k, answer), rate) in answers.iter().enumerate().zip(rates) {
-            self.write(first + k, false, answer, rate);
+            self.write(first + k, false, answer, (&mut rate.jump, &mut rate.contact));
         }
         self.spare.extend(answers);
         Ok(())
@@ -275,7 +278,7 @@ impl<'a> Tableau<'a> {
         self.move_held();
         let action = Action { load: Some(0), held: true };
         let answers = self.answers(&[action])?;
-        self.write(0, true, &answers[0], Faces { jump, contact });
+        self.write(0, true, &answers[0], (jump, contact));
         self.spare.extend(answers);
         Ok(())
     }
@@ -328,10 +331,10 @@ impl<'a> Tableau<'a> {
     }
 
     /// Jumps and contact forces of `answer` to `load`, with what is held in place or at zero.
-    fn write(&self, load: usize, held: bool, answer: &Answer, faces: Faces) {
+    fn write(&self, load: usize, held: bool, answer: &Answer, (jump, contact): (&mut [f64], &mut [f64])) {
         let conditions = self.base.iter().zip(&self.now);
         let answers = answer.input.iter().zip(&answer.output).zip(&self.loads[load].forces);
-        let results = faces.jump.iter_mut().zip(faces.contact);
+        let results = jump.iter_mut().zip(contact);
         // From the last component on: a coupled one needs the next.
         let (mut force, mut next_contact) = (0.0, 0.0);
         for (((base, now), ((&input, &output), load)), (jump, contact)) in

@@ -130,8 +130,9 @@ fn rates_are_what_a_load_adds_before_and_after_a_new_base() {
         };
         let with = solution(&mut tableau, &more);
         let without = solution(&mut tableau, &LOAD);
-        let (mut jump, mut contact) = ([1.0; N], [1.0; N]);
-        tableau.rates(1, [Faces { jump: &mut jump, contact: &mut contact }]).unwrap();
+        let mut rate = [FaceRate { jump: vec![1.0; N], contact: vec![1.0; N] }];
+        tableau.rates(1, &mut rate).unwrap();
+        let [FaceRate { jump, contact }] = &rate;
         for i in 0..N {
             assert!((with.0[i] - without.0[i] - jump[i]).abs() < 1e-16, "{step}, {i}");
             assert!((with.1[i] - without.1[i] - contact[i]).abs() < 1e-11, "{step}, {i}");
@@ -145,11 +146,11 @@ fn rates_are_what_a_load_adds_before_and_after_a_new_base() {
             assert!(tableau.loads.iter().all(|load| load.answer.is_some()));
             // What was the input of a coupled component is missing at another condition.
             tableau.set(0, Free(-0.2));
-            let (mut jump, mut contact) = ([1.0; N], [1.0; N]);
-            tableau.rates(1, [Faces { jump: &mut jump, contact: &mut contact }]).unwrap();
-            let (mut again, mut forces) = ([1.0; N], [1.0; N]);
+            tableau.rates(1, &mut rate).unwrap();
+            let [FaceRate { jump, contact }] = rate.clone();
             tableau.loads[1].answer = None;
-            tableau.rates(1, [Faces { jump: &mut again, contact: &mut forces }]).unwrap();
+            tableau.rates(1, &mut rate).unwrap();
+            let [FaceRate { jump: again, contact: forces }] = &rate;
             for i in 0..N {
                 assert!(
                     (jump[i] - again[i]).abs() < 1e-16 && (contact[i] - forces[i]).abs() < 1e-11,

@@ -1,7 +1,8 @@
 //! A load step followed event by event.
 
 use super::condition::Degenerate;
-use super::response::FaceRate;
+use super::problem::ROUND_OFF;
+use super::tableau::FaceRate;
 use super::{FaceProblem, FaceResponse, FaceScale, FaceSolution, PointStatus};
 
 /// The load within a step, at share τ of it: start + τ first + τ² second.
@@ -73,8 +74,6 @@ pub(super) enum Stop {
     },
 }
 
-/// Forces and jumps below this fraction of the largest are round-off.
-const ROUND_OFF: f64 = 1e-11;
 /// Events at one moment, and in a step over the number of points, that are too many: the law has no solution there, or the faces have just begun to touch
 /// everywhere.
 const MOST_AT_ONCE: usize = 32;
@@ -95,14 +94,9 @@ struct Way<'w, 'a> {
     reference_slip: Vec<f64>,
     holds: Vec<Hold>,
     accuracy: Accuracy<'w>,
-    /// What the parabola misses, over what it means for slip at most; none before it is asked for.
-    missed: Option<Missed>,
-}
-
-/// What the parabola of the load misses.
-struct Missed {
-    /// By crack, a bound of the error of slip over √C_jj of the point: by Cauchy and Schwarz |C_jk| ≤ √(C_jj C_kk).
-    bounds: Vec<f64>,
+    /// By crack, a bound of the error of slip that what the parabola misses means, over √C_jj of the point: by Cauchy and Schwarz |C_jk| ≤ √(C_jj C_kk). None
+    /// before it is asked for; `faces` has what is missed as load 3 then.
+    error_bounds: Option<Vec<f64>>,
 }
 
 /// The next change of status.
@@ -124,24 +118,23 @@ pub(super) fn follow<'a>(
     accuracy: Accuracy<'_>,
 ) -> Result<Traced, Stop> {
     let n = 2 * problem.points();
-    let rate = || FaceRate { jump: vec![0.0; n], contact: vec![0.0; n] };
     let mut way = Way {
         problem,
         faces,
         round_off: FaceScale { jump: ROUND_OFF * scale.jump, force: ROUND_OFF * scale.force },
         share: 0.0,
         now: current.clone(),
-        rates: [rate(), rate()],
+        rates: [FaceRate::zero(n), FaceRate::zero(n)],
         reference_slip: current.jump.iter().step_by(2).copied().collect(),
         holds: Vec::new(),
         accuracy,
-        missed: None,
+        error_bounds: None,
     };
     let most = MOST_AT_ONCE + MOST_PER_POINT * problem.points();
     let (mut events, mut at_once) = (0, 0);
     loop {
         let lost = Stop::Lost { share: way.share };
-        way.respond().map_err(|Degenerate| lost)?;
+        way.faces.rates(1, &mut way.rates).map_err(|Degenerate| lost)?;
         let Some(event) = way.next_event() else { break };
         at_once = if event.after > MOMENT { 0 } else { at_once + 1 };
         events += 1;
@@ -156,11 +149,6 @@ pub(super) fn follow<'a>(
 }
 
 impl Way<'_, '_> {
-    /// The rates under the present statuses.
-    fn respond(&mut self) -> Result<(), Degenerate> {
-        self.faces.rates(1, &mut self.rates)
-    }
-
     /// Goes on by `after` of the step.
     fn advance(&mut self, after: f64) {
         let (one, two) = (after, after * (2.0 * self.share + after));
@@ -201,7 +189,8 @@ impl Way<'_, '_> {
         let status = self.now.status[point];
         if status == Open {
             let after = jump(n).first_fall(small_jump, span)?;
-            return Some((after, self.touching(point, after)));
+            let (along, closing) = self.speed(point, self.share + after);
+            return Some((after, PointStatus::of_touching(along, closing, mu)));
         }
         let normal = force(n);
         let opens = normal.first_fall(small_force, span).map(|after| (after, Open));
@@ -233,19 +222,6 @@ impl Way<'_, '_> {
         (speed(2 * point), -speed(2 * point + 1))
     }
 
-    /// What an open point does that touches `after` from now: the law met from there along the way on which it comes.
-    fn touching(&self, point: usize, after: f64) -> PointStatus {
-        let (along, closing) = self.speed(point, self.share + after);
-        let mu = self.problem.friction(point);
-        if mu > 0.0 && along.abs() <= mu * closing {
-            PointStatus::Stick
-        } else if along >= 0.0 {
-            PointStatus::SlipForward
-        } else {
-            PointStatus::SlipBackward
-        }
-    }
-
     /// Gives the point of `event` its new status.
     fn change(&mut self, event: Event) -> Result<(), Stop> {
         let Event { point, status, .. } = event;
@@ -273,25 +249,23 @@ impl Way<'_, '_> {
             (PointStatus::Open, (along, closing)) => (along / closing).abs(),
             _ => 0.0,
         };
-        let missed = self.missed.get_or_insert_with(|| {
+        let bounds = self.error_bounds.get_or_insert_with(|| {
             let forces = (self.accuracy.missed)();
             let mut bounds = vec![0.0; points.iter().map(|point| point.crack + 1).max().unwrap_or(0)];
             for (i, force) in forces.iter().enumerate() {
                 bounds[points[i / 2].crack] += mobility(i) * force.abs();
             }
             self.faces.load_also(forces);
-            Missed { bounds }
+            bounds
         });
-        let bound =
-            missed.bounds[points[point].crack] * (mobility(2 * point) + slope * mobility(2 * point + 1));
+        let bound = bounds[points[point].crack] * (mobility(2 * point) + slope * mobility(2 * point + 1));
         if bound <= allowed {
             return Ok(());
         }
-        let n = self.now.jump.len();
-        let mut rate = [FaceRate { jump: vec![0.0; n], contact: vec![0.0; n] }];
+        let mut error = FaceRate::zero(self.now.jump.len());
         let lost = Stop::Lost { share: self.share };
-        self.faces.rates(3, &mut rate).map_err(|Degenerate| lost)?;
-        let excess = (rate[0].jump[2 * point].abs() + slope * rate[0].jump[2 * point + 1].abs()) / allowed;
+        self.faces.rates(3, std::slice::from_mut(&mut error)).map_err(|Degenerate| lost)?;
+        let excess = (error.jump[2 * point].abs() + slope * error.jump[2 * point + 1].abs()) / allowed;
         if excess <= 1.0 { Ok(()) } else { Err(Stop::Inaccurate { excess }) }
     }
 }

@@ -167,7 +167,6 @@ struct Pass {
 }
 
 /// What determines the rest of a passage.
-#[derive(Clone)]
 struct Mark {
     faces: FaceSolution,
     tips: TipMark,

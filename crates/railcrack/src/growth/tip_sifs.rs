@@ -23,7 +23,6 @@ const STILL: f64 = 1e-6;
 const ALIKE: f64 = 1e-6;
 
 /// K at some position of a passage.
-#[derive(Debug, Clone)]
 pub(super) struct TipMark {
     /// K of each tip, and whether it is held.
     tips: Vec<(Sif, bool)>,
