@@ -1,8 +1,10 @@
 //! Exit codes, and what leads to them.
 
-use crate::drive::RunError;
-use railcrack::case::CaseErrors;
-use railcrack::paper::{PaperError, UnknownFigure};
+use railcrack::shakedown::ShakedownError;
+use railcrack_case::{CarriedStressError, CaseErrors};
+use railcrack_paper::{PaperError, UnknownFigure};
+use railcrack_run::OutputError;
+use railcrack_run::simulation::RunError;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use thiserror::Error;
@@ -56,6 +58,15 @@ pub enum Failure {
     /// The paper could not be recomputed.
     #[error(transparent)]
     Paper(#[from] PaperError),
+    /// The run would overwrite its own case file.
+    #[error(
+        "{} is the case file and would be overwritten by the run: choose another folder with --out",
+        path.display()
+    )]
+    CaseInRunFolder {
+        /// The case file.
+        path: PathBuf,
+    },
     /// A file that is already there.
     #[error("{} is already there; --force replaces it", path.display())]
     Exists {
@@ -79,7 +90,7 @@ impl Failure {
     /// The exit code of this failure.
     pub fn exit(&self) -> Exit {
         match self {
-            Self::Case(_) | Self::Figure(_) => Exit::BadInput,
+            Self::Case(_) | Self::Figure(_) | Self::CaseInRunFolder { .. } => Exit::BadInput,
             Self::Paper(error) => match error {
                 PaperError::Exists { .. } | PaperError::Case(_) | PaperError::Steel(_) => Exit::BadInput,
                 PaperError::Run { .. } | PaperError::Stress { .. } | PaperError::Shakedown(_) => {
@@ -88,8 +99,35 @@ impl Failure {
                 PaperError::Interrupted => Exit::Interrupted,
                 PaperError::Output(_) | PaperError::Threads(_) => Exit::CannotReadOrWrite,
             },
-            Self::Run(error) => error.exit(),
+            Self::Run(error) => exit_of_run(error),
             Self::Exists { .. } | Self::CannotWrite { .. } | Self::Stdout(_) => Exit::CannotReadOrWrite,
         }
+    }
+}
+
+/// The exit code of a run that failed.
+fn exit_of_run(error: &RunError) -> Exit {
+    match error {
+        RunError::Output(error) => match error {
+            OutputError::HoldsRun { .. }
+            | OutputError::NoRun { .. }
+            | OutputError::NotARun { .. }
+            | OutputError::NothingToReport { .. }
+            | OutputError::HoldsComparison { .. }
+            | OutputError::HoldsStudy { .. }
+            | OutputError::NoStudy { .. }
+            | OutputError::StudyChanged { .. }
+            | OutputError::CaseChanged { .. }
+            | OutputError::OtherVersion { .. } => Exit::BadInput,
+            OutputError::NotFinite { .. } | OutputError::Field(_) => Exit::NotConverged,
+            OutputError::Damaged { .. } | OutputError::Io { .. } => Exit::CannotReadOrWrite,
+        },
+        RunError::Rolled(_) | RunError::System { .. } => Exit::CannotReadOrWrite,
+        RunError::Residual(CarriedStressError::Field(_)) => Exit::BadInput,
+        RunError::Residual(_)
+        | RunError::Growth(_)
+        | RunError::NoLayers
+        | RunError::Shakedown(ShakedownError::NotConverged { .. }) => Exit::NotConverged,
+        RunError::Shakedown(_) => Exit::BadInput,
     }
 }

@@ -3,7 +3,6 @@
 mod arguments;
 mod commands;
 mod display;
-mod drive;
 mod exit;
 mod interruption;
 mod png;

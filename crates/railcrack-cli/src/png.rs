@@ -1,6 +1,6 @@
 //! Plots as PNG files, from their SVG files.
 
-use crate::drive::RunError;
+use railcrack_run::simulation::RunError;
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
 use std::path::{Path, PathBuf};

@@ -1,46 +1,45 @@
 //! How far a run is: a bar on a terminal, a line per step elsewhere.
 
 use crate::display::{Display, Verbosity, styled_bar};
+use crate::interruption::Interruption;
 use indicatif::ProgressBar;
 use railcrack::growth::{StepRecord, TipRecord, TipStop};
+use railcrack_run::simulation::RunObserver;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
 /// Parts of a step on the bar.
 const PARTS: u64 = 1000;
 
-/// Who is told how far a run is.
-pub trait Tell: Sync {
-    /// The fraction (0 to 1) of the current step that is done.
-    fn fraction(&self, fraction: f64);
-    /// A step is finished and written.
-    fn finished(&self, record: &StepRecord);
-    /// What a stage before the first step is doing.
-    fn stage(&self, text: &str);
-    /// What the reader should know before the first step.
-    fn note(&self, text: &str);
-    /// No step follows.
-    fn close(&self);
-}
-
 /// The progress of one run, told on standard error.
 #[derive(Debug)]
-pub struct Progress {
+pub struct Progress<'a> {
     display: Display,
+    interruption: &'a Interruption,
     increments: usize,
     step: AtomicUsize,
     begun: Instant,
 }
 
-impl Progress {
-    /// A run of `increments` increments that goes on with step `first`.
-    pub fn new(verbosity: Verbosity, increments: usize, first: usize) -> Self {
-        let display = Display::new(verbosity, || bar(increments, first));
-        Self { display, increments, step: AtomicUsize::new(first), begun: Instant::now() }
+impl<'a> Progress<'a> {
+    /// A run of `increments` increments that `interruption` may stop.
+    pub fn new(verbosity: Verbosity, increments: usize, interruption: &'a Interruption) -> Self {
+        let display = Display::new(verbosity, || bar(increments));
+        Self { display, interruption, increments, step: AtomicUsize::new(0), begun: Instant::now() }
     }
 }
 
-impl Tell for Progress {
+impl RunObserver for Progress<'_> {
+    fn begins(&self, first: usize) {
+        self.step.store(first, Ordering::Relaxed);
+        if let Some(bar) = self.display.bar() {
+            bar.set_position(first as u64 * PARTS);
+            bar.set_prefix(format!("{first}/{}", self.increments));
+            // Time left follows from the pace since now, not from steps that were done before.
+            bar.reset_eta();
+        }
+    }
+
     fn fraction(&self, fraction: f64) {
         if let Some(bar) = self.display.bar() {
             let parts = (fraction.clamp(0.0, 1.0) * PARTS as f64) as u64;
@@ -90,15 +89,15 @@ impl Tell for Progress {
     fn close(&self) {
         self.display.close();
     }
+
+    fn interrupted(&self) -> bool {
+        self.interruption.asked()
+    }
 }
 
-fn bar(increments: usize, first: usize) -> ProgressBar {
+fn bar(increments: usize) -> ProgressBar {
     let template = "step {prefix} [{bar:28}] {percent}%  {msg}  {elapsed} elapsed, {eta} left";
-    let bar = styled_bar((increments as u64 + 1) * PARTS, template).with_position(first as u64 * PARTS);
-    bar.set_prefix(format!("{first}/{increments}"));
-    // Time left follows from the pace since now, not from steps that were done before.
-    bar.reset_eta();
-    bar
+    styled_bar((increments as u64 + 1) * PARTS, template)
 }
 
 /// Cracks that join others in this step, and pieces that it encloses.

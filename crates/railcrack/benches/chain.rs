@@ -2,10 +2,10 @@
 
 use divan::{Bencher, black_box};
 use railcrack::body::CrackedBody;
-use railcrack::case::{Case, Overrides};
 use railcrack::contact::{ContactSolver, FaceProblem, Latin, Newton};
 use railcrack::dislocation::DislocationBody;
 use railcrack::growth::{Growth, RailLoad, StabilisedPassage, StepRecord, Unwatched, stabilised_passage};
+use railcrack_case::{Case, Overrides};
 use std::path::{Path, PathBuf};
 
 const REFERENCE: &str = "reference.toml";

@@ -1,6 +1,6 @@
 //! Times of the stabilised plastic state, against time marching of the same material on a fixed mesh.
 
-#[path = "../tests/shakedown/brute_force.rs"]
+#[path = "../tests/verification/shakedown/brute_force.rs"]
 mod brute_force;
 
 use brute_force::{March, march};

@@ -2,8 +2,8 @@
 //!
 //! `cargo run --release --example network_tables`
 
-use railcrack::case::{Case, Overrides};
 use railcrack::growth::{StepRecord, TipRecord, Unwatched};
+use railcrack_case::{Case, Overrides};
 use std::error::Error;
 use std::path::{Path, PathBuf};
 

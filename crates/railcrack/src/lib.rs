@@ -47,7 +47,6 @@
 
 pub mod body;
 pub mod bulk;
-pub mod case;
 pub mod contact;
 pub mod crack;
 pub mod dislocation;
@@ -60,9 +59,6 @@ pub mod load;
 pub mod material;
 pub mod math;
 pub mod mesh;
-pub mod output;
-pub mod paper;
 pub mod residual;
 pub mod shakedown;
-pub mod vtu;
 pub mod xfem;

@@ -1,15 +1,15 @@
 //! `railcrack check`.
 
 use super::check_study::study_summary;
-use crate::commands::residual::left_out;
 use crate::exit::{Exit, Failure};
 use crate::print;
 use clap::Args;
-use railcrack::case::{Case, Input, PlasticSource};
 use railcrack::contact::StepControl;
 use railcrack::crack::Crack;
 use railcrack::fatigue::DirectionCriterion;
 use railcrack::shakedown::{DepthBounds, bounds_by_depth, first_yield_ratio, shakedown_limit_ratio};
+use railcrack_case::{Case, Input, PlasticSource};
+use railcrack_run::simulation::plastic_stress_left_out;
 use std::path::PathBuf;
 
 /// Validate a case or study file and say what would be computed
@@ -164,7 +164,7 @@ fn plastic_stress(case: &Case) -> Vec<Row> {
         }
         Some(PlasticSource::Profile(file)) => vec![("profile", file.given_name().into())],
         Some(PlasticSource::Rolled) => vec![("stabilised state", "of [shakedown], computed first".into())],
-        None => left_out(case).map(|note| ("none", note)).into_iter().collect(),
+        None => plastic_stress_left_out(case).map(|note| ("none", note)).into_iter().collect(),
     }
 }
 

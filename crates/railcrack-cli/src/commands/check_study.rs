@@ -1,6 +1,6 @@
 //! What `railcrack check` says of a study.
 
-use railcrack::case::{Axis, RailKey, Study, StudyRun};
+use railcrack_case::{Axis, RailKey, Study, StudyRun};
 use std::collections::HashMap;
 
 /// Runs that are listed one by one.

@@ -1,12 +1,13 @@
 //! `railcrack compare`.
 
 use crate::commands::run::{self, RunArguments};
-use crate::drive::{Ending, RunError};
 use crate::exit::{Exit, Failure};
 use crate::print;
 use clap::Args;
-use railcrack::case::{Case, Engine};
-use railcrack::output::{Comparison, Existing};
+use railcrack_case::{Case, Engine};
+use railcrack_report::Pages;
+use railcrack_run::simulation::{Ending, RunError};
+use railcrack_run::{Comparison, Existing, Presentation};
 use std::path::{Path, PathBuf};
 
 /// Set two runs against each other: SIF histories, paths, cycles
@@ -75,6 +76,7 @@ fn compare_folders(arguments: &CompareArguments, runs: [&PathBuf; 2], out: &Path
     let comparison = Comparison::of(runs[0], runs[1]).map_err(RunError::from)?;
     let existing = if arguments.force { Existing::Replace } else { Existing::Refuse };
     comparison.write(out, existing, arguments.tolerance).map_err(RunError::from)?;
+    Pages.comparison(out).map_err(RunError::from)?;
     let text = comparison.text(arguments.tolerance);
     print::stdout(&format!("{text}comparison in {}\n", out.display()))?;
     Ok(Exit::Done)

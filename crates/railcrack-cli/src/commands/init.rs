@@ -23,7 +23,7 @@ pub struct InitArguments {
 
 /// Writes the commented case file.
 pub fn init(arguments: &InitArguments) -> Result<Exit, Failure> {
-    let text = railcrack::case::init_text();
+    let text = railcrack_case::init_text();
     if arguments.file.as_os_str() == "-" {
         print::stdout(&text)?;
         return Ok(Exit::Done);

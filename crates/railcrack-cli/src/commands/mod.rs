@@ -6,7 +6,6 @@ pub mod compare;
 pub mod init;
 pub mod paper;
 pub mod report;
-pub mod residual;
 pub mod run;
 pub mod schema;
 pub mod shakedown;

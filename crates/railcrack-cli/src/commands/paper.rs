@@ -7,7 +7,7 @@ use crate::print;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use railcrack::growth::Watch;
-use railcrack::paper::{Earlier, PaperError, Reproduction, SETUPS, Telling, parse_figures, reproduce};
+use railcrack_paper::{Earlier, PaperError, Reproduction, SETUPS, Telling, parse_figures, reproduce};
 use std::io::{IsTerminal, Write};
 use std::path::PathBuf;
 use std::sync::Mutex;

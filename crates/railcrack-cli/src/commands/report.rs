@@ -1,10 +1,11 @@
 //! `railcrack report`.
 
-use crate::drive::RunError;
 use crate::exit::{Exit, Failure};
 use crate::{png, print};
 use clap::Args;
-use railcrack::output::report::{FolderKind, rebuild_report};
+use railcrack_paper::STATEMENTS_FILE;
+use railcrack_report::{FolderKind, rebuild_report};
+use railcrack_run::simulation::RunError;
 use std::path::PathBuf;
 
 /// Build plots and HTML report of a folder again, from its files alone
@@ -24,13 +25,16 @@ pub struct ReportArguments {
 /// Builds the report and says where it is.
 pub fn report(arguments: &ReportArguments) -> Result<Exit, Failure> {
     let folder = &arguments.folder;
-    let kind = rebuild_report(folder).map_err(RunError::from)?;
-    let what = match kind {
-        FolderKind::Run => "run",
-        FolderKind::Shakedown => "plastic state",
-        FolderKind::Comparison => "comparison",
-        FolderKind::Study => "study",
-        FolderKind::Paper => "paper",
+    let what = if folder.join(STATEMENTS_FILE).is_file() {
+        railcrack_paper::rebuild_report(folder).map_err(RunError::from)?;
+        "paper"
+    } else {
+        match rebuild_report(folder).map_err(RunError::from)? {
+            FolderKind::Run => "run",
+            FolderKind::Shakedown => "plastic state",
+            FolderKind::Comparison => "comparison",
+            FolderKind::Study => "study",
+        }
     };
     let mut text = format!("report of the {what} in {}\n", folder.join("report.html").display());
     if arguments.png {

@@ -1,16 +1,14 @@
 //! `railcrack run`.
 
-use crate::commands::residual::{self, Residual};
 use crate::display::Verbosity;
-use crate::drive::{Ending, RunError, StepSource, drive};
 use crate::exit::{Exit, Failure};
 use crate::interruption::Interruption;
 use crate::print;
-use crate::progress::{Progress, Tell, cycles};
+use crate::progress::{Progress, cycles};
 use clap::Args;
-use railcrack::case::{Case, Overrides, SharedRail};
-use railcrack::growth::GrowthState;
-use railcrack::output::{CaseFiles, Existing, Recorder, RunInfo, Summary};
+use railcrack_case::{Case, Overrides};
+use railcrack_report::Pages;
+use railcrack_run::simulation::{Ending, Finished, RunEntry, RunError, Simulation};
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
@@ -78,106 +76,25 @@ pub fn compute(arguments: &RunArguments, interruption: &Interruption) -> Result<
         contact: arguments.contact.clone(),
     };
     let case = Case::read_with(&arguments.case, &overrides)?;
-    let finished = execute(arguments, Job::of(&case), interruption, |stage| {
-        let (prepared, residual) = residual::prepare(&case, &stage)?;
-        Ok((prepared.growth(stage.state), residual))
-    })?;
-    Ok(finished)
+    let folder = arguments.out.clone().unwrap_or_else(|| default_folder(&arguments.case));
+    let entry = arguments.entry();
+    if entry != RunEntry::Resume && is_same_file(&arguments.case, &folder.join("case.toml")) {
+        return Err(Failure::CaseInRunFolder { path: arguments.case.clone() });
+    }
+    let verbosity = if arguments.quiet { Verbosity::Quiet } else { Verbosity::Progress };
+    let progress = Progress::new(verbosity, case.growth.steps, interruption);
+    let simulation = Simulation::new(&case).observed_by(&progress).presented_by(&Pages);
+    Ok(simulation.run_in(&folder, entry)?)
 }
 
-/// What a run starts from.
-pub struct Stage<'a> {
-    /// The run folder.
-    pub folder: &'a Path,
-    /// What is told of the run.
-    pub progress: &'a dyn Tell,
-    /// What another run computed already.
-    pub shared: Option<&'a SharedRail>,
-    /// The state to go on from; none at the beginning.
-    pub state: Option<GrowthState>,
-}
-
-/// What the case says of a run before anything is computed.
-#[derive(Debug)]
-pub struct Job {
-    /// `case.toml` and the files that it names.
-    pub case: CaseFiles,
-    /// What the files say of the run.
-    pub info: RunInfo,
-    /// Number of increments.
-    pub increments: usize,
-}
-
-impl Job {
-    /// The run of `case`.
-    pub fn of(case: &Case) -> Self {
-        Self {
-            case: case_files(case),
-            info: RunInfo {
-                title: case.title.clone(),
-                engine: case.engine.name().into(),
-                contact: case.contact_solver.name().into(),
-                boundary: case.rail.boundary_name(),
-                half_width: case.contact.half_width,
-                axle_load: case.axle_load,
-                warnings: Vec::new(),
-            },
-            increments: case.growth.steps,
+impl RunArguments {
+    fn entry(&self) -> RunEntry {
+        match (self.resume, self.force) {
+            (true, _) => RunEntry::Resume,
+            (false, true) => RunEntry::Replace,
+            (false, false) => RunEntry::Begin,
         }
     }
-}
-
-/// A run that came to an end or was interrupted.
-#[derive(Debug)]
-pub struct Finished {
-    /// How it ended.
-    pub ending: Ending,
-    /// The run in numbers.
-    pub summary: Summary,
-    /// The run folder.
-    pub folder: PathBuf,
-}
-
-/// Runs `job`: checks and prepares the run folder, then has `start` build what computes the steps with the residual stress that the
-/// rail carries, and writes step by step.
-///
-/// Errors: see [`RunError`].
-pub fn execute<S: StepSource>(
-    arguments: &RunArguments,
-    job: Job,
-    interruption: &Interruption,
-    start: impl FnOnce(Stage) -> Result<(S, Option<Residual>), RunError>,
-) -> Result<Finished, RunError> {
-    let folder = arguments.out.clone().unwrap_or_else(|| default_folder(&arguments.case));
-    let opened = open(arguments, &folder, job.case, job.info)?;
-    let verbosity = if arguments.quiet { Verbosity::Quiet } else { Verbosity::Progress };
-    let progress = |first| Progress::new(verbosity, job.increments, first);
-    let (ending, summary) = carry_out(&folder, opened, progress, interruption, start)?;
-    Ok(Finished { ending, summary, folder })
-}
-
-/// Goes on with a run in `folder`, which is `opened` (its recorder, and the state after its last finished step): tells `progress`, made for its
-/// first step, has `start` build what computes the steps, and writes step by step.
-///
-/// Errors: see [`RunError`].
-pub fn carry_out<S: StepSource, T: Tell>(
-    folder: &Path,
-    opened: (Recorder, Option<GrowthState>),
-    progress: impl FnOnce(usize) -> T,
-    interruption: &Interruption,
-    start: impl FnOnce(Stage) -> Result<(S, Option<Residual>), RunError>,
-) -> Result<(Ending, Summary), RunError> {
-    let (mut recorder, state) = opened;
-    let progress = progress(state.as_ref().map_or(0, |state| state.step));
-    if state.as_ref().is_some_and(|state| state.ended.is_some()) {
-        progress.close();
-        return Ok((Ending::Ended, recorder.finish()?));
-    }
-    let (source, residual) = start(Stage { folder, progress: &progress, shared: None, state })?;
-    if let Some(residual) = residual {
-        residual.record(&mut recorder, &progress)?;
-    }
-    drive(source, &mut recorder, &progress, interruption)
 }
 
 /// Has all parallel parts use `threads` threads; all of the machine where none are given. The calling thread is one of them, so that what it computes between two
@@ -193,31 +110,9 @@ pub fn use_threads(threads: Option<NonZeroUsize>) -> Result<(), RunError> {
         .map_err(|reason| RunError::System { action: "start threads".to_owned(), reason: reason.to_string() })
 }
 
-/// `case.toml` and the files that it names.
-pub fn case_files(case: &Case) -> CaseFiles {
-    let companions = case.companions().into_iter().map(|file| (file.name.into(), file.text.into())).collect();
-    CaseFiles { toml: case.to_toml(), companions }
-}
-
 /// The name of the case file without its ending, beside it.
 pub fn default_folder(case: &Path) -> PathBuf {
     case.with_extension("")
-}
-
-fn open(
-    arguments: &RunArguments,
-    folder: &Path,
-    case: CaseFiles,
-    info: RunInfo,
-) -> Result<(Recorder, Option<GrowthState>), RunError> {
-    if arguments.resume {
-        return Ok(Recorder::resume(folder, case, info)?);
-    }
-    if is_same_file(&arguments.case, &folder.join("case.toml")) {
-        return Err(RunError::CaseInRunFolder { path: arguments.case.clone() });
-    }
-    let existing = if arguments.force { Existing::Replace } else { Existing::Refuse };
-    Ok((Recorder::start(folder, case, info, existing)?, None))
 }
 
 /// Whether both paths lead to one file.
@@ -283,7 +178,3 @@ fn where_and_on(finished: &Finished) -> String {
     }
     text
 }
-
-#[cfg(test)]
-#[path = "run_tests.rs"]
-mod tests;

@@ -3,7 +3,7 @@
 use crate::exit::{Exit, Failure};
 use crate::print;
 use clap::Args;
-use railcrack::case::{json_schema, study_schema};
+use railcrack_case::{json_schema, study_schema};
 
 /// Print the JSON Schema of the case file
 ///

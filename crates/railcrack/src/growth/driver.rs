@@ -145,7 +145,7 @@ pub struct Growth {
 }
 
 /// A rival kink whose rate comes this close to the best is a near tie.
-pub(crate) const NEAR_TIE: f64 = 0.98;
+pub const NEAR_TIE: f64 = 0.98;
 
 impl Growth {
     /// A run of `problem` from `state` on.

@@ -15,7 +15,7 @@ mod stops;
 mod tip_sifs;
 mod waiting;
 
-pub(crate) use driver::NEAR_TIE;
+pub use driver::NEAR_TIE;
 pub use driver::{Growth, GrowthError, GrowthProblem, GrowthState, Unwatched, Watch};
 pub use fields::{FieldRecord, FieldSettings, FieldSnapshot};
 pub use increments::{Advance, StepState, TipAdvance, TipDrive, advance};

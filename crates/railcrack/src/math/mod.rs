@@ -20,5 +20,5 @@ pub use matrix::Matrix;
 pub use predicate::{Orientation, orientation, segments_touch};
 pub use quadrature::gauss_legendre;
 pub use stress::Stress;
-pub(crate) use units::MPA_SQRT_MM;
+pub use units::MPA_SQRT_MM;
 pub use vector::Vec2;

@@ -1,8 +1,15 @@
-//! The background mesh of the finite-element engine: graded rectangles that do not know the cracks.
+//! Meshes: the background mesh of the finite-element engine (graded rectangles that do not know the cracks), and
+//! unstructured grids with data, as other programs give and take them.
 
+mod array;
+mod grid_error;
 mod ordering;
 mod quad;
 mod shape;
+mod unstructured;
 
+pub use array::{Array, SYMMETRIC_TENSOR};
+pub use grid_error::GridError;
 pub use quad::{Element, MeshError, QuadMesh};
 pub use shape::{CORNERS, Edge, NODES, shape_functions};
+pub use unstructured::{CellBlock, CellShape, UnstructuredGrid};

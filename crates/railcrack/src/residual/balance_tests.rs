@@ -4,7 +4,7 @@ use crate::field::{DepthProfile, StressField};
 use crate::material::IsotropicElastic;
 use crate::math::{Stress, Vec2};
 use crate::mesh::QuadMesh;
-use crate::vtu::{Array, CellBlock, CellShape, UnstructuredGrid};
+use crate::mesh::{Array, CellBlock, CellShape, UnstructuredGrid};
 
 const POISSON: f64 = 0.3;
 

@@ -6,7 +6,7 @@ use super::recover::nodes_from_cells;
 use super::shape::PlaneShape;
 use crate::field::DepthProfile;
 use crate::math::{Stress, Vec2};
-use crate::vtu::{CellShape, UnstructuredGrid};
+use crate::mesh::{CellShape, UnstructuredGrid};
 
 /// Name of the array that holds the plastic stress 𝕂ε_p, MPa.
 pub const PLASTIC_STRESS_ARRAY: &str = "plastic_stress_mpa";

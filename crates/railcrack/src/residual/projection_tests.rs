@@ -1,6 +1,6 @@
 use super::{PlasticField, PlasticFieldError};
 use crate::math::{Stress, Vec2};
-use crate::vtu::{Array, CellBlock, CellShape, UnstructuredGrid};
+use crate::mesh::{Array, CellBlock, CellShape, UnstructuredGrid};
 
 fn linear(p: Vec2) -> Stress {
     Stress { xx: 30.0 + 2.0 * p.x - 5.0 * p.y, yy: -4.0 + p.y, zz: 1.0 - p.x, xy: 0.3 * p.x - p.y }

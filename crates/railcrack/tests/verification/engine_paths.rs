@@ -1,9 +1,9 @@
 //! Paths of the two engines over 25 increments.
 
 use crate::common::measured;
-use railcrack::case::{Case, Overrides};
 use railcrack::growth::Unwatched;
 use railcrack::math::Vec2;
+use railcrack_case::{Case, Overrides};
 use std::path::Path;
 
 /// Tips of the two engines, mm: what users are promised, unless a near tie of directions explains more.

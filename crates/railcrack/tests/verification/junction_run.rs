@@ -1,9 +1,9 @@
 //! The case of a surface crack that runs into a buried one, run past the junction and the spall.
 
 use crate::common::{Absolute, Relative, Rolling, close, default_elements, joined_body, largest};
-use railcrack::case::{Case, Overrides};
 use railcrack::contact::{FaceProblem, Newton};
 use railcrack::growth::{GrowthState, PieceKind, StepRecord, TipStop, Unwatched};
+use railcrack_case::{Case, Overrides};
 use std::path::PathBuf;
 
 fn case() -> Case {

@@ -23,6 +23,7 @@ mod law_of_the_faces;
 mod mirror;
 mod page;
 mod plastic_stress;
+mod shakedown;
 mod slant_crack;
 mod slow_tips;
 mod step_tolerance;

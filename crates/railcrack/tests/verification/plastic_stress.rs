@@ -1,12 +1,12 @@
 //! Cracks in a rail with plastic stress, balanced on the mesh of the rail.
 
 use crate::common::{measured, measured_as};
-use railcrack::case::{Case, Overrides};
 use railcrack::growth::{StepRecord, Unwatched};
 use railcrack::math::{Stress, Vec2};
+use railcrack::mesh::{Array, CellBlock, CellShape, UnstructuredGrid};
 use railcrack::residual::PlasticField;
 use railcrack::shakedown::stabilise;
-use railcrack::vtu::{Array, CellBlock, CellShape, UnstructuredGrid};
+use railcrack_case::{Case, Overrides};
 use std::path::Path;
 
 /// What users are promised of the finite-element engine, over the largest |K|.

@@ -2,12 +2,12 @@
 
 use crate::common::{Absolute, Rolling, close, joined_body, largest};
 use railcrack::body::CrackedBody;
-use railcrack::case::{Case, Overrides};
 use railcrack::contact::{FaceProblem, Newton};
 use railcrack::crack::Crack;
 use railcrack::fracture::Sif;
 use railcrack::growth::{GrowthState, StepRecord, Unwatched};
 use railcrack::math::Vec2;
+use railcrack_case::{Case, Overrides};
 use std::path::PathBuf;
 
 fn squat(engine: &str) -> Case {

@@ -1,20 +1,19 @@
 //! The command: what is computed, by how many threads, and how it ends.
 
-use super::job::{FailedRun, Workplace};
 use super::progress::StudyProgress;
 use super::shard::Shard;
 use super::tell::result_text;
-use crate::commands::run::{case_files, default_folder, listen};
+use crate::commands::run::{default_folder, listen};
 use crate::display::Verbosity;
-use crate::drive::{Ending, RunError};
 use crate::exit::{Exit, Failure};
 use crate::print;
 use clap::Args;
-use railcrack::case::{Axis, Overrides, RunQueue, Study, WaitingRun};
-use railcrack::output::{Entry, PlannedRun, RunEnd, StudyAxis, StudyFolder, StudyKey, StudyPlan, VERSION};
+use railcrack_case::{Overrides, Study};
+use railcrack_report::Pages;
+use railcrack_run::simulation::{Ending, FailedRun, RunError, StudyComputation, case_files, study_plan};
+use railcrack_run::{Entry, RunEnd, StudyFolder};
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
-use std::sync::{Mutex, PoisonError};
 
 /// Compute the runs of a study: a case file with lists in place of values
 ///
@@ -92,21 +91,22 @@ pub fn sweep(arguments: &SweepArguments) -> Result<Exit, Failure> {
         .collect();
     let path = arguments.out.clone().unwrap_or_else(|| default_folder(&arguments.study));
     let cases: Vec<_> = study.runs.iter().map(|run| case_files(&run.case)).collect();
-    let plan = plan(&study, arguments.options());
+    let plan = study_plan(&study, arguments.options());
     let folder = StudyFolder::enter(&path, plan, &study.text, arguments.entry(), &own, &cases)
         .map_err(RunError::from)?;
     drop(cases);
 
-    let (waiting, mut failed) = left_to_do(&study, &folder, &own)?;
+    let (waiting, mut failed) = folder.left_to_do(&study, &own).map_err(RunError::from)?;
     let steps = waiting.iter().map(|&run| study.runs[run].case.growth.steps + 1).sum();
     let verbosity = if arguments.quiet { Verbosity::Quiet } else { Verbosity::Progress };
-    let progress = StudyProgress::new(verbosity, waiting.len(), steps);
-    let workplace = Workplace { folder: &folder, progress: &progress, interruption: &interruption };
-    failed.extend(compute(&study, &waiting, &workplace, threads(arguments.threads))?);
+    let progress = StudyProgress::new(verbosity, waiting.len(), steps, &interruption);
+    let computation =
+        StudyComputation { study: &study, folder: &folder, observer: &progress, presentation: &Pages };
+    failed.extend(computation.compute(&waiting, threads(arguments.threads))?);
     progress.close();
     failed.sort_by_key(|run| run.number);
 
-    let results = folder.write_results().map_err(RunError::from)?;
+    let results = folder.write_results(&Pages).map_err(RunError::from)?;
     let ending = if interruption.asked() { Ending::Interrupted } else { Ending::Ended };
     print::stdout(&result_text(&folder, &results, &failed, ending))?;
     Ok(exit(&failed, ending))
@@ -122,103 +122,6 @@ fn exit(failed: &[FailedRun], ending: Ending) -> Exit {
     }
 }
 
-/// The runs `own` (numbers) that are still to be computed (indices), and those that cannot be.
-fn left_to_do(
-    study: &Study,
-    folder: &StudyFolder,
-    own: &[usize],
-) -> Result<(Vec<usize>, Vec<FailedRun>), RunError> {
-    let (mut waiting, mut failed) = (Vec::new(), Vec::new());
-    for (i, (run, planned)) in study.runs.iter().zip(&folder.plan().runs).enumerate() {
-        if !own.contains(&run.number) {
-            continue;
-        }
-        match folder.outcome(planned)? {
-            Some(outcome) if outcome.is_settled() => {
-                if let Some(reason) = outcome.reason {
-                    let (number, label) = (run.number, run.label.clone());
-                    failed.push(FailedRun { number, label, end: outcome.end, reason });
-                }
-            }
-            _ => waiting.push(i),
-        }
-    }
-    Ok((waiting, failed))
-}
-
 fn threads(asked: Option<NonZeroUsize>) -> usize {
     asked.or_else(|| std::thread::available_parallelism().ok()).map_or(1, NonZeroUsize::get)
-}
-
-/// Computes the runs `waiting` on `threads` threads: one run each, and where there are fewer runs than threads, several threads for
-/// each. Those that failed.
-fn compute(
-    study: &Study,
-    waiting: &[usize],
-    workplace: &Workplace,
-    threads: usize,
-) -> Result<Vec<FailedRun>, RunError> {
-    let of_run = |&run: &usize| {
-        let case = &study.runs[run].case;
-        WaitingRun { run, case, effort: (case.growth.steps + 1) as f64 }
-    };
-    let queue = RunQueue::new(waiting.iter().map(of_run));
-    let failed = Mutex::new(Vec::new());
-    let at_once = threads.min(waiting.len());
-    let pools: Result<Vec<_>, _> = (0..at_once)
-        .map(|i| {
-            // The first runs have the threads that are left over.
-            let own = threads / at_once + usize::from(i < threads % at_once);
-            rayon::ThreadPoolBuilder::new().num_threads(own).build()
-        })
-        .collect();
-    let pools = pools.map_err(|reason| RunError::System {
-        action: format!("start {threads} threads"),
-        reason: reason.to_string(),
-    })?;
-    std::thread::scope(|scope| {
-        for pool in &pools {
-            let (queue, failed) = (&queue, &failed);
-            scope.spawn(move || {
-                pool.install(|| {
-                    let mut last = None;
-                    while !workplace.interruption.asked()
-                        && let Some(next) = queue.take(last.as_ref())
-                    {
-                        let planned = &workplace.folder.plan().runs[next.run];
-                        let end = workplace.compute(&study.runs[next.run], planned, &next);
-                        failed.lock().unwrap_or_else(PoisonError::into_inner).extend(end);
-                        last = Some(next);
-                    }
-                });
-            });
-        }
-    });
-    Ok(failed.into_inner().unwrap_or_else(PoisonError::into_inner))
-}
-
-/// The study as its folder remembers it.
-fn plan(study: &Study, options: Vec<String>) -> StudyPlan {
-    let axis = |axis: &Axis| {
-        let key = |variation: &railcrack::case::Variation| StudyKey {
-            key: variation.key.clone(),
-            name: variation.name.clone(),
-            values: (0..axis.len()).map(|i| variation.shown(i)).collect(),
-        };
-        StudyAxis { keys: axis.variations.iter().map(key).collect() }
-    };
-    let run = |run: &railcrack::case::StudyRun| PlannedRun {
-        number: run.number,
-        folder: run.folder.clone(),
-        choice: run.choice.clone(),
-    };
-    StudyPlan {
-        version: VERSION.to_owned(),
-        title: study.title.clone(),
-        combine: study.combine.name().to_owned(),
-        axes: study.axes.iter().map(axis).collect(),
-        colour_axis: study.colour_axis,
-        options,
-        runs: study.runs.iter().map(run).collect(),
-    }
 }

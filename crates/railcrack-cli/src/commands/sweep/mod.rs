@@ -1,7 +1,6 @@
 //! `railcrack sweep`: the runs of a study.
 
 mod command;
-mod job;
 mod progress;
 mod shard;
 mod tell;

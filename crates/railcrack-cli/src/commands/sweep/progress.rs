@@ -1,49 +1,31 @@
 //! How far a study is: one bar for all runs on a terminal, a line per finished run elsewhere.
 
 use crate::display::{Display, Verbosity, styled_bar};
-use crate::progress::Tell;
+use crate::interruption::Interruption;
 use indicatif::ProgressBar;
 use railcrack::growth::StepRecord;
+use railcrack_run::PlannedRun;
+use railcrack_run::simulation::{RunObserver, StudyObserver};
 use std::sync::atomic::{AtomicI64, AtomicUsize, Ordering};
 
 /// Parts of a step on the bar.
 const PARTS: i64 = 1000;
 
 /// The progress of a study, told on standard error.
-pub struct StudyProgress {
+pub struct StudyProgress<'a> {
     display: Display,
+    interruption: &'a Interruption,
     /// Parts of all runs that are done.
     done: AtomicI64,
     runs: usize,
     over: AtomicUsize,
 }
 
-impl StudyProgress {
-    /// `runs` runs of `steps` steps altogether.
-    pub fn new(verbosity: Verbosity, runs: usize, steps: usize) -> Self {
+impl<'a> StudyProgress<'a> {
+    /// `runs` runs of `steps` steps altogether, which `interruption` may stop.
+    pub fn new(verbosity: Verbosity, runs: usize, steps: usize, interruption: &'a Interruption) -> Self {
         let display = Display::new(verbosity, || bar(runs, steps));
-        Self { display, done: AtomicI64::new(0), runs, over: AtomicUsize::new(0) }
-    }
-
-    /// The progress of one of its runs, of `steps` steps, which goes on with step `first`.
-    pub fn of_run(&self, steps: usize, first: usize) -> RunProgress<'_> {
-        let run = RunProgress {
-            study: self,
-            steps: steps as i64,
-            step: AtomicI64::new(0),
-            done: AtomicI64::new(0),
-        };
-        run.reach(first as i64, 0);
-        run
-    }
-
-    /// A run is over; `told` says how.
-    pub fn over(&self, told: &str) {
-        let over = self.over.fetch_add(1, Ordering::Relaxed) + 1;
-        if let Some(bar) = self.display.bar() {
-            bar.set_prefix(format!("{over}/{}", self.runs));
-        }
-        self.display.say(&format!("[{over}/{}] {told}", self.runs));
+        Self { display, interruption, done: AtomicI64::new(0), runs, over: AtomicUsize::new(0) }
     }
 
     /// Takes the bar away.
@@ -59,6 +41,29 @@ impl StudyProgress {
     }
 }
 
+impl StudyObserver for StudyProgress<'_> {
+    fn of_run(&self, steps: usize) -> Box<dyn RunObserver + '_> {
+        Box::new(RunProgress {
+            study: self,
+            steps: steps as i64,
+            step: AtomicI64::new(0),
+            done: AtomicI64::new(0),
+        })
+    }
+
+    fn over(&self, _: &PlannedRun, text: &str) {
+        let over = self.over.fetch_add(1, Ordering::Relaxed) + 1;
+        if let Some(bar) = self.display.bar() {
+            bar.set_prefix(format!("{over}/{}", self.runs));
+        }
+        self.display.say(&format!("[{over}/{}] {text}", self.runs));
+    }
+
+    fn interrupted(&self) -> bool {
+        self.interruption.asked()
+    }
+}
+
 fn bar(runs: usize, steps: usize) -> ProgressBar {
     let template = "run {prefix} [{bar:36}] {percent}%  {elapsed} elapsed, {eta} left";
     let bar = styled_bar(steps as u64 * PARTS as u64, template);
@@ -67,8 +72,8 @@ fn bar(runs: usize, steps: usize) -> ProgressBar {
 }
 
 /// The progress of one run of a study.
-pub struct RunProgress<'a> {
-    study: &'a StudyProgress,
+struct RunProgress<'a> {
+    study: &'a StudyProgress<'a>,
     steps: i64,
     step: AtomicI64,
     /// Parts of it that the study counts.
@@ -87,7 +92,11 @@ impl RunProgress<'_> {
     }
 }
 
-impl Tell for RunProgress<'_> {
+impl RunObserver for RunProgress<'_> {
+    fn begins(&self, first: usize) {
+        self.reach(first as i64, 0);
+    }
+
     fn fraction(&self, fraction: f64) {
         let parts = (fraction.clamp(0.0, 1.0) * PARTS as f64) as i64;
         self.count(self.step.load(Ordering::Relaxed) * PARTS + parts);
@@ -97,14 +106,13 @@ impl Tell for RunProgress<'_> {
         self.reach(record.step as i64 + 1, 0);
     }
 
-    // Runs side by side tell of their steps only; what is to be known of one is in its folder.
-    fn stage(&self, _: &str) {}
-
-    fn note(&self, _: &str) {}
-
     /// A run that ends early has all its steps behind it.
     fn close(&self) {
         self.count(self.steps * PARTS);
+    }
+
+    fn interrupted(&self) -> bool {
+        self.study.interrupted()
     }
 }
 
@@ -114,8 +122,10 @@ mod tests {
 
     #[test]
     fn the_parts_of_all_runs_add_up() {
-        let study = StudyProgress::new(Verbosity::Quiet, 2, 7);
-        let (one, other) = (study.of_run(3, 0), study.of_run(4, 2));
+        let interruption = Interruption::default();
+        let study = StudyProgress::new(Verbosity::Quiet, 2, 7, &interruption);
+        let (one, other) = (study.of_run(3), study.of_run(4));
+        other.begins(2);
         let done = || study.done.load(Ordering::Relaxed);
         assert_eq!(done(), 2 * PARTS);
         one.fraction(0.25);

@@ -1,8 +1,7 @@
 //! What a study says at its end.
 
-use super::job::FailedRun;
-use crate::drive::Ending;
-use railcrack::output::{RunState, StudyFolder, StudyResults};
+use railcrack_run::simulation::{Ending, FailedRun};
+use railcrack_run::{RunState, StudyFolder, StudyResults};
 
 /// Failed runs that are told one by one.
 const MOST_TOLD: usize = 20;

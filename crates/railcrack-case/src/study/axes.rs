@@ -1,0 +1,183 @@
+//! How the lists of a study are combined.
+
+use super::variation::Variation;
+use crate::accept::Value;
+use crate::error::{Fault, Report};
+use crate::section::SectionValues;
+use crate::suggest::nearest;
+use std::ops::Range;
+
+/// How the axes of a study are combined.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Combine {
+    /// Every value with every value of the others.
+    Product,
+    /// Element by element.
+    Zip,
+}
+
+impl Combine {
+    /// The name in study files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Product => "product",
+            Self::Zip => "zip",
+        }
+    }
+}
+
+/// Keys that vary together: one direction of a study. Their lists are of one length.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Axis {
+    /// The keys, in the order of the file; at least one.
+    pub variations: Vec<Variation>,
+}
+
+impl Axis {
+    /// Number of its values; at least one.
+    pub fn len(&self) -> usize {
+        self.variations.first().map_or(0, |variation| variation.values.len())
+    }
+
+    /// Whether it has no value, which no axis of a study is.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+/// What `[study]` says.
+pub(super) struct Settings<'a> {
+    section: &'a SectionValues,
+    pub combine: Combine,
+}
+
+impl<'a> Settings<'a> {
+    pub fn new(section: &'a SectionValues) -> Self {
+        let combine = match section.text("combine") {
+            Some("zip") => Combine::Zip,
+            _ => Combine::Product,
+        };
+        Self { section, combine }
+    }
+
+    /// The axes of a study, in the order of the file; none where something is wrong with them, which `report` then says.
+    pub fn axes(&self, variations: Vec<Variation>, report: &mut Report) -> Option<Vec<Axis>> {
+        let groups = self.groups(&variations, report)?;
+        let mut axes: Vec<(usize, Axis)> = Vec::new();
+        for (i, variation) in variations.into_iter().enumerate() {
+            let group = groups.iter().position(|group| group.contains(&i));
+            let place = group.unwrap_or(groups.len() + i);
+            match axes.iter_mut().find(|(of, _)| *of == place) {
+                Some((_, axis)) => axis.variations.push(variation),
+                None => axes.push((place, Axis { variations: vec![variation] })),
+            }
+        }
+        let mut equal = true;
+        for (_, axis) in &axes {
+            equal &= self.are_of_one_length(&axis.variations, report);
+        }
+        equal.then(|| axes.into_iter().map(|(_, axis)| axis).collect())
+    }
+
+    /// Indices of the variations that go together.
+    fn groups(&self, variations: &[Variation], report: &mut Report) -> Option<Vec<Vec<usize>>> {
+        let entry = self.section.entry("together");
+        let written = match entry.map(|entry| &entry.value) {
+            Some(Value::Groups(groups)) => groups.as_slice(),
+            _ => &[],
+        };
+        let span = self.section.span_of("together");
+        if self.combine == Combine::Zip {
+            if entry.is_some() {
+                let message = "`study.together`: in a zip all lists go together".to_owned();
+                let help = "leave it out, or write combine = \"product\"";
+                report.add(self.fault("together", span, message, help.to_owned()));
+                return None;
+            }
+            return Some(vec![(0..variations.len()).collect()]);
+        }
+        let mut groups: Vec<Vec<usize>> = Vec::new();
+        let mut clean = true;
+        for (group, keys) in written.iter().enumerate() {
+            let span = entry.and_then(|entry| entry.parts.get(group).cloned()).unwrap_or(span.clone());
+            let mut members = Vec::new();
+            for key in keys {
+                let Some(i) = self.find("together", key, span.clone(), variations, report) else {
+                    clean = false;
+                    continue;
+                };
+                if members.contains(&i) || groups.iter().any(|group| group.contains(&i)) {
+                    let message = format!("`study.together`: `{key}` is named twice");
+                    let help = "a key belongs to one group".to_owned();
+                    report.add(self.fault("together", span.clone(), message, help));
+                    clean = false;
+                }
+                members.push(i);
+            }
+            groups.push(members);
+        }
+        clean.then_some(groups)
+    }
+
+    /// The axis that `colour_by` names; the first one where it is not given.
+    pub fn colour_axis(&self, axes: &[Axis], report: &mut Report) -> usize {
+        let Some(key) = self.section.text("colour_by") else { return 0 };
+        let variations: Vec<Variation> = axes.iter().flat_map(|axis| axis.variations.clone()).collect();
+        let span = self.section.span_of("colour_by");
+        let Some(i) = self.find("colour_by", key, span, &variations, report) else { return 0 };
+        let key = &variations[i].key;
+        axes.iter().position(|axis| axis.variations.iter().any(|v| v.key == *key)).unwrap_or(0)
+    }
+
+    /// The variation that a key of `[study]` names; where only one crack is written, `crack.` is it.
+    fn find(
+        &self,
+        of: &str,
+        key: &str,
+        span: Range<usize>,
+        variations: &[Variation],
+        report: &mut Report,
+    ) -> Option<usize> {
+        let numbered = key.replacen("crack.", "crack[1].", 1);
+        let is_only_crack = !variations.iter().any(|v| v.key.starts_with("crack[2]"));
+        let is_it = |v: &Variation| v.key == key || (is_only_crack && v.key == numbered);
+        let found = variations.iter().position(is_it);
+        if found.is_none() {
+            let near = nearest(key, variations.iter().map(|v| v.key.as_str())).unwrap_or_default();
+            let all: Vec<&str> = variations.iter().map(|v| v.key.as_str()).collect();
+            let message = format!("`study.{of}`: `{key}` does not vary in this study");
+            let help = format!("nearest: `{near}`; what varies: {}", all.join(", "));
+            report.add(self.fault(of, span, message, help));
+        }
+        found
+    }
+
+    fn are_of_one_length(&self, variations: &[Variation], report: &mut Report) -> bool {
+        let Some((first, others)) = variations.split_first() else { return true };
+        let mut equal = true;
+        for other in others.iter().filter(|other| other.values.len() != first.values.len()) {
+            equal = false;
+            report.add(Fault {
+                message: format!(
+                    "`{}` has {} values and `{}` has {}: lists that go together must be of one length",
+                    other.key,
+                    other.values.len(),
+                    first.key,
+                    first.values.len()
+                ),
+                key: Some(other.key.clone()),
+                span: Some(other.span.clone()),
+                help: Some(match self.combine {
+                    Combine::Zip => "[study] combine = \"product\" combines lists of any length".into(),
+                    Combine::Product => "[study] together says which lists go together".into(),
+                }),
+                also: Some((first.span.clone(), "the other list")),
+            });
+        }
+        equal
+    }
+
+    fn fault(&self, key: &str, span: Range<usize>, message: String, help: String) -> Fault {
+        Fault { message, key: Some(format!("study.{key}")), span: Some(span), help: Some(help), also: None }
+    }
+}

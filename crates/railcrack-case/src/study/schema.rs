@@ -1,0 +1,42 @@
+//! JSON Schema of a study.
+
+use super::declare::STUDY;
+use crate::schema::{json_schema, section_schema};
+use crate::sections::SECTIONS;
+use serde_json::{Map, Value, json};
+
+/// The JSON Schema (draft 2020-12) of a study: that of a case, with a list in place of any value but the title, and `[study]`.
+pub fn study_schema() -> Value {
+    let mut schema = json_schema();
+    schema["title"] = "Study file of railcrack".into();
+    let Some(properties) = schema.get_mut("properties").and_then(Value::as_object_mut) else { return schema };
+    for section in SECTIONS.iter().filter(|section| !section.name.is_empty()) {
+        let Some(of_section) = properties.get_mut(section.name) else { continue };
+        let of_table = if of_section.get("items").is_some() { &mut of_section["items"] } else { of_section };
+        if let Some(keys) = of_table.get_mut("properties").and_then(Value::as_object_mut) {
+            allow_lists(keys);
+        }
+        // Which values go together, only the reader can tell: a list says nothing of its smallest element.
+        if let Some(table) = of_table.as_object_mut() {
+            table.remove("if");
+            table.remove("then");
+        }
+    }
+    properties.insert(STUDY.name.into(), section_schema(&STUDY));
+    schema
+}
+
+fn allow_lists(keys: &mut Map<String, Value>) {
+    for schema in keys.values_mut() {
+        let Some(keywords) = schema.as_object_mut() else { continue };
+        let mut around = Map::new();
+        for keyword in ["description", "default"] {
+            if let Some(value) = keywords.remove(keyword) {
+                around.insert(keyword.into(), value);
+            }
+        }
+        let one = Value::Object(keywords.clone());
+        around.insert("anyOf".into(), json!([one.clone(), { "type": "array", "items": one, "minItems": 1 }]));
+        *schema = Value::Object(around);
+    }
+}

@@ -1,0 +1,141 @@
+//! Lists in place of values.
+
+use super::declare::STUDY;
+use super::names::name_variations;
+use crate::accept::{Raw, Value};
+use crate::error::{Fault, Report};
+use crate::overrides::Overrides;
+use crate::section::shown;
+use crate::sections::SECTIONS;
+use crate::table::{Key, Kind, Section, SectionPresence};
+use std::ops::Range;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// A key that varies.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Variation {
+    /// Its name with its section: `contact.friction`, `crack[1].angle_deg`.
+    pub key: String,
+    /// The shortest name that tells it from the other keys that vary: `friction`.
+    pub name: String,
+    /// Its values in the order of the list; as text where a value is refused.
+    pub values: Vec<Value>,
+    /// Where the list stands.
+    pub(super) span: Range<usize>,
+    /// Where its elements stand.
+    pub(super) elements: Vec<Range<usize>>,
+}
+
+/// The lists in place of values in the document `root`, in the order of the file, and where lists stand that cannot be, which are
+/// reported.
+pub(super) fn find_variations(
+    root: &DeTable,
+    overrides: &Overrides,
+    report: &mut Report,
+) -> (Vec<Variation>, Vec<Range<usize>>) {
+    let (mut found, mut refused) = (Vec::new(), Vec::new());
+    for section in SECTIONS {
+        for (path, table) in tables_of(section, root) {
+            for (name, value) in table {
+                let Some(key) = section.key(name.get_ref()) else { continue };
+                let dotted = if path.is_empty() { key.name.into() } else { format!("{path}.{}", key.name) };
+                let Some(items) = list_in_place(key.kind, value.get_ref()) else { continue };
+                if let Some(fault) = fault(section, key, &dotted, value, items, overrides, report) {
+                    report.add(fault);
+                    refused.push(value.span());
+                    continue;
+                }
+                let values = items.iter().map(|item| value_of(key, item, report)).collect();
+                let elements = items.iter().map(Spanned::span).collect();
+                found.push(Variation {
+                    key: dotted,
+                    name: String::new(),
+                    values,
+                    span: value.span(),
+                    elements,
+                });
+            }
+        }
+    }
+    found.sort_by_key(|variation| variation.span.start);
+    name_variations(&mut found);
+    (found, refused)
+}
+
+/// Whether the document `root` is a study: it says so, or a list stands in place of a value.
+pub(super) fn is_study(root: &DeTable) -> bool {
+    root.contains_key(STUDY.name)
+        || SECTIONS.iter().any(|section| {
+            tables_of(section, root).iter().any(|(_, table)| {
+                table.iter().any(|(name, value)| {
+                    let key = section.key(name.get_ref());
+                    key.is_some_and(|key| list_in_place(key.kind, value.get_ref()).is_some())
+                })
+            })
+        })
+}
+
+/// The tables of a section with their dotted names; nothing where it is written as something else, which the reader reports.
+fn tables_of<'d, 'i>(section: &Section, root: &'d DeTable<'i>) -> Vec<(String, &'d DeTable<'i>)> {
+    if section.name.is_empty() {
+        return vec![(String::new(), root)];
+    }
+    match (section.presence, root.get(section.name).map(Spanned::get_ref)) {
+        (SectionPresence::Repeated, Some(DeValue::Array(items))) => {
+            let table = |(i, item): (usize, &'d Spanned<DeValue<'i>>)| match item.get_ref() {
+                DeValue::Table(table) => Some((format!("{}[{}]", section.name, i + 1), table)),
+                _ => None,
+            };
+            items.iter().enumerate().filter_map(table).collect()
+        }
+        (_, Some(DeValue::Table(table))) => vec![(section.name.to_owned(), table)],
+        _ => Vec::new(),
+    }
+}
+
+/// The elements of a list that stands in place of a value of `kind`. What is a list by itself varies as a list of these.
+fn list_in_place<'d, 'i>(kind: Kind, value: &'d DeValue<'i>) -> Option<&'d [Spanned<DeValue<'i>>]> {
+    let DeValue::Array(items) = value else { return None };
+    let is_list = |value: &Spanned<DeValue>| matches!(value.get_ref(), DeValue::Array(_));
+    let first_of = |value: &'d Spanned<DeValue<'i>>| match value.get_ref() {
+        DeValue::Array(items) => items.first(),
+        _ => None,
+    };
+    let stands_in_place = match kind {
+        Kind::Numbers { .. } => items.first().is_some_and(is_list),
+        Kind::Points | Kind::Groups => items.first().and_then(first_of).is_some_and(is_list),
+        Kind::Number { .. } | Kind::Integer { .. } | Kind::Text | Kind::Choice(_) | Kind::Path => true,
+    };
+    stands_in_place.then_some(items)
+}
+
+/// Why this list cannot be one of a study.
+fn fault(
+    section: &Section,
+    key: &Key,
+    dotted: &str,
+    value: &Spanned<DeValue>,
+    items: &[Spanned<DeValue>],
+    overrides: &Overrides,
+    report: &Report,
+) -> Option<Fault> {
+    let given = format!("`{dotted} = {}`", shown(report, &value.span()));
+    let (message, help) = if section.name.is_empty() {
+        (format!("{given}: may not vary"), "each run has this title with its own values behind it".to_owned())
+    } else if items.is_empty() {
+        let help = format!("each element must be {}", key.kind.accepted());
+        (format!("{given}: a list of a study must have at least one element"), help)
+    } else if let Some((option, _)) = overrides.of(section.name, key.name) {
+        let help = "leave the option out, or write one value in place of the list";
+        (format!("`{option}` takes the place of `{dotted}`, which the study varies"), help.to_owned())
+    } else {
+        return None;
+    };
+    Some(Fault { message, key: Some(dotted.into()), span: Some(value.span()), help: Some(help), also: None })
+}
+
+/// The accepted value of an element. A refused one is reported by every run that takes it; here its text will do.
+fn value_of(key: &Key, item: &Spanned<DeValue>, report: &Report) -> Value {
+    key.kind.accept(&Raw::read(item.get_ref())).unwrap_or_else(|_| Value::Text(shown(report, &item.span())))
+}

@@ -1,0 +1,766 @@
+//! Every way of getting a case file wrong that we know, and what is said about it.
+
+use railcrack_case::{Case, CaseErrors};
+use std::path::Path;
+
+/// A good case of eight lines; what is appended to it begins on line 9.
+const GOOD: &str = "\
+[contact]
+peak_pressure_mpa = 845.0
+half_width_mm = 6.75
+friction = 0.025
+[[crack]]
+mouth_mm = 0.0
+length_mm = 6.0
+angle_deg = 15.0
+friction = 0.5
+";
+
+/// How the good case is spoilt.
+enum Change {
+    /// Lines appended.
+    Append(&'static str),
+    /// A piece of the good case replaced.
+    Replace(&'static str, &'static str),
+    /// A piece of the good case replaced, and lines appended.
+    Both(&'static str, &'static str, &'static str),
+    /// Another text altogether.
+    Whole(&'static str),
+}
+use Change::{Append, Both, Replace, Whole};
+
+/// The first error that is expected.
+struct Wrong {
+    change: Change,
+    line: usize,
+    key: &'static str,
+    /// A piece of the message.
+    says: &'static str,
+    /// A piece of the help.
+    helps: &'static str,
+}
+
+const fn wrong(
+    change: Change,
+    line: usize,
+    key: &'static str,
+    says: &'static str,
+    helps: &'static str,
+) -> Wrong {
+    Wrong { change, line, key, says, helps }
+}
+
+fn text(change: &Change) -> String {
+    let replaced = |old: &str, new: &str| {
+        assert!(GOOD.contains(old), "{old}");
+        GOOD.replacen(old, new, 1)
+    };
+    match change {
+        Append(lines) => format!("{GOOD}{lines}"),
+        Replace(old, new) => replaced(old, new),
+        Both(old, new, lines) => format!("{}{lines}", replaced(old, new)),
+        Whole(text) => (*text).into(),
+    }
+}
+
+fn errors(text: &str) -> CaseErrors {
+    match Case::parse(text, "case.toml", Path::new("no-such-folder")) {
+        Ok(_) => panic!("accepted:\n{text}"),
+        Err(errors) => errors,
+    }
+}
+
+fn check(cases: &[Wrong]) {
+    for want in cases {
+        let text = text(&want.change);
+        let errors = errors(&text);
+        let all = errors.to_string();
+        let first = &errors.errors()[0];
+        let line = first.position().map_or(0, |(line, _)| line);
+        let help = first.help().unwrap_or_default();
+        assert_eq!(errors.errors().len(), 1, "one thing is wrong, one error:\n{text}\n{all}");
+        assert_eq!(first.file(), "case.toml");
+        assert_eq!(line, want.line, "line of\n{text}\n{all}");
+        assert_eq!(first.key().unwrap_or_default(), want.key, "key of\n{text}\n{all}");
+        assert!(first.message().contains(want.says), "`{}` in the message of\n{text}\n{all}", want.says);
+        assert!(help.contains(want.helps), "`{}` in the help of\n{text}\n{all}", want.helps);
+    }
+}
+
+#[test]
+fn numbers() {
+    check(&[
+        wrong(
+            Append("[rail]\nyoung_modulus_mpa = nan"),
+            11,
+            "rail.young_modulus_mpa",
+            "= nan`: must be a number in [1, 1e7] MPa",
+            "",
+        ),
+        wrong(Append("[rail]\nyoung_modulus_mpa = inf"), 11, "rail.young_modulus_mpa", "= inf`: must be", ""),
+        wrong(
+            Append("[rail]\nyoung_modulus_mpa = -210e3"),
+            11,
+            "rail.young_modulus_mpa",
+            "= -210e3`: must be",
+            "",
+        ),
+        wrong(
+            Append("[rail]\nyoung_modulus_mpa = 1e400"),
+            11,
+            "rail.young_modulus_mpa",
+            "= 1e400`: must be",
+            "",
+        ),
+        wrong(
+            Append("[rail]\nyoung_modulus_mpa = 99999999999999999999"),
+            11,
+            "rail.young_modulus_mpa",
+            "must be",
+            "",
+        ),
+        wrong(
+            Append("[rail]\npoisson_ratio = 0.5"),
+            11,
+            "rail.poisson_ratio",
+            "must be a number in [0, 0.5)",
+            "",
+        ),
+        wrong(Append("[rail]\npoisson_ratio = -0.1"), 11, "rail.poisson_ratio", "must be", ""),
+        wrong(
+            Append("[rail]\nwidth_mm = 0"),
+            11,
+            "rail.width_mm",
+            "`rail.width_mm = 0`: must be a number in (0, 1e5] mm",
+            "",
+        ),
+        wrong(Append("[rail]\ndepth_mm = -172.0"), 11, "rail.depth_mm", "must be", ""),
+        wrong(Append("[rail]\ncentre_mm = nan"), 11, "rail.centre_mm", "must be", ""),
+        wrong(
+            Replace("845.0", "0.0"),
+            2,
+            "contact.peak_pressure_mpa",
+            "must be a number in (0, 10000] MPa",
+            "",
+        ),
+        wrong(Replace("845.0", "-845"), 2, "contact.peak_pressure_mpa", "= -845`", ""),
+        wrong(Replace("6.75", "-inf"), 3, "contact.half_width_mm", "= -inf`", ""),
+        wrong(Replace("0.025", "1.5"), 4, "contact.friction", "must be a number in [-1, 1]", ""),
+        wrong(Replace("0.025", "-nan"), 4, "contact.friction", "must be a number in [-1, 1]", ""),
+        wrong(
+            Replace("length_mm = 6.0", "length_mm = 0"),
+            7,
+            "crack[1].length_mm",
+            "must be a number in [0.001, 10000] mm",
+            "",
+        ),
+        wrong(Replace("15.0", "0.0"), 8, "crack[1].angle_deg", "must be a number in (0, 180) degrees", ""),
+        wrong(Replace("15.0", "180"), 8, "crack[1].angle_deg", "must be", ""),
+        wrong(Replace("15.0", "-15"), 8, "crack[1].angle_deg", "must be", ""),
+        wrong(
+            Replace("friction = 0.5", "friction = -0.1"),
+            9,
+            "crack[1].friction",
+            "must be a number in [0, 2]",
+            "",
+        ),
+        wrong(Replace("friction = 0.5", "friction = 2.1"), 9, "crack[1].friction", "must be", ""),
+        wrong(
+            Append("[growth]\nincrement = 0.0"),
+            11,
+            "growth.increment",
+            "must be a number in (0, 0.5]",
+            "",
+        ),
+        wrong(Append("[growth]\nincrement = 0.51"), 11, "growth.increment", "must be", ""),
+        wrong(Append("[growth]\nparis_c = 0"), 11, "growth.paris_c", "must be", ""),
+        wrong(
+            Append("[growth]\nthreshold_mpa_sqrt_m = -1"),
+            11,
+            "growth.threshold_mpa_sqrt_m",
+            "must be",
+            "",
+        ),
+        wrong(Append("[growth]\ncritical_length_mm = 0"), 11, "growth.critical_length_mm", "must be", ""),
+        wrong(Append("[growth]\nstop_after_cycles = -5"), 11, "growth.stop_after_cycles", "must be", ""),
+        wrong(Append("[passage]\nstep_tolerance = 0"), 11, "passage.step_tolerance", "must be", ""),
+        wrong(Append("[passage]\npassage_tolerance = 1"), 11, "passage.passage_tolerance", "must be", ""),
+        wrong(Append("[mesh]\nelement_size_mm = 0.0"), 11, "mesh.element_size_mm", "must be", ""),
+        wrong(
+            Append("[traffic]\naxle_load_t = 0"),
+            11,
+            "traffic.axle_load_t",
+            "must be a number in (0, 100] t",
+            "",
+        ),
+        wrong(Append("[shakedown]\nyield_stress_mpa = 0"), 11, "shakedown.yield_stress_mpa", "must be", ""),
+        wrong(Append("[shakedown]\ndang_van_a = -1"), 11, "shakedown.dang_van_a", "must be", ""),
+    ]);
+}
+
+#[test]
+fn integers() {
+    let plain = "without a decimal point";
+    check(&[
+        wrong(Append("[passage]\npositions = 241.5"), 11, "passage.positions", plain, ""),
+        wrong(Append("[passage]\npositions = 241.0"), 11, "passage.positions", plain, ""),
+        wrong(
+            Append("[passage]\npositions = 1"),
+            11,
+            "passage.positions",
+            "must be an integer from 2 to 100000",
+            "",
+        ),
+        wrong(Append("[passage]\npositions = 100001"), 11, "passage.positions", "must be", ""),
+        wrong(Append("[passage]\nmax_passages = 0"), 11, "passage.max_passages", "must be", ""),
+        wrong(
+            Append("[growth]\nsteps = -1"),
+            11,
+            "growth.steps",
+            "= -1`: must be an integer from 0 to 10000",
+            "",
+        ),
+        wrong(Append("[growth]\nsteps = 1e3"), 11, "growth.steps", plain, ""),
+        wrong(Append("[growth]\nsteps = 99999999999999999999"), 11, "growth.steps", "must be", ""),
+        wrong(Append("[growth]\nsteps = \"5\""), 11, "growth.steps", "not a string", "without quotes"),
+        wrong(Append("[mesh]\ninterface_elements = 7"), 11, "mesh.interface_elements", "from 8 to 400", ""),
+        wrong(Append("[mesh]\ninterface_elements = 401"), 11, "mesh.interface_elements", "from 8 to 400", ""),
+    ]);
+}
+
+#[test]
+fn types_and_words() {
+    check(&[
+        wrong(Append("[rail]\nwidth_mm = \"wide\""), 11, "rail.width_mm", "not a string", "without quotes"),
+        wrong(Append("[rail]\nwidth_mm = true"), 11, "rail.width_mm", "not a boolean", ""),
+        wrong(Append("[rail]\nwidth_mm = [300.0]"), 11, "rail.width_mm", "not a list", ""),
+        wrong(Append("[rail.width_mm]\nx = 1"), 10, "rail.width_mm", "not a table", ""),
+        wrong(Append("[rail]\nwidth_mm = 2020-01-01"), 11, "rail.width_mm", "not a date", ""),
+        wrong(
+            Append("[solver]\nengine = 5"),
+            11,
+            "solver.engine",
+            "must be \"xfem\" or \"dislocation\", not a number",
+            "quotes",
+        ),
+        wrong(
+            Append("[solver]\nengine = \"dislocations\""),
+            11,
+            "solver.engine",
+            "must be \"xfem\" or \"dislocation\"",
+            "nearest: \"dislocation\"",
+        ),
+        wrong(
+            Append("[solver]\ncontact = \"Newtons\""),
+            11,
+            "solver.contact",
+            "\"newton\" or \"latin\"",
+            "nearest: \"newton\"",
+        ),
+        wrong(
+            Append("[growth]\ndirection = \"max-k2\""),
+            11,
+            "growth.direction",
+            "must be \"max-rate\" or",
+            "nearest: \"max-k1\"",
+        ),
+        wrong(
+            Append("[residual_stress]\nprofile = \"\""),
+            11,
+            "residual_stress.profile",
+            "must be the name of a file",
+            "",
+        ),
+        wrong(
+            Whole(
+                "title = 5\n[contact]\npeak_pressure_mpa = 845\nhalf_width_mm = 6.75\nfriction = 0\n[[crack]]\nmouth_mm = 0\nlength_mm = 6\nangle_deg = 15\nfriction = 0",
+            ),
+            1,
+            "title",
+            "one line of text",
+            "",
+        ),
+    ]);
+}
+
+#[test]
+fn what_this_version_has_not() {
+    check(&[
+        wrong(
+            Append("[rail]\nboundary = \"block\"\n[solver]\nengine = \"dislocation\""),
+            13,
+            "solver.engine",
+            "knows the half-plane only",
+            "engine = \"xfem\" computes a block",
+        ),
+        wrong(
+            Append("[rail]\nboundary = \"block\"\nwidth_mm = 100.0\n[passage]\nto_over_a = 5.0"),
+            13,
+            "passage.from_over_a",
+            "puts the wheel at x = -40.5 mm",
+            "a wider block",
+        ),
+        wrong(
+            Append("[rail]\nbottom = \"clamped\""),
+            11,
+            "rail.bottom",
+            "needs boundary = \"block\"",
+            "leave `bottom` out",
+        ),
+        wrong(
+            Append("[rail]\nboundary = \"half-plane\"\nsides = \"free\""),
+            12,
+            "rail.sides",
+            "needs boundary",
+            "a half-plane has no supports",
+        ),
+        wrong(
+            Replace("[contact]", "[contact]\nkind = \"table\""),
+            2,
+            "contact.kind",
+            "not part of this version",
+            "hertz",
+        ),
+    ]);
+}
+
+#[test]
+fn unknown_names() {
+    check(&[
+        wrong(
+            Append("[rail]\nyoungs_modulus = 210e3"),
+            11,
+            "rail.youngs_modulus",
+            "`rail.youngs_modulus = 210e3`: unknown key",
+            "nearest known key: `young_modulus_mpa`",
+        ),
+        wrong(
+            Append("[passage]\npositons = 241"),
+            11,
+            "passage.positons",
+            "unknown key",
+            "nearest known key: `positions`",
+        ),
+        wrong(
+            Append("[rail]\nfriction = 0.5"),
+            11,
+            "rail.friction",
+            "unknown key",
+            "key of [contact] and [[crack]]",
+        ),
+        wrong(
+            Append("[growht]\nsteps = 5"),
+            10,
+            "growht",
+            "unknown section `growht`",
+            "nearest known section: `growth`",
+        ),
+        wrong(
+            Append("[[cracks]]\nmouth_mm = 5"),
+            10,
+            "cracks",
+            "unknown section",
+            "nearest known section: `crack`",
+        ),
+        wrong(
+            Replace("angle_deg = 15.0", "angle_deg = 15.0\nlength = 6.0"),
+            9,
+            "crack[1].length",
+            "`crack[1].length = 6.0`: unknown key",
+            "`length_mm`",
+        ),
+        wrong(
+            Append("[[crack]]\nmouth_mm = 30\nlength_mm = 6\nangle_deg = 15\nfriction = 0.5\nfrictoin = 1"),
+            15,
+            "crack[2].frictoin",
+            "unknown key",
+            "`friction`",
+        ),
+    ]);
+    let top = errors(&format!("steps = 5\n{GOOD}"));
+    assert_eq!(top.errors()[0].help(), Some("`steps` is a key of [growth]"));
+    let top = errors(&format!("tilte = \"x\"\n{GOOD}"));
+    assert!(top.to_string().contains("nearest known key: `title`, of the top of the file"), "{top}");
+}
+
+#[test]
+fn sections_written_as_something_else() {
+    check(&[
+        wrong(Replace("[[crack]]", "[crack]"), 5, "crack", "`[crack]` must be written `[[crack]]`", ""),
+        wrong(Append("[[rail]]\nwidth_mm = 300"), 10, "rail", "`[[rail]]` must be written `[rail]`", ""),
+        wrong(
+            Whole(
+                "rail = 5\n[contact]\npeak_pressure_mpa = 845\nhalf_width_mm = 6.75\nfriction = 0\n[[crack]]\nmouth_mm = 0\nlength_mm = 6\nangle_deg = 15\nfriction = 0",
+            ),
+            1,
+            "rail",
+            "`rail` must be a section `[rail]`",
+            "",
+        ),
+        wrong(
+            Whole("crack = [5]\n[contact]\npeak_pressure_mpa = 845\nhalf_width_mm = 6.75\nfriction = 0\n"),
+            1,
+            "crack",
+            "must be",
+            "",
+        ),
+    ]);
+}
+
+#[test]
+fn toml_that_is_none() {
+    check(&[
+        wrong(Append("[growth]\nsteps = 5\nsteps = 6"), 12, "steps", "`steps` is given twice", "once"),
+        wrong(Append("[contact]\n"), 10, "contact", "`contact` is given twice", "once"),
+        wrong(Append("[growth]\nsteps = "), 11, "", "not TOML", "toml.io"),
+        wrong(Append("[growth]\nsteps = five"), 11, "", "not TOML", ""),
+        wrong(Append("[growth\nsteps = 5"), 10, "", "not TOML", ""),
+    ]);
+}
+
+#[test]
+fn missing_and_double() {
+    check(&[
+        wrong(
+            Whole("[[crack]]\nmouth_mm = 0\nlength_mm = 6\nangle_deg = 15\nfriction = 0\n"),
+            6,
+            "contact",
+            "`[contact]` is missing",
+            "railcrack init",
+        ),
+        wrong(
+            Whole("[contact]\npeak_pressure_mpa = 845\nhalf_width_mm = 6.75\nfriction = 0\n"),
+            5,
+            "crack",
+            "`[[crack]]` is missing",
+            "railcrack init",
+        ),
+        wrong(
+            Whole("crack = []\n[contact]\npeak_pressure_mpa = 845\nhalf_width_mm = 6.75\nfriction = 0\n"),
+            6,
+            "crack",
+            "`[[crack]]` is missing",
+            "",
+        ),
+        wrong(
+            Replace("peak_pressure_mpa = 845.0\n", ""),
+            1,
+            "contact.peak_pressure_mpa",
+            "is missing: it must be a number in",
+            "Peak pressure",
+        ),
+        wrong(Replace("friction = 0.025\n", ""), 1, "contact.friction", "is missing", "friction coefficient"),
+        wrong(
+            Replace("peak_pressure_mpa = 845.0\nhalf_width_mm = 6.75\n", ""),
+            1,
+            "contact",
+            "needs `peak_pressure_mpa` and `half_width_mm`, or `line_load_n_per_mm` and `wheel_radius_mm`",
+            "",
+        ),
+        wrong(
+            Replace("half_width_mm = 6.75", "line_load_n_per_mm = 9000"),
+            3,
+            "contact.line_load_n_per_mm",
+            "says the same thing as `peak_pressure_mpa`",
+            "either `peak_pressure_mpa` and",
+        ),
+        wrong(
+            Replace("half_width_mm = 6.75", "half_width_mm = 6.75\nrail_radius_mm = inf"),
+            4,
+            "contact.rail_radius_mm",
+            "says the same thing",
+            "",
+        ),
+        wrong(
+            Replace("peak_pressure_mpa = 845.0\nhalf_width_mm = 6.75", "line_load_n_per_mm = 9000"),
+            1,
+            "contact.wheel_radius_mm",
+            "is missing",
+            "",
+        ),
+        wrong(Replace("angle_deg = 15.0\n", ""), 5, "crack[1].angle_deg", "is missing", ""),
+        wrong(
+            Replace("mouth_mm = 0.0\nlength_mm = 6.0\nangle_deg = 15.0\n", ""),
+            5,
+            "crack[1]",
+            "needs `mouth_mm`, `length_mm` and `angle_deg`, or `points_mm`",
+            "",
+        ),
+        wrong(
+            Replace("angle_deg = 15.0", "points_mm = [[0.0, 0.0], [6.0, -1.0]]"),
+            8,
+            "crack[1].points_mm",
+            "says the same thing as `mouth_mm`",
+            "",
+        ),
+        wrong(
+            Append("count = 3"),
+            10,
+            "crack[1].spacing_mm",
+            "`crack[1].count = 3` needs it",
+            "both or neither",
+        ),
+        wrong(
+            Append("spacing_mm = 3"),
+            10,
+            "crack[1].count",
+            "`crack[1].spacing_mm = 3` needs it",
+            "both or neither",
+        ),
+        wrong(Append("count = 0\nspacing_mm = 3"), 10, "crack[1].count", "from 1 to 100", ""),
+        wrong(Append("count = 3\nspacing_mm = 0"), 11, "crack[1].spacing_mm", "must be", ""),
+        wrong(Append("[residual_stress]"), 10, "residual_stress.profile", "is missing", ""),
+        wrong(Append("[traffic]"), 10, "traffic.axle_load_t", "is missing", ""),
+        wrong(
+            Append("[passage]\nfrom_over_a = 6"),
+            10,
+            "passage.to_over_a",
+            "must differ from from_over_a",
+            "-x",
+        ),
+        wrong(
+            Append("[passage]\nfrom_over_a = 2\nto_over_a = 2.0"),
+            12,
+            "passage.to_over_a",
+            "must differ",
+            "",
+        ),
+    ]);
+    let empty = errors("");
+    let keys: Vec<_> = empty.errors().iter().filter_map(|e| e.key()).collect();
+    assert_eq!(keys, ["contact", "crack"]);
+    assert_eq!(empty.errors()[0].position(), Some((1, 1)));
+}
+
+/// A crack by points in place of the straight one.
+const STRAIGHT: &str = "mouth_mm = 0.0\nlength_mm = 6.0\nangle_deg = 15.0";
+
+#[test]
+fn lists_of_numbers() {
+    let key = "output.fields_over_a";
+    let accepted = "must be a list of at most 100 numbers in [-1000, 1000] a";
+    check(&[
+        wrong(Append("[output]\nfields_over_a = 1.0"), 11, key, "not a number", "in brackets"),
+        wrong(Append("[output]\nfields_over_a = \"all\""), 11, key, accepted, ""),
+        wrong(
+            Append("[output]\nfields_over_a = [0, 1, 2e3]"),
+            11,
+            key,
+            "entry 3 must be a number in [-1000, 1000]",
+            "",
+        ),
+        wrong(Append("[output]\nfields_over_a = [nan]"), 11, key, "entry 1 must be a number", ""),
+        wrong(Append("[output]\nfields_over_a = [\n  0.0,\n  \"1\"]"), 13, key, "entry 2 must be", ""),
+        wrong(Append("[output]\nfields_every = -1"), 11, "output.fields_every", "from 0 to 10000", ""),
+    ]);
+    let many = format!("{GOOD}[output]\nfields_over_a = [{}]", "0, ".repeat(101));
+    assert!(errors(&many).to_string().contains("101 given"));
+}
+
+#[test]
+fn impossible_cracks() {
+    let points = |points: &'static str| Replace(STRAIGHT, points);
+    let key = "crack[1].points_mm";
+    check(&[
+        wrong(points("points_mm = 5"), 6, key, "not a number", ""),
+        wrong(points("points_mm = [[0, 0]]"), 6, key, "at least two points", ""),
+        wrong(points("points_mm = [[0, 0],\n [1, -1, 3]]"), 7, key, "point 2 must be two numbers", ""),
+        wrong(points("points_mm = [[0, 0],\n [1, nan]]"), 7, key, "point 2 must be two numbers", ""),
+        wrong(points("points_mm = [[0, 0],\n [\"1\", -1]]"), 7, key, "point 2 must be two numbers", ""),
+        wrong(points("points_mm = [[0, 0.1], [1, -1]]"), 6, key, "above the surface", "y points up"),
+        wrong(points("points_mm = [[0, 0],\n[1, -1],\n[2, 0]]"), 8, key, "on the surface", "y points up"),
+        wrong(points("points_mm = [[0, 0],\n[1, 1]]"), 7, key, "above the surface", "y points up"),
+        wrong(points("points_mm = [[0, 0],\n[1, -1],\n[1, -1]]"), 8, key, "coincide", ""),
+        wrong(
+            points("points_mm = [[0, 0],\n[4, -4],\n[4, -2],\n[0, -3]]"),
+            9,
+            key,
+            "must not cross itself",
+            "",
+        ),
+        wrong(points("points_mm = [[0, 0],\n[4, -4],\n[2, -2]]"), 8, key, "must not cross itself", ""),
+    ]);
+}
+
+#[test]
+fn cracks_that_meet_or_leave_the_rail() {
+    const CROSSING: &str = "[[crack]]\nmouth_mm = 2.0\nlength_mm = 6.0\nangle_deg = 165.0\nfriction = 0.5";
+    const SAME: &str = "[[crack]]\nmouth_mm = 0.0\nlength_mm = 3.0\nangle_deg = 90.0\nfriction = 0.5";
+    const TOUCHING: &str = "[[crack]]\npoints_mm = [[3.0, 0.0], [3.0, -2.0]]\nfriction = 0.5";
+    check(&[
+        wrong(
+            Append(CROSSING),
+            10,
+            "crack[2]",
+            "`crack[1]` and `crack[2]` cross, touch or overlap",
+            "must not meet",
+        ),
+        wrong(Append(SAME), 10, "crack[2]", "cross, touch or overlap", ""),
+        wrong(Append(TOUCHING), 10, "crack[2]", "cross, touch or overlap", ""),
+        wrong(
+            Both(
+                STRAIGHT,
+                "points_mm = [[0.0, 0.0], [4.0, -2.0], [4.0, -0.5]]",
+                "count = 3\nspacing_mm = 1.0",
+            ),
+            9,
+            "crack[1].spacing_mm",
+            "its copies cross",
+            "",
+        ),
+        wrong(
+            Append(
+                "count = 50\nspacing_mm = 1.0\n[[crack]]\nmouth_mm = -99.0\nlength_mm = 6.0\nangle_deg = 15.0\nfriction = 0.5\ncount = 51\nspacing_mm = 1.0",
+            ),
+            17,
+            "crack[2]",
+            "more than 100 cracks",
+            "",
+        ),
+        wrong(
+            Append("[rail]\nwidth_mm = 10.0"),
+            6,
+            "crack[1].mouth_mm",
+            "leaves the rail at x = 5.79",
+            "centre_mm",
+        ),
+        wrong(
+            Append("[rail]\ncentre_mm = 1000"),
+            6,
+            "crack[1].mouth_mm",
+            "the rail reaches from 850 to 1150 mm",
+            "",
+        ),
+        wrong(
+            Append("[rail]\ndepth_mm = 1.5"),
+            7,
+            "crack[1].length_mm",
+            "leaves the rail at depth",
+            "depth_mm",
+        ),
+        wrong(
+            Append("[rail]\nwidth_mm = 5.0"),
+            7,
+            "crack[1].length_mm",
+            "6 mm is longer than the rail, width_mm = 5",
+            "",
+        ),
+        wrong(
+            Replace("length_mm = 6.0", "length_mm = 301"),
+            7,
+            "crack[1].length_mm",
+            "longer than the rail",
+            "",
+        ),
+        wrong(
+            Replace(STRAIGHT, "points_mm = [[0, 0], [200, -1]]"),
+            6,
+            "crack[1].points_mm",
+            "leaves the rail at x = 200",
+            "",
+        ),
+        wrong(
+            Both("mouth_mm = 0.0", "mouth_mm = 0", "count = 3\nspacing_mm = 5\n[rail]\nwidth_mm = 20"),
+            6,
+            "crack[1].mouth_mm",
+            "leaves the rail at x = 15.79",
+            "",
+        ),
+    ]);
+}
+
+#[test]
+fn derived_contact_out_of_range() {
+    check(&[wrong(
+        Replace(
+            "peak_pressure_mpa = 845.0\nhalf_width_mm = 6.75",
+            "line_load_n_per_mm = 1e7\nwheel_radius_mm = 460",
+        ),
+        2,
+        "contact.line_load_n_per_mm",
+        "gives peak_pressure_mpa",
+        "together",
+    )]);
+}
+
+#[test]
+fn only_inf_is_infinity() {
+    let text = |radius: &str| {
+        let load = format!("line_load_n_per_mm = 9000\nwheel_radius_mm = 460\nrail_radius_mm = {radius}");
+        GOOD.replace("peak_pressure_mpa = 845.0\nhalf_width_mm = 6.75", &load)
+    };
+    assert!(Case::parse(&text("inf"), "case.toml", Path::new("")).is_ok());
+    for radius in ["1e400", "nan", "-inf", "0", "-300"] {
+        let errors = errors(&text(radius));
+        assert_eq!(errors.errors()[0].key(), Some("contact.rail_radius_mm"), "{errors}");
+        assert!(errors.to_string().contains("must be a number in (0, inf] mm"), "{errors}");
+    }
+}
+
+#[test]
+fn missing_profile() {
+    check(&[
+        wrong(
+            Append("[residual_stress]\nprofile = \"none.csv\""),
+            11,
+            "residual_stress.profile",
+            "there is no such file",
+            "relative to the folder",
+        ),
+        wrong(
+            Append("[plastic_stress]\nfield = \"none.vtu\""),
+            11,
+            "plastic_stress.field",
+            "there is no such file",
+            "relative to the folder of the case file",
+        ),
+        wrong(
+            Append("[plastic_stress]\nprofile = \"none.csv\""),
+            11,
+            "plastic_stress.profile",
+            "there is no such file",
+            "relative to the folder of the case file",
+        ),
+        wrong(
+            Append("[shakedown]\ninitial_residual = \"none.csv\""),
+            11,
+            "shakedown.initial_residual",
+            "there is no such file",
+            "",
+        ),
+    ]);
+}
+
+#[test]
+fn all_errors_at_once() {
+    let text = "[rail]\nwidth_mm = -1\nfoo = 1\n[contact]\npeak_pressure_mpa = nan\n[[crack]]\nlength_mm = 0\n\
+                [growth]\nsteps = 1.0\n[solver]\nengine = \"fem\"\n";
+    let keys: Vec<String> =
+        errors(text).errors().iter().filter_map(|e| e.key().map(str::to_string)).collect();
+    let want = [
+        "rail.width_mm",
+        "rail.foo",
+        "contact.half_width_mm",
+        "contact.friction",
+        "contact.peak_pressure_mpa",
+        "crack[1].mouth_mm",
+        "crack[1].angle_deg",
+        "crack[1].friction",
+        "crack[1].length_mm",
+        "growth.steps",
+        "solver.engine",
+    ];
+    assert_eq!(keys, want);
+}
+
+#[test]
+fn one_line_names_file_line_and_column() {
+    let errors = errors(&format!("{GOOD}[growth]\nsteps = -1\n"));
+    assert_eq!(errors.to_string(), "case.toml:11:9: `growth.steps = -1`: must be an integer from 0 to 10000");
+}
+
+#[test]
+fn the_good_case_is_good() {
+    let case = Case::parse(GOOD, "case.toml", Path::new("")).unwrap();
+    assert_eq!(case.cracks.cracks().len(), 1);
+}

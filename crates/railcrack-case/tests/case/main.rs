@@ -1,0 +1,6 @@
+//! The case file: reading, errors, studies, and what derives from the table of keys.
+
+mod bad_input;
+mod reading;
+mod studies;
+mod table;

@@ -1,0 +1,13 @@
+//! The command as a user meets it, and the book.
+
+mod book;
+mod case;
+mod common;
+mod compare;
+mod documents;
+mod paper;
+mod plastic_stress;
+mod report;
+mod run;
+mod shakedown;
+mod sweep;

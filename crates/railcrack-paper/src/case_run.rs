@@ -1,0 +1,181 @@
+//! What the figures and statements need of one run.
+
+use super::PaperError;
+use railcrack::contact::FaceStatus;
+use railcrack::crack::Crack;
+use railcrack::growth::{GrowthError, StepRecord, Watch};
+use railcrack::math::MPA_SQRT_MM;
+use railcrack_case::{Case, SharedRail};
+use serde::{Deserialize, Serialize};
+
+/// K_I and K_II of one tip of the initial cracks over the stabilised passage.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct SifCurve {
+    /// Wheel positions over a, counted along the travel from x = 0, the mouth of crack 1.
+    pub position: Vec<f64>,
+    /// K_I, MPa√m.
+    pub ki: Vec<f64>,
+    /// K_II, MPa√m.
+    pub kii: Vec<f64>,
+    /// Whether the whole crack sticks.
+    pub sticks: Vec<bool>,
+}
+
+/// A tip at the start of a growth step.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct TipState {
+    /// Length of the crack, mm.
+    pub length: f64,
+    /// ΔK_I, MPa√m.
+    pub delta_ki: f64,
+    /// ΔK_II, MPa√m.
+    pub delta_kii: f64,
+    /// ΔK_eq, MPa√m.
+    pub delta_keq: f64,
+    /// The chosen kink, degrees, as in `growth.csv`.
+    pub kink: Option<f64>,
+    /// The best other direction, degrees.
+    pub rival: Option<f64>,
+    /// Its rate over the best one.
+    pub rival_ratio: Option<f64>,
+    /// Load cycles at the start of the step.
+    pub load_cycles: f64,
+}
+
+/// One crack of a run.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct CrackGrowth {
+    /// K of the initial crack.
+    pub sif: SifCurve,
+    /// The tip at every step; the first one is the initial crack's.
+    pub steps: Vec<TipState>,
+    /// The crack at the end, (x, depth) in mm from its mouth.
+    pub points: Vec<[f64; 2]>,
+    /// Points of the initial crack among them.
+    pub initial_points: usize,
+    /// Why its tip stopped; none where it did not.
+    pub stop: Option<String>,
+}
+
+/// One run: a case in one set-up.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct CaseRun {
+    /// Its cracks, as the case numbers them.
+    pub cracks: Vec<CrackGrowth>,
+    /// Increments that were asked for.
+    pub steps_wanted: usize,
+    /// Why it ended early, where a step could not be computed.
+    pub failure: Option<String>,
+    /// What it took.
+    pub effort: Effort,
+}
+
+/// What a run took: the one thing that two computations of it do not share.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct Effort {
+    /// Steps.
+    pub steps: usize,
+    /// Contact solutions.
+    pub solves: usize,
+    /// Wall time of C and S, s; of a rail that runs share, only in the run that made it.
+    pub body_s: f64,
+    /// Wall time of contact, s.
+    pub contact_s: f64,
+    /// Wall time of all, s.
+    pub wall_s: f64,
+}
+
+impl CaseRun {
+    /// Computes `case`, on `rail` where another run has made it. A step that cannot be computed ends the run; one without its first
+    /// step is an error.
+    pub(super) fn compute(
+        name: &str,
+        case: &Case,
+        rail: Option<&SharedRail>,
+        watch: &dyn Watch,
+    ) -> Result<Self, PaperError> {
+        let failed = |source| PaperError::Run { name: name.to_owned(), source };
+        let stress = |source| PaperError::Stress { name: name.to_owned(), source };
+        let mut growth = case.prepare_sharing(None, rail).map_err(stress)?.growth(None);
+        let effort = Effort::default();
+        let mut run = Self { cracks: Vec::new(), steps_wanted: case.growth.steps, failure: None, effort };
+        loop {
+            match growth.next_step(watch) {
+                Ok(Some(record)) => run.add(case, &record),
+                Ok(None) => break,
+                Err(GrowthError::Interrupted { .. }) => return Err(PaperError::Interrupted),
+                Err(error) if run.cracks.is_empty() => return Err(failed(error)),
+                Err(error) => {
+                    run.failure = Some(error.to_string());
+                    break;
+                }
+            }
+        }
+        Ok(run)
+    }
+
+    fn add(&mut self, case: &Case, record: &StepRecord) {
+        self.effort.steps += 1;
+        self.effort.solves += record.counts.solves;
+        self.effort.body_s += record.times.body_s;
+        self.effort.contact_s += record.times.contact_s;
+        if record.step == 0 {
+            self.cracks = initial(case, record);
+        }
+        for ((crack, tip), grown) in record.cracks.iter().zip(&record.tips).zip(&mut self.cracks) {
+            grown.points = points(crack);
+            // A slow crack shows where it is going before it has gone a whole increment.
+            let waiting = tip.waiting;
+            if waiting.length > 0.0 {
+                let to = crack.tip(tip.tip.end) + waiting.direction * waiting.length;
+                grown.points.push([to.x, -to.y]);
+            }
+            grown.stop = tip.stop.map(|stop| stop.name().to_owned());
+            grown.steps.push(TipState {
+                length: tip.length,
+                delta_ki: tip.delta_ki / MPA_SQRT_MM,
+                delta_kii: tip.delta_kii / MPA_SQRT_MM,
+                delta_keq: tip.delta_keq / MPA_SQRT_MM,
+                kink: tip.kink.map(f64::to_degrees),
+                rival: tip.rival.map(f64::to_degrees),
+                rival_ratio: tip.rival_ratio,
+                load_cycles: record.load_cycles,
+            });
+        }
+    }
+}
+
+/// The cracks of the first step; every crack of the paper has one tip.
+fn initial(case: &Case, record: &StepRecord) -> Vec<CrackGrowth> {
+    let passage = &case.passages.passage;
+    let travel = (passage.to - passage.from).signum();
+    let Some(stabilised) = record.passages.last() else { return Vec::new() };
+    let position: Vec<f64> = stabilised.xc.iter().map(|xc| travel * xc / case.contact.half_width).collect();
+    let sticks = |crack: usize| -> Vec<bool> {
+        let mine: Vec<usize> =
+            (0..record.faces.points.len()).filter(|&p| record.faces.points[p].crack == crack).collect();
+        let all = |states: &Vec<_>| mine.iter().all(|&p| status(states, p) == FaceStatus::Stick);
+        record.faces.states.iter().map(all).collect()
+    };
+    let of = |(i, (crack, sifs)): (usize, (&Crack, &Vec<railcrack::fracture::Sif>))| CrackGrowth {
+        sif: SifCurve {
+            position: position.clone(),
+            ki: sifs.iter().map(|k| k.k1 / MPA_SQRT_MM).collect(),
+            kii: sifs.iter().map(|k| k.k2 / MPA_SQRT_MM).collect(),
+            sticks: sticks(i),
+        },
+        steps: Vec::new(),
+        points: Vec::new(),
+        initial_points: crack.points().len(),
+        stop: None,
+    };
+    record.cracks.iter().zip(&stabilised.sifs).enumerate().map(of).collect()
+}
+
+fn status(states: &[railcrack::contact::FaceState], point: usize) -> FaceStatus {
+    states[point].status
+}
+
+fn points(crack: &Crack) -> Vec<[f64; 2]> {
+    crack.points().iter().map(|p| [p.x, -p.y]).collect()
+}

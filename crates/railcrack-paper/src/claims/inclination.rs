@@ -1,0 +1,104 @@
+//! Section 5.3: inclination of the initial crack.
+
+use crate::claim::{falls, rises};
+use crate::path_shape::{PathShape, Side};
+use crate::{Claim, CrackGrowth, Decision, SetupResults};
+
+const CURVES: [&str; 5] = ["reference", "angle-30", "angle-45", "angle-60", "angle-75"];
+const ANGLES: [&str; 5] = ["15\u{b0}", "30\u{b0}", "45\u{b0}", "60\u{b0}", "75\u{b0}"];
+
+fn over(r: SetupResults, of: fn(&CrackGrowth) -> f64) -> Option<Vec<f64>> {
+    CURVES.iter().map(|curve| Some(of(r.run(curve)?.crack()))).collect()
+}
+
+fn paths(r: SetupResults) -> Option<Vec<PathShape>> {
+    CURVES.iter().map(|curve| Some(PathShape::of(r.grown(curve)?.crack()))).collect()
+}
+
+fn with_paths(mut decision: Decision, paths: &[PathShape]) -> Decision {
+    for (angle, path) in ANGLES.iter().zip(paths) {
+        decision = decision.with(format!("{angle} {}, depth", path.words()), path.depth);
+    }
+    decision
+}
+
+pub(super) const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "5.3-range-2",
+        place: "5.3, Fig. 19b",
+        figures: &[19],
+        statement: "A steeper crack has a wider range of K_II.",
+        rule: "\u{394}K_II rises from 15\u{b0} to 30\u{b0}, 45\u{b0}, 60\u{b0}, 75\u{b0}",
+        decide: |r| {
+            let ranges = over(r, CrackGrowth::delta_kii)?;
+            Some(Decision::of(rises(&ranges)).with_all("\u{394}K_II at", &ANGLES, &ranges))
+        },
+        why: "It does from 30\u{b0} on in all four; 15\u{b0} stands out.",
+    },
+    Claim {
+        id: "5.3-range-1",
+        place: "5.3, Fig. 19a",
+        figures: &[19],
+        statement: "A steeper crack opens less.",
+        rule: "\u{394}K_I falls from 15\u{b0} to 30\u{b0}, 45\u{b0}, 60\u{b0}, 75\u{b0}",
+        decide: |r| {
+            let ranges = over(r, CrackGrowth::delta_ki)?;
+            Some(Decision::of(falls(&ranges)).with_all("\u{394}K_I at", &ANGLES, &ranges))
+        },
+        why: "In the half-plane these cracks are closed: what is left of \u{394}K_I is below 0.1 MPa\u{221a}m. In the block they open most while the wheel is at the ends of its passage, and the steeper the wider.",
+    },
+    Claim {
+        id: "5.3-down",
+        place: "5.3, Fig. 20",
+        figures: &[20],
+        statement: "Cracks of 15\u{b0} to 60\u{b0} branch down.",
+        rule: "the paths from 15\u{b0}, 30\u{b0}, 45\u{b0}, 60\u{b0} branch down",
+        decide: |r| {
+            let paths = paths(r)?;
+            let holds = paths[..4].iter().all(|path| path.branches(Side::Down));
+            Some(with_paths(Decision::of(holds), &paths[..4]))
+        },
+        why: "One path of the sixteen does: 15\u{b0} in the block, along the travel, at increment 18.",
+    },
+    Claim {
+        id: "5.3-coplanar-75",
+        place: "5.3, Fig. 20",
+        figures: &[20],
+        statement: "The crack of 75\u{b0} goes straight on.",
+        rule: "no increment > 20\u{b0} off the line; the rival direction of the first increment and the ratio of its rate to the best beside it",
+        decide: |r| {
+            let crack = r.grown("angle-75")?.crack();
+            let path = PathShape::of(crack);
+            let first = crack.steps[0];
+            let decision = Decision::of(path.is_coplanar())
+                .with(format!("{}, first kink \u{b0}", path.words()), first.kink?);
+            Some(match (first.rival, first.rival_ratio) {
+                (Some(angle), Some(ratio)) => decision.with("rival \u{b0}", angle).with("ratio", ratio),
+                _ => decision,
+            })
+        },
+        why: "Leaning along the travel it is a near tie in the half-plane (ratio above 0.99): the path hangs on less than the model knows.",
+    },
+    Claim {
+        id: "6-same-direction",
+        place: "6",
+        figures: &[20],
+        statement: "Once branched down, cracks of all inclinations go on in the same direction.",
+        rule: "of the paths that branch down (two at least), inclinations from the branch to the end within 15\u{b0}",
+        decide: |r| {
+            let paths = paths(r)?;
+            let down = paths.iter().filter(|path| path.branches(Side::Down));
+            let angles: Vec<f64> = down.filter_map(|path| path.inclination_after).collect();
+            let (low, high) =
+                angles.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &a| (l.min(a), h.max(a)));
+            let holds = angles.len() >= 2 && high - low <= 15.0;
+            let decision = Decision::of(holds).with("paths down", angles.len() as f64);
+            Some(if angles.is_empty() {
+                decision
+            } else {
+                decision.with("from \u{b0}", low).with("to \u{b0}", high)
+            })
+        },
+        why: "At the friction of Table 1 there are not two such paths.",
+    },
+];

@@ -1,0 +1,216 @@
+//! Sections 5.5.2 and 5.5.3: nine parallel cracks.
+
+use crate::path_shape::{PathShape, Side};
+use crate::setup::Travel;
+use crate::{Claim, CrackGrowth, Decision, SetupResults};
+
+const NAMES: [&str; 9] = ["1", "2", "3", "4", "5", "6", "7", "8", "9"];
+
+/// Change in per cent of `of` for each crack of `network` with respect to the curve `single`.
+fn changes(r: SetupResults, network: &str, single: &str, of: fn(&CrackGrowth) -> f64) -> Option<Vec<f64>> {
+    let alone = of(r.run(single)?.crack());
+    Some(r.run(network)?.cracks.iter().map(|crack| 100.0 * (of(crack) / alone - 1.0)).collect())
+}
+
+fn paths(r: SetupResults, network: &str) -> Option<Vec<PathShape>> {
+    Some(r.grown(network)?.cracks.iter().map(PathShape::of).collect())
+}
+
+fn with_paths(mut decision: Decision, paths: &[PathShape]) -> Decision {
+    for (name, path) in NAMES.iter().zip(paths) {
+        let angle = path.inclination_after.or(path.inclination).unwrap_or(0.0);
+        decision = decision.with(format!("{name} {}, below surface \u{b0}", path.words()), angle);
+    }
+    decision
+}
+
+fn top(crack: &CrackGrowth) -> f64 {
+    crack.sif.ki.iter().copied().fold(0.0, f64::max)
+}
+
+pub(super) const NINE: &[Claim] = &[
+    Claim {
+        id: "5.5.2-opening",
+        place: "5.5.2, Fig. 27a; 6",
+        figures: &[27],
+        statement: "Every crack of the network opens more than a single one.",
+        rule: "\u{394}K_I of each of the nine larger than of the crack alone",
+        decide: |r| {
+            let changes = changes(r, "nine", "wheel+0.1", CrackGrowth::delta_ki)?;
+            let holds = changes.iter().all(|change| *change > 0.0);
+            Some(Decision::of(holds).with_all("\u{394}K_I %, crack", &NAMES, &changes))
+        },
+        why: "",
+    },
+    Claim {
+        id: "5.5.2-opening-150",
+        place: "5.5.2, Fig. 27a",
+        figures: &[27],
+        statement: "\u{394}K_I grows by 150 % at most.",
+        rule: "largest growth of \u{394}K_I between 100 % and 200 %",
+        decide: |r| {
+            let changes = changes(r, "nine", "wheel+0.1", CrackGrowth::delta_ki)?;
+            let (i, most) = changes.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1))?;
+            let holds = (100.0..=200.0).contains(most);
+            Some(Decision::of(holds).with("largest %", *most).with("crack", (i + 1) as f64))
+        },
+        why: "",
+    },
+    Claim {
+        id: "5.5.2-shielding",
+        place: "5.5.2, Fig. 27b",
+        figures: &[27],
+        statement: "The cracks shield each other in mode II: \u{394}K_II is 0 to 25 % smaller.",
+        rule: "change of \u{394}K_II of each crack between \u{2212}30 % and 0, of one at least beyond \u{2212}10 %",
+        decide: |r| {
+            let changes = changes(r, "nine", "wheel+0.1", CrackGrowth::delta_kii)?;
+            let within = changes.iter().all(|change| (-30.0..=0.0).contains(change));
+            let holds = within && changes.iter().any(|change| *change <= -10.0);
+            Some(Decision::of(holds).with_all("\u{394}K_II %, crack", &NAMES, &changes))
+        },
+        why: "",
+    },
+    Claim {
+        id: "6-shielding-centre",
+        place: "6",
+        figures: &[27],
+        statement: "It is the cracks in the middle that are shielded.",
+        rule: "mean change of \u{394}K_II of cracks 3 to 6 below zero and below the mean of 1, 2, 8, 9",
+        decide: |r| {
+            let changes = changes(r, "nine", "wheel+0.1", CrackGrowth::delta_kii)?;
+            let mean = |of: &[usize]| of.iter().map(|&i| changes[i - 1]).sum::<f64>() / of.len() as f64;
+            let (middle, outer) = (mean(&[3, 4, 5, 6]), mean(&[1, 2, 8, 9]));
+            Some(Decision::of(middle < 0.0 && middle < outer).with("middle %", middle).with("outer %", outer))
+        },
+        why: "",
+    },
+    Claim {
+        id: "5.5.2-single-down",
+        place: "5.5.2, Fig. 18",
+        figures: &[28],
+        statement: "A single crack under this wheel is co-planar at first, then branches down.",
+        rule: "at least 3 increments within 20\u{b0} of the line, then a branch down",
+        decide: |r| {
+            let path = PathShape::of(r.grown("wheel+0.1")?.crack());
+            let holds = path.coplanar_increments() > 3 && path.branches(Side::Down);
+            Some(Decision::of(holds).with(format!("{}, depth", path.words()), path.depth))
+        },
+        why: "",
+    },
+    Claim {
+        id: "5.5.2-outer",
+        place: "5.5.2, Fig. 28",
+        figures: &[28],
+        statement: "Cracks 1, 2, 8 and 9 grow as they would alone.",
+        rule: "within five increments each of the four branches to the same side as the crack alone, or like it not at all",
+        decide: |r| {
+            let paths = paths(r, "nine")?;
+            let alone = PathShape::of(r.grown("wheel+0.1")?.crack());
+            let side = |path: &PathShape| {
+                path.branch.filter(|branch| branch.increment <= 5).map(|branch| branch.side)
+            };
+            let holds = [1, 2, 8, 9].iter().all(|&i| side(&paths[i - 1]) == side(&alone));
+            Some(with_paths(Decision::of(holds), &paths))
+        },
+        why: "",
+    },
+    Claim {
+        id: "5.5.2-middle",
+        place: "5.5.2, Fig. 28; 6",
+        figures: &[28],
+        statement: "Cracks 3, 4, 5 and 7 branch and run parallel to the surface.",
+        rule: "their paths branch, and from there run within 10\u{b0} of the surface's direction",
+        decide: |r| {
+            let paths = paths(r, "nine")?;
+            let holds = [3, 4, 5, 7].iter().all(|&i| paths[i - 1].runs_parallel());
+            Some(with_paths(Decision::of(holds), &paths))
+        },
+        why: "",
+    },
+    Claim {
+        id: "5.5.2-both",
+        place: "5.5.2, Fig. 28; 6",
+        figures: &[28],
+        statement: "Some cracks are about to spall, others go into the depth.",
+        rule: "one path at least branches up or parallel, one at least is co-planar or branches down",
+        decide: |r| {
+            let paths = paths(r, "nine")?;
+            let up = paths.iter().any(|path| path.branches(Side::Up) || path.runs_parallel());
+            let down = paths.iter().any(|path| path.is_coplanar() || path.branches(Side::Down));
+            Some(with_paths(Decision::of(up && down), &paths))
+        },
+        why: "",
+    },
+];
+
+pub(super) const NINE_WITH_STRESS: &[Claim] = &[
+    Claim {
+        id: "5.5.3-closed",
+        place: "5.5.3, Fig. 29a",
+        figures: &[29],
+        statement: "With the stress of Fig. 21 cracks 1 to 8 stay closed.",
+        rule: "max K_I of each <= 0.1 MPa\u{221a}m",
+        decide: |r| {
+            let tops: Vec<f64> = r.run("nine-stress")?.cracks.iter().map(top).collect();
+            let holds = tops[..8].iter().all(|top| *top <= 0.1);
+            Some(Decision::of(holds).with_all("max K_I, crack", &NAMES, &tops))
+        },
+        why: "",
+    },
+    Claim {
+        id: "5.5.3-crack-9",
+        place: "5.5.3, Fig. 29a",
+        figures: &[29],
+        statement: "Crack 9, at the edge of the network, opens.",
+        rule: "max K_I of crack 9 > 0.1 MPa\u{221a}m",
+        decide: |r| {
+            let top = top(&r.run("nine-stress")?.cracks[8]);
+            Some(Decision::of(top > 0.1).with("max K_I", top))
+        },
+        why: "Against the travel crack 9 is the one that the wheel meets first.",
+    },
+    Claim {
+        id: "5.5.3-range",
+        place: "5.5.3, Fig. 29b",
+        figures: &[29],
+        statement: "The stress narrows the range of K_II of every crack.",
+        rule: "\u{394}K_II of each smaller than without the stress",
+        decide: |r| {
+            let (with, without) = (r.run("nine-stress")?, r.run("nine")?);
+            let change = |(a, b): (&CrackGrowth, &CrackGrowth)| 100.0 * (a.delta_kii() / b.delta_kii() - 1.0);
+            let changes: Vec<f64> = with.cracks.iter().zip(&without.cracks).map(change).collect();
+            let holds = changes.iter().all(|change| *change < 0.0);
+            Some(Decision::of(holds).with_all("\u{394}K_II %, crack", &NAMES, &changes))
+        },
+        why: "",
+    },
+    Claim {
+        id: "5.5.3-parallel",
+        place: "5.5.3, Fig. 30",
+        figures: &[30],
+        statement: "All cracks branch and run parallel to the surface, in the direction of the moving load.",
+        rule: "all nine paths branch, and from there run within 10\u{b0} of the surface's direction, along the travel",
+        decide: |r| {
+            let paths = paths(r, "nine-stress")?;
+            let travel = if r.setup().travel == Travel::With { 1.0 } else { -1.0 };
+            let along = |path: &PathShape| path.along_after.is_some_and(|way| way * travel > 0.0);
+            let holds = paths.iter().all(|path| path.runs_parallel() && along(path));
+            Some(with_paths(Decision::of(holds), &paths))
+        },
+        why: "",
+    },
+    Claim {
+        id: "5.5.3-crack-9-path",
+        place: "5.5.3, Fig. 30",
+        figures: &[30],
+        statement: "Crack 9 grows in another way than the others.",
+        rule: "its side of branching, or whether it branches, differs from that of most of the others",
+        decide: |r| {
+            let paths = paths(r, "nine-stress")?;
+            let side = |path: &PathShape| path.branch.map(|branch| branch.side);
+            let same = paths[..8].iter().filter(|path| side(path) == side(&paths[8])).count();
+            Some(with_paths(Decision::of(same < 4), &paths))
+        },
+        why: "",
+    },
+];

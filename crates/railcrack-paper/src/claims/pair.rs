@@ -1,0 +1,135 @@
+//! Section 5.5.1: two cracks that lean away from each other.
+
+use crate::path_shape::PathShape;
+use crate::{Claim, CrackGrowth, Decision, SetupResults, SifCurve};
+
+/// Cracks 1 and 2 of the pair, then each alone.
+fn cracks<'a>(r: SetupResults<'a>) -> Option<([&'a CrackGrowth; 2], [&'a CrackGrowth; 2])> {
+    let pair = &r.run("pair")?.cracks;
+    Some(([&pair[0], &pair[1]], [r.run("reference")?.crack(), r.run("crack-2-alone")?.crack()]))
+}
+
+fn grown<'a>(r: SetupResults<'a>) -> Option<[&'a CrackGrowth; 2]> {
+    let pair = &r.grown("pair")?.cracks;
+    Some([&pair[0], &pair[1]])
+}
+
+/// Where K_I gains most by the neighbour, and how much.
+fn gain(pair: &SifCurve, alone: &SifCurve) -> (f64, f64) {
+    pair.minus(alone).iter().fold((0.0, 0.0), |best, &[x, ki, _]| if ki > best.1 { (x, ki) } else { best })
+}
+
+pub(super) const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "5.5.1-mode-2",
+        place: "5.5.1, Fig. 24b",
+        figures: &[24],
+        statement: "The neighbour hardly changes mode II.",
+        rule: "\u{394}K_II of each crack within 10 % of that of the crack alone",
+        decide: |r| {
+            let (pair, alone) = cracks(r)?;
+            let change = [0, 1].map(|i| 100.0 * (pair[i].delta_kii() / alone[i].delta_kii() - 1.0));
+            let holds = change.iter().all(|change| change.abs() <= 10.0);
+            Some(Decision::of(holds).with_all("change of \u{394}K_II %, crack", &["1", "2"], &change))
+        },
+        why: "",
+    },
+    Claim {
+        id: "5.5.1-mode-1",
+        place: "5.5.1, Fig. 24a",
+        figures: &[24],
+        statement: "What it changes most is the opening, thus \u{394}K_I, of both cracks.",
+        rule: "\u{394}K_I of each crack changes by a larger share than its \u{394}K_II, and grows",
+        decide: |r| {
+            let (pair, alone) = cracks(r)?;
+            let share = |of: fn(&CrackGrowth) -> f64, i: usize| 100.0 * (of(pair[i]) / of(alone[i]) - 1.0);
+            let opening = [0, 1].map(|i| share(CrackGrowth::delta_ki, i));
+            let sliding = [0, 1].map(|i| share(CrackGrowth::delta_kii, i));
+            let holds = (0..2).all(|i| opening[i] > sliding[i].abs());
+            Some(Decision::of(holds).with_all("change of \u{394}K_I %, crack", &["1", "2"], &opening))
+        },
+        why: "",
+    },
+    Claim {
+        id: "5.5.1-opening-1",
+        place: "5.5.1, Fig. 24a",
+        figures: &[24],
+        statement: "Crack 1 opens more by crack 2 while the wheel is at x_c/a < \u{2212}2.",
+        rule: "the largest gain of K_I of crack 1 is at x_c/a < \u{2212}2 and >= 10 % of the largest K_I of the crack alone",
+        decide: |r| {
+            let (pair, alone) = cracks(r)?;
+            let (at, gain) = gain(&pair[0].sif, &alone[0].sif);
+            let enough = 0.1 * alone[0].sif.ki.iter().copied().fold(0.0, f64::max);
+            Some(Decision::of(at < -2.0 && gain >= enough).with("gain of K_I", gain).with("at x_c/a", at))
+        },
+        why: "",
+    },
+    Claim {
+        id: "5.5.1-opening-2",
+        place: "5.5.1, Fig. 24a",
+        figures: &[24],
+        statement: "Crack 2 opens more by crack 1 while the wheel is at x_c/a > 2.",
+        rule: "the largest gain of K_I of crack 2 is at x_c/a > 2 and >= 10 % of the largest K_I of the crack alone",
+        decide: |r| {
+            let (pair, alone) = cracks(r)?;
+            let (at, gain) = gain(&pair[1].sif, &alone[1].sif);
+            let enough = 0.1 * alone[1].sif.ki.iter().copied().fold(0.0, f64::max);
+            Some(Decision::of(at > 2.0 && gain >= enough).with("gain of K_I", gain).with("at x_c/a", at))
+        },
+        why: "",
+    },
+    Claim {
+        id: "5.5.1-parallel",
+        place: "5.5.1, Fig. 25",
+        figures: &[25],
+        statement: "Crack 1 branches and runs on parallel to the surface.",
+        rule: "the path of crack 1 branches, and from there to its end within 10\u{b0} of the surface's direction",
+        decide: |r| {
+            let path = PathShape::of(grown(r)?[0]);
+            let decision =
+                Decision::of(path.runs_parallel()).with(format!("{}, depth", path.words()), path.depth);
+            Some(match path.inclination_after {
+                Some(angle) => decision.with("below the surface \u{b0}", angle),
+                None => decision,
+            })
+        },
+        why: "",
+    },
+    Claim {
+        id: "5.5.1-coplanar",
+        place: "5.5.1, Fig. 25",
+        figures: &[25],
+        statement: "Crack 2 goes straight on, as alone.",
+        rule: "no increment of crack 2 > 20\u{b0} off its line",
+        decide: |r| {
+            let path = PathShape::of(grown(r)?[1]);
+            Some(Decision::of(path.is_coplanar()).with(format!("{}, depth", path.words()), path.depth))
+        },
+        why: "",
+    },
+    Claim {
+        id: "5.5.1-slower",
+        place: "5.5.1",
+        figures: &[25],
+        statement: "After some increments \u{394}K_eq of crack 1 decreases.",
+        rule: "\u{394}K_eq of crack 1 in the last step is smaller than at first",
+        decide: |r| {
+            let steps = &grown(r)?[0].steps;
+            let (first, last) = (steps.first()?.delta_keq, steps.last()?.delta_keq);
+            Some(Decision::of(last < first).with("first", first).with("last", last))
+        },
+        why: "",
+    },
+    Claim {
+        id: "5.5.1-deeper",
+        place: "5.5.1, Fig. 25",
+        figures: &[25],
+        statement: "Crack 2 gets deeper than crack 1.",
+        rule: "depth of the end of crack 2 larger",
+        decide: |r| {
+            let depth = grown(r)?.map(|crack| PathShape::of(crack).depth);
+            Some(Decision::of(depth[1] > depth[0]).with_all("depth of crack", &["1", "2"], &depth))
+        },
+        why: "In the half-plane the crack that leans against the travel turns up and the other one goes deep: crack 1 is the first of these only where it leans against the travel.",
+    },
+];

@@ -1,0 +1,82 @@
+//! Section 5.4: the stress of Fig. 21.
+
+use crate::path_shape::{PathShape, Side};
+use crate::{Claim, Decision};
+
+pub(super) const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "5.4-closed",
+        place: "5.4.2, Fig. 22a",
+        figures: &[22],
+        statement: "With the stress of Fig. 21 the crack stays closed during the whole passage.",
+        rule: "max K_I <= 0.1 MPa\u{221a}m",
+        decide: |r| {
+            let top = |curve: &str| Some(r.run(curve)?.crack().sif.ki.iter().copied().fold(0.0, f64::max));
+            let (with, without) = (top("stress")?, top("reference")?);
+            Some(Decision::of(with <= 0.1).with("max K_I", with).with("without", without))
+        },
+        why: "In the half-plane it is closed without the stress as well.",
+    },
+    Claim {
+        id: "5.4-range",
+        place: "5.4.2, Fig. 22b; 6",
+        figures: &[22],
+        statement: "The stress narrows the range of K_II.",
+        rule: "\u{394}K_II with the stress is smaller",
+        decide: |r| {
+            let range = |curve: &str| Some(r.run(curve)?.crack().delta_kii());
+            let (with, without) = (range("stress")?, range("reference")?);
+            Some(Decision::of(with < without).with("\u{394}K_II with", with).with("without", without))
+        },
+        why: "What rolling leaves in the steels of the variants lies deeper than the tip, and changes nothing yet.",
+    },
+    Claim {
+        id: "5.4-rate",
+        place: "5.4.2",
+        figures: &[23],
+        statement: "The stress slows growth.",
+        rule: "\u{394}K_eq of the initial crack is smaller, and more cycles to a length of 7 mm",
+        decide: |r| {
+            let (with, without) = (r.grown("stress")?.crack(), r.grown("reference")?.crack());
+            let cycles = (with.cycles_to(7.0), without.cycles_to(7.0));
+            let slower = matches!(cycles, (Some(with), Some(without)) if with > without);
+            let decision = Decision::of(with.delta_keq() < without.delta_keq() && slower)
+                .with("\u{394}K_eq with", with.delta_keq())
+                .with("without", without.delta_keq());
+            Some(match cycles {
+                (Some(with), Some(without)) => decision.with("cycles to 7 mm, times", with / without),
+                _ => decision,
+            })
+        },
+        why: "",
+    },
+    Claim {
+        id: "5.4-longer-coplanar",
+        place: "5.4.2, Fig. 23; 6",
+        figures: &[23],
+        statement: "With the stress the crack goes straight on for longer.",
+        rule: "first increment > 20\u{b0} off the line comes later",
+        decide: |r| {
+            let first = |curve: &str| Some(PathShape::of(r.grown(curve)?.crack()).coplanar_increments());
+            let (with, without) = (first("stress")?, first("reference")?);
+            let decision = Decision::of(with > without).with("branches in increment, with", with as f64);
+            Some(decision.with("without", without as f64))
+        },
+        why: "With the stress the crack turns up in the first increment in all four.",
+    },
+    Claim {
+        id: "5.4-up",
+        place: "5.4.2, Fig. 23",
+        figures: &[23],
+        statement: "Then it turns up, where without the stress it turns down.",
+        rule: "the path with the stress branches up, that without down",
+        decide: |r| {
+            let path = |curve: &str| Some(PathShape::of(r.grown(curve)?.crack()));
+            let (with, without) = (path("stress")?, path("reference")?);
+            let holds = with.branches(Side::Up) && without.branches(Side::Down);
+            let decision = Decision::of(holds).with(format!("with {}, depth", with.words()), with.depth);
+            Some(decision.with(format!("without {}, depth", without.words()), without.depth))
+        },
+        why: "",
+    },
+];

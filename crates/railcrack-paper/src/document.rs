@@ -1,0 +1,128 @@
+//! `statements.json`: what `railcrack paper` decided, beside its figures and tables.
+
+use railcrack_run::OutputError;
+use railcrack_run::folder::{Durability, read_if_there, replace_file};
+use serde::{Deserialize, Serialize};
+use std::path::Path;
+
+pub const STATEMENTS_FILE: &str = "statements.json";
+
+/// Everything that `railcrack paper` says in words and decisions. Keys are the fields' names.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PaperRecord {
+    /// Version of the program.
+    pub version: String,
+    /// Number of runs.
+    pub runs: usize,
+    /// The figures that were recomputed, in their order.
+    pub figures: Vec<FigureRecord>,
+    /// The curves of these figures.
+    pub curves: Vec<CurveRecord>,
+    /// The set-ups that were computed, the main ones first.
+    pub setups: Vec<SetupRecord>,
+    /// The statements that these figures decide.
+    pub statements: Vec<StatementRecord>,
+    /// Runs that a step ended early.
+    pub failures: Vec<FailureRecord>,
+}
+
+/// A figure: `figures/fig13.svg` and `figures/fig13.csv`.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct FigureRecord {
+    /// Its number in the paper.
+    pub number: u8,
+    /// What it shows.
+    pub title: String,
+}
+
+/// A curve of the figures.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct CurveRecord {
+    /// Its name in the tables.
+    pub name: String,
+    /// Its words in a legend.
+    pub legend: String,
+}
+
+/// One way of filling in what the paper leaves open.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct SetupRecord {
+    /// Its name in the tables.
+    pub name: String,
+    /// What it is.
+    pub words: String,
+    /// The set-up that it varies; null for the main ones.
+    pub varies: Option<String>,
+}
+
+/// A statement of the paper.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct StatementRecord {
+    /// Its name.
+    pub id: String,
+    /// Where the paper says it.
+    pub place: String,
+    /// What it says.
+    pub statement: String,
+    /// When it counts as true.
+    pub rule: String,
+    /// What all set-ups together say of it.
+    pub verdict: String,
+    /// What is known of the reason; empty where nothing is.
+    pub why: String,
+    /// What each set-up says.
+    pub decisions: Vec<DecisionRecord>,
+}
+
+/// What one set-up says of a statement.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct DecisionRecord {
+    /// The set-up.
+    pub setup: String,
+    /// Whether the statement holds in it.
+    pub holds: bool,
+    /// The numbers that decide.
+    pub numbers: Vec<NumberRecord>,
+}
+
+/// A number that decides.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct NumberRecord {
+    /// What it is.
+    pub name: String,
+    /// Its value; null where it is not finite.
+    pub value: Option<f64>,
+}
+
+/// A run that ended early.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct FailureRecord {
+    /// Its name.
+    pub run: String,
+    /// Why.
+    pub reason: String,
+}
+
+impl PaperRecord {
+    /// The record in `folder`.
+    ///
+    /// Errors: there is none; it is damaged; the system refuses.
+    pub fn read(folder: &Path) -> Result<Self, OutputError> {
+        let path = folder.join(STATEMENTS_FILE);
+        let Some(text) = read_if_there(&path)? else {
+            return Err(OutputError::NothingToReport { folder: folder.to_path_buf() });
+        };
+        serde_json::from_slice(&text).map_err(|reason| OutputError::damaged(&path, reason.to_string()))
+    }
+
+    /// Writes the record into `folder`.
+    ///
+    /// Errors: the system refuses.
+    pub fn write(&self, folder: &Path) -> Result<(), OutputError> {
+        let path = folder.join(STATEMENTS_FILE);
+        let mut text = serde_json::to_string_pretty(self)
+            .map_err(|reason| OutputError::damaged(&path, reason.to_string()))?;
+        text.push('\n');
+        replace_file(&path, text.as_bytes(), Durability::Cached)
+    }
+}

@@ -1,0 +1,42 @@
+//! The results of Trollé et al. 2014 recomputed: every figure, and every statement of the text set against the numbers.
+//!
+//! [`curves`](CURVES) are the cases of the paper, [`SETUPS`] what it leaves open, [`CLAIMS`] its statements, each with the rule
+//! that decides it. [`reproduce`] computes what the chosen figures need and writes figures, tables and the page.
+
+mod case_run;
+mod claim;
+mod claims;
+mod computation;
+mod curve;
+mod document;
+mod edit;
+mod figure;
+mod files;
+mod measure;
+mod page;
+mod path_plot;
+mod path_shape;
+mod plan;
+mod profile_plot;
+mod record;
+mod report_page;
+mod reproduce;
+mod results;
+mod rolled;
+mod setup;
+mod sif_plot;
+mod steel;
+mod stored;
+mod verdict;
+
+pub use case_run::{CaseRun, CrackGrowth, Effort, SifCurve, TipState};
+pub use claim::{Claim, Decision, Number};
+pub use claims::CLAIMS;
+pub use curve::{CURVES, Curve};
+pub use document::STATEMENTS_FILE;
+pub use figure::{FIGURES, Figure, UnknownFigure, parse_figures};
+pub use path_shape::{Branch, PathShape, Side};
+pub use reproduce::{Earlier, PaperError, Reproduction, Telling, rebuild_report, reproduce};
+pub use results::{Results, SetupResults};
+pub use setup::{Extent, SETUPS, Setup};
+pub use verdict::Verdict;

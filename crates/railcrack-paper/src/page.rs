@@ -1,0 +1,314 @@
+//! The page: what was run, every statement with its verdict and numbers, what decides the differences.
+
+use super::claim::rounded;
+use super::profile_plot::StressProfile;
+use super::rolled::ROLLED_CLAIMS;
+use super::verdict::MAIN;
+use super::{FIGURES, Results, SETUPS, Verdict};
+use railcrack::shakedown::RailState;
+use railcrack_run::VERSION;
+
+/// The columns of `claims.csv`.
+pub const CLAIMS_COLUMNS: &str = "claim,place,setup,holds,number,value";
+
+/// Every decision and every number that it rests on.
+pub(super) fn claims_table(verdicts: &[Verdict], profiles: &[StressProfile]) -> String {
+    let mut text = format!("{CLAIMS_COLUMNS}\n");
+    for verdict in verdicts {
+        for (at, decision) in &verdict.decisions {
+            let claim = verdict.claim;
+            let start =
+                format!("{},\"{}\",\"{}\",{}", claim.id, claim.place, SETUPS[*at].name, decision.holds);
+            for number in &decision.numbers {
+                text.push_str(&format!("{start},\"{}\",{:?}\n", number.name, number.value));
+            }
+        }
+    }
+    for claim in ROLLED_CLAIMS {
+        for (steel, holds) in claim.decisions(profiles) {
+            text.push_str(&format!("{},\"{}\",\"{steel}\",{holds},,\n", claim.id, claim.place));
+        }
+    }
+    text
+}
+
+const HEAD: &str = "# The paper, recomputed
+
+COMMAND
+
+Trollé, Baietto, Gravouil, Mai & Prabel, *2D fatigue crack propagation in rails taking into account actual plastic stresses*,
+Eng. Fract. Mech. 123 (2014) 163\u{2013}181, leaves open what its results depend on: the supports of its block, whether the cracks lean along the
+travel or against it, how the friction of the wheel is signed (text, caption and conclusion contradict each other on Fig. 16), the friction of
+the faces in Figs 24 and 25 (0.5 in the text, 0.01 in the captions), the load steps of a passage, whether k1 of a closed kink counts as zero, and whether Fig. 21 is the
+plastic stress or the balanced one. So each statement of its text is decided here in several set-ups, by a rule that a program can apply, and
+the answer is a table: statement by set-up.
+
+What is compared are statements and the few numbers in the text. The curves of the figures were not at hand as numbers, and none have been read off
+pictures. The friction values of Figs 17 and 18 are ours (0.1, 0.2, 0.5, 0.8), since the text does not name those of the paper; the borders of the
+layers of Fig. 21 are ours too.
+
+";
+
+/// The page.
+pub(super) fn page(
+    figures: &[u8],
+    results: &Results,
+    verdicts: &[Verdict],
+    profiles: Option<&[StressProfile]>,
+    failures: &[(String, String)],
+    runs: usize,
+) -> String {
+    let mut text = HEAD.replace("COMMAND", &command(figures));
+    text.push_str(&summary(verdicts, runs));
+    text.push_str(&statements(verdicts));
+    text.push_str(&numbers(verdicts));
+    text.push_str(&reference_ranges(results));
+    text.push_str(&fixed_steps(verdicts));
+    if let Some(profiles) = profiles {
+        text.push_str(&profile_section(profiles));
+    }
+    text.push_str(&pictures(figures, results));
+    text.push_str(&setups(results));
+    if !failures.is_empty() {
+        text.push_str("## Runs that ended early\n\n");
+        for (name, reason) in failures {
+            text.push_str(&format!("* `{name}`: {reason}\n"));
+        }
+        text.push('\n');
+    }
+    text.trim_end().to_owned() + "\n"
+}
+
+/// How this page came about.
+fn command(figures: &[u8]) -> String {
+    let only = if figures.len() == FIGURES.len() {
+        String::new()
+    } else {
+        let numbers: Vec<String> = figures.iter().map(u8::to_string).collect();
+        format!(" --only {}", numbers.join(" "))
+    };
+    format!(
+        "`paper.md` in the folder that `railcrack paper{only}` writes (version {VERSION}): computed, apart from the sentences in the column *why*, which are ours. \
+         The folder also has the case files, the numbers behind every picture (`figures/*.csv`) and decision (`claims.csv`), and what each run took (`runs.csv`)."
+    )
+}
+
+fn summary(verdicts: &[Verdict], runs: usize) -> String {
+    let count = |start: &str| verdicts.iter().filter(|v| v.words().starts_with(start)).count();
+    let only = count("holds only");
+    let everywhere = count("holds") - only;
+    let mut text = format!(
+        "## Result\n\n{} statements, {runs} runs: {everywhere} hold in all of the four main set-ups that decide them, {only} in some set-ups only, {} in none.\n\n",
+        verdicts.len(),
+        count("does not")
+    );
+    text.push_str("How many of the statements that a set-up can decide hold in it:\n\n| set-up | hold | of |\n|---|---|---|\n");
+    for (at, setup) in SETUPS.iter().enumerate() {
+        let decided: Vec<bool> = verdicts.iter().filter_map(|v| v.decision(at)).map(|d| d.holds).collect();
+        if !decided.is_empty() {
+            let holds = decided.iter().filter(|holds| **holds).count();
+            text.push_str(&format!("| {} | {holds} | {} |\n", setup.name, decided.len()));
+        }
+    }
+    text.push('\n');
+    text
+}
+
+fn mark(verdict: &Verdict, at: usize) -> &'static str {
+    verdict.decision(at).map_or("", |decision| if decision.holds { "yes" } else { "no" })
+}
+
+fn statements(verdicts: &[Verdict]) -> String {
+    let mut text = "## Statements
+
+*with*: the cracks lean along the travel; *against*: against it. The rule that decides each statement, and its numbers, are below. A variant is named
+where it says otherwise than the set-up that it varies.
+
+| statement | where | half-plane with | against | block with | against | variants that say otherwise | verdict | why |
+|---|---|---|---|---|---|---|---|---|
+"
+    .to_owned();
+    for verdict in verdicts {
+        let claim = verdict.claim;
+        let departures: Vec<String> = verdict
+            .departures()
+            .iter()
+            .map(|(at, d)| format!("{}: {}", SETUPS[*at].name, if d.holds { "yes" } else { "no" }))
+            .collect();
+        text.push_str(&format!(
+            "| {} | {} | {} | {} | {} | {} | {} | {} | {} |\n",
+            claim.statement,
+            claim.place,
+            mark(verdict, 0),
+            mark(verdict, 1),
+            mark(verdict, 2),
+            mark(verdict, 3),
+            departures.join("; "),
+            verdict.words(),
+            claim.why
+        ));
+    }
+    text.push('\n');
+    text
+}
+
+fn numbers(verdicts: &[Verdict]) -> String {
+    let mut text = "## Rules and numbers
+
+K in MPa\u{221a}m, depths in mm. Numbers of all set-ups, unrounded, are in `claims.csv`.
+
+"
+    .to_owned();
+    for verdict in verdicts {
+        let claim = verdict.claim;
+        text.push_str(&format!(
+            "**{}** ({}). {} *Rule:* {}.\n\n",
+            claim.id, claim.place, claim.statement, claim.rule
+        ));
+        let departing: Vec<usize> = verdict.departures().iter().map(|(at, _)| *at).collect();
+        let shown = verdict.decisions.iter().filter(|(at, _)| {
+            *at < MAIN || departing.contains(at) || verdict.decision_of_varied(*at).is_none()
+        });
+        for (at, decision) in shown {
+            let says = if decision.holds { "yes" } else { "no" };
+            text.push_str(&format!("* {}: {says}; {}\n", SETUPS[*at].name, decision.text()));
+        }
+        text.push('\n');
+    }
+    text
+}
+
+/// ΔK of the initial crack of Table 1 and of Fig. 13 in every set-up: supports, fixed steps, engines, E.
+fn reference_ranges(results: &Results) -> String {
+    let mut rows = String::new();
+    for r in results.setups() {
+        let range = |name: &str| r.run(name).map(|run| (run.crack().delta_ki(), run.crack().delta_kii()));
+        let parent = r.setup().varies.unwrap_or(r.setup().name);
+        if parent != r.setup().name && !r.setup().changes_k() {
+            continue;
+        }
+        // How far K of the curve is from that in the set-up it varies, where the positions are the same.
+        let off = |name: &str| {
+            let (mine, other) = (r.run(name)?, r.elsewhere(parent, name)?);
+            Some(100.0 * mine.crack().sif.difference(&other.crack().sif))
+        };
+        let cell = |name: &str| match (range(name), off(name)) {
+            (Some((ki, kii)), Some(off)) if parent != r.setup().name => {
+                // Below that it is round-off, which is not for a page.
+                let off = if off < 1e-3 { "0".to_owned() } else { rounded(off) };
+                format!("{} | {} | {off}", rounded(ki), rounded(kii))
+            }
+            (Some((ki, kii)), _) => format!("{} | {} | ", rounded(ki), rounded(kii)),
+            (None, _) => " | | ".into(),
+        };
+        if range("reference").is_some() || range("fig13").is_some() {
+            rows.push_str(&format!("| {} | {} | {} |\n", r.setup().name, cell("reference"), cell("fig13")));
+        }
+    }
+    if rows.is_empty() {
+        return String::new();
+    }
+    format!(
+        "## What the set-up does to K
+
+\u{394}K_I and \u{394}K_II of the initial crack, and the largest difference of K from the set-up that is varied, in per cent of its peak: supports, fixed load
+steps, engines, Young's modulus. Fixed steps of 0.1 a and 0.05 a are what a code without control of its load steps gets.
+
+| set-up | Table 1 \u{394}K_I | \u{394}K_II | off % | Fig. 13 \u{394}K_I | \u{394}K_II | off % |
+|---|---|---|---|---|---|---|
+{rows}
+"
+    )
+}
+
+/// What fixed load steps do to the verdicts.
+fn fixed_steps(verdicts: &[Verdict]) -> String {
+    let of = |verdict: &Verdict, departing: bool| -> Vec<&'static str> {
+        let places: Vec<usize> = if departing {
+            verdict.departures().iter().map(|(at, _)| *at).collect()
+        } else {
+            verdict.decisions.iter().map(|(at, _)| *at).collect()
+        };
+        places.into_iter().filter(|at| SETUPS[*at].has_fixed_steps()).map(|at| SETUPS[at].name).collect()
+    };
+    let decided: usize = verdicts.iter().map(|verdict| of(verdict, false).len()).sum();
+    if decided == 0 {
+        return String::new();
+    }
+    let mut text = format!("Of the {decided} decisions with fixed steps ");
+    let rows: Vec<String> = verdicts
+        .iter()
+        .filter(|verdict| !of(verdict, true).is_empty())
+        .map(|verdict| format!("{} ({})", verdict.claim.id, of(verdict, true).join("; ")))
+        .collect();
+    match rows.is_empty() {
+        true => text.push_str("none differs from that with controlled steps.\n\n"),
+        false => {
+            text.push_str(&format!("these differ from that with controlled steps: {}.\n\n", rows.join(", ")))
+        }
+    }
+    text
+}
+
+fn profile_section(profiles: &[StressProfile]) -> String {
+    let mut text = "## Fig. 21
+
+The largest \u{3c3}_xx that rolling alone leaves under the wheel of Table 1, for steels that the paper might have used, next to the two readings of the figure.
+
+| profile | state | largest \u{3c3}_xx, MPa | at depth, mm |
+|---|---|---|---|
+"
+    .to_owned();
+    for profile in profiles {
+        let (depth, stress) = profile.extreme();
+        let state = profile.state.map_or("", RailState::name);
+        let depth = if stress == 0.0 { String::new() } else { rounded(depth) };
+        text.push_str(&format!("| {} | {state} | {} | {depth} |\n", profile.name, rounded(stress)));
+    }
+    text.push('\n');
+    text.push_str("What the paper says of the state itself, in each of these steels, in that order:\n\n| statement | where | rule |");
+    let steels = profiles.iter().filter(|profile| profile.state.is_some()).count();
+    text.push_str(&format!(
+        "{} verdict |\n|---|---|---|{}---|\n",
+        " |".repeat(steels),
+        "---|".repeat(steels)
+    ));
+    for claim in ROLLED_CLAIMS {
+        let decisions = claim.decisions(profiles);
+        let cells: String =
+            decisions.iter().map(|(_, holds)| if *holds { " yes |" } else { " no |" }).collect();
+        let holding = decisions.iter().filter(|(_, holds)| *holds).count();
+        let verdict = match holding {
+            0 => "does not hold".to_owned(),
+            all if all == decisions.len() => "holds".to_owned(),
+            some => format!("holds in {some} of {}", decisions.len()),
+        };
+        text.push_str(&format!(
+            "| {} | {} | {} |{cells} {verdict} |\n",
+            claim.statement, claim.place, claim.rule
+        ));
+    }
+    text.push('\n');
+    text
+}
+
+fn pictures(figures: &[u8], results: &Results) -> String {
+    let mut text = "## Figures\n\nSolid: half-plane; dashed: block. The numbers of all set-ups are in `figures/*.csv` of the folder.\n\n".to_owned();
+    for figure in FIGURES.iter().filter(|figure| figures.contains(&figure.number)) {
+        let stem = figure.file_stem();
+        text.push_str(&format!("![Fig. {}: {}](figures/{stem}.svg)\n\n", figure.number, figure.title));
+    }
+    if super::sif_plot::engines(results).is_some() {
+        text.push_str("![Two engines on the case of Fig. 13](figures/engines.svg)\n\n");
+    }
+    text
+}
+
+fn setups(results: &Results) -> String {
+    let mut text = "## Set-ups\n\n| name | what it is |\n|---|---|\n".to_owned();
+    for r in results.setups() {
+        text.push_str(&format!("| {} | {} |\n", r.setup().name, r.setup().words));
+    }
+    text.push('\n');
+    text
+}

@@ -1,0 +1,122 @@
+//! The page of the paper, recomputed.
+
+mod figures;
+mod statements;
+mod tables;
+
+use crate::document::{PaperRecord, SetupRecord};
+use railcrack_report::{
+    AtFirst, Block, Choice, ChoiceGroup, ChoiceMark, Choices, CurveLook, Fact, Page, Section, Table,
+};
+use railcrack_run::OutputError;
+use std::path::Path;
+
+/// The page of the results in `folder`.
+///
+/// Errors: no such results in the folder; a file of it is damaged; the system refuses.
+pub(crate) fn paper_page(folder: &Path) -> Result<Page, OutputError> {
+    let record = PaperRecord::read(folder)?;
+    let mut lead = Vec::new();
+    if !record.failures.is_empty() {
+        let text = |failure: &crate::document::FailureRecord| {
+            let dot = if failure.reason.ends_with('.') { "" } else { "." };
+            format!("The run {} ended early: {}{dot}", failure.run, failure.reason)
+        };
+        lead.push(Block::Warnings(record.failures.iter().map(text).collect()));
+    }
+    lead.push(Block::Text(
+        "The paper leaves open what its results depend on: the supports of its block, whether the cracks lean along the travel or \
+         against it, the sign of the wheel's friction, the load steps. So each statement of its text is decided in several set-ups, \
+         by a rule; what is compared are statements and the few numbers in the text, not the curves of its figures."
+            .to_owned(),
+    ));
+    if !record.statements.is_empty() {
+        lead.push(Block::Table(statements::by_setup(&record)));
+    }
+    let mut figures = vec![Block::Choices(choices(&record.setups))];
+    figures.extend(figures::blocks(folder, &record)?);
+    let mut sections = Vec::new();
+    if !record.statements.is_empty() {
+        sections.push(Section {
+            id: "statements".to_owned(),
+            heading: "Statements".to_owned(),
+            blocks: statements::blocks(&record),
+        });
+    }
+    sections.push(Section { id: "figures".to_owned(), heading: "Figures".to_owned(), blocks: figures });
+    sections.push(Section {
+        id: "setups".to_owned(),
+        heading: "Set-ups".to_owned(),
+        blocks: vec![Block::Table(setups(&record.setups))],
+    });
+    Ok(Page {
+        title: "The paper, recomputed".to_owned(),
+        kind: "Trollé, Baietto, Gravouil, Mai & Prabel, Eng. Fract. Mech. 123 (2014) 163–181".to_owned(),
+        verdict: statements::verdict(&record),
+        facts: facts(&record),
+        lead,
+        sections,
+    })
+}
+
+fn facts(record: &PaperRecord) -> Vec<Fact> {
+    let fact = |name: &str, value: usize, note: &str| Fact {
+        name: name.to_owned(),
+        value: value.to_string(),
+        note: note.to_owned(),
+    };
+    let [everywhere, somewhere, nowhere] = statements::counts(record);
+    vec![
+        fact("Statements", record.statements.len(), "of its text, each with a rule"),
+        fact("Hold", everywhere, "in all main set-ups that decide them"),
+        fact("Hold in some", somewhere, "of the main set-ups, or in a variant only"),
+        fact("Do not hold", nowhere, "in any set-up"),
+        fact("Figures", record.figures.len(), "with their numbers as tables"),
+        fact("Runs", record.runs, &format!("in {} set-ups", record.setups.len())),
+    ]
+}
+
+/// Looks of the main set-ups.
+const LOOKS: [CurveLook; 4] =
+    [CurveLook::Line, CurveLook::FineDashed, CurveLook::Dashed, CurveLook::DashDotted];
+
+/// The look of the curves of the set-up at `index`: a variant has that of the main one that it varies.
+fn look(setups: &[SetupRecord], index: usize) -> CurveLook {
+    let mut at = index;
+    // A variant may vary another one; none varies itself through others.
+    for _ in setups {
+        let Some(varied) = setups.get(at).and_then(|setup| setup.varies.as_ref()) else { break };
+        let Some(main) = setups.iter().position(|setup| setup.name == *varied) else { break };
+        at = main;
+    }
+    let main = setups.iter().take(at).filter(|setup| setup.varies.is_none()).count();
+    LOOKS[main % LOOKS.len()]
+}
+
+/// A text of the paper's table with its symbols set: `K_II` as `K_{II}`.
+fn symbols(text: &str) -> String {
+    text.replace("K_II", "K_{II}").replace("K_I", "K_{I}")
+}
+
+fn choices(setups: &[SetupRecord]) -> Choices {
+    let choice = |(i, setup): (usize, &SetupRecord)| Choice {
+        name: setup.name.clone(),
+        mark: ChoiceMark::Look(look(setups, i)),
+        // One, so that the figures can be read.
+        at_first: if i == 0 { AtFirst::Shown } else { AtFirst::Hidden },
+    };
+    Choices {
+        groups: vec![ChoiceGroup {
+            name: "Set-ups".to_owned(),
+            values: setups.iter().enumerate().map(choice).collect(),
+        }],
+    }
+}
+
+fn setups(setups: &[SetupRecord]) -> Table {
+    let mut table = Table::new(["Set-up", "What it is", "Varies"]);
+    for setup in setups {
+        table.row([setup.name.clone(), setup.words.clone(), setup.varies.clone().unwrap_or_default()]);
+    }
+    table
+}

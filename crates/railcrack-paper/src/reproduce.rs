@@ -1,0 +1,239 @@
+//! From chosen figures to runs, pictures, tables and the page.
+
+use super::computation::{Computation, runs_table};
+use super::figure::{Figure, Kind};
+use super::files::{FIG_21, FIG_22, TABLE_1};
+use super::plan::{Job, plan};
+use super::profile_plot::{self, StressProfile};
+use super::record::record;
+use super::steel::{STEELS, Steel};
+use super::stored::RUNS;
+use super::{CLAIMS, FIGURES, Results, Verdict, page, path_plot, sif_plot};
+use crate::report_page::paper_page;
+use railcrack::growth::{GrowthError, Watch};
+use railcrack::material::HardeningError;
+use railcrack::shakedown::{ShakedownError, StabilisedRail};
+use railcrack_case::{CarriedStressError, Case, CaseErrors};
+use railcrack_report::put;
+use railcrack_run::OutputError;
+use railcrack_run::folder::REPORT_FILE;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use thiserror::Error;
+
+/// Someone who is told how far it is, and may interrupt it.
+pub trait Telling: Watch {
+    /// So many runs are to be done.
+    fn planned(&self, runs: usize);
+    /// The run `name` is done, after `wall_s` seconds.
+    fn finished(&self, name: &str, wall_s: f64);
+}
+
+/// What becomes of results that are in the folder.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Earlier {
+    /// They stay: an error.
+    Refuse,
+    /// They are replaced.
+    Replace,
+    /// Runs of the same cases by the same version are taken over, the rest is computed.
+    TakeOver,
+}
+
+/// What was computed and written.
+pub struct Reproduction {
+    /// All runs.
+    pub results: Results,
+    /// The statements that the chosen figures decide.
+    pub verdicts: Vec<Verdict>,
+    /// Runs that a step ended early, with the reason.
+    pub failures: Vec<(String, String)>,
+    /// Number of runs.
+    pub runs: usize,
+    /// The page.
+    pub page: PathBuf,
+}
+
+/// Why the paper could not be recomputed.
+#[derive(Debug, Error)]
+pub enum PaperError {
+    /// The folder holds an earlier one.
+    #[error(
+        "{} already holds results of the paper ({PAGE}): replace them with --force, take its runs over with --resume, or choose another folder with --out",
+        folder.display()
+    )]
+    Exists {
+        /// The folder.
+        folder: PathBuf,
+    },
+    /// A case that is refused.
+    #[error(transparent)]
+    Case(#[from] CaseErrors),
+    /// A run that could not do its first step.
+    #[error("{name}: {source}")]
+    Run {
+        /// The run.
+        name: String,
+        /// Why.
+        source: GrowthError,
+    },
+    /// A stress that the rail cannot carry.
+    #[error("{name}: {source}")]
+    Stress {
+        /// The run.
+        name: String,
+        /// Why.
+        source: CarriedStressError,
+    },
+    /// The plastic state of Fig. 21.
+    #[error(transparent)]
+    Shakedown(#[from] ShakedownError),
+    /// A steel of Fig. 21.
+    #[error(transparent)]
+    Steel(#[from] HardeningError),
+    /// The system refuses threads.
+    #[error("cannot start threads: {0}")]
+    Threads(#[from] rayon::ThreadPoolBuildError),
+    /// It was interrupted.
+    #[error("interrupted")]
+    Interrupted,
+    /// The system refuses.
+    #[error(transparent)]
+    Output(#[from] OutputError),
+}
+
+/// The page in the folder.
+const PAGE: &str = "paper.md";
+
+/// Computes what `figures` need and writes to `folder`: `cases/` (every case file that was run), `figures/` (a picture and a
+/// table each), `claims.csv`, `runs.csv`, `paper.md`, `statements.json`, `report.html`, and `runs/` as runs finish. Runs go to the threads of
+/// rayon; apart from times the files do not depend on their number.
+///
+/// Errors: the folder holds such results and may not be replaced; a case cannot be computed at all; the system refuses; `telling`
+/// asks to stop.
+pub fn reproduce(
+    folder: &Path,
+    figures: &[u8],
+    earlier: Earlier,
+    telling: &dyn Telling,
+) -> Result<Reproduction, PaperError> {
+    if earlier == Earlier::Refuse && (folder.join(PAGE).exists() || folder.join(RUNS).exists()) {
+        return Err(PaperError::Exists { folder: folder.to_path_buf() });
+    }
+    let jobs = plan(figures);
+    telling.planned(jobs.len());
+    let rolled = rolled_rails(figures)?;
+    let cases = write_cases(folder, &jobs, &rolled)?;
+    make(&folder.join(RUNS))?;
+    let computed = Computation { folder, earlier, jobs: &jobs, cases: &cases, telling }.run()?;
+    let mut results = Results::default();
+    let mut failures = Vec::new();
+    let runs = computed.into_iter().map(|run| Ok(Arc::new(run?))).collect::<Result<Vec<_>, PaperError>>()?;
+    write(&folder.join("runs.csv"), &runs_table(&jobs, &runs))?;
+    for (job, run) in jobs.iter().zip(&runs) {
+        if let Some(failure) = &run.failure {
+            failures.push((job.name.clone(), failure.clone()));
+        }
+        for &place in &job.uses {
+            results.runs.insert(place, Arc::clone(run));
+        }
+    }
+    failures.sort();
+    let wanted = |claim: &&super::Claim| claim.figures.iter().all(|figure| figures.contains(figure));
+    let claims = CLAIMS.iter().flat_map(|section| section.iter()).filter(wanted);
+    let verdicts: Vec<Verdict> = claims.filter_map(|claim| Verdict::of(claim, &results)).collect();
+    let profiles = if figures.contains(&21) { Some(stress_profiles(folder, &rolled)?) } else { None };
+    write_figures(folder, figures, &results, profiles.as_deref())?;
+    write(
+        &folder.join("claims.csv"),
+        &page::claims_table(&verdicts, profiles.as_deref().unwrap_or_default()),
+    )?;
+    let page_path = folder.join(PAGE);
+    let text = page::page(figures, &results, &verdicts, profiles.as_deref(), &failures, jobs.len());
+    write(&page_path, &text)?;
+    record(figures, &results, &verdicts, &failures, jobs.len()).write(folder)?;
+    rebuild_report(folder)?;
+    Ok(Reproduction { results, verdicts, failures, runs: jobs.len(), page: page_path })
+}
+
+/// The rails that Figs 21 to 23 show or carry.
+fn rolled_rails(figures: &[u8]) -> Result<Vec<(Steel, StabilisedRail)>, PaperError> {
+    if !figures.iter().any(|figure| (21..=23).contains(figure)) {
+        return Ok(Vec::new());
+    }
+    let case = Case::parse(TABLE_1.text, TABLE_1.name, Path::new(""))?;
+    STEELS.iter().map(|steel| Ok((*steel, steel.rolled(&case)?))).collect()
+}
+
+/// Writes every case with the tables that cases name, and reads it as a user's.
+fn write_cases(
+    folder: &Path,
+    jobs: &[Job],
+    rolled: &[(Steel, StabilisedRail)],
+) -> Result<Vec<Case>, PaperError> {
+    let cases = folder.join("cases");
+    make(&cases)?;
+    write(&cases.join(FIG_21.name), FIG_21.text)?;
+    for (steel, rail) in rolled {
+        write(&cases.join(steel.profile_file()), &steel.profile_table(rail))?;
+    }
+    jobs.iter()
+        .map(|job| {
+            let path = cases.join(format!("{}.toml", job.name));
+            write(&path, &job.text)?;
+            Ok(Case::read(&path)?)
+        })
+        .collect()
+}
+
+/// Fig. 21: its table is read like that of a case.
+fn stress_profiles(
+    folder: &Path,
+    rolled: &[(Steel, StabilisedRail)],
+) -> Result<Vec<StressProfile>, PaperError> {
+    let case = Case::parse(FIG_22.text, FIG_22.name, &folder.join("cases"))?;
+    let Some(given) = &case.residual_stress else { return Ok(Vec::new()) };
+    Ok(profile_plot::profiles(given.profile(), rolled))
+}
+
+fn write_figures(
+    folder: &Path,
+    figures: &[u8],
+    results: &Results,
+    profiles: Option<&[StressProfile]>,
+) -> Result<(), OutputError> {
+    let figures_folder = folder.join("figures");
+    make(&figures_folder)?;
+    let chosen = |figure: &&Figure| figures.contains(&figure.number);
+    for figure in FIGURES.iter().filter(chosen) {
+        let (picture, table) = match figure.kind {
+            Kind::Sif => (sif_plot::draw(figure, results), sif_plot::table(figure, results)),
+            Kind::Paths => (path_plot::draw(figure, results), path_plot::table(figure, results)),
+            Kind::Profile => {
+                let profiles = profiles.unwrap_or_default();
+                (profile_plot::draw(profiles), profile_plot::table(profiles))
+            }
+        };
+        write(&figures_folder.join(format!("{}.svg", figure.file_stem())), &picture)?;
+        write(&figures_folder.join(format!("{}.csv", figure.file_stem())), &table)?;
+    }
+    if let Some(picture) = sif_plot::engines(results) {
+        write(&figures_folder.join("engines.svg"), &picture)?;
+    }
+    Ok(())
+}
+
+/// Builds `report.html` of the recomputed paper in `folder` from its files.
+///
+/// Errors: no such results there; a file of it is damaged; the system refuses.
+pub fn rebuild_report(folder: &Path) -> Result<(), OutputError> {
+    put(&folder.join(REPORT_FILE), &paper_page(folder)?.html())
+}
+
+fn make(folder: &Path) -> Result<(), OutputError> {
+    std::fs::create_dir_all(folder).map_err(OutputError::io("create", folder))
+}
+
+fn write(path: &Path, text: &str) -> Result<(), OutputError> {
+    std::fs::write(path, text).map_err(OutputError::io("write", path))
+}

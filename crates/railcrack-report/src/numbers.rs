@@ -1,0 +1,83 @@
+//! Numbers for people and for pages.
+
+use serde_json::Value;
+
+/// `value` rounded to `digits` significant decimal digits.
+pub fn rounded(value: f64, digits: usize) -> f64 {
+    let decimals = digits.saturating_sub(1);
+    format!("{value:.decimals$e}").parse().unwrap_or(value)
+}
+
+/// A number of a chart: six digits, more than any screen shows; null for what is not finite.
+pub fn number(value: f64) -> Value {
+    serde_json::Number::from_f64(rounded(value, 6)).map_or(Value::Null, Value::Number)
+}
+
+/// Numbers of a chart.
+pub fn numbers(values: impl IntoIterator<Item = f64>) -> Value {
+    Value::Array(values.into_iter().map(number).collect())
+}
+
+/// A count with its digits in groups of three: `1 197 467`; a power of ten where it has more than 15 digits.
+pub fn grouped(value: f64) -> String {
+    let digits = format!("{value:.0}");
+    if digits.len() > 15 {
+        return format!("{value:.3e}");
+    }
+    let mut text = String::new();
+    for (i, digit) in digits.chars().enumerate() {
+        if i > 0 && (digits.len() - i).is_multiple_of(3) && !text.ends_with('-') {
+            // A space at which no line breaks.
+            text.push('\u{a0}');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+/// Four significant digits: `0.1235`, `12.35`, `1234.6` (one decimal at least), `1.235e-6`.
+pub fn significant(value: f64) -> String {
+    let size = value.abs();
+    match size {
+        0.0 => "0".to_owned(),
+        1e-3..1e6 => {
+            let decimals = (3.0 - size.log10().floor()).clamp(1.0, 7.0) as usize;
+            format!("{value:.decimals$}")
+        }
+        _ => format!("{value:.3e}"),
+    }
+    .replace('-', "\u{2212}")
+}
+
+/// A value with a fixed number of decimals and a true minus sign.
+pub fn fixed(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    // No "−0.0".
+    let is_zero = text.chars().all(|letter| matches!(letter, '-' | '0' | '.'));
+    if is_zero { text.replace('-', "") } else { text.replace('-', "\u{2212}") }
+}
+
+/// Million gross tonnes: three significant digits or two decimals.
+pub fn tonnage(value: f64) -> String {
+    if value >= 0.1 || value == 0.0 { fixed(value, 2) } else { significant(value) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_short_and_true() {
+        assert_eq!(rounded(1_197_467.055_6, 6), 1_197_470.0);
+        assert_eq!(number(2.469_427_064e-6).to_string(), "2.46943e-6");
+        assert_eq!(number(f64::NAN), Value::Null);
+        assert_eq!(grouped(1_197_467.05), "1\u{a0}197\u{a0}467");
+        assert_eq!(grouped(999.0), "999");
+        assert_eq!(
+            [0.123_46, 12.346, 1234.56, -0.5].map(significant),
+            ["0.1235", "12.35", "1234.6", "\u{2212}0.5000"]
+        );
+        assert_eq!(significant(2.5e-6), "2.500e\u{2212}6");
+        assert_eq!([fixed(-0.04, 1), fixed(-1.25, 1)], ["0.0", "\u{2212}1.2"]);
+    }
+}

@@ -1,0 +1,237 @@
+//! The page: what stands first, then sections of text, tables and charts, all in one file.
+
+use super::chart::LineChart;
+use super::choices::Choices;
+use super::html::{escaped, json_for_script, still, typeset};
+use super::table::Table;
+use railcrack_run::VERSION;
+use serde_json::Value;
+use std::fmt::Write;
+
+const STYLE: &str = include_str!("assets/page.css");
+const D3: &str = include_str!("assets/vendor/d3.min.js");
+const PLOT: &str = include_str!("assets/vendor/plot.min.js");
+const KIT: &str = include_str!("assets/kit.js");
+const CHOICES: &str = include_str!("assets/choices.js");
+
+/// A number that a reader looks for first.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Fact {
+    /// What it is: "Load cycles".
+    pub name: String,
+    /// Its value with unit.
+    pub value: String,
+    /// What else to know of it, a few words; empty for nothing.
+    pub note: String,
+}
+
+/// A part of a section, in the order of reading. Texts are plain; `K_{I}` sets an index.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Block {
+    /// A heading below that of the section.
+    Heading(String),
+    /// A paragraph.
+    Text(String),
+    /// A list of sentences.
+    List(Vec<String>),
+    /// Something that the reader must not miss: a sentence each.
+    Warnings(Vec<String>),
+    /// A table.
+    Table(Table),
+    /// A chart.
+    Chart(LineChart),
+    /// Switches for curves and rows, once on a page.
+    Choices(Choices),
+    /// Parts beside each other where there is room.
+    Beside(Vec<Block>),
+    /// A picture with its caption.
+    Picture {
+        /// The SVG file.
+        svg: String,
+        /// What it shows, a sentence.
+        caption: String,
+    },
+    /// A picture for readers without scripts only, in place of what these draw.
+    Still {
+        /// The SVG file.
+        svg: String,
+        /// What it shows, a sentence.
+        caption: String,
+    },
+    /// Text as it stands, in letters of equal width.
+    Verbatim(String),
+    /// Parts behind a heading that opens on demand; they are printed only when open.
+    Folded {
+        /// The heading.
+        heading: String,
+        /// The parts.
+        blocks: Vec<Block>,
+    },
+    /// What the script of a page of its own kind builds. `html` is not escaped: it must be the program's own.
+    Viewer {
+        /// Elements that the script fills.
+        html: &'static str,
+        /// Name of the element that holds the data.
+        data_id: &'static str,
+        /// The data.
+        data: Value,
+        /// The script.
+        script: &'static str,
+    },
+}
+
+impl Block {
+    /// Charts beside each other where there is room.
+    pub fn charts(charts: impl IntoIterator<Item = LineChart>) -> Self {
+        Self::Beside(charts.into_iter().map(Self::Chart).collect())
+    }
+}
+
+/// A section with a heading.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Section {
+    /// Name of the element, unique on the page: letters, digits, hyphens.
+    pub id: String,
+    /// The heading.
+    pub heading: String,
+    /// Its parts.
+    pub blocks: Vec<Block>,
+}
+
+/// A page under construction: one HTML file that needs no network.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Page {
+    /// Title of the page: that of the case.
+    pub title: String,
+    /// What the page is: "Growth of cracks".
+    pub kind: String,
+    /// The result in a sentence or two.
+    pub verdict: String,
+    /// The numbers that are looked for first.
+    pub facts: Vec<Fact>,
+    /// What stands on the first screen below them.
+    pub lead: Vec<Block>,
+    /// Everything else.
+    pub sections: Vec<Section>,
+}
+
+impl Page {
+    /// The file.
+    pub fn html(&self) -> String {
+        let mut page = String::with_capacity(1 << 20);
+        self.write(&mut page);
+        page
+    }
+
+    // Writing to a string does not fail.
+    fn write(&self, page: &mut String) {
+        let (title, kind) = (escaped(&self.title), typeset(&self.kind));
+        let _ = write!(
+            page,
+            "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+             <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+             <meta name=\"color-scheme\" content=\"light dark\">\n\
+             <meta name=\"generator\" content=\"railcrack {VERSION}\">\n\
+             <link rel=\"icon\" href=\"data:,\">\n\
+             <title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n<header>\n\
+             <p class=\"kind\">{kind} \u{b7} railcrack {VERSION}</p>\n<h1>{title}</h1>\n"
+        );
+        self.write_contents(page);
+        let _ = writeln!(page, "</header>\n<main>\n<section id=\"result\" aria-label=\"Result\">");
+        let _ = writeln!(page, "<p class=\"verdict\">{}</p>", typeset(&self.verdict));
+        page.push_str("<dl class=\"facts\">\n");
+        for fact in &self.facts {
+            let [name, value, note] = [&fact.name, &fact.value, &fact.note].map(|text| typeset(text));
+            let _ = write!(page, "<div><dt>{name}</dt><dd>{value}");
+            if !note.is_empty() {
+                let _ = write!(page, "<small>{note}</small>");
+            }
+            page.push_str("</dd></div>\n");
+        }
+        page.push_str("</dl>\n");
+        let mut scripts = Vec::new();
+        write_blocks(page, &self.lead, &mut scripts);
+        page.push_str("</section>\n");
+        for section in &self.sections {
+            let (id, heading) = (escaped(&section.id), typeset(&section.heading));
+            let _ = writeln!(
+                page,
+                "<section id=\"{id}\" aria-labelledby=\"{id}-heading\">\n<h2 id=\"{id}-heading\">{heading}</h2>"
+            );
+            write_blocks(page, &section.blocks, &mut scripts);
+            page.push_str("</section>\n");
+        }
+        page.push_str("</main>\n<footer>Drawn with d3 and Observable Plot, which this file contains (ISC licence).</footer>\n");
+        for script in [D3, PLOT, KIT].into_iter().chain(scripts) {
+            let _ = writeln!(page, "<script>\n{script}</script>");
+        }
+        page.push_str("</body>\n</html>\n");
+    }
+
+    fn write_contents(&self, page: &mut String) {
+        page.push_str("<nav aria-label=\"Contents\"><ul>");
+        for Section { id, heading, .. } in &self.sections {
+            let _ = write!(page, "<li><a href=\"#{}\">{}</a></li>", escaped(id), typeset(heading));
+        }
+        page.push_str("</ul><button type=\"button\" id=\"theme\" hidden>Theme</button></nav>\n");
+    }
+}
+
+fn write_blocks(page: &mut String, blocks: &[Block], scripts: &mut Vec<&'static str>) {
+    for block in blocks {
+        let _ = match block {
+            Block::Heading(text) => writeln!(page, "<h3 class=\"lead\">{}</h3>", typeset(text)),
+            Block::Text(text) => writeln!(page, "<p>{}</p>", typeset(text)),
+            Block::List(items) => write_list(page, "plain", items),
+            Block::Warnings(items) => write_list(page, "warnings", items),
+            Block::Table(table) => {
+                table.write(page);
+                Ok(())
+            }
+            Block::Chart(chart) => {
+                chart.write(page);
+                Ok(())
+            }
+            Block::Choices(choices) => {
+                scripts.push(CHOICES);
+                choices.write(page);
+                Ok(())
+            }
+            Block::Beside(blocks) => {
+                page.push_str("<div class=\"beside\">\n");
+                write_blocks(page, blocks, scripts);
+                writeln!(page, "</div>")
+            }
+            Block::Picture { svg, caption } => write_picture(page, svg, caption),
+            Block::Still { svg, caption } => {
+                page.push_str("<noscript>");
+                let _ = write_picture(page, svg, caption);
+                writeln!(page, "</noscript>")
+            }
+            Block::Verbatim(text) => writeln!(page, "<pre tabindex=\"0\">{}</pre>", escaped(text)),
+            Block::Folded { heading, blocks } => {
+                let _ = writeln!(page, "<details><summary>{}</summary>", typeset(heading));
+                write_blocks(page, blocks, scripts);
+                writeln!(page, "</details>")
+            }
+            Block::Viewer { html, data_id, data, script } => {
+                scripts.push(script);
+                let data = json_for_script(data);
+                writeln!(page, "{html}<script type=\"application/json\" id=\"{data_id}\">{data}</script>")
+            }
+        };
+    }
+}
+
+fn write_picture(page: &mut String, svg: &str, caption: &str) -> std::fmt::Result {
+    let (image, caption) = (still(svg, caption), typeset(caption));
+    writeln!(page, "<figure class=\"picture\">{image}<figcaption>{caption}</figcaption></figure>")
+}
+
+fn write_list(page: &mut String, class: &str, items: &[String]) -> std::fmt::Result {
+    writeln!(page, "<ul class=\"{class}\">")?;
+    for item in items {
+        writeln!(page, "<li>{}</li>", typeset(item))?;
+    }
+    writeln!(page, "</ul>")
+}

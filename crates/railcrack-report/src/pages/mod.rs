@@ -1,0 +1,11 @@
+//! The pages, one for each kind of folder.
+
+mod compare;
+mod run;
+mod shakedown;
+mod study;
+
+pub(crate) use compare::comparison_page;
+pub(crate) use run::{RunFolder, run_page};
+pub(crate) use shakedown::shakedown_page;
+pub(crate) use study::study_page;

@@ -1,0 +1,121 @@
+//! What the passage explorer of the page works with.
+
+use super::stored::RunFolder;
+use crate::numbers::{number, numbers};
+use crate::shown::{Deflated, ShownRun};
+use railcrack_run::csv::TipRow;
+use railcrack_run::histories::History;
+use serde_json::{Value, json};
+
+/// The data of the explorer.
+pub(super) fn explorer(run: &RunFolder, shown: &ShownRun) -> Value {
+    let summary = &run.summary;
+    let steps: Vec<Value> = shown
+        .steps()
+        .into_iter()
+        .map(|step| {
+            json!({
+                "step": step,
+                "cracks": polylines(run, step),
+                "tips": tips(run, shown.histories(step), step),
+                "faces": shown.faces(step),
+            })
+        })
+        .collect();
+    let xc_over_a: &[f64] = shown.histories(0).first().map_or(&[], |history| &history.xc_over_a);
+    json!({
+        "half_width": summary.half_width_mm,
+        "origin": summary.cracks.first().and_then(|crack| crack.initial_points_mm.first()).map_or(0.0, |p| p[0]),
+        "peak_pressure": run.peak_pressure().map(number),
+        "friction": run.number("contact.friction"),
+        "axle_load": run.axle_load(),
+        "xc_over_a": numbers(xc_over_a.iter().copied()),
+        "face_stride": shown.face_stride(),
+        "last_step": summary.steps_recorded.saturating_sub(1),
+        "cracks": summary.cracks.iter().map(|crack| json!({
+            "points": crack.points_mm.iter().map(|p| numbers(*p)).collect::<Vec<_>>(),
+        })).collect::<Vec<_>>(),
+        "pieces": pieces(run),
+        "junctions": junctions(run),
+        "residual": (!run.residual.is_empty()).then(|| json!({
+            "depth": numbers(run.residual.iter().map(|row| row[0])),
+            "sxx": numbers(run.residual.iter().map(|row| row[1])),
+        })),
+        "steps": steps,
+    })
+}
+
+/// Of every crack the first and the last of its final points that it has in `step`. An end without a tip is that of the final crack: a
+/// mouth, or where the crack has joined another one.
+fn polylines(run: &RunFolder, step: usize) -> Value {
+    let of_crack = |(i, crack): (usize, &railcrack_run::CrackSummary)| {
+        let mut ends = [0, crack.points_mm.len().saturating_sub(1)];
+        for row in run.growth.iter().filter(|row| (row.step, row.crack) == (step, i + 1)) {
+            let first = run.history(row.crack, row.tip).next().unwrap_or(row);
+            // Which end of the crack is the tip's, the initial crack says.
+            let end = usize::from(nearest(&crack.initial_points_mm, first.place) > 0);
+            ends[end] = nearest(&crack.points_mm, row.place);
+        }
+        ends
+    };
+    run.summary.cracks.iter().enumerate().map(of_crack).map(|ends| json!(ends)).collect()
+}
+
+/// The pieces that are enclosed and the cracks that have joined others, with the first step that has them.
+fn pieces(run: &RunFolder) -> Value {
+    let piece = |piece: &railcrack_run::PieceSummary| {
+        json!({
+            "kind": piece.kind,
+            "crack": piece.crack,
+            "step": piece.step + 1,
+            "area": number(piece.area_mm2),
+            "outline": piece.outline_mm.iter().map(|p| numbers(*p)).collect::<Vec<_>>(),
+        })
+    };
+    run.summary.pieces.iter().map(piece).collect()
+}
+
+fn junctions(run: &RunFolder) -> Value {
+    let junction = |junction: &railcrack_run::JunctionSummary| {
+        let last = run.growth.iter().filter(|row| row.crack == junction.crack && row.stop == "meets-crack");
+        json!({
+            "crack": junction.crack,
+            "onto": junction.onto,
+            "x": number(junction.x_mm),
+            "y": number(junction.y_mm),
+            "step": last.map(|row| row.step + 1).max().unwrap_or(0),
+        })
+    };
+    run.summary.junctions.iter().map(junction).collect()
+}
+
+fn nearest(points: &[[f64; 2]], place: [f64; 2]) -> usize {
+    let distance = |point: &[f64; 2]| (point[0] - place[0]).hypot(point[1] - place[1]);
+    let all = points.iter().enumerate();
+    all.min_by(|a, b| distance(a.1).total_cmp(&distance(b.1))).map_or(0, |(i, _)| i)
+}
+
+/// State and histories of every tip in `step`.
+fn tips(run: &RunFolder, histories: &[History], step: usize) -> Vec<Value> {
+    let tip = |row: &TipRow| {
+        let history = histories.iter().find(|h| (h.crack, h.tip) == (row.crack, row.tip));
+        let packed = |k: fn(&History) -> &[f64]| history.map(|history| Deflated::singles(k(history)));
+        json!({
+            "crack": row.crack,
+            "tip": row.tip,
+            "x": number(row.place[0]),
+            "y": number(row.place[1]),
+            "length": number(row.length),
+            "cycles": row.load_cycles,
+            "delta_keq": number(row.delta_keq),
+            "rate": number(row.rate),
+            "kink": row.kink_deg.map(number),
+            "rival": row.rival_deg.map(number),
+            "ratio": row.rival_ratio.map(number),
+            "stop": row.stop,
+            "ki": packed(|history| &history.ki),
+            "kii": packed(|history| &history.kii),
+        })
+    };
+    run.growth.iter().filter(|row| row.step == step).map(tip).collect()
+}

@@ -1,0 +1,166 @@
+//! Cracks that join others, and pieces of the rail that cracks enclose.
+
+use super::stored::RunFolder;
+use crate::numbers::{fixed, grouped, significant, tonnage};
+use crate::{Fact, Table};
+use railcrack_run::{JunctionSummary, PieceSummary};
+
+/// Sentences about events of a kind before the others are counted.
+const OF_A_KIND: usize = 3;
+
+/// The piece in a rail: its extent, and when a tip closed its outline.
+struct Enclosed<'a> {
+    piece: &'a PieceSummary,
+    /// Number of the tip within its crack.
+    tip: Option<usize>,
+    /// Load cycles up to the end of the step.
+    cycles: f64,
+    /// Along the rail, mm.
+    across: f64,
+    /// Depth of its lowest corner, mm.
+    depth: f64,
+}
+
+impl<'a> Enclosed<'a> {
+    fn of(run: &RunFolder, piece: &'a PieceSummary) -> Self {
+        let extent = |c: usize| {
+            let all = piece.outline_mm.iter().map(|corner| corner[c]);
+            all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)))
+        };
+        let ((left, right), (bottom, _)) = (extent(0), extent(1));
+        let rows = run.growth.iter().filter(|row| row.step == piece.step && row.crack == piece.crack);
+        let closed = rows.filter(|row| !row.stop.is_empty()).map(|row| row.tip).next();
+        let after = run.growth.iter().find(|row| row.step == piece.step + 1);
+        let cycles = after.map_or(run.summary.load_cycles, |row| row.load_cycles);
+        Self { piece, tip: closed, cycles, across: right - left, depth: -bottom }
+    }
+
+    /// `crack 2, tip 1`.
+    fn by(&self) -> String {
+        match self.tip {
+            Some(tip) => format!("crack {}, tip {tip}", self.piece.crack),
+            None => format!("crack {}", self.piece.crack),
+        }
+    }
+}
+
+/// What happened, a sentence each.
+pub(super) fn sentences(run: &RunFolder) -> Vec<String> {
+    let mut texts = Vec::new();
+    let (pieces, junctions) = (&run.summary.pieces, &run.summary.junctions);
+    for piece in pieces.iter().take(OF_A_KIND) {
+        let enclosed = Enclosed::of(run, piece);
+        let name = if piece.kind == "spall" { "A spall" } else { "A detached piece" };
+        texts.push(format!(
+            "{name} of {} mm², {} mm long and {} mm deep, is cut off by {} in step {}, after {} load cycles.",
+            significant(piece.area_mm2),
+            fixed(enclosed.across, 2),
+            fixed(enclosed.depth, 2),
+            enclosed.by(),
+            piece.step,
+            grouped(enclosed.cycles)
+        ));
+    }
+    for JunctionSummary { crack, onto, x_mm, y_mm, .. } in junctions.iter().take(OF_A_KIND) {
+        texts.push(format!(
+            "Crack {crack} joins crack {onto} {} mm below the surface, at x = {} mm.",
+            fixed(-y_mm, 2),
+            fixed(*x_mm, 2)
+        ));
+    }
+    let more = pieces.len().saturating_sub(OF_A_KIND) + junctions.len().saturating_sub(OF_A_KIND);
+    if more > 0 {
+        texts.push(format!("{more} more pieces and junctions are in the table below."));
+    }
+    texts
+}
+
+/// The largest piece as a number that is looked for first.
+pub(super) fn fact(run: &RunFolder) -> Option<Fact> {
+    let pieces = &run.summary.pieces;
+    let largest = pieces.iter().max_by(|one, other| one.area_mm2.total_cmp(&other.area_mm2))?;
+    let enclosed = Enclosed::of(run, largest);
+    let name = if largest.kind == "spall" { "Spall" } else { "Detached piece" };
+    let all = if pieces.len() > 1 { format!(", the largest of {}", pieces.len()) } else { String::new() };
+    Some(Fact {
+        name: name.to_owned(),
+        value: format!("{} mm²", significant(largest.area_mm2)),
+        note: format!(
+            "{}, step {}; {} mm long, {} mm deep{all}",
+            enclosed.by(),
+            largest.step,
+            fixed(enclosed.across, 2),
+            fixed(enclosed.depth, 2)
+        ),
+    })
+}
+
+/// All pieces and junctions; none where there are none.
+pub(super) fn table(run: &RunFolder) -> Option<Table> {
+    let (pieces, junctions) = (&run.summary.pieces, &run.summary.junctions);
+    if pieces.is_empty() && junctions.is_empty() {
+        return None;
+    }
+    let load = run.axle_load();
+    let mut headings = vec![
+        "Event",
+        "By",
+        "Step",
+        "Load cycles",
+        "x (mm)",
+        "Depth (mm)",
+        "Area (mm^{2})",
+        "Corners of the outline",
+    ];
+    if load.is_some() {
+        headings.insert(4, "Million gross tonnes");
+    }
+    let mut table = Table::new(headings);
+    table.caption =
+        "Pieces that cracks enclose, and cracks that join others; outlines in summary.json".to_owned();
+    for piece in pieces {
+        let enclosed = Enclosed::of(run, piece);
+        let places = piece.outline_mm.iter().map(|corner| corner[0]);
+        let (left, right) =
+            places.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
+        let mut cells = vec![
+            if piece.kind == "spall" { "spall".to_owned() } else { "detached piece".to_owned() },
+            enclosed.by(),
+            piece.step.to_string(),
+            grouped(enclosed.cycles),
+            format!("{} to {}", fixed(left, 2), fixed(right, 2)),
+            format!("0 to {}", fixed(enclosed.depth, 2)),
+            significant(piece.area_mm2),
+            piece.outline_mm.len().to_string(),
+        ];
+        if piece.kind != "spall" {
+            let top = piece.outline_mm.iter().map(|corner| -corner[1]).fold(f64::INFINITY, f64::min);
+            cells[5] = format!("{} to {}", fixed(top, 2), fixed(enclosed.depth, 2));
+        }
+        if let Some(load) = load {
+            cells.insert(4, tonnage(enclosed.cycles * load / 1e6));
+        }
+        table.row(cells);
+    }
+    for junction in junctions {
+        let rows = run.growth.iter().filter(|row| row.crack == junction.crack && row.stop == "meets-crack");
+        let step = rows.map(|row| row.step).max();
+        let after = step.and_then(|step| run.growth.iter().find(|row| row.step == step + 1));
+        let cycles = after.map_or(run.summary.load_cycles, |row| row.load_cycles);
+        let mut cells = vec![
+            format!("joins crack {}", junction.onto),
+            format!("crack {}, its {} end", junction.crack, junction.end),
+            step.map_or_else(|| "from the start".to_owned(), |step| step.to_string()),
+            step.map_or_else(String::new, |_| grouped(cycles)),
+            fixed(junction.x_mm, 2),
+            fixed(-junction.y_mm, 2),
+            String::new(),
+            String::new(),
+        ];
+        if let Some(load) = load {
+            cells.insert(4, step.map_or_else(String::new, |_| tonnage(cycles * load / 1e6)));
+        }
+        table.row(cells);
+    }
+    Some(table)
+}

@@ -1,0 +1,269 @@
+//! What stands first on the page of a run: the result in a sentence, numbers, cycles to each length.
+
+use super::events;
+use super::stored::RunFolder;
+use crate::direction::Heading;
+use crate::numbers::{fixed, grouped, significant, tonnage};
+use crate::svg::round_step;
+use crate::table::MISSING;
+use crate::{Fact, Table};
+use railcrack_run::csv::TipRow;
+use railcrack_run::leader::{cycles_to, leading_tip};
+use std::collections::BTreeSet;
+
+/// Rows of the table of lengths, about: of a single crack, and for each of several.
+const LENGTHS: usize = 8;
+const LENGTHS_OF_SEVERAL: usize = 5;
+/// Cracks in the table of lengths.
+const LENGTH_CRACKS: usize = 9;
+
+/// The first and the last row of the tip that stands for the run.
+pub(super) fn leader(run: &RunFolder) -> Option<(&TipRow, &TipRow)> {
+    let rows = leading_tip(&run.growth)?;
+    Some((rows.first()?, rows.last()?))
+}
+
+/// How the crack of a tip is called.
+fn crack_name(run: &RunFolder, crack: usize) -> String {
+    if run.summary.cracks.len() == 1 { "the crack".to_owned() } else { format!("crack {crack}") }
+}
+
+/// The result in a sentence or two.
+pub(super) fn verdict(run: &RunFolder) -> String {
+    let Some((first, last)) = leader(run) else {
+        return "No step is finished yet.".to_owned();
+    };
+    let count = run.summary.cracks.len();
+    let name = match count {
+        1 => "The crack".to_owned(),
+        2 => format!("The faster of 2 cracks, crack {},", first.crack),
+        _ => format!("The fastest of {count} cracks, crack {},", first.crack),
+    };
+    let mut text = if last.length > first.length {
+        let tonnes = run.axle_load().map_or_else(String::new, |load| {
+            format!(" ({} million gross tonnes at {load} t per axle)", tonnage(last.load_cycles * load / 1e6))
+        });
+        format!(
+            "{name} grows from {} to {} mm in {} load cycles{tonnes}, {}.",
+            fixed(first.length, 2),
+            fixed(last.length, 2),
+            grouped(last.load_cycles),
+            run.heading(last).map_or_else(|| "without a direction".to_owned(), |h| h.sentence())
+        )
+    } else if last.stop == "arrest" || last.rate == 0.0 {
+        format!("{name} of {} mm does not grow.", fixed(first.length, 2))
+    } else {
+        format!(
+            "{name} of {} mm, not grown here: ΔK_{{eq}} = {} MPa√m, {} mm per load cycle at its start.",
+            fixed(first.length, 2),
+            significant(first.delta_keq),
+            significant(first.rate)
+        )
+    };
+    for sentence in events::sentences(run) {
+        text.push(' ');
+        text.push_str(&sentence);
+    }
+    text.push(' ');
+    text.push_str(&stop_sentence(run));
+    text
+}
+
+/// Why the run ended, in a sentence.
+fn stop_sentence(run: &RunFolder) -> String {
+    let steps = run.summary.steps;
+    match run.summary.stop.as_deref() {
+        None => format!("The run has not ended: step {steps} is the last one that is finished."),
+        Some("steps-done") if steps == 0 => "Only the initial geometry was asked for.".to_owned(),
+        Some("steps-done") => {
+            format!("The run ended because the {steps} increments asked for are done; growth goes on.")
+        }
+        Some("cycles") => "The run ended at the number of load cycles asked for; growth goes on.".to_owned(),
+        Some("critical-length") => {
+            let length = run.number("growth.critical_length_mm");
+            format!(
+                "The run ended at the critical length{}.",
+                length.map_or_else(String::new, |l| format!(" of {l} mm"))
+            )
+        }
+        Some("arrest") => "The run ended because no tip grows any more: arrest.".to_owned(),
+        Some("break-out") => {
+            "The run ended with a spall: the ligament to the running surface is spent.".to_owned()
+        }
+        Some("meets-crack") => {
+            "The run ended because the last growing tip came as close to another crack as can be resolved."
+                .to_owned()
+        }
+        Some("leaves-rail") => "The run ended because the last growing tip would leave the rail.".to_owned(),
+        Some(other) => format!("The run ended: {}.", other.replace('-', " ")),
+    }
+}
+
+/// The numbers that are looked for first.
+pub(super) fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
+    let Some((first, last)) = leader(run) else { return Vec::new() };
+    let fact = |name: &str, value: String, note: String| Fact { name: name.to_owned(), value, note };
+    let which = crack_name(run, last.crack);
+    let mut facts = vec![fact(
+        "Load cycles",
+        grouped(last.load_cycles),
+        format!("axles until {which} is {} mm long", fixed(last.length, 2)),
+    )];
+    facts.push(match run.axle_load() {
+        Some(load) => fact(
+            "Million gross tonnes",
+            tonnage(last.load_cycles * load / 1e6),
+            format!("at {load} t per axle"),
+        ),
+        None => fact(
+            "Million gross tonnes",
+            "not given".to_owned(),
+            "needs axle_load_t in [traffic] of the case".to_owned(),
+        ),
+    });
+    facts.push(fact(
+        "Crack length",
+        format!("{} → {} mm", fixed(first.length, 2), fixed(last.length, 2)),
+        format!("{which}; its tip is {} mm below the surface", fixed(-last.place[1], 2)),
+    ));
+    if let Some(heading) = run.heading(last) {
+        facts.push(fact("Direction", heading.word().to_owned(), heading.note()));
+    }
+    facts.extend(events::fact(run));
+    let stop = run.summary.stop.as_deref().unwrap_or("not ended").replace('-', " ");
+    facts.push(fact("Ended by", stop, format!("after step {} of {}", run.summary.steps, increments(run))));
+    facts.push(fact(
+        "Warnings",
+        if warnings == 0 { "none".to_owned() } else { warnings.to_string() },
+        if warnings == 0 { String::new() } else { "below".to_owned() },
+    ));
+    facts
+}
+
+fn increments(run: &RunFolder) -> String {
+    run.number("growth.steps").map_or_else(|| run.summary.steps.to_string(), |steps| format!("{steps:.0}"))
+}
+
+/// Load cycles (and tonnage) until every crack has each of some round lengths; none without growth. Between two steps the
+/// rate is constant (explicit Euler), so that cycles are linear in the length.
+pub(super) fn lengths(run: &RunFolder) -> Option<Table> {
+    let tips: Vec<(usize, usize)> =
+        run.tips().into_iter().filter(|&(_, tip)| tip == 1).take(LENGTH_CRACKS).collect();
+    let histories: Vec<Vec<&TipRow>> =
+        tips.iter().map(|&(crack, tip)| run.history(crack, tip).collect()).collect();
+    let ends: Vec<[f64; 2]> =
+        histories.iter().filter_map(|rows| Some([rows.first()?.length, rows.last()?.length])).collect();
+    let milestones = milestones(&ends);
+    if milestones.is_empty() {
+        return None;
+    }
+    let load = run.axle_load();
+    let mut headings = vec!["Length (mm)".to_owned()];
+    for &(crack, _) in &tips {
+        headings.push(if tips.len() == 1 {
+            "Load cycles".to_owned()
+        } else {
+            format!("Crack {crack} (load cycles)")
+        });
+    }
+    if load.is_some() && tips.len() == 1 {
+        headings.push("Million gross tonnes".to_owned());
+    }
+    let mut table = Table::new(headings);
+    table.caption = match load {
+        Some(load) if tips.len() > 1 => {
+            format!("Load cycles to each length; one cycle is one axle of {load} t")
+        }
+        _ => "Load cycles to each length; one cycle is one axle".to_owned(),
+    };
+    for length in milestones {
+        let cycles: Vec<Option<f64>> = histories.iter().map(|rows| cycles_to(rows, length)).collect();
+        let mut cells = vec![fixed(length, 2)];
+        cells.extend(cycles.iter().map(|cycles| cycles.map_or_else(|| MISSING.to_owned(), grouped)));
+        if let (Some(load), [cycles]) = (load, &cycles[..]) {
+            cells.push(cycles.map_or_else(|| MISSING.to_owned(), |cycles| tonnage(cycles * load / 1e6)));
+        }
+        table.row(cells);
+    }
+    Some(table)
+}
+
+/// Round lengths through which cracks grow, given the first and the last length of each, and the last length of the one
+/// that grows most.
+fn milestones(ends: &[[f64; 2]]) -> Vec<f64> {
+    let grown = |ends: &[f64; 2]| ends[1] - ends[0];
+    let Some(most) = ends.iter().copied().reduce(|a, b| if grown(&b) > grown(&a) { b } else { a }) else {
+        return Vec::new();
+    };
+    if grown(&most) <= 0.0 {
+        return Vec::new();
+    }
+    let step = round_step(grown(&most), if ends.len() == 1 { LENGTHS } else { LENGTHS_OF_SEVERAL });
+    // A crack of 3 mm up to round-off does not grow through 3 mm.
+    let below = |length: &f64| (length / step + 1e-9).floor() as i64;
+    let round = |[from, to]: &[f64; 2]| below(from) + 1..=below(to);
+    let places: BTreeSet<i64> = ends.iter().flat_map(round).collect();
+    let last = most[1];
+    let mut lengths: Vec<f64> = places
+        .into_iter()
+        .map(|i| multiple(i, step))
+        .filter(|length| (length - last).abs() > 0.2 * step)
+        .collect();
+    lengths.push(last);
+    lengths.sort_by(f64::total_cmp);
+    lengths
+}
+
+/// `i` times a round `step`, as people write it: steps below 1 are whole parts of 1, of which the quotient is the nearest number.
+fn multiple(i: i64, step: f64) -> f64 {
+    if step < 1.0 { i as f64 / (1.0 / step).round() } else { i as f64 * step }
+}
+
+/// What became of every crack; none for a single one.
+pub(super) fn cracks(run: &RunFolder) -> Option<Table> {
+    if run.tips().len() < 2 {
+        return None;
+    }
+    let headings = [
+        "Crack",
+        "Length (mm)",
+        "Growth (mm)",
+        "Tip depth (mm)",
+        "ΔK_{eq} (MPa√m)",
+        "Rate (mm/cycle)",
+        "Direction",
+        "Stop",
+    ];
+    let mut table = Table::new(headings);
+    table.caption = format!("Every tip in the last finished step, {}", run.summary.steps);
+    let has_two = run.tips().iter().any(|&(_, tip)| tip > 1);
+    for row in run.last() {
+        let first = run.history(row.crack, row.tip).next().map_or(row.length, |first| first.length);
+        table.row([
+            if has_two { format!("{}, tip {}", row.crack, row.tip) } else { row.crack.to_string() },
+            fixed(row.length, 3),
+            fixed(row.length - first, 3),
+            fixed(-row.place[1], 3),
+            significant(row.delta_keq),
+            significant(row.rate),
+            run.heading(row).as_ref().map_or_else(String::new, Heading::note),
+            row.stop.replace('-', " "),
+        ]);
+    }
+    Some(table)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn milestones_are_round_and_end_at_the_last_length() {
+        assert_eq!(milestones(&[[6.0, 15.995]]), [8.0, 10.0, 12.0, 14.0, 15.995]);
+        // Each crack has its own, the end is that of the one that grew most.
+        assert_eq!(milestones(&[[3.0, 6.54], [9.03, 12.5]]), [4.0, 5.0, 6.0, 6.54, 10.0, 11.0, 12.0]);
+        assert_eq!(milestones(&[[3.0 - 1e-12, 3.25]])[0], 3.05);
+        assert_eq!(milestones(&[[6.0, 6.0]]), [0.0; 0]);
+        assert_eq!(milestones(&[]), [0.0; 0]);
+    }
+}

@@ -1,0 +1,101 @@
+//! What the reader must not miss.
+
+use super::stored::RunFolder;
+use crate::numbers::{fixed, significant};
+use crate::shown::ShownRun;
+use railcrack::growth::Warning;
+use std::fmt::Write;
+
+/// Warnings of a kind that are shown before the others are counted.
+const OF_A_KIND: usize = 3;
+
+/// A sentence each: those of the run, grouped by kind, the boundary of a block, a run that has not ended.
+pub(super) fn warnings(run: &RunFolder) -> Vec<String> {
+    let mut texts = Vec::new();
+    if !run.summary.complete {
+        texts.push("The run has not ended; the command that started it goes on with --resume.".to_owned());
+    }
+    if run.summary.boundary != "half-plane" {
+        texts.push(
+            "Boundary: a block on supports. It bends, which opens cracks that a half-plane keeps closed; compare only with \
+             results of the same boundary."
+                .to_owned(),
+        );
+    }
+    let all = &run.summary.warnings;
+    let mut kinds: Vec<&str> = Vec::new();
+    for warning in all {
+        if !kinds.contains(&warning.kind.as_str()) {
+            kinds.push(&warning.kind);
+        }
+    }
+    for kind in kinds {
+        let of_kind: Vec<&Warning> = all.iter().filter(|warning| warning.kind == kind).collect();
+        texts.push(grouped_text(kind, &of_kind));
+    }
+    texts
+}
+
+fn grouped_text(kind: &str, warnings: &[&Warning]) -> String {
+    let heading = match kind {
+        "near-tie" => "Near ties of directions: read the path as one of several",
+        "passages" => "Passages did not repeat within their limit",
+        "contact-fallback" => "The other contact solver took over",
+        "engine" => "The engine remarks",
+        "residual-stress" => "Residual stress",
+        other => other,
+    };
+    let mut text = format!("{heading}. ");
+    let several =
+        warnings.iter().map(|warning| &warning.text).collect::<std::collections::BTreeSet<_>>().len() > 1;
+    let shown = if several { OF_A_KIND } else { 1 };
+    for warning in warnings.iter().take(shown) {
+        // Writing to a string does not fail.
+        let _ = write!(text, "Step {}: {}. ", warning.step, warning.text.trim_end_matches('.'));
+    }
+    if warnings.len() > shown {
+        let others = if several { "others" } else { "the same" };
+        let steps: Vec<String> =
+            warnings.iter().skip(shown).map(|warning| warning.step.to_string()).collect();
+        let list = if steps.len() > 12 {
+            format!("{} … {}", steps[..11].join(", "), steps[steps.len() - 1])
+        } else {
+            steps.join(", ")
+        };
+        let _ = write!(text, "And {} {others}, in steps {list}.", warnings.len() - shown);
+    }
+    text.trim_end().to_owned()
+}
+
+/// What is known of the path beyond warnings: how close the closest rival direction was; what of the run the page leaves
+/// out.
+pub(super) fn remarks(run: &RunFolder, shown: &ShownRun) -> Vec<String> {
+    let mut texts = Vec::new();
+    let rivals = run.growth.iter().filter_map(|row| Some((row, row.rival_deg?, row.rival_ratio?)));
+    if let Some((row, angle, ratio)) = rivals.reduce(|most, next| if next.2 > most.2 { next } else { most }) {
+        let kink = row.kink_deg.unwrap_or(0.0);
+        texts.push(format!(
+            "The closest rival direction: in step {}, crack {}, a kink of {}° would grow {} times as fast as the chosen one of \
+             {}°. Above 0.98 it is a near tie.",
+            row.step,
+            row.crack,
+            fixed(angle, 0),
+            significant(ratio),
+            fixed(kink, 0)
+        ));
+    }
+    let steps = shown.steps().len();
+    if steps < run.summary.steps_recorded {
+        texts.push(format!(
+            "To keep this file small, the passage explorer has {} of {} steps; charts of growth have all.",
+            steps, run.summary.steps_recorded
+        ));
+    }
+    if shown.face_stride() > 1 {
+        texts.push(format!(
+            "To keep this file small, faces are shown at one in {} wheel positions; faces.csv has all.",
+            shown.face_stride()
+        ));
+    }
+    texts
+}

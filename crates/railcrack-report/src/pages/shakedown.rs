@@ -1,0 +1,224 @@
+//! The page of a stabilised plastic state.
+
+use crate::figures::ShakedownPlot;
+use crate::numbers::{fixed, significant};
+use crate::{Block, Fact, LineChart, Page, Section, Table};
+use railcrack_run::folder::CASE_FILE;
+use railcrack_run::rolled::{ShakedownSummary, StoredState};
+
+/// The page of `state`, with its plots.
+pub(crate) fn shakedown_page(state: &StoredState, plots: &[ShakedownPlot]) -> Page {
+    let summary = &state.summary;
+    let mut lead = Vec::new();
+    if !summary.warnings.is_empty() {
+        lead.push(Block::Warnings(summary.warnings.iter().map(|text| sentence(text)).collect()));
+    }
+    lead.push(Block::Heading("Assumptions".to_owned()));
+    lead.push(Block::List(assumptions(summary)));
+    let charts = |ids: &[&str]| Block::charts(ids.iter().filter_map(|id| chart(plots, id)));
+    let field = plots.iter().map(ShakedownPlot::file).find(|(name, _)| *name == "field.svg");
+    let section =
+        |id: &str, heading: &str, blocks| Section { id: id.to_owned(), heading: heading.to_owned(), blocks };
+    Page {
+        title: summary.title.clone(),
+        kind: "Stabilised plastic state under repeated passages".to_owned(),
+        verdict: verdict(summary),
+        facts: facts(summary),
+        lead,
+        sections: vec![
+            section(
+                "depth",
+                "What the unloaded rail keeps, by depth",
+                vec![charts(&["residual-stress", "plastic-strain"])],
+            ),
+            section("initiation", "Where a crack starts", vec![charts(&["dang-van"])]),
+            section("passages", "Passage after passage", vec![charts(&["passes", "passes-change"])]),
+            section("limits", "What the rail bears", vec![charts(&["bounds", "shakedown-map"])]),
+            section(
+                "around",
+                "Around the contact",
+                field
+                    .map(|(_, svg)| Block::Picture {
+                        svg,
+                        caption: "Stress and plastic strain in the last passage, from cycle.vtu.".to_owned(),
+                    })
+                    .into_iter()
+                    .collect(),
+            ),
+            section("numbers", "In numbers", vec![Block::Table(numbers(summary))]),
+            section(
+                "case",
+                "Case",
+                vec![Block::Folded {
+                    heading: format!("{CASE_FILE}, defaults filled in"),
+                    blocks: vec![Block::Verbatim(state.case.clone())],
+                }],
+            ),
+        ],
+    }
+}
+
+fn chart(plots: &[ShakedownPlot], id: &str) -> Option<LineChart> {
+    plots.iter().filter_map(ShakedownPlot::chart).find(|chart| chart.id == id).cloned()
+}
+
+/// `text` as a sentence of its own.
+fn sentence(text: &str) -> String {
+    let mut letters = text.chars();
+    let first = letters.next().map_or_else(String::new, |letter| letter.to_uppercase().collect());
+    let end = if text.ends_with('.') { "" } else { "." };
+    format!("{first}{}{end}", letters.as_str())
+}
+
+fn passages(count: usize) -> String {
+    if count == 1 { "1 passage".to_owned() } else { format!("{count} passages") }
+}
+
+fn verdict(summary: &ShakedownSummary) -> String {
+    let dang_van = &summary.dang_van;
+    let place = if dang_van.critical_depth_mm == 0.0 {
+        "at the running surface".to_owned()
+    } else {
+        format!("at a depth of {} mm", fixed(dang_van.critical_depth_mm, 2))
+    };
+    let starts = if dang_van.margin_mpa < 0.0 {
+        format!(
+            "A crack starts {place}: the Dang Van criterion is exceeded by {} MPa.",
+            fixed(-dang_van.margin_mpa, 1)
+        )
+    } else {
+        format!(
+            "No crack starts: the Dang Van criterion has a margin of {} MPa, the smallest {place}.",
+            fixed(dang_van.margin_mpa, 1)
+        )
+    };
+    let state = match summary.state.as_str() {
+        "elastic" => "The rail stays elastic.".to_owned(),
+        "elastic shakedown" => {
+            format!("The rail shakes down to an elastic state in {}.", passages(summary.passes))
+        }
+        "plastic shakedown" => summary.alternating_zone.map_or_else(
+            || "Plastic strain alternates in every passage.".to_owned(),
+            |zone| {
+                format!(
+                    "Plastic strain alternates in every passage, from {} to {} mm of depth, by {} at most.",
+                    fixed(zone.from_depth_mm, 2),
+                    fixed(zone.to_depth_mm, 2),
+                    significant(zone.plastic_strain_per_pass)
+                )
+            },
+        ),
+        _ => format!("The rail has not come to a state that repeats in {}.", passages(summary.passes)),
+    };
+    format!("{state} {starts}")
+}
+
+fn facts(summary: &ShakedownSummary) -> Vec<Fact> {
+    let fact = |name: &str, value: String, note: String| Fact { name: name.to_owned(), value, note };
+    let peak = &summary.peak_residual_stress;
+    let warnings = summary.warnings.len();
+    vec![
+        fact("State", summary.state.clone(), format!("{}, {}", passages(summary.passes), summary.method)),
+        fact(
+            "Load p_{0}/k",
+            fixed(summary.p0_over_k, 3),
+            format!(
+                "first yield {}, limit of elastic shakedown {}",
+                fixed(summary.first_yield.p0_over_k, 3),
+                fixed(summary.shakedown_limit.p0_over_k, 3)
+            ),
+        ),
+        fact(
+            "Largest residual stress",
+            format!("{} MPa", fixed(peak.stress_mpa, 1)),
+            format!("σ{} at {} mm of depth", peak.component.trim_start_matches('s'), fixed(peak.depth_mm, 2)),
+        ),
+        fact(
+            "Dang Van margin",
+            format!("{} MPa", fixed(summary.dang_van.margin_mpa, 1)),
+            format!(
+                "{} of b = {} MPa at {} mm of depth",
+                fixed(summary.dang_van.critical_value_mpa, 1),
+                significant(summary.dang_van.b_mpa),
+                fixed(summary.dang_van.critical_depth_mm, 2)
+            ),
+        ),
+        fact(
+            "Warnings",
+            if warnings == 0 { "none".to_owned() } else { warnings.to_string() },
+            if warnings == 0 { String::new() } else { "below".to_owned() },
+        ),
+    ]
+}
+
+fn assumptions(summary: &ShakedownSummary) -> Vec<String> {
+    vec![
+        format!(
+            "Wheel: Hertzian line contact in full sliding, p_{{0}} = {} MPa, half-width a = {} mm, friction {}; the same in every \
+             passage, over a virgin rail.",
+            fixed(summary.peak_pressure_mpa, 0),
+            fixed(summary.half_width_mm, 2),
+            summary.friction.to_string().replace('-', "\u{2212}")
+        ),
+        "Steel: linear kinematic hardening without bound; it shakes down or alternates and never ratchets. Plane strain, half-plane."
+            .to_owned(),
+        format!(
+            "State found {}; of a state of elastic shakedown, the residual stress depends on the first passages.",
+            if summary.method == "direct" { "directly, not the one that passages lead to" } else { "pass by pass" }
+        ),
+        format!("Initiation: τ + {} p_{{h}} against b = {} MPa over the stabilised cycle; yes or no, no number of cycles.", summary.dang_van.a, summary.dang_van.b_mpa),
+    ]
+}
+
+fn numbers(summary: &ShakedownSummary) -> Table {
+    let mut table = Table::new(["Quantity", "Value", "Where"]);
+    let at = |depth: f64| format!("depth {} mm", fixed(depth, 3));
+    let dang_van = &summary.dang_van;
+    table.row(["p_{0}/k of the case".to_owned(), fixed(summary.p0_over_k, 4), String::new()]);
+    table.row([
+        "p_{0}/k at first yield".to_owned(),
+        fixed(summary.first_yield.p0_over_k, 4),
+        at(summary.first_yield.depth_mm),
+    ]);
+    table.row([
+        "p_{0}/k at the limit of elastic shakedown".to_owned(),
+        fixed(summary.shakedown_limit.p0_over_k, 4),
+        at(summary.shakedown_limit.depth_mm),
+    ]);
+    table.row(["Dang Van, surface (MPa)".to_owned(), fixed(dang_van.surface.value_mpa, 1), at(0.0)]);
+    if let Some(below) = dang_van.subsurface {
+        table.row([
+            "Dang Van, largest below the surface (MPa)".to_owned(),
+            fixed(below.value_mpa, 1),
+            at(below.depth_mm),
+        ]);
+    }
+    table.row([
+        "Overshoot of the yield surface, relative".to_owned(),
+        significant(summary.admissibility.overshoot),
+        "whole cycle".to_owned(),
+    ]);
+    table.row([
+        "Drift of the plastic strain over a passage".to_owned(),
+        significant(summary.admissibility.drift),
+        String::new(),
+    ]);
+    table.row([
+        "Imbalance of forces, relative to the yield stress".to_owned(),
+        significant(summary.admissibility.imbalance),
+        String::new(),
+    ]);
+    table.row([
+        "Elastic redistributions".to_owned(),
+        summary.redistributions.to_string(),
+        "all passages".to_owned(),
+    ]);
+    if let Some(other) = &summary.direct_against_pass_by_pass {
+        table.row([
+            "Largest difference from pass by pass (MPa)".to_owned(),
+            fixed(other.stress_difference_mpa, 1),
+            format!("{}, {}", other.state, passages(other.passes)),
+        ]);
+    }
+    table
+}

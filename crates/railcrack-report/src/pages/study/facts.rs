@@ -1,0 +1,218 @@
+//! What stands first on the page of a study.
+
+use super::{StudyRun, values};
+use crate::Fact;
+use crate::numbers::{fixed, grouped, significant};
+use railcrack_run::leader::cycles_to;
+use railcrack_run::study::{RunState, StudyPlan};
+use std::collections::BTreeMap;
+
+/// Failed runs that are told one by one.
+const MOST_TOLD: usize = 20;
+/// Runs that are listed by number.
+const MOST_LISTED: usize = 12;
+
+/// The runs with the most and the least of a quantity.
+struct Span<'a, 'b> {
+    least: (f64, &'b StudyRun<'a>),
+    most: (f64, &'b StudyRun<'a>),
+}
+
+impl<'a, 'b> Span<'a, 'b> {
+    fn of(values: impl Iterator<Item = (f64, &'b StudyRun<'a>)>) -> Option<Self> {
+        values.fold(None, |span, value| {
+            let Some(Self { least, most }) = span else { return Some(Self { least: value, most: value }) };
+            Some(Self {
+                least: if value.0 < least.0 { value } else { least },
+                most: if value.0 > most.0 { value } else { most },
+            })
+        })
+    }
+}
+
+/// Load cycles to the longest length that all runs with growth reach; none where they have none in common.
+struct Race<'a, 'b> {
+    length: f64,
+    /// Runs that reach it.
+    runs: usize,
+    cycles: Span<'a, 'b>,
+}
+
+impl<'a, 'b> Race<'a, 'b> {
+    fn of(all: &'b [StudyRun<'a>]) -> Option<Self> {
+        let grown = || {
+            let tips = all.iter().filter_map(|run| Some((run, run.tip()?)));
+            tips.filter(|(_, tip)| tip.last().length > tip.first.length)
+        };
+        let length = grown().map(|(_, tip)| tip.last().length).reduce(f64::min)?;
+        let begun = grown().map(|(_, tip)| tip.first.length).reduce(f64::max)?;
+        // Shorter than a crack is at its beginning, there is nothing to compare.
+        if length <= begun {
+            return None;
+        }
+        let cycles = Span::of(grown().filter_map(|(run, tip)| Some((cycles_to(&tip.rows, length)?, run))))?;
+        Some(Self { length, runs: grown().count(), cycles })
+    }
+}
+
+/// The runs with the largest and the smallest growth rate of the initial cracks.
+fn rates<'a, 'b>(all: &'b [StudyRun<'a>]) -> Option<Span<'a, 'b>> {
+    Span::of(all.iter().filter_map(|run| Some((run.tip()?.first.rate, run))))
+}
+
+/// The result in a sentence or two.
+pub(super) fn verdict(plan: &StudyPlan, all: &[StudyRun]) -> String {
+    let run = |run: &StudyRun| format!("run {} ({})", run.number(), values(plan, run.planned));
+    let mut text = match (Race::of(all), rates(all)) {
+        (Some(Race { length, runs: 1, cycles }), _) => format!(
+            "One run grows: {}, to {} mm in {} load cycles.",
+            run(cycles.most.1),
+            fixed(length, 2),
+            grouped(cycles.most.0)
+        ),
+        (Some(Race { length, runs, cycles }), _) => format!(
+            "To a length of {} mm, which {} reach, it takes {} load cycles in {} and {} in {}.",
+            fixed(length, 2),
+            if runs == all.len() { format!("all {runs} runs") } else { format!("{runs} runs") },
+            grouped(cycles.least.0),
+            run(cycles.least.1),
+            grouped(cycles.most.0),
+            run(cycles.most.1)
+        ),
+        (None, Some(rates)) => format!(
+            "The initial cracks grow by {} mm per load cycle in {}, and by {} in {}.",
+            significant(rates.most.0),
+            run(rates.most.1),
+            significant(rates.least.0),
+            run(rates.least.1)
+        ),
+        (None, None) => "No run has a finished step yet.".to_owned(),
+    };
+    let still = all.iter().filter(|run| run.tip().is_some_and(|tip| tip.last().stop == "arrest")).count();
+    if still > 0 {
+        text.push_str(&format!(" In {still} of {} runs growth ends in arrest.", all.len()));
+    }
+    text
+}
+
+/// The numbers that are looked for first.
+pub(super) fn facts(plan: &StudyPlan, all: &[StudyRun]) -> Vec<Fact> {
+    let fact = |name: &str, value: String, note: String| Fact { name: name.to_owned(), value, note };
+    let count = |is_in: fn(&RunState) -> bool| all.iter().filter(|run| is_in(&run.row.state)).count();
+    let states = [
+        ("done", count(|state| *state == RunState::Done)),
+        ("failed", count(|state| matches!(state, RunState::Failed { .. }))),
+        ("unfinished", count(|state| *state == RunState::Unfinished)),
+        ("missing", count(|state| *state == RunState::Missing)),
+    ];
+    let mut facts = vec![fact("Runs", all.len().to_string(), told(&states))];
+    let names: Vec<String> = plan.axes.iter().map(|axis| axis.name()).collect();
+    let values: Vec<String> = plan.axes.iter().map(|axis| axis.len().to_string()).collect();
+    facts.push(fact("What varies", names.join("; "), format!("{} values", values.join(" × "))));
+    let between = |span: &Span| format!("run {}, run {}", span.least.1.number(), span.most.1.number());
+    if let Some(Race { length, cycles, .. }) = Race::of(all) {
+        facts.push(fact(
+            &format!("Load cycles to {} mm", fixed(length, 2)),
+            if cycles.least.0 == cycles.most.0 {
+                grouped(cycles.least.0)
+            } else {
+                format!("{} – {}", grouped(cycles.least.0), grouped(cycles.most.0))
+            },
+            format!("{}: shortest and longest", between(&cycles)),
+        ));
+    }
+    if let Some(rates) = rates(all) {
+        facts.push(fact(
+            "Rate of the initial crack",
+            format!("{} – {}", significant(rates.least.0), significant(rates.most.0)),
+            format!("mm per load cycle; {}", between(&rates)),
+        ));
+    }
+    let directions: Vec<&'static str> = all.iter().filter_map(|run| Some(run.heading()?.word())).collect();
+    if !directions.is_empty() {
+        let told: Vec<String> = ["downward", "level", "upward", "spall"]
+            .iter()
+            .map(|word| (word, directions.iter().filter(|direction| *direction == word).count()))
+            .filter(|(_, count)| *count > 0)
+            .map(|(word, count)| format!("{count} {word}"))
+            .collect();
+        facts.push(fact("Direction", told.join(", "), "where the tips are heading at the end".to_owned()));
+    }
+    let mut stops: BTreeMap<String, usize> = BTreeMap::new();
+    for summary in all.iter().filter_map(|run| run.row.summary.as_ref()) {
+        *stops.entry(summary.stop.as_deref().unwrap_or("not ended").replace('-', " ")).or_default() += 1;
+    }
+    let stops: Vec<(&str, usize)> = stops.iter().map(|(stop, count)| (stop.as_str(), *count)).collect();
+    facts.push(fact("Ended by", told(&stops), String::new()));
+    facts
+}
+
+/// `3 done, 1 failed`.
+fn told(counts: &[(&str, usize)]) -> String {
+    let there = counts.iter().filter(|(_, count)| *count > 0);
+    there.map(|(name, count)| format!("{count} {name}")).collect::<Vec<_>>().join(", ")
+}
+
+/// What the reader must not miss: failed and missing runs, warnings by kind.
+pub(super) fn warnings(all: &[StudyRun]) -> Vec<String> {
+    let mut texts = Vec::new();
+    let failed = all.iter().filter_map(|run| match &run.row.state {
+        RunState::Failed { reason, .. } => Some((run, reason)),
+        _ => None,
+    });
+    let failed: Vec<_> = failed.collect();
+    for (run, reason) in failed.iter().take(MOST_TOLD) {
+        let dot = if reason.ends_with('.') { "" } else { "." };
+        texts.push(format!("{} failed: {reason}{dot}", run.name.replacen("run", "Run", 1)));
+    }
+    if failed.len() > MOST_TOLD {
+        texts.push(format!("{} more runs failed: summary.csv has the reasons.", failed.len() - MOST_TOLD));
+    }
+    let mut list = |heading: &str, runs: Vec<usize>| {
+        if !runs.is_empty() {
+            texts.push(format!("{heading}: {}.", listed(&runs)));
+        }
+    };
+    let in_state = |state: &RunState| -> Vec<usize> {
+        all.iter().filter(|run| run.row.state == *state).map(StudyRun::number).collect()
+    };
+    list("Not computed yet, or in another folder", in_state(&RunState::Missing));
+    list("Begun and not ended; --resume goes on", in_state(&RunState::Unfinished));
+    let with = |is_so: &dyn Fn(&StudyRun) -> bool| -> Vec<usize> {
+        all.iter().filter(|run| is_so(run)).map(StudyRun::number).collect()
+    };
+    let mut kinds: Vec<&str> = Vec::new();
+    for warning in all.iter().filter_map(|run| run.row.summary.as_ref()).flat_map(|s| &s.warnings) {
+        if !kinds.contains(&warning.kind.as_str()) {
+            kinds.push(&warning.kind);
+        }
+    }
+    for kind in kinds {
+        let has = |run: &StudyRun| {
+            run.row.summary.as_ref().is_some_and(|s| s.warnings.iter().any(|warning| warning.kind == kind))
+        };
+        let heading = match kind {
+            "near-tie" => "Near ties of directions: read the path as one of several",
+            "passages" => "Passages did not repeat within their limit",
+            "contact-fallback" => "The other contact solver took over",
+            "engine" => "The engine remarks on something",
+            "residual-stress" => "Remarks on the residual stress",
+            other => other,
+        };
+        list(heading, with(&has));
+    }
+    let block = |run: &StudyRun| run.row.summary.as_ref().is_some_and(|s| s.boundary != "half-plane");
+    list("A block on supports bends, which opens cracks that a half-plane keeps closed", with(&block));
+    texts
+}
+
+/// `run 3`, `runs 1, 2, 5`.
+fn listed(runs: &[usize]) -> String {
+    if let [run] = runs {
+        return format!("run {run}");
+    }
+    let numbers: Vec<String> = runs.iter().take(MOST_LISTED).map(usize::to_string).collect();
+    let more = runs.len().saturating_sub(MOST_LISTED);
+    let rest = if more > 0 { format!(" and {more} more") } else { String::new() };
+    format!("runs {}{rest}", numbers.join(", "))
+}

@@ -1,0 +1,337 @@
+//! The crack faces: all of what is shown of a step packed, the first and the last step also as they are.
+
+use super::pack::{Deflated, Quantised, every, every_count};
+use super::{OfSteps, Thinned};
+use railcrack::contact::FaceStatus;
+use railcrack::growth::StepRecord;
+use railcrack_run::OutputError;
+use railcrack_run::csv::{FACES_FILE, StepBlock, status_of};
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// The most face states that are shown (points × positions × steps): about two bytes each in a page.
+const STATES: usize = 1_000_000;
+/// Faces are given at this many positions at least before steps are left out.
+const POSITIONS: usize = 61;
+
+const COLUMNS: [&str; 8] =
+    ["position", "crack", "s_mm", "opening_mm", "slip_mm", "s22_mpa", "s12_mpa", "status"];
+
+/// The faces of one crack; what has a value per position and point is in that order.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct CrackFaces {
+    /// From 1.
+    pub crack: usize,
+    /// Arc length of the points, mm.
+    pub s: Vec<f64>,
+    opening: Vec<f64>,
+    slip: Vec<f64>,
+    /// −s22, MPa.
+    pressure: Vec<f64>,
+    shear: Vec<f64>,
+    status: Vec<FaceStatus>,
+}
+
+impl CrackFaces {
+    /// Number of wheel positions.
+    pub(crate) fn positions(&self) -> usize {
+        self.status.len() / self.s.len().max(1)
+    }
+
+    /// Status and pressure (MPa) at a position and a point, both from 0.
+    pub(crate) fn state(&self, position: usize, point: usize) -> (FaceStatus, f64) {
+        let at = position * self.s.len() + point;
+        (self.status[at], self.pressure[at])
+    }
+
+    /// Status and pressure (MPa) everywhere.
+    pub(crate) fn states(&self) -> impl Iterator<Item = (FaceStatus, f64)> {
+        self.status.iter().copied().zip(self.pressure.iter().copied())
+    }
+}
+
+/// The faces of all cracks in one step, with the numbers of `faces.csv`.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct StepFaces {
+    pub cracks: Vec<CrackFaces>,
+}
+
+impl StepFaces {
+    fn of_record(record: &StepRecord) -> Self {
+        let mut cracks: BTreeMap<usize, CrackFaces> = BTreeMap::new();
+        for (i, states) in record.faces.states.iter().enumerate() {
+            for (point, state) in record.faces.points.iter().zip(states) {
+                let faces = cracks.entry(point.crack + 1).or_default();
+                if i == 0 {
+                    faces.s.push(point.s);
+                }
+                faces.opening.push(state.opening);
+                faces.slip.push(state.slip);
+                faces.pressure.push(-state.s22);
+                faces.shear.push(state.s12);
+                faces.status.push(state.status);
+            }
+        }
+        Self::of_cracks(cracks)
+    }
+
+    /// Errors: the table is damaged.
+    fn of_block(block: &StepBlock) -> Result<Self, OutputError> {
+        let mut cracks: BTreeMap<usize, CrackFaces> = BTreeMap::new();
+        block.rows(|row| {
+            let faces = cracks.entry(row.count(1)?).or_default();
+            if row.count(0)? == 1 {
+                faces.s.push(row.real(2)?);
+            }
+            faces.opening.push(row.real(3)?);
+            faces.slip.push(row.real(4)?);
+            faces.pressure.push(-row.real(5)?);
+            faces.shear.push(row.real(6)?);
+            faces
+                .status
+                .push(status_of(row.text(7)).ok_or_else(|| row.unreadable(7, "open, stick or slip"))?);
+            Ok(())
+        })?;
+        Ok(Self::of_cracks(cracks))
+    }
+
+    /// What a face map shows of it: status and pressure.
+    fn drawn(self) -> Self {
+        let drawn = |faces: CrackFaces| CrackFaces {
+            opening: Vec::new(),
+            slip: Vec::new(),
+            shear: Vec::new(),
+            ..faces
+        };
+        Self { cracks: self.cracks.into_iter().map(drawn).collect() }
+    }
+
+    fn of_cracks(cracks: BTreeMap<usize, CrackFaces>) -> Self {
+        Self { cracks: cracks.into_iter().map(|(crack, faces)| CrackFaces { crack, ..faces }).collect() }
+    }
+}
+
+/// The faces of one crack as a page holds them: rows by point, in them the positions.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct PackedCrack {
+    crack: usize,
+    s: Deflated,
+    opening: Quantised,
+    slip: Quantised,
+    pressure: Quantised,
+    shear: Quantised,
+    status: Deflated,
+    #[serde(skip)]
+    points: usize,
+    #[serde(skip)]
+    positions: usize,
+}
+
+impl PackedCrack {
+    fn of(faces: &CrackFaces, stride: usize) -> Self {
+        let (points, positions) = (faces.s.len(), faces.positions());
+        let along = |values: &[f64]| Quantised::every(stride, &by_point(values, points), positions);
+        let status: Vec<u8> = every(stride, &by_point(&faces.status, points), positions).map(code).collect();
+        Self {
+            crack: faces.crack,
+            s: Deflated::singles(&faces.s),
+            opening: along(&faces.opening),
+            slip: along(&faces.slip),
+            pressure: along(&faces.pressure),
+            shear: along(&faces.shear),
+            status: Deflated::of(&status),
+            points,
+            positions: every_count(stride, positions),
+        }
+    }
+
+    /// At every other position and the last.
+    fn halved(&self) -> Self {
+        let status: Vec<u8> = every(2, &self.status.inflated(), self.positions).collect();
+        Self {
+            crack: self.crack,
+            s: self.s.clone(),
+            opening: self.opening.halved(),
+            slip: self.slip.halved(),
+            pressure: self.pressure.halved(),
+            shear: self.shear.halved(),
+            status: Deflated::of(&status),
+            points: self.points,
+            positions: every_count(2, self.positions),
+        }
+    }
+}
+
+/// The faces of all cracks in one step as a page holds them.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub(crate) struct PackedFaces(Vec<PackedCrack>);
+
+impl PackedFaces {
+    fn of(faces: &StepFaces, stride: usize) -> Self {
+        Self(faces.cracks.iter().map(|crack| PackedCrack::of(crack, stride)).collect())
+    }
+
+    /// Leaves out every other position.
+    fn halve(&mut self) {
+        self.0.iter_mut().for_each(|crack| *crack = crack.halved());
+    }
+
+    fn states(&self) -> usize {
+        self.0.iter().map(|crack| crack.points * crack.positions).sum()
+    }
+
+    /// Number of wheel positions, the same for all cracks.
+    fn positions(&self) -> usize {
+        self.0.first().map_or(0, |crack| crack.positions)
+    }
+}
+
+/// A status in a page.
+fn code(status: FaceStatus) -> u8 {
+    match status {
+        FaceStatus::Open => 0,
+        FaceStatus::Stick => 1,
+        FaceStatus::Slip => 2,
+    }
+}
+
+/// Values by position and point as values by point and position: along the passage they change little.
+fn by_point<T: Copy>(values: &[T], points: usize) -> Vec<T> {
+    (0..points).flat_map(|point| values.iter().skip(point).step_by(points.max(1)).copied()).collect()
+}
+
+/// The faces of a step, before it is known how long the step is shown.
+#[derive(Debug)]
+pub(crate) struct FacesOfStep {
+    faces: StepFaces,
+    packed: PackedFaces,
+    stride: usize,
+}
+
+/// The faces of the steps that are shown: as much as fits. All steps and positions where they do, else every 2ⁿ-th position, then
+/// every 2ⁿ-th step.
+#[derive(Debug, Clone)]
+pub(crate) struct ShownFaces {
+    pub steps: Thinned<PackedFaces>,
+    /// Every how many positions the faces are packed.
+    pub stride: usize,
+    /// What face maps show: of the first step, and of the last where it is another one.
+    pub ends: Vec<(usize, StepFaces)>,
+    most: usize,
+}
+
+impl Default for ShownFaces {
+    fn default() -> Self {
+        Self { steps: Thinned::default(), stride: 1, ends: Vec::new(), most: STATES }
+    }
+}
+
+impl ShownFaces {
+    pub(crate) fn of_record(&self, record: &StepRecord) -> FacesOfStep {
+        self.packed(StepFaces::of_record(record))
+    }
+
+    fn packed(&self, faces: StepFaces) -> FacesOfStep {
+        FacesOfStep { packed: PackedFaces::of(&faces, self.stride), faces, stride: self.stride }
+    }
+
+    /// Leaves out every other position; false where too few would be left.
+    fn halve(&mut self) -> bool {
+        let positions = self.steps.iter().next().map_or(0, |(_, faces)| faces.positions());
+        if every_count(2, positions) < POSITIONS {
+            return false;
+        }
+        self.stride *= 2;
+        self.steps.values_mut().for_each(PackedFaces::halve);
+        true
+    }
+}
+
+impl OfSteps for ShownFaces {
+    type Part = FacesOfStep;
+    const FILE: &'static str = FACES_FILE;
+    const COLUMNS: &'static [&'static str] = &COLUMNS;
+
+    fn keeps(&self, step: usize) -> bool {
+        self.steps.is_kept(step)
+    }
+
+    fn read(&self, block: &StepBlock) -> Result<FacesOfStep, OutputError> {
+        Ok(self.packed(StepFaces::of_block(block)?))
+    }
+
+    fn push(&mut self, step: usize, part: FacesOfStep) {
+        let FacesOfStep { faces, mut packed, stride } = part;
+        // Packed while there was more room.
+        for _ in stride.ilog2()..self.stride.ilog2() {
+            packed.halve();
+        }
+        self.steps.push(step, packed);
+        self.ends.truncate(1);
+        self.ends.push((step, faces.drawn()));
+        while self.steps.weight(PackedFaces::states) > self.most && self.halve() {}
+        self.steps.thin_to(self.most, PackedFaces::states);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Faces of two cracks at `positions`, another number of points in each.
+    fn faces(step: usize, positions: usize) -> StepFaces {
+        let crack = |crack: usize, points: usize| {
+            let state = |i: usize| (0.01 * i as f64 + step as f64).sin();
+            let values: Vec<f64> = (0..positions * points).map(state).collect();
+            let statuses = [FaceStatus::Open, FaceStatus::Stick, FaceStatus::Slip];
+            CrackFaces {
+                crack,
+                s: (0..points).map(|j| j as f64).collect(),
+                opening: values.clone(),
+                slip: values.iter().map(|value| -2.0 * value).collect(),
+                pressure: values.iter().map(|value| value * value).collect(),
+                shear: vec![0.5; values.len()],
+                status: (0..values.len()).map(|i| statuses[i * i % 3]).collect(),
+            }
+        };
+        StepFaces { cracks: vec![crack(1, 4), crack(3, 3)] }
+    }
+
+    fn shown(steps: usize, positions: usize, most: usize) -> ShownFaces {
+        let mut shown = ShownFaces { most, ..ShownFaces::default() };
+        for step in 0..steps {
+            let part = shown.packed(faces(step, positions));
+            shown.push(step, part);
+        }
+        shown
+    }
+
+    #[test]
+    fn everything_is_shown_where_it_fits() {
+        let shown = shown(26, 241, 26 * 241 * 7);
+        assert_eq!((shown.steps.iter().count(), shown.stride), (26, 1));
+    }
+
+    #[test]
+    fn positions_go_first_then_steps() {
+        let most = 26 * 241 * 7;
+        for (steps, stride, count) in [(27, 2, 27), (104, 4, 52 + 1), (105, 4, 53)] {
+            let shown = shown(steps, 241, most);
+            let there: Vec<usize> = shown.steps.iter().map(|(step, _)| step).collect();
+            assert_eq!((shown.stride, there.len()), (stride, count), "{steps} steps");
+            assert_eq!((there[0], there[count - 1]), (0, steps - 1));
+            assert_eq!(shown.ends.iter().map(|(step, _)| *step).collect::<Vec<_>>(), [0, steps - 1]);
+            assert_eq!(shown.ends[1].1, faces(steps - 1, 241).drawn());
+        }
+        // Fewer than twice the positions that are wanted at least.
+        assert_eq!([120, 119].map(|positions| shown(27, positions, 1).stride), [2, 1]);
+    }
+
+    #[test]
+    fn what_was_thinned_out_later_is_what_was_never_packed() {
+        let shown = shown(104, 241, 26 * 241 * 7);
+        for (step, packed) in shown.steps.iter() {
+            assert!(*packed == PackedFaces::of(&faces(step, 241), shown.stride), "step {step}");
+        }
+    }
+}

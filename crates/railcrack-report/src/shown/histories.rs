@@ -1,0 +1,34 @@
+//! K over the stabilised passages.
+
+use super::{OfSteps, Thinned};
+use railcrack_run::OutputError;
+use railcrack_run::csv::{SIF_FILE, StepBlock};
+use railcrack_run::histories::{HISTORY_COLUMNS, History};
+
+/// The most values of K that are shown (tips × positions × steps). A page then stays below 3 MB.
+const VALUES: usize = 300_000;
+
+/// The histories of the steps that are shown.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct ShownHistories {
+    pub steps: Thinned<Vec<History>>,
+}
+
+impl OfSteps for ShownHistories {
+    type Part = Vec<History>;
+    const FILE: &'static str = SIF_FILE;
+    const COLUMNS: &'static [&'static str] = &HISTORY_COLUMNS;
+
+    fn keeps(&self, step: usize) -> bool {
+        self.steps.is_kept(step)
+    }
+
+    fn read(&self, block: &StepBlock) -> Result<Vec<History>, OutputError> {
+        History::of_block(block)
+    }
+
+    fn push(&mut self, step: usize, histories: Vec<History>) {
+        self.steps.push(step, histories);
+        self.steps.thin_to(VALUES, |histories| histories.iter().map(|history| history.ki.len()).sum());
+    }
+}

@@ -1,0 +1,183 @@
+//! The deformed neighbourhood of the cracks: the fields of the first and the last step that have any.
+
+use super::pack::{Deflated, Quantised};
+use railcrack::growth::StepRecord;
+use railcrack::math::Vec2;
+use railcrack::mesh::{CellShape, UnstructuredGrid};
+use railcrack_run::OutputError;
+use railcrack_run::fields::{FIELDS_FOLDER, field_grids, step_and_position};
+use railcrack_vtu::read_vtu;
+use serde_json::{Value, json};
+use std::collections::BTreeMap;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+
+/// The most cells of a grid in the page: about eight bytes each, and as many for each wheel position.
+const CELLS: usize = 20_000;
+/// The most wheel positions of a step.
+const POSITIONS: usize = 5;
+
+/// Cells by their corners, and the points that are one.
+struct Grid {
+    /// Indices of the points that the page has, in the file.
+    used: Vec<usize>,
+    /// Corners in `used`, four for each cell; the third of a triangle twice.
+    corners: Vec<u16>,
+}
+
+/// The fields of a step; none where their grid has more cells than a page takes.
+pub(crate) type PackedFields = Option<Value>;
+
+/// The fields of the first and the last step that have any.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct ShownFields {
+    /// One or two, or none where the run has no fields.
+    ends: Vec<PackedFields>,
+}
+
+impl ShownFields {
+    /// The fields of a record; none where it has none.
+    ///
+    /// Errors: they are not of one grid.
+    pub(crate) fn of_record(record: &StepRecord) -> Result<Option<PackedFields>, OutputError> {
+        let grids = field_grids(record).map(|(position, file, grid)| Ok((position, file.into(), grid)));
+        record.fields.as_ref().map(|_| packed_fields(record.step, grids)).transpose()
+    }
+
+    /// Those in the folder of a run with `steps` finished steps.
+    ///
+    /// Errors: a file is damaged; the system refuses.
+    pub(crate) fn read(folder: &Path, steps: usize) -> Result<Self, OutputError> {
+        let mut files = files(folder, steps)?;
+        let ends = [files.pop_first(), files.pop_last()];
+        let mut shown = Self::default();
+        for (step, positions) in ends.into_iter().flatten() {
+            let grids = positions.into_iter().map(|(position, path)| {
+                let grid = read_vtu(&path)?;
+                Ok((position, path, grid))
+            });
+            shown.push(packed_fields(step, grids)?);
+        }
+        Ok(shown)
+    }
+
+    /// Takes up those of a step after the last one.
+    pub(crate) fn push(&mut self, fields: PackedFields) {
+        self.ends.truncate(1);
+        self.ends.push(fields);
+    }
+
+    /// Whether the run has none.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.ends.is_empty()
+    }
+
+    /// For the page; none where nothing can be shown.
+    pub(crate) fn data(&self) -> Option<Value> {
+        let steps: Vec<&Value> = self.ends.iter().flatten().collect();
+        (!steps.is_empty()).then(|| json!({ "steps": steps }))
+    }
+}
+
+/// The field files of the first `steps` steps: position (from 1) and path, by step.
+fn files(folder: &Path, steps: usize) -> Result<BTreeMap<usize, Vec<(usize, PathBuf)>>, OutputError> {
+    let folder = folder.join(FIELDS_FOLDER);
+    let mut files: BTreeMap<usize, Vec<(usize, PathBuf)>> = BTreeMap::new();
+    let entries = match std::fs::read_dir(&folder) {
+        Err(reason) if reason.kind() == ErrorKind::NotFound => return Ok(files),
+        entries => entries.map_err(OutputError::io("read", &folder))?,
+    };
+    for entry in entries {
+        let path = entry.map_err(OutputError::io("read", &folder))?.path();
+        let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+        if let Some((step, position)) = step_and_position(&name)
+            && step < steps
+        {
+            files.entry(step).or_default().push((position, path));
+        }
+    }
+    // The order of a folder is that of no one.
+    files.values_mut().for_each(|positions| positions.sort());
+    Ok(files)
+}
+
+/// The fields of a step of which `grids` are the wheel position (from 1), the file and what it holds.
+///
+/// Errors: those of `grids`; another grid than at the first position, or no fields on it.
+fn packed_fields(
+    step: usize,
+    grids: impl Iterator<Item = Result<(usize, PathBuf, UnstructuredGrid), OutputError>>,
+) -> Result<PackedFields, OutputError> {
+    let mut first: Option<(Grid, [Quantised; 2])> = None;
+    let mut snapshots = Vec::new();
+    for grid in grids.take(POSITIONS) {
+        let (position, path, grid) = grid?;
+        let (cells, _) = match &mut first {
+            Some(first) => first,
+            None => {
+                let Some(cells) = cells(&grid) else { return Ok(None) };
+                let along = |value: fn(Vec2) -> f64| packed(&cells, |point| value(grid.points[point]));
+                let places = [along(|p| p.x), along(|p| p.y)];
+                first.insert((cells, places))
+            }
+        };
+        let damaged = |reason: String| OutputError::damaged(&path, reason);
+        let array =
+            |name: &str| grid.point_array(name).ok_or_else(|| damaged(format!("no point data {name}")));
+        let moved = array("displacement_mm")?.to_vectors().map_err(|reason| damaged(reason.to_string()))?;
+        let stress = array("stress_mpa")?.to_stresses().map_err(|reason| damaged(reason.to_string()))?;
+        if cells.used.iter().any(|&point| point >= moved.len().min(stress.len())) {
+            return Err(damaged("another grid than at the first position of its step".to_owned()));
+        }
+        let von_mises = |point: usize| {
+            let s = stress[point].deviator();
+            (1.5 * (s[0] * s[0] + s[1] * s[1] + s[2] * s[2])).sqrt()
+        };
+        snapshots.push(json!({
+            "position": position,
+            "ux": packed(cells, |point| moved[point].x),
+            "uy": packed(cells, |point| moved[point].y),
+            "stress": packed(cells, von_mises),
+        }));
+    }
+    Ok(first.map(|(cells, [x, y])| {
+        json!({
+            "step": step,
+            "x": x,
+            "y": y,
+            "corners": Deflated::levels(&cells.corners, cells.corners.len()),
+            "snapshots": snapshots,
+        })
+    }))
+}
+
+/// A value of every point that the page has.
+fn packed(cells: &Grid, value: impl Fn(usize) -> f64) -> Quantised {
+    let values: Vec<f64> = cells.used.iter().map(|&point| value(point)).collect();
+    Quantised::of(&values, values.len())
+}
+
+/// The triangles and quadrilaterals of `grid`; none where there are none or too many.
+fn cells(grid: &UnstructuredGrid) -> Option<Grid> {
+    let mut place = vec![u16::MAX; grid.points.len()];
+    let mut cells = Grid { used: Vec::new(), corners: Vec::new() };
+    for block in &grid.cells {
+        let corners: [usize; 4] = match block.shape {
+            CellShape::Triangle => [0, 1, 2, 2],
+            CellShape::Quad | CellShape::QuadraticQuad => [0, 1, 2, 3],
+            _ => continue,
+        };
+        for cell in block.cells() {
+            for corner in corners {
+                let point = cell[corner];
+                if place[point] == u16::MAX {
+                    place[point] = u16::try_from(cells.used.len()).ok().filter(|&place| place < u16::MAX)?;
+                    cells.used.push(point);
+                }
+                cells.corners.push(place[point]);
+            }
+        }
+    }
+    let count = cells.corners.len() / 4;
+    (1..=CELLS).contains(&count).then_some(cells)
+}

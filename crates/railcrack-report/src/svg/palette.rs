@@ -1,0 +1,38 @@
+//! Colours that people with any colour vision tell apart.
+
+/// Text and frames.
+pub const INK: &str = "#222222";
+/// Secondary text.
+pub const GREY: &str = "#666666";
+/// Grid lines and quiet areas.
+pub const LIGHT: &str = "#e4e4e4";
+/// Blue of [`CATEGORIES`].
+pub const BLUE: &str = "#0072b2";
+/// Orange of [`CATEGORIES`].
+pub const ORANGE: &str = "#e69f00";
+
+/// Colours for things without order (Okabe and Ito 2008, yellow left out: too light on white).
+pub const CATEGORIES: [&str; 7] = [BLUE, "#d55e00", "#009e73", "#cc79a7", ORANGE, "#56b4e9", "#000000"];
+
+/// Anchors of viridis (Smith and van der Walt 2015), dark to light; the lightest tenth is left out on white.
+const VIRIDIS: [[f64; 3]; 9] = [
+    [68.0, 1.0, 84.0],
+    [71.0, 40.0, 120.0],
+    [62.0, 73.0, 137.0],
+    [49.0, 104.0, 142.0],
+    [38.0, 130.0, 142.0],
+    [31.0, 158.0, 137.0],
+    [53.0, 183.0, 121.0],
+    [110.0, 206.0, 88.0],
+    [181.0, 222.0, 43.0],
+];
+
+/// The colour at `place` (0 dark to 1 light) of an ordered scale, as `#rrggbb`.
+pub fn sequence(place: f64) -> String {
+    let along = place.clamp(0.0, 1.0) * (VIRIDIS.len() - 1) as f64;
+    let from = (along as usize).min(VIRIDIS.len() - 2);
+    let part = along - from as f64;
+    let [r, g, b] = [0, 1, 2]
+        .map(|c| (VIRIDIS[from][c] + (VIRIDIS[from + 1][c] - VIRIDIS[from][c]) * part).round() as u8);
+    format!("#{r:02x}{g:02x}{b:02x}")
+}

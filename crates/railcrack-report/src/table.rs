@@ -1,0 +1,161 @@
+//! Tables of a page.
+
+use super::html::{escaped, typeset};
+use std::fmt::Write;
+
+/// A cell of a table. Its text is plain; `K_{I}` sets an index.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Cell {
+    /// What it says.
+    pub text: String,
+    /// Where it leads: a path from the folder of the page, with `/`; empty for nowhere.
+    pub link: String,
+}
+
+impl<T: Into<String>> From<T> for Cell {
+    fn from(text: T) -> Self {
+        Self { text: text.into(), link: String::new() }
+    }
+}
+
+impl Cell {
+    /// A cell that leads to the file at `link`.
+    pub fn linked(text: &str, link: &str) -> Self {
+        Self { text: text.to_owned(), link: link.to_owned() }
+    }
+}
+
+/// What the switches and the pointer know of a row.
+#[derive(Debug, Clone, PartialEq)]
+struct RowMark {
+    name: String,
+    choices: Vec<usize>,
+}
+
+/// A table of a page. Headings and cells are plain text; `K_{I}` sets an index.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Table {
+    /// What the table shows, a sentence above it; empty for none.
+    pub caption: String,
+    /// Column headings with units.
+    pub headings: Vec<String>,
+    /// Rows; a row shorter than the headings leaves cells empty.
+    pub rows: Vec<Vec<Cell>>,
+    /// Marks of the first rows; rows without are always shown.
+    marks: Vec<RowMark>,
+}
+
+impl Table {
+    /// A table without rows.
+    pub fn new(headings: impl IntoIterator<Item = impl Into<String>>) -> Self {
+        Self { headings: headings.into_iter().map(Into::into).collect(), ..Self::default() }
+    }
+
+    /// Appends a row of cells, one for each heading.
+    pub fn row(&mut self, cells: impl IntoIterator<Item = impl Into<Cell>>) {
+        self.rows.push(cells.into_iter().map(Into::into).collect());
+    }
+
+    /// Appends a row that stands for the curves called `name`, and is shown where `choices` are chosen. Rows of this kind come first.
+    pub fn row_of(
+        &mut self,
+        name: &str,
+        choices: &[usize],
+        cells: impl IntoIterator<Item = impl Into<Cell>>,
+    ) {
+        self.marks.push(RowMark { name: name.to_owned(), choices: choices.to_vec() });
+        self.row(cells);
+    }
+
+    /// Appends the table to `page`. The first cell of a row names it.
+    pub(super) fn write(&self, page: &mut String) {
+        page.push_str("<div class=\"wide\"><table>\n");
+        if !self.caption.is_empty() {
+            // Writing to a string does not fail.
+            let _ = writeln!(page, "<caption>{}</caption>", typeset(&self.caption));
+        }
+        page.push_str("<thead><tr>");
+        for (column, heading) in self.headings.iter().enumerate() {
+            // A heading stands above its numbers.
+            let mut cells =
+                self.rows.iter().filter_map(|row| row.get(column)).filter(|cell| !cell.text.is_empty());
+            let is_numbers =
+                column > 0 && cells.clone().next().is_some() && cells.all(|cell| is_number(&cell.text));
+            let class = if is_numbers { " class=\"number\"" } else { "" };
+            let _ = write!(page, "<th scope=\"col\"{class}>{}</th>", typeset(heading));
+        }
+        page.push_str("</tr></thead>\n<tbody>\n");
+        for (place, row) in self.rows.iter().enumerate() {
+            match self.marks.get(place) {
+                Some(RowMark { name, choices }) => {
+                    let choices: Vec<String> = choices.iter().map(usize::to_string).collect();
+                    let (name, choices) = (escaped(name), choices.join(","));
+                    let _ = write!(page, "<tr data-name=\"{name}\" data-choices=\"{choices}\">");
+                }
+                None => page.push_str("<tr>"),
+            }
+            for (column, cell) in row.iter().enumerate() {
+                let text = if cell.link.is_empty() {
+                    typeset(&cell.text)
+                } else {
+                    format!("<a href=\"{}\">{}</a>", escaped(&cell.link), typeset(&cell.text))
+                };
+                let _ = match (column, is_number(&cell.text)) {
+                    (0, _) => write!(page, "<th scope=\"row\">{text}</th>"),
+                    (_, true) => write!(page, "<td class=\"number\">{text}</td>"),
+                    (_, false) => write!(page, "<td>{text}</td>"),
+                };
+            }
+            page.push_str("</tr>\n");
+        }
+        page.push_str("</tbody></table></div>\n");
+    }
+}
+
+/// A cell of numbers without one.
+pub const MISSING: &str = "\u{2013}";
+
+/// Whether a cell holds nothing but a number, or says that there is none: such cells are aligned at their right.
+fn is_number(cell: &str) -> bool {
+    let digits = cell.trim_start_matches(['\u{2212}', '-']);
+    cell == MISSING
+        || digits.starts_with(|letter: char| letter.is_ascii_digit())
+            && digits.chars().all(|letter| letter.is_ascii_digit() || "\u{2212}-\u{a0}.e+ ".contains(letter))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cells_are_text() {
+        let mut table = Table::new(["step", "ΔK_{I} (MPa√m)"]);
+        table.row(["<b>", "\u{2212}1.5"]);
+        let mut page = String::new();
+        table.write(&mut page);
+        assert!(page.contains("<th scope=\"col\" class=\"number\">ΔK<sub>I</sub> (MPa√m)</th>"), "{page}");
+        assert!(
+            page.contains("<tr><th scope=\"row\">&lt;b&gt;</th><td class=\"number\">\u{2212}1.5</td>"),
+            "{page}"
+        );
+    }
+
+    #[test]
+    fn numbers_are_told_from_words() {
+        assert!(
+            ["0", "-0.1", "1e-6", "\u{2212}2.5e\u{2212}4", "1\u{a0}197", MISSING].into_iter().all(is_number)
+        );
+        assert!(!["", "-", "6.00 \u{2192} 8.21", "spall", "0 to 1.70"].into_iter().any(is_number));
+    }
+
+    #[test]
+    fn rows_may_lead_to_other_pages_and_follow_the_switches() {
+        let mut table = Table::new(["run", "cycles"]);
+        table.row_of("run 1: \"x\"", &[0, 2], [Cell::linked("1", "runs/1/report.html"), "10".into()]);
+        let mut page = String::new();
+        table.write(&mut page);
+        let row = "<tr data-name=\"run 1: &quot;x&quot;\" data-choices=\"0,2\"><th scope=\"row\">\
+                   <a href=\"runs/1/report.html\">1</a></th><td class=\"number\">10</td></tr>";
+        assert!(page.contains(row), "{page}");
+    }
+}

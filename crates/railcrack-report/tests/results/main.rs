@@ -1,0 +1,13 @@
+//! Results as files: the run folder, its plots and pages, comparisons, fields.
+
+mod compare;
+mod fields;
+mod fields_of_a_run;
+mod report;
+mod run_folder;
+mod simulation;
+
+#[path = "../../../railcrack-vtu/tests/vtu/meshio.rs"]
+mod meshio;
+#[path = "../support/mod.rs"]
+mod support;

@@ -1,0 +1,362 @@
+//! The report of a run: its numbers against the tables, its structure, its safety against texts, its size.
+
+use super::support::{SMALL, Scratch, Size, case, info, record_steps};
+use miniz_oxide::inflate::decompress_to_vec_zlib;
+use railcrack_report::{Block, FolderKind, Page, Pages, Section, rebuild_report};
+use railcrack_run::{Existing, Recorder};
+use serde_json::Value;
+use std::fs;
+use std::path::Path;
+
+fn run(folder: &Path, size: Size) {
+    let mut recorder = Recorder::start(folder, case(), info(), Existing::Refuse, &Pages).unwrap();
+    record_steps(&mut recorder, size, 0, size.increments + 1).unwrap();
+    recorder.finish().unwrap();
+}
+
+fn report(folder: &Path) -> String {
+    fs::read_to_string(folder.join("report.html")).unwrap()
+}
+
+/// The data of the explorer.
+fn data(page: &str) -> Value {
+    data_of(page, "run-data")
+}
+
+fn data_of(page: &str, id: &str) -> Value {
+    let (_, after) = page.split_once(&format!("<script type=\"application/json\" id=\"{id}\">")).unwrap();
+    serde_json::from_str(after.split_once("</script>").unwrap().0).unwrap()
+}
+
+/// Rows of a table as maps would have them: the fields of `columns`.
+fn rows(folder: &Path, file: &str, columns: &[&str]) -> Vec<Vec<String>> {
+    let text = fs::read_to_string(folder.join(file)).unwrap();
+    let mut lines = text.lines().filter(|line| !line.starts_with('#'));
+    let header: Vec<&str> = lines.next().unwrap().split(',').collect();
+    let places: Vec<usize> =
+        columns.iter().map(|column| header.iter().position(|name| name == column).unwrap()).collect();
+    let row = |line: &str| {
+        let fields: Vec<&str> = line.split(',').collect();
+        places.iter().map(|&place| fields[place].to_owned()).collect()
+    };
+    lines.map(row).collect()
+}
+
+fn unpacked(value: &Value) -> Vec<u8> {
+    let letters = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let (mut bits, mut count, mut bytes) = (0u32, 0, Vec::new());
+    for letter in value.as_str().unwrap().bytes().filter(|&letter| letter != b'=') {
+        bits = bits << 6 | letters.iter().position(|&l| l == letter).unwrap() as u32;
+        count += 6;
+        if count >= 8 {
+            count -= 8;
+            bytes.push((bits >> count) as u8);
+        }
+    }
+    decompress_to_vec_zlib(&bytes).unwrap()
+}
+
+fn singles(value: &Value) -> Vec<f64> {
+    let bytes = unpacked(value);
+    bytes.chunks_exact(4).map(|b| f64::from(f32::from_le_bytes(b.try_into().unwrap()))).collect()
+}
+
+/// Quantised values in rows of `row`, and half a level.
+fn quantised(value: &Value, row: usize) -> (Vec<f64>, f64) {
+    let (low, step) = (value["low"].as_f64().unwrap(), value["step"].as_f64().unwrap());
+    let bytes = unpacked(&value["data"]);
+    let count = bytes.len() / 2;
+    let mut level = 0u16;
+    let of = |i: usize| {
+        let folded = u16::from(bytes[i]) | u16::from(bytes[count + i]) << 8;
+        let difference = (folded >> 1) ^ (folded & 1).wrapping_neg();
+        level = if i.is_multiple_of(row) { difference } else { level.wrapping_add(difference) };
+        low + step * f64::from(level)
+    };
+    ((0..count).map(of).collect(), 0.5 * step)
+}
+
+#[test]
+fn histories_and_faces_are_those_of_the_tables() {
+    let scratch = Scratch::new("report-numbers");
+    let size = Size { cracks: 2, ..SMALL };
+    run(scratch.path(), size);
+    let data = data(&report(scratch.path()));
+    let steps = data["steps"].as_array().unwrap();
+    assert_eq!(steps.len(), 5);
+    let columns = ["step", "passage", "crack", "position", "ki_mpa_sqrt_m", "kii_mpa_sqrt_m"];
+    let mut compared = 0;
+    for row in rows(scratch.path(), "sif.csv", &columns) {
+        if row[1] != "2" {
+            continue; // not the stabilised passage
+        }
+        let count = |i: usize| row[i].parse::<usize>().unwrap();
+        let tip = &steps[count(0)]["tips"][count(2) - 1];
+        for (name, i) in [("ki", 4), ("kii", 5)] {
+            let (want, found) = (row[i].parse::<f64>().unwrap(), singles(&tip[name])[count(3) - 1]);
+            assert!((found - want).abs() <= 1e-6 * want.abs(), "{row:?}: {found}");
+            compared += 1;
+        }
+    }
+    assert_eq!(compared, 2 * 2 * 5 * size.positions);
+    let columns = ["step", "position", "crack", "opening_mm", "slip_mm", "s22_mpa", "s12_mpa", "status"];
+    let table = rows(scratch.path(), "faces.csv", &columns);
+    assert_eq!(table.len(), 5 * size.positions * 2 * size.face_points);
+    for step in 0..5 {
+        for crack in 1..=2 {
+            let faces = &steps[step]["faces"][crack - 1];
+            let of_crack: Vec<&Vec<String>> = table
+                .iter()
+                .filter(|row| row[0] == step.to_string() && row[2] == crack.to_string())
+                .collect();
+            let packed =
+                ["opening", "slip", "pressure", "shear"].map(|name| quantised(&faces[name], size.positions));
+            let status = unpacked(&faces["status"]);
+            for (i, row) in of_crack.iter().enumerate() {
+                // Rows go by position and point, the page by point and position.
+                let at = (i % size.face_points) * size.positions + i / size.face_points;
+                for (c, (values, half)) in packed.iter().enumerate() {
+                    let sign = if c == 2 { -1.0 } else { 1.0 };
+                    let want = sign * row[3 + c].parse::<f64>().unwrap();
+                    assert!((values[at] - want).abs() <= half * 1.001 + 1e-15, "{row:?}: {}", values[at]);
+                }
+                assert_eq!(["open", "stick", "slip"][usize::from(status[at])], row[7]);
+            }
+        }
+    }
+}
+
+#[test]
+fn fields_are_those_of_the_first_and_the_last_step_that_have_files() {
+    let scratch = Scratch::new("report-fields");
+    run(scratch.path(), SMALL);
+    let fields = data_of(&report(scratch.path()), "field-data");
+    let steps = fields["steps"].as_array().unwrap();
+    assert_eq!(steps.iter().map(|step| step["step"].as_u64().unwrap()).collect::<Vec<_>>(), [0, 4]);
+    let last = &steps[1];
+    let values = |value: &Value| quantised(value, usize::MAX).0;
+    for (name, want) in [("x", [0.0, -1.0, 1.0]), ("y", [0.0, -1.0, -1.0])] {
+        let (found, half) = quantised(&last[name], usize::MAX);
+        for (found, want) in found.iter().zip(want) {
+            assert!((found - want).abs() <= 1.001 * half, "{name}: {found}, not {want}");
+        }
+    }
+    // A triangle: points 0, 1, 2, 2 as differences 0, 1, 1, 0, of which twice the size is kept, low bytes first.
+    assert_eq!(unpacked(&last["corners"]), [0, 2, 2, 0, 0, 0, 0, 0]);
+    let snapshot = &last["snapshots"][1];
+    assert_eq!(snapshot["position"], 21);
+    assert_eq!((values(&snapshot["ux"]), values(&snapshot["uy"])), (vec![0.004; 3], vec![2.0; 3]));
+    // σ_xx alone is the stress of von Mises.
+    assert!((values(&snapshot["stress"])[0] - 100.0 / 3.0).abs() < 1e-12);
+    // A file that is no field is not taken for one, a field that is damaged is named.
+    fs::write(scratch.path().join("fields/mine.vtu"), "x").unwrap();
+    rebuild_report(scratch.path()).unwrap();
+    fs::write(scratch.path().join("fields/step-0004-position-0011.vtu"), "x").unwrap();
+    let refused = rebuild_report(scratch.path()).unwrap_err().to_string();
+    assert!(refused.contains("step-0004-position-0011.vtu"), "{refused}");
+}
+
+#[test]
+fn the_first_lines_say_cycles_tonnes_direction_stop_and_warnings() {
+    let scratch = Scratch::new("report-first");
+    let with_traffic = railcrack_run::CaseFiles {
+        toml: "title = \"x\"\n[traffic]\naxle_load_t = 20.0\n[growth]\nsteps = 4\n".to_owned(),
+        companions: Vec::new(),
+    };
+    let mut recorder =
+        Recorder::start(scratch.path(), with_traffic, info(), Existing::Refuse, &Pages).unwrap();
+    record_steps(&mut recorder, SMALL, 0, 5).unwrap();
+    recorder.finish().unwrap();
+    let page = report(scratch.path());
+    let result = page.split_once("id=\"result\"").unwrap().1.split_once("</section>").unwrap().0;
+    // 4.1e5 (1 − 0.9⁴) cycles of 20 t.
+    for words in [
+        "140\u{a0}999 load cycles (2.82 million gross tonnes at 20 t per axle)",
+        "<dt>Load cycles</dt><dd>140\u{a0}999",
+        "<dt>Million gross tonnes</dt><dd>2.82",
+        "<dt>Direction</dt><dd>downward",
+        "<dt>Ended by</dt><dd>steps done<small>after step 4 of 4",
+        "Near ties of directions: read the path as one of several. Step 1: ",
+        "<th scope=\"row\">6.80</th>",
+        "Crack faces: no gap, unilateral contact, Coulomb friction; virgin in each growth step.",
+    ] {
+        assert!(result.contains(words), "no \"{words}\" in {result}");
+    }
+    // Without an axle load, no tonnes: they are never derived.
+    let other = Scratch::new("report-no-traffic");
+    run(other.path(), SMALL);
+    assert!(report(other.path()).contains("<dt>Million gross tonnes</dt><dd>not given"));
+}
+
+/// Names of elements in the order of their tags, scripts and styles left out; every tag must be closed.
+fn check_structure(page: &str) {
+    let mut open: Vec<String> = Vec::new();
+    let mut rest = page.strip_prefix("<!DOCTYPE html>").unwrap();
+    while let Some(at) = rest.find('<') {
+        rest = &rest[at + 1..];
+        let (tag, after) = rest.split_once('>').unwrap();
+        rest = after;
+        let name: String =
+            tag.trim_start_matches('/').chars().take_while(char::is_ascii_alphanumeric).collect();
+        assert!(!name.is_empty(), "a bare < before \"{}\"", &tag[..tag.len().min(40)]);
+        if tag.starts_with('/') {
+            assert_eq!(open.pop().as_deref(), Some(name.as_str()));
+        } else if !["meta", "link", "input", "img"].contains(&name.as_str()) {
+            if ["script", "style"].contains(&name.as_str()) {
+                let (_, after) = rest.split_once(&format!("</{name}>")).unwrap();
+                rest = after;
+            } else {
+                open.push(name);
+            }
+        }
+    }
+    assert!(open.is_empty(), "{open:?}");
+}
+
+#[test]
+fn elements_are_closed_and_names_are_unique() {
+    let scratch = Scratch::new("report-structure");
+    run(scratch.path(), Size { cracks: 3, ..SMALL });
+    let page = report(scratch.path());
+    check_structure(&page);
+    let markup: String =
+        page.split("<script").map(|part| part.split_once("</script>").map_or(part, |p| p.1)).collect();
+    let mut names: Vec<&str> =
+        markup.split(" id=\"").skip(1).map(|part| part.split('"').next().unwrap()).collect();
+    let count = names.len();
+    names.sort_unstable();
+    names.dedup();
+    assert!(names.len() == count && count > 15, "{names:?}");
+    assert!(!markup.contains("src=\"http") && !markup.contains("href=\"http"), "a reference to the network");
+}
+
+#[test]
+fn texts_of_the_case_are_harmless() {
+    let scratch = Scratch::new("report-texts");
+    let evil = "</script><script>alert('1')</script><!-- \"> & <img src=x onerror=alert(1)>";
+    let mut info = info();
+    info.title = evil.to_owned();
+    let files = railcrack_run::CaseFiles {
+        toml: format!("# {evil}\ntitle = '''{evil}'''\n"),
+        companions: Vec::new(),
+    };
+    let mut recorder = Recorder::start(scratch.path(), files, info, Existing::Refuse, &Pages).unwrap();
+    record_steps(&mut recorder, SMALL, 0, 5).unwrap();
+    recorder.finish().unwrap();
+    let page = report(scratch.path());
+    assert!(
+        !page.contains("<script>alert") && !page.contains("<img src=x"),
+        "the title is part of the page's code"
+    );
+    assert!(page.contains("&lt;/script&gt;&lt;script&gt;alert(&#39;1&#39;)"));
+    check_structure(&page);
+    data(&page);
+    let page = Page {
+        title: evil.to_owned(),
+        sections: vec![Section {
+            id: evil.to_owned(),
+            heading: evil.to_owned(),
+            blocks: vec![Block::Verbatim(evil.to_owned())],
+        }],
+        ..Page::default()
+    };
+    check_structure(&page.html());
+}
+
+#[test]
+fn twenty_five_steps_stay_below_five_megabytes() {
+    let scratch = Scratch::new("report-size");
+    run(scratch.path(), Size { increments: 25, positions: 241, face_points: 120, cracks: 1 });
+    let size = fs::metadata(scratch.path().join("report.html")).unwrap().len();
+    assert!(size < 5_000_000, "{size} bytes");
+    let network = Scratch::new("report-size-network");
+    run(network.path(), Size { increments: 25, positions: 241, face_points: 60, cracks: 9 });
+    let size = fs::metadata(network.path().join("report.html")).unwrap().len();
+    assert!(size < 5_000_000, "{size} bytes");
+    let page = report(network.path());
+    assert!(page.contains("faces are shown at one in 4 wheel positions"), "what is left out is said");
+}
+
+#[test]
+fn rebuilt_from_the_folder_alone_it_is_the_same_whatever_the_times() {
+    let scratch = Scratch::new("report-rebuild");
+    run(scratch.path(), SMALL);
+    let before = report(scratch.path());
+    for file in ["report.html", "checkpoint.bin"] {
+        fs::remove_file(scratch.path().join(file)).unwrap();
+    }
+    fs::remove_dir_all(scratch.path().join("plots")).unwrap();
+    let path = scratch.path().join("summary.json");
+    let mut summary: Value = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
+    summary["wall_s"] = 1234.5.into();
+    summary["peak_memory_mb"] = 1.0.into();
+    fs::write(&path, summary.to_string()).unwrap();
+    assert_eq!(rebuild_report(scratch.path()).unwrap(), FolderKind::Run);
+    assert_eq!(before, report(scratch.path()));
+    assert!(scratch.path().join("plots/ki.svg").is_file());
+}
+
+#[test]
+fn what_is_left_out_is_the_same_in_one_go_resumed_and_rebuilt() {
+    // Too many face states: of the first run positions are left out, of the second, which has few of them, steps.
+    let first = Size { increments: 25, positions: 125, face_points: 330, cracks: 1 };
+    let second = Size { positions: 61, face_points: 330, cracks: 2, ..first };
+    for (size, says) in [
+        (first, "faces are shown at one in 2 wheel positions"),
+        (second, "the passage explorer has 14 of 26 steps"),
+    ] {
+        let (whole, cut) = (Scratch::new("report-whole"), Scratch::new("report-cut"));
+        run(whole.path(), size);
+        let page = report(whole.path());
+        assert!(page.contains(says), "{says}");
+        let mut recorder = Recorder::start(cut.path(), case(), info(), Existing::Refuse, &Pages).unwrap();
+        record_steps(&mut recorder, size, 0, 22).unwrap();
+        let (mut recorder, state) = Recorder::resume(cut.path(), case(), info(), &Pages).unwrap();
+        record_steps(&mut recorder, size, state.unwrap().step, 26).unwrap();
+        recorder.finish().unwrap();
+        assert!(report(cut.path()) == page, "resumed: {says}");
+        rebuild_report(whole.path()).unwrap();
+        assert!(report(whole.path()) == page, "rebuilt: {says}");
+    }
+}
+
+#[test]
+fn an_unfinished_run_is_shown_as_such() {
+    let scratch = Scratch::new("report-unfinished");
+    let mut recorder = Recorder::start(scratch.path(), case(), info(), Existing::Refuse, &Pages).unwrap();
+    recorder.finish().unwrap();
+    assert!(report(scratch.path()).contains("No step is finished yet."));
+    record_steps(&mut recorder, SMALL, 0, 2).unwrap();
+    recorder.finish().unwrap();
+    assert!(
+        report(scratch.path()).contains("The run has not ended: step 1 is the last one that is finished.")
+    );
+    check_structure(&report(scratch.path()));
+}
+
+#[test]
+fn bad_folders_are_named() {
+    let scratch = Scratch::new("report-bad");
+    let refused = rebuild_report(scratch.path()).unwrap_err().to_string();
+    assert!(refused.contains("holds nothing to report on") && refused.contains("summary.json"), "{refused}");
+    run(scratch.path(), SMALL);
+    let table = |file: &str, from: &str, to: &str| {
+        let path = scratch.path().join(file);
+        let good = fs::read_to_string(&path).unwrap();
+        assert!(good.contains(from), "{file}");
+        fs::write(&path, good.replacen(from, to, 1)).unwrap();
+        let refused = rebuild_report(scratch.path()).unwrap_err().to_string();
+        fs::write(&path, good).unwrap();
+        refused
+    };
+    for (file, from, to, says) in [
+        ("growth.csv", "delta_keq_mpa_sqrt_m,", "other,", "no column delta_keq_mpa_sqrt_m"),
+        ("faces.csv", ",stick\n", ",stuck\n", "status is \"stuck\", not open, stick or slip"),
+        ("sif.csv", "-6.0,", "x,", "xc_over_a is \"x\", not a finite number"),
+        ("summary.json", "\"engine\"", "\"motor\"", "missing field `engine`"),
+    ] {
+        let refused = table(file, from, to);
+        assert!(refused.contains(says) && refused.contains(file), "{file}: {refused}");
+    }
+    rebuild_report(scratch.path()).unwrap();
+}

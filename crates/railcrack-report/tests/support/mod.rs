@@ -1,0 +1,235 @@
+//! Synthetic runs: records with the shape of real ones and no mechanics behind them.
+
+// Each test program uses a part of this.
+#![allow(dead_code)]
+
+use railcrack::body::{BodyTimes, Face, FieldGrid, FieldLine};
+use railcrack::contact::{FaceState, FaceStatus};
+use railcrack::crack::{Crack, End};
+use railcrack::fracture::Sif;
+use railcrack::growth::{
+    CrackTip, FacePoint, FaceRecord, FieldRecord, FieldSnapshot, GrowthState, PassageRecord, PhaseTimes,
+    Piece, PieceKind, RunStop, SolverCounts, StepRecord, TipRecord, WaitingGrowth, Warning,
+};
+use railcrack::math::{Stress, Vec2};
+use railcrack_run::{CaseFiles, OutputError, Recorder, RunInfo};
+use std::path::{Path, PathBuf};
+
+/// Half-width of the contact, mm.
+pub const HALF_WIDTH: f64 = 6.75;
+
+/// A folder that goes away with its owner.
+pub struct Scratch(PathBuf);
+
+impl Scratch {
+    pub fn new(name: &str) -> Self {
+        let path = std::env::temp_dir().join(format!("railcrack-{name}-{}", std::process::id()));
+        let _ = std::fs::remove_dir_all(&path);
+        std::fs::create_dir_all(&path).unwrap();
+        Self(path)
+    }
+
+    pub fn path(&self) -> &Path {
+        &self.0
+    }
+}
+
+impl Drop for Scratch {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+/// Size of a synthetic run.
+#[derive(Debug, Clone, Copy)]
+pub struct Size {
+    pub increments: usize,
+    pub positions: usize,
+    pub face_points: usize,
+    pub cracks: usize,
+}
+
+pub const SMALL: Size = Size { increments: 4, positions: 41, face_points: 12, cracks: 1 };
+
+pub fn info() -> RunInfo {
+    RunInfo {
+        title: "Synthetic <run> & its \"title\"".to_owned(),
+        engine: "dislocation".to_owned(),
+        contact: "newton".to_owned(),
+        boundary: "half-plane".to_owned(),
+        half_width: HALF_WIDTH,
+        axle_load: Some(17.0),
+        warnings: Vec::new(),
+    }
+}
+
+/// A case with a file that it names.
+pub fn case() -> CaseFiles {
+    CaseFiles {
+        toml: "title = \"synthetic\"\n[solver]\nengine = \"dislocation\"\n".to_owned(),
+        companions: vec![("inputs/residual-stress.csv".to_owned(), "depth_mm,sxx_mpa\n0,-100\n".to_owned())],
+    }
+}
+
+/// The cracks at the start of `step`.
+pub fn cracks(size: Size, step: usize) -> Vec<Crack> {
+    let grown = |i: usize| {
+        let mut crack = Crack::surface_breaking(3.375 * i as f64, 6.0, 15f64.to_radians()).unwrap();
+        for n in 0..step {
+            let turn: f64 = if n == 2 { -20.0 } else { -2.0 };
+            let reach = 0.04 * crack.length() / (1.0 + i as f64);
+            crack = crack.extended(End::Last, reach, turn.to_radians()).unwrap();
+        }
+        crack
+    };
+    (0..size.cracks).map(grown).collect()
+}
+
+/// The record of `step`, and the state after it.
+pub fn step(size: Size, step: usize) -> (StepRecord, GrowthState) {
+    let now = cracks(size, step);
+    let xc: Vec<f64> = (0..size.positions)
+        .map(|i| HALF_WIDTH * (-6.0 + 12.0 * i as f64 / (size.positions - 1) as f64))
+        .collect();
+    let is_last = step == size.increments;
+    let grown = step as f64;
+    let sif = |x: f64, tip: usize, passage: usize| {
+        let u = x / HALF_WIDTH - 0.5 * tip as f64 - 0.8;
+        let locked = if passage == 0 { -0.4 } else { -0.55 };
+        let k1 = (9.0 + grown) * (-(u + 1.7).powi(2) * 3.0).exp() - 0.01;
+        let k2 = locked + (38.0 + 9.0 * grown) * u * (-u * u * 0.9).exp() * (1.0 - 0.35 * u.tanh());
+        Sif { k1: 31.6 * k1.max(0.0), k2: 3.16 * k2 * (1.0 - 0.05 * tip as f64) }
+    };
+    let passage = |p| PassageRecord {
+        xc: xc.clone(),
+        sifs: (0..size.cracks).map(|tip| xc.iter().map(|&x| sif(x, tip, p)).collect()).collect(),
+    };
+    let cycles = |n: usize| 4.1e5 * (1.0 - 0.9f64.powi(n as i32));
+    let tips = now.iter().enumerate().map(|(i, crack)| tip_record(i, crack, step, is_last)).collect();
+    let record = StepRecord {
+        step,
+        tips,
+        passages: vec![passage(0), passage(1)],
+        faces: faces(size, &now, &xc),
+        fields: step.is_multiple_of(2).then(|| fields(step)),
+        load_cycles: cycles(step),
+        dofs: 30_000 + step,
+        counts: SolverCounts {
+            passages: 2,
+            substeps: 300 + step,
+            solves: 700 + step,
+            iterations: 3 * (700 + step),
+            iterations_max: 9,
+            complementarity_max: 1e-11,
+        },
+        times: PhaseTimes {
+            body_s: 0.5,
+            parts: BodyTimes { condensation_s: 0.25, ..BodyTimes::default() },
+            contact_s: 1.25,
+            growth_s: 0.03125,
+        },
+        warnings: near_ties(step),
+        junctions: Vec::new(),
+        pieces: spalls(step),
+        stop: is_last.then_some(RunStop::StepsDone),
+        cracks: now,
+    };
+    let state = GrowthState {
+        step: step + 1,
+        cracks: cracks(size, if is_last { step } else { step + 1 }),
+        junctions: Vec::new(),
+        break_outs: Vec::new(),
+        load_cycles: cycles(if is_last { step } else { step + 1 }),
+        stopped: vec![vec![None]; size.cracks],
+        waiting: vec![vec![WaitingGrowth::default()]; size.cracks],
+        ended: record.stop,
+    };
+    (record, state)
+}
+
+/// One triangle and one line at two positions.
+fn fields(step: usize) -> FieldRecord {
+    let points = vec![Vec2::new(0.0, 0.0), Vec2::new(-1.0, -1.0), Vec2::new(1.0, -1.0)];
+    let line = FieldLine { face: Face::Plus, ends: [0, 2], tractions: [[(0, 1.0), (1, 0.0)]; 2] };
+    let grid = FieldGrid {
+        inside: points.clone(),
+        triangles: vec![[0, 1, 2]],
+        lines: vec![line],
+        quads: Vec::new(),
+        points,
+    };
+    let snapshot = |position: usize| FieldSnapshot {
+        position,
+        xc: -3.0,
+        displacement: vec![Vec2::new(1e-3 * step as f64, 0.1 * position as f64); 3],
+        stress: vec![Stress { xx: -100.0 / 3.0, ..Stress::ZERO }; 3],
+        traction: vec![Vec2::new(0.0, 5.0); 3],
+    };
+    FieldRecord { snapshots: vec![snapshot(10), snapshot(20)], grid }
+}
+
+fn near_ties(step: usize) -> Vec<Warning> {
+    let text = "the rival direction grows 0.99 times as fast".to_owned();
+    if step == 1 { vec![Warning { step, kind: "near-tie".to_owned(), text }] } else { Vec::new() }
+}
+
+/// A triangle above the first crack.
+fn spalls(step: usize) -> Vec<Piece> {
+    let outline = vec![Vec2::new(0.0, 0.0), Vec2::new(4.0, -1.0), Vec2::new(4.5, 0.0)];
+    let spall = Piece { kind: PieceKind::Spall, step, crack: 0, outline, area: 2.25 };
+    if step == 2 { vec![spall] } else { Vec::new() }
+}
+
+fn tip_record(i: usize, crack: &Crack, step: usize, is_last: bool) -> TipRecord {
+    let place: Vec2 = crack.tip(End::Last);
+    TipRecord {
+        tip: CrackTip { crack: i, tip: 0, end: End::Last },
+        x: place.x,
+        y: place.y,
+        length: crack.length(),
+        waiting: WaitingGrowth::default(),
+        ki_max: 280.0 + step as f64,
+        delta_ki: 280.0 + step as f64,
+        delta_kii: 190.0 / 3.0,
+        delta_keq: 300.0,
+        kink: (step != 3).then_some(-2f64.to_radians()),
+        rival: (step == 1).then_some(65f64.to_radians()),
+        rival_ratio: (step == 1).then_some(0.99),
+        increment: if is_last { 0.0 } else { 0.04 * crack.length() / (1.0 + i as f64) },
+        rate: 4e-6 / (1.0 + i as f64),
+        stop: None,
+    }
+}
+
+fn faces(size: Size, cracks: &[Crack], xc: &[f64]) -> FaceRecord {
+    let mut points = Vec::new();
+    for (i, crack) in cracks.iter().enumerate() {
+        let length = crack.length();
+        for j in 0..size.face_points {
+            let s = length * (j as f64 + 0.5) / size.face_points as f64;
+            points.push(FacePoint { crack: i, segment: usize::from(s > 6.0), s });
+        }
+    }
+    let state = |x: f64, s: f64| {
+        let u = (x - 0.9 * s) / HALF_WIDTH;
+        if u < -1.0 && u > -2.2 {
+            let opening = -1e-3 * (u + 1.0) * (u + 2.2);
+            return FaceState { opening, slip: 1e-4 * s, s22: 0.0, s12: 0.0, status: FaceStatus::Open };
+        }
+        let s22 = -400.0 * (-u * u).exp() - 7.0 / (1.0 + u * u);
+        let status = if (u - 0.2).abs() < 0.8 { FaceStatus::Slip } else { FaceStatus::Stick };
+        let s12 = if status == FaceStatus::Slip { -0.5 * s22 } else { 0.3 * s22 * u.tanh() };
+        FaceState { opening: 0.0, slip: 2e-3 * u.tanh() / (1.0 + s), s22, s12, status }
+    };
+    let states = xc.iter().map(|&x| points.iter().map(|p| state(x, p.s)).collect()).collect();
+    FaceRecord { points, states }
+}
+
+/// Computes the steps from `from` to `to` (exclusive) into `recorder`.
+pub fn record_steps(recorder: &mut Recorder, size: Size, from: usize, to: usize) -> Result<(), OutputError> {
+    for n in from..to {
+        let (record, state) = step(size, n);
+        recorder.record(&record, &state)?;
+    }
+    Ok(())
+}

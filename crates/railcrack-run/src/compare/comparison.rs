@@ -1,0 +1,187 @@
+//! The differences of two runs, in numbers.
+
+use super::align::{Aligned, align};
+use super::case_keys::{CaseDifference, case_differences};
+use super::notes::notes;
+use super::parting::{Parting, parting};
+use super::stored::{RunLabel, StoredRun, TipKey};
+use crate::{CrackSummary, OutputError};
+use std::path::Path;
+
+/// Difference of K_I or K_II of a tip over the stabilised passage.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SifDifference {
+    /// The largest, MPa √m, ≥ 0.
+    pub largest: f64,
+    /// Where: x_c/a.
+    pub xc_over_a: f64,
+    /// Root of the mean of its square over the positions, MPa √m.
+    pub rms: f64,
+}
+
+/// Differences of both modes of a tip.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TipSifs {
+    /// Number of positions compared.
+    pub positions: usize,
+    /// K_I.
+    pub ki: SifDifference,
+    /// K_II.
+    pub kii: SifDifference,
+}
+
+/// A tip at a step in both runs.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TipComparison {
+    /// Growth step.
+    pub step: usize,
+    /// Crack, from 1.
+    pub crack: usize,
+    /// Tip, from 1 within its crack.
+    pub tip: usize,
+    /// Differences of K; none where the passages have no position in common.
+    pub sifs: Option<TipSifs>,
+    /// The largest |K_I| or |K_II| of both runs at this step, all tips, MPa √m.
+    pub step_peak: f64,
+    /// Place of the tip in each run, [x, y] in mm.
+    pub places: [[f64; 2]; 2],
+    /// Distance of these, mm.
+    pub distance: f64,
+    /// Length of the crack in each run, mm.
+    pub lengths: [f64; 2],
+    /// Load cycles up to the step in each run.
+    pub load_cycles: [f64; 2],
+    /// Chosen kink of each run, degrees.
+    pub kink_deg: [Option<f64>; 2],
+    /// Rival direction of each run, degrees.
+    pub rival_deg: [Option<f64>; 2],
+    /// Growth rate of the rival over that of the chosen direction, of each run.
+    pub rival_ratio: [Option<f64>; 2],
+    /// Why the tip stopped in each run; empty where it did not.
+    pub stops: [String; 2],
+}
+
+/// Two runs set against each other.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Comparison {
+    /// The runs.
+    pub runs: [RunLabel; 2],
+    /// What their cases say differently.
+    pub case_differences: Vec<CaseDifference>,
+    /// What was not compared, or not as it stands: sentences.
+    pub notes: Vec<String>,
+    /// Number of steps that both have, the initial geometry counted.
+    pub common_steps: usize,
+    /// The largest |K_I| or |K_II| of both runs in these steps, MPa √m.
+    pub peak: f64,
+    /// Every tip that both have, in the order of step, crack, tip.
+    pub tips: Vec<TipComparison>,
+    /// Where the paths part, if they do.
+    pub parting: Option<Parting>,
+    /// K at common positions, one for each of `tips`.
+    pub aligned: Vec<Aligned>,
+    /// Paths of each run.
+    pub cracks: [Vec<CrackSummary>; 2],
+}
+
+impl Comparison {
+    /// Compares the runs in two folders by their stored tables, for the steps and tips that both have.
+    ///
+    /// Errors: a folder holds no run; a file of it is damaged; the system refuses.
+    pub fn of(first: &Path, second: &Path) -> Result<Self, OutputError> {
+        let (first, second) = (StoredRun::read(first)?, StoredRun::read(second)?);
+        let runs = [&first, &second];
+        let keys: Vec<TipKey> =
+            first.growth.keys().filter(|key| second.growth.contains_key(key)).copied().collect();
+        let mut tips = Vec::with_capacity(keys.len());
+        let mut aligned = Vec::with_capacity(keys.len());
+        for &key in &keys {
+            let at_same_positions = align([first.history(key)?, second.history(key)?]);
+            tips.extend(tip_comparison(runs, key, &at_same_positions));
+            aligned.push(at_same_positions);
+        }
+        for tip in &mut tips {
+            tip.step_peak = step_peak(runs, tip.step);
+        }
+        Ok(Self {
+            runs: runs.map(StoredRun::label),
+            case_differences: case_differences(runs.map(|run| (run.case.as_str(), run.folder.as_path())))?,
+            notes: notes(runs, &tips, &aligned),
+            common_steps: first.summary.steps_recorded.min(second.summary.steps_recorded),
+            peak: tips.iter().map(|tip| tip.step_peak).fold(0.0, f64::max),
+            parting: parting(runs, &keys),
+            tips,
+            aligned,
+            cracks: [first.summary.cracks, second.summary.cracks],
+        })
+    }
+
+    /// `k` (MPa √m) in per cent of the largest |K| of the case.
+    pub fn percent(&self, k: f64) -> f64 {
+        percent(k, self.peak)
+    }
+
+    /// The largest difference of K_I or K_II, in per cent of the largest |K| of the case; none where the runs have
+    /// nothing in common.
+    pub fn largest_percent(&self) -> Option<f64> {
+        let all = self.tips.iter().filter_map(|tip| tip.sifs);
+        all.map(|sifs| self.percent(sifs.ki.largest.max(sifs.kii.largest))).reduce(f64::max)
+    }
+}
+
+impl TipComparison {
+    /// `k` (MPa √m) in per cent of the largest |K| of the step.
+    pub fn percent(&self, k: f64) -> f64 {
+        percent(k, self.step_peak)
+    }
+}
+
+fn percent(k: f64, peak: f64) -> f64 {
+    if peak > 0.0 { 100.0 * k / peak } else { 0.0 }
+}
+
+/// The largest |K| of both runs at a step.
+fn step_peak(runs: [&StoredRun; 2], step: usize) -> f64 {
+    let of_step = |run: &StoredRun| {
+        let histories = run.histories.range((step, 0, 0)..(step + 1, 0, 0));
+        let all = histories.flat_map(|(_, history)| history.ki.iter().chain(&history.kii));
+        all.fold(0.0, |peak: f64, k| peak.max(k.abs()))
+    };
+    runs.map(of_step).into_iter().fold(0.0, f64::max)
+}
+
+/// The tip `key` in both runs, without the peak of its step.
+fn tip_comparison(runs: [&StoredRun; 2], key: TipKey, aligned: &Aligned) -> Option<TipComparison> {
+    let (step, crack, tip) = key;
+    let [first, second] = runs.map(|run| run.growth.get(&key));
+    let rows = [first?, second?];
+    let [[x1, y1], [x2, y2]] = rows.map(|row| row.place);
+    let sifs = difference(aligned, &aligned.ki).zip(difference(aligned, &aligned.kii));
+    Some(TipComparison {
+        step,
+        crack,
+        tip,
+        sifs: sifs.map(|(ki, kii)| TipSifs { positions: aligned.xc_over_a.len(), ki, kii }),
+        step_peak: 0.0,
+        places: rows.map(|row| row.place),
+        distance: (x2 - x1).hypot(y2 - y1),
+        lengths: rows.map(|row| row.length),
+        load_cycles: rows.map(|row| row.load_cycles),
+        kink_deg: rows.map(|row| row.kink_deg),
+        rival_deg: rows.map(|row| row.rival_deg),
+        rival_ratio: rows.map(|row| row.rival_ratio),
+        stops: rows.map(|row| row.stop.clone()),
+    })
+}
+
+fn difference(aligned: &Aligned, k: &[Vec<f64>; 2]) -> Option<SifDifference> {
+    let differences = || k[0].iter().zip(&k[1]).map(|(one, other)| (other - one).abs());
+    let farther = |most: (usize, f64), next: (usize, f64)| if next.1 > most.1 { next } else { most };
+    let (place, largest) = differences().enumerate().reduce(farther)?;
+    let squares: f64 = differences().map(|difference| difference * difference).sum();
+    Some(SifDifference {
+        largest,
+        xc_over_a: aligned.xc_over_a[place],
+        rms: (squares / k[0].len() as f64).sqrt(),
+    })
+}

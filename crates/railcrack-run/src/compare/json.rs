@@ -1,0 +1,58 @@
+//! `compare.json`: the comparison in numbers.
+
+use super::{Comparison, SifDifference, TipComparison, TipSifs};
+use crate::VERSION;
+use serde_json::{Value, json};
+
+/// The text of `compare.json`; `tolerance` in per cent of the largest |K| of the case.
+pub(super) fn json_text(comparison: &Comparison, tolerance: Option<f64>) -> String {
+    let largest = comparison.largest_percent();
+    let value = json!({
+        "version": VERSION,
+        "runs": comparison.runs,
+        "case_differences": comparison.case_differences,
+        "notes": comparison.notes,
+        "common_steps": comparison.common_steps,
+        "peak_mpa_sqrt_m": comparison.peak,
+        "dki_largest": largest_of(comparison, |sifs| sifs.ki),
+        "dkii_largest": largest_of(comparison, |sifs| sifs.kii),
+        "largest_percent": largest,
+        "tolerance_percent": tolerance,
+        "within_tolerance": tolerance.zip(largest).map(|(tolerance, largest)| largest <= tolerance),
+        "tip_distance_largest": comparison.farthest().map(|tip| json!({
+            "mm": tip.distance,
+            "step": tip.step,
+            "crack": tip.crack,
+            "tip": tip.tip,
+        })),
+        "parting": comparison.parting,
+        "paths": comparison.cracks,
+    });
+    format!("{value:#}\n")
+}
+
+fn largest_of(comparison: &Comparison, mode: fn(TipSifs) -> SifDifference) -> Option<Value> {
+    let (tip, difference) = comparison.largest(mode)?;
+    Some(json!({
+        "mpa_sqrt_m": difference.largest,
+        "percent_of_case": comparison.percent(difference.largest),
+        "percent_of_step": tip.percent(difference.largest),
+        "step": tip.step,
+        "crack": tip.crack,
+        "tip": tip.tip,
+        "xc_over_a": difference.xc_over_a,
+    }))
+}
+
+impl Comparison {
+    /// The tip and step with the largest difference of a mode; the first of several.
+    pub fn largest(&self, mode: fn(TipSifs) -> SifDifference) -> Option<(&TipComparison, SifDifference)> {
+        let all = self.tips.iter().filter_map(|tip| tip.sifs.map(|sifs| (tip, mode(sifs))));
+        all.reduce(|most, next| if next.1.largest > most.1.largest { next } else { most })
+    }
+
+    /// The tip and step where the tips of the two runs are farthest apart; the first of several.
+    pub fn farthest(&self) -> Option<&TipComparison> {
+        self.tips.iter().reduce(|most, next| if next.distance > most.distance { next } else { most })
+    }
+}

@@ -1,0 +1,22 @@
+//! Two runs set against each other, from their folders alone.
+
+mod again;
+mod align;
+mod case_keys;
+mod comparison;
+mod files;
+mod json;
+mod notes;
+mod parting;
+mod stored;
+mod text;
+
+pub use again::stored_comparison;
+pub use align::Aligned;
+pub use case_keys::CaseDifference;
+pub use case_keys::keys as case_keys;
+pub use comparison::{Comparison, SifDifference, TipComparison, TipSifs};
+pub use files::{COMPARE_COLUMNS, COMPARE_POSITIONS_COLUMNS};
+pub use files::{FIRST_STEP, JSON_FILE, LAST_STEP, PATHS};
+pub use parting::Parting;
+pub use stored::RunLabel;

@@ -1,0 +1,274 @@
+//! The run folder: which files are a run's, when they may be replaced, and how a file is replaced whole.
+
+use super::OutputError;
+use super::csv::{FACES_FILE, GROWTH_FILE, RESIDUAL_FILE, SIF_FILE};
+use super::fields::{FIELDS_FILE, FIELDS_FOLDER, is_field_file};
+use super::rolled::{CYCLE_FILE, PASSES_FILE, PLASTIC_FILE, PROFILE_FILE, SHAKEDOWN_FILE};
+use super::study::OUTCOME_FILE;
+use serde::{Deserialize, Serialize};
+use std::fs::{self, File};
+use std::io::{ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+/// The page in a folder.
+pub const REPORT_FILE: &str = "report.html";
+
+/// Folder of the plots.
+pub const PLOTS_FOLDER: &str = "plots";
+
+/// Every plot of a run or of a stabilised plastic state.
+pub const PLOT_FILES: [&str; 14] = [
+    "ki.svg",
+    "kii.svg",
+    "paths.svg",
+    "length-cycles.svg",
+    "faces.svg",
+    "faces-last.svg",
+    "residual-stress.svg",
+    "plastic-strain.svg",
+    "passes.svg",
+    "passes-change.svg",
+    "bounds.svg",
+    "shakedown-map.svg",
+    "dang-van.svg",
+    "field.svg",
+];
+
+pub const CASE_FILE: &str = "case.toml";
+pub const CHECKPOINT_FILE: &str = "checkpoint.bin";
+pub const SUMMARY_FILE: &str = "summary.json";
+
+/// Files of a run beside `case.toml`, in the order in which a replaced run is removed: without its checkpoint a run
+/// is one that has not begun.
+const RUN_FILES: [&str; 18] = [
+    CHECKPOINT_FILE,
+    OUTCOME_FILE,
+    SIF_FILE,
+    GROWTH_FILE,
+    FACES_FILE,
+    RESIDUAL_FILE,
+    SUMMARY_FILE,
+    PASSES_FILE,
+    PROFILE_FILE,
+    SHAKEDOWN_FILE,
+    PLASTIC_FILE,
+    CYCLE_FILE,
+    REPORT_FILE,
+    FIELDS_FILE,
+    "inputs/residual-stress.csv",
+    "inputs/initial-residual.csv",
+    "inputs/plastic-stress.vtu",
+    "inputs/plastic-stress.csv",
+];
+
+/// Folder of the stabilised plastic state that a run computed first.
+pub const ROLLED_FOLDER: &str = "shakedown";
+
+/// Folder of the files that `case.toml` names.
+const INPUTS_FOLDER: &str = "inputs";
+
+/// Ending of a file that is being written and not yet in place.
+const PARTIAL: &str = "partial";
+
+/// What is computed: the text of `case.toml` and the files that it names.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub struct CaseFiles {
+    /// The case, defaults filled in.
+    pub toml: String,
+    /// Name in the run folder (`inputs/residual-stress.csv`) and text of each file that the case names.
+    pub companions: Vec<(String, String)>,
+}
+
+/// What to do with a run that the folder already holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Existing {
+    /// Leave it alone: an error.
+    Refuse,
+    /// Remove the files that a run writes, and no others.
+    Replace,
+}
+
+/// Whether the disk must have a file before it takes its place.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Durability {
+    /// Survives a power failure.
+    Synced,
+    /// Survives the end of the process.
+    Cached,
+}
+
+/// Writes `content` beside `path` and moves it into place: readers see the old file or the new one, never a part.
+pub fn replace_file(path: &Path, content: &[u8], durability: Durability) -> Result<(), OutputError> {
+    let partial = partial_of(path);
+    let refused = || OutputError::io("write", path);
+    let mut file = File::create(&partial).map_err(refused())?;
+    let written = file.write_all(content).and_then(|()| match durability {
+        Durability::Synced => file.sync_all(),
+        Durability::Cached => Ok(()),
+    });
+    if let Err(reason) = written {
+        // Best effort: the error of the write is the one to report.
+        let _ = fs::remove_file(&partial);
+        return Err(refused()(reason));
+    }
+    fs::rename(&partial, path).map_err(refused())
+}
+
+fn partial_of(path: &Path) -> PathBuf {
+    let mut name = path.as_os_str().to_owned();
+    name.push(".");
+    name.push(PARTIAL);
+    PathBuf::from(name)
+}
+
+/// Makes `folder` a run folder with nothing but the case. From `case.toml` on, the folder holds a run that can be
+/// resumed.
+pub fn begin(folder: &Path, case: &CaseFiles, existing: Existing) -> Result<(), OutputError> {
+    if existing == Existing::Refuse
+        && let Some(file) = run_file_in(folder)
+    {
+        return Err(OutputError::HoldsRun { folder: folder.to_path_buf(), file });
+    }
+    if folder.exists() && !folder.is_dir() {
+        let reason = std::io::Error::new(ErrorKind::NotADirectory, "it is a file, not a folder");
+        return Err(OutputError::io("use as a run folder", folder)(reason));
+    }
+    fs::create_dir_all(folder).map_err(OutputError::io("create the run folder", folder))?;
+    if existing == Existing::Replace {
+        // The order matters to a kill in between: first the old run loses its checkpoint, then the new case takes
+        // the old one's place; whatever is left over then belongs to a run that starts from its beginning.
+        remove(&folder.join(CHECKPOINT_FILE))?;
+    }
+    replace_file(&folder.join(CASE_FILE), case.toml.as_bytes(), Durability::Synced)?;
+    if existing == Existing::Replace {
+        clear_results(folder)?;
+        clear_rolled(&folder.join(ROLLED_FOLDER))?;
+    }
+    write_companions(folder, case)
+}
+
+/// Writes the case of a run that goes on: its text and the files that it names.
+pub fn restore_case(folder: &Path, case: &CaseFiles) -> Result<(), OutputError> {
+    replace_file(&folder.join(CASE_FILE), case.toml.as_bytes(), Durability::Cached)?;
+    write_companions(folder, case)
+}
+
+fn write_companions(folder: &Path, case: &CaseFiles) -> Result<(), OutputError> {
+    for (name, text) in &case.companions {
+        let path = folder.join(name);
+        if let Some(parent) = path.parent() {
+            fs::create_dir_all(parent).map_err(OutputError::io("create", parent))?;
+        }
+        replace_file(&path, text.as_bytes(), Durability::Cached)?;
+    }
+    Ok(())
+}
+
+/// Removes every result of a run and its inputs, and their folders where nothing else is in them.
+fn clear_results(folder: &Path) -> Result<(), OutputError> {
+    for file in RUN_FILES {
+        remove(&folder.join(file))?;
+        remove(&partial_of(&folder.join(file)))?;
+    }
+    let plots = folder.join(PLOTS_FOLDER);
+    for file in PLOT_FILES.map(|file| plots.join(file)) {
+        remove(&file)?;
+        remove(&partial_of(&file))?;
+        // Drawn from it by `railcrack report --png`.
+        remove(&file.with_extension("png"))?;
+    }
+    let fields = folder.join(FIELDS_FOLDER);
+    clear_fields(&fields)?;
+    for emptied in [plots, fields, folder.join(INPUTS_FOLDER)] {
+        // Refused where the user keeps files of his own in it, or where it does not exist: both are fine.
+        let _ = fs::remove_dir(emptied);
+    }
+    Ok(())
+}
+
+/// Removes the stage that computed the plastic state, unless the user has a run of his own there.
+fn clear_rolled(folder: &Path) -> Result<(), OutputError> {
+    if !folder.join(CASE_FILE).exists() {
+        return Ok(());
+    }
+    clear_results(folder)?;
+    remove(&folder.join(CASE_FILE))?;
+    let _ = fs::remove_dir(folder);
+    Ok(())
+}
+
+/// Removes the field files of a run, also those that were being written.
+fn clear_fields(fields: &Path) -> Result<(), OutputError> {
+    let entries = match fs::read_dir(fields) {
+        Err(reason) if reason.kind() == ErrorKind::NotFound => return Ok(()),
+        entries => entries.map_err(OutputError::io("read", fields))?,
+    };
+    for entry in entries {
+        let name = entry.map_err(OutputError::io("read", fields))?.file_name();
+        let name = name.to_string_lossy();
+        let written = name.strip_suffix(&format!(".{PARTIAL}")).unwrap_or(&name);
+        if is_field_file(written) {
+            remove(&fields.join(name.as_ref()))?;
+        }
+    }
+    Ok(())
+}
+
+/// Whether a run in `folder` was killed before its case stood there.
+pub fn was_about_to_begin(folder: &Path) -> bool {
+    partial_of(&folder.join(CASE_FILE)).is_file()
+}
+
+/// The case of the run in `folder`; none where no `case.toml` stands there.
+pub fn stored_case(folder: &Path) -> Result<Option<String>, OutputError> {
+    read_if_there(&folder.join(CASE_FILE))?
+        .map(|bytes| {
+            String::from_utf8(bytes)
+                .map_err(|_| OutputError::damaged(&folder.join(CASE_FILE), "is not UTF-8 text"))
+        })
+        .transpose()
+}
+
+/// The content of a file; none where there is no such file.
+pub fn read_if_there(path: &Path) -> Result<Option<Vec<u8>>, OutputError> {
+    match fs::read(path) {
+        Ok(bytes) => Ok(Some(bytes)),
+        Err(reason) if reason.kind() == ErrorKind::NotFound => Ok(None),
+        Err(reason) => Err(OutputError::io("read", path)(reason)),
+    }
+}
+
+/// Removes a run: its case, its results, and its folder where nothing else is in it.
+pub fn clear_run(folder: &Path) -> Result<(), OutputError> {
+    if run_file_in(folder).is_none() {
+        return Ok(());
+    }
+    remove(&folder.join(CHECKPOINT_FILE))?;
+    clear_results(folder)?;
+    clear_rolled(&folder.join(ROLLED_FOLDER))?;
+    for file in [folder.join(CASE_FILE), partial_of(&folder.join(CASE_FILE))] {
+        remove(&file)?;
+    }
+    // Refused where the user keeps files of his own in it: fine.
+    let _ = fs::remove_dir(folder);
+    Ok(())
+}
+
+/// A file of a run that stands in `folder`, where one does.
+pub fn run_file_in(folder: &Path) -> Option<&'static str> {
+    std::iter::once(CASE_FILE).chain(RUN_FILES).find(|file| folder.join(file).exists())
+}
+
+/// The same in the folder of a study, which has a report of its own.
+pub fn run_file_in_study(folder: &Path) -> Option<&'static str> {
+    let of_run = RUN_FILES.into_iter().filter(|file| *file != REPORT_FILE);
+    std::iter::once(CASE_FILE).chain(of_run).find(|file| folder.join(file).exists())
+}
+
+/// Removes a file where it is there.
+pub fn remove(path: &Path) -> Result<(), OutputError> {
+    match fs::remove_file(path) {
+        Err(reason) if reason.kind() != ErrorKind::NotFound => Err(OutputError::io("remove", path)(reason)),
+        _ => Ok(()),
+    }
+}

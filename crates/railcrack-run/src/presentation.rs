@@ -1,0 +1,87 @@
+//! Plots and pages of results, made by someone above this crate as results come in, or by nobody.
+
+use crate::csv::SifScale;
+use crate::{OutputError, StudyFolder, StudyResults};
+use railcrack::growth::StepRecord;
+use std::fmt::Debug;
+use std::path::Path;
+
+/// Makes plots and pages of what is written.
+pub trait Presentation: Sync {
+    /// Gathers what is shown of a run from its beginning.
+    fn run(&self) -> Box<dyn RunPresentation>;
+
+    /// Gathers what is shown of a run that goes on: its folder has the first `steps` steps.
+    ///
+    /// Errors: a file is damaged; the system refuses.
+    fn resumed_run(&self, folder: &Path, steps: usize) -> Result<Box<dyn RunPresentation>, OutputError>;
+
+    /// Plots and page of the stabilised plastic state in `folder`.
+    ///
+    /// Errors: a file is damaged; the system refuses.
+    fn shakedown(&self, folder: &Path) -> Result<(), OutputError>;
+
+    /// Plots and page of the comparison in `folder`.
+    ///
+    /// Errors: a file is damaged; the system refuses.
+    fn comparison(&self, folder: &Path) -> Result<(), OutputError>;
+
+    /// Plots and page of the study in `folder` with its present `results`.
+    ///
+    /// Errors: the system refuses.
+    fn study(&self, folder: &StudyFolder, results: &StudyResults) -> Result<(), OutputError>;
+}
+
+/// What is shown of one run, gathered step by step.
+pub trait RunPresentation: Debug + Send {
+    /// Takes what is shown of the step `record`. It counts once the step is [kept](Self::keep).
+    ///
+    /// Errors: its fields do not belong together.
+    fn take(&mut self, record: &StepRecord, scale: SifScale) -> Result<(), OutputError>;
+
+    /// Keeps the step that was taken last: its files are written.
+    fn keep(&mut self);
+
+    /// Writes plots and page of the run in `folder`.
+    ///
+    /// Errors: a file is damaged; the system refuses.
+    fn finish(&self, folder: &Path) -> Result<(), OutputError>;
+}
+
+/// No plots and pages: tables and summaries only.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct TablesOnly;
+
+impl Presentation for TablesOnly {
+    fn run(&self) -> Box<dyn RunPresentation> {
+        Box::new(Self)
+    }
+
+    fn resumed_run(&self, _: &Path, _: usize) -> Result<Box<dyn RunPresentation>, OutputError> {
+        Ok(Box::new(Self))
+    }
+
+    fn shakedown(&self, _: &Path) -> Result<(), OutputError> {
+        Ok(())
+    }
+
+    fn comparison(&self, _: &Path) -> Result<(), OutputError> {
+        Ok(())
+    }
+
+    fn study(&self, _: &StudyFolder, _: &StudyResults) -> Result<(), OutputError> {
+        Ok(())
+    }
+}
+
+impl RunPresentation for TablesOnly {
+    fn take(&mut self, _: &StepRecord, _: SifScale) -> Result<(), OutputError> {
+        Ok(())
+    }
+
+    fn keep(&mut self) {}
+
+    fn finish(&self, _: &Path) -> Result<(), OutputError> {
+        Ok(())
+    }
+}

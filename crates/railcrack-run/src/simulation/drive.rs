@@ -1,0 +1,120 @@
+//! The loop of a run: compute a step, write it, say so.
+
+use super::{RunError, RunObserver};
+use crate::{OutputError, Recorder, Summary};
+use railcrack::growth::{Growth, GrowthError, GrowthState, StepRecord, Watch};
+use std::sync::mpsc::{SyncSender, sync_channel};
+
+/// What computes steps: [`Growth`], and synthetic runs in tests.
+pub trait StepSource {
+    /// The next step; none when the run has ended. On an error the state is that before the step.
+    fn next_step(&mut self, watch: &dyn Watch) -> Result<Option<StepRecord>, GrowthError>;
+    /// The state after the last computed step.
+    fn state(&self) -> &GrowthState;
+}
+
+impl StepSource for Growth {
+    fn next_step(&mut self, watch: &dyn Watch) -> Result<Option<StepRecord>, GrowthError> {
+        Growth::next_step(self, watch)
+    }
+
+    fn state(&self) -> &GrowthState {
+        Growth::state(self)
+    }
+}
+
+/// How a run came to its end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Ending {
+    /// By itself: all steps done, or a physical stop.
+    Ended,
+    /// By the user; `--resume` goes on.
+    Interrupted,
+}
+
+/// Hands an observer of the run to the computation of a step.
+struct OfSteps<'a>(&'a dyn RunObserver);
+
+impl Watch for OfSteps<'_> {
+    fn progress(&self, fraction: f64) {
+        self.0.fraction(fraction);
+    }
+
+    fn interrupted(&self) -> bool {
+        self.0.interrupted()
+    }
+}
+
+/// Computes the steps of `source` into `recorder` until the run ends or is interrupted, and writes summary and plots. What the
+/// computation held is free before these are built.
+///
+/// Errors: a step cannot be computed (the steps before it are kept, with summary and plots); the system refuses to
+/// write.
+pub(super) fn drive(
+    source: impl StepSource,
+    recorder: &mut Recorder,
+    observer: &dyn RunObserver,
+) -> Result<(Ending, Summary), RunError> {
+    let computed = compute(source, recorder, observer);
+    observer.close();
+    match computed {
+        Ok(ending) => Ok((ending, recorder.finish()?)),
+        // After a refusal to write, another attempt would hide it.
+        Err(RunError::Output(error @ OutputError::Io { .. })) => Err(error.into()),
+        Err(error) => {
+            recorder.finish()?;
+            Err(error)
+        }
+    }
+}
+
+/// Steps that may wait to be written while the next one is computed.
+const WAITING: usize = 1;
+
+/// Computes step after step while another thread writes the one before.
+fn compute(
+    source: impl StepSource,
+    recorder: &mut Recorder,
+    observer: &dyn RunObserver,
+) -> Result<Ending, RunError> {
+    std::thread::scope(|scope| {
+        let (finished, to_write) = sync_channel::<(StepRecord, GrowthState)>(WAITING);
+        let writer = scope.spawn(move || -> Result<(), OutputError> {
+            for (record, state) in to_write {
+                recorder.record(&record, &state)?;
+                observer.finished(&record);
+            }
+            Ok(())
+        });
+        let ending = compute_into(source, observer, finished);
+        // What was computed is written before anything else is said of the run.
+        match writer.join() {
+            Ok(written) => written?,
+            Err(panic) => std::panic::resume_unwind(panic),
+        }
+        ending
+    })
+}
+
+/// Computes steps into `finished` until the run ends, is interrupted or fails, or nobody takes them any more.
+fn compute_into(
+    mut source: impl StepSource,
+    observer: &dyn RunObserver,
+    finished: SyncSender<(StepRecord, GrowthState)>,
+) -> Result<Ending, RunError> {
+    while source.state().ended.is_none() {
+        if observer.interrupted() {
+            return Ok(Ending::Interrupted);
+        }
+        let record = match source.next_step(&OfSteps(observer)) {
+            Ok(Some(record)) => record,
+            Ok(None) => break,
+            Err(GrowthError::Interrupted { .. }) => return Ok(Ending::Interrupted),
+            Err(error) => return Err(error.into()),
+        };
+        if finished.send((record, source.state().clone())).is_err() {
+            break;
+        }
+    }
+    Ok(Ending::Ended)
+}

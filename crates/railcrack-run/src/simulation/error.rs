@@ -1,0 +1,38 @@
+//! Errors of a run.
+
+use crate::OutputError;
+use railcrack::growth::GrowthError;
+use railcrack::shakedown::ShakedownError;
+use railcrack_case::CarriedStressError;
+use thiserror::Error;
+
+/// Why a run failed. What was computed is kept.
+#[derive(Debug, Error)]
+pub enum RunError {
+    /// The run folder.
+    #[error(transparent)]
+    Output(#[from] OutputError),
+    /// The computation.
+    #[error(transparent)]
+    Growth(#[from] GrowthError),
+    /// The plastic state.
+    #[error(transparent)]
+    Shakedown(#[from] ShakedownError),
+    /// The residual stress.
+    #[error(transparent)]
+    Residual(#[from] CarriedStressError),
+    /// The plastic stress that the first stage wrote cannot be read back.
+    #[error("the plastic stress of the rolled rail: {0}")]
+    Rolled(String),
+    /// A rail without layers has no state.
+    #[error("the rail has no layers to judge")]
+    NoLayers,
+    /// The system refuses threads or signal handlers.
+    #[error("cannot {action}: {reason}")]
+    System {
+        /// What was tried.
+        action: String,
+        /// The system's reason.
+        reason: String,
+    },
+}

@@ -1,0 +1,17 @@
+//! Simulation: what `railcrack run`, `shakedown` and `sweep` compute, for users of the library too.
+
+mod drive;
+mod error;
+mod observer;
+mod residual_stress;
+mod rolling;
+mod run;
+mod sweep;
+
+pub use drive::{Ending, StepSource};
+pub use error::RunError;
+pub use observer::{RunObserver, Silent, StudyObserver};
+pub use residual_stress::{Residual, plastic_stress_left_out};
+pub use rolling::{pass_text, roll};
+pub use run::{Finished, Job, RunEntry, Simulation, Stage, case_files, run_steps};
+pub use sweep::{FailedRun, StudyComputation, study_plan};

@@ -1,0 +1,48 @@
+//! Observers: who is told how far a computation is, and may interrupt it.
+
+use crate::study::PlannedRun;
+use railcrack::growth::StepRecord;
+
+/// Observes a run.
+pub trait RunObserver: Sync {
+    /// The run goes on with growth step `first`, from 0.
+    fn begins(&self, _first: usize) {}
+    /// The fraction (0 to 1) of the current growth step that is done.
+    fn fraction(&self, _fraction: f64) {}
+    /// A growth step is finished and written.
+    fn finished(&self, _record: &StepRecord) {}
+    /// A stage before the first growth step.
+    fn stage(&self, _text: &str) {}
+    /// Something the reader should know before the first growth step.
+    fn note(&self, _text: &str) {}
+    /// No step follows.
+    fn close(&self) {}
+    /// Whether to stop: the current step is given up, those before it are kept.
+    fn interrupted(&self) -> bool {
+        false
+    }
+}
+
+/// Observes nothing: a computation in silence, to its end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Silent;
+
+impl RunObserver for Silent {}
+
+/// Observes the runs of a study, which may be computed side by side.
+pub trait StudyObserver: Sync {
+    /// The observer of a run of `steps` growth steps.
+    fn of_run(&self, steps: usize) -> Box<dyn RunObserver + '_>;
+    /// A run is over; `text` says how.
+    fn over(&self, _run: &PlannedRun, _text: &str) {}
+    /// Whether to stop: runs that are being computed are interrupted, and no other is begun.
+    fn interrupted(&self) -> bool {
+        false
+    }
+}
+
+impl StudyObserver for Silent {
+    fn of_run(&self, _: usize) -> Box<dyn RunObserver + '_> {
+        Box::new(Self)
+    }
+}

@@ -1,0 +1,175 @@
+//! The residual stress of a run: the stages before its first step.
+
+use super::rolling::{pass_text, roll};
+use super::{RunError, RunObserver, Stage};
+use crate::rolled::{PLASTIC_FILE, SHAKEDOWN_FILE, ShakedownSummary};
+use crate::{
+    Existing, OutputError, ProjectionSummary, ROLLED_FOLDER, Recorder, ReleaseSummary, ResidualRow,
+    ResidualSummary, RolledSummary,
+};
+use railcrack::math::Vec2;
+use railcrack::residual::PlasticField;
+use railcrack::shakedown::{RailState, first_yield_ratio};
+use railcrack_case::{CarriedStress, Case, PlasticSource, PreparedRun, Projection, Release};
+use railcrack_vtu::read_vtu;
+use std::path::Path;
+use std::time::Instant;
+
+/// What the run folder says of the residual stress.
+#[derive(Debug)]
+pub struct Residual {
+    /// `residual.csv`.
+    pub rows: Vec<ResidualRow>,
+    /// The rest.
+    pub summary: ResidualSummary,
+}
+
+impl Residual {
+    /// Writes it, and tells what the reader should know.
+    ///
+    /// Errors: a number that is not finite; the system refuses.
+    pub fn record(self, recorder: &mut Recorder, observer: &dyn RunObserver) -> Result<(), OutputError> {
+        for note in &self.summary.notes {
+            observer.note(note);
+        }
+        recorder.residual(&self.rows, self.summary)
+    }
+}
+
+/// Computes the plastic state of the rolled rail where the case wants it, and balances what the rail carries.
+///
+/// Errors: the plastic state cannot be computed, written or read back; the residual stress cannot be balanced.
+pub(super) fn prepare<'a>(
+    case: &'a Case,
+    stage: &Stage,
+) -> Result<(PreparedRun<'a>, Option<Residual>), RunError> {
+    let started = Instant::now();
+    let rolled = match case.plastic_stress {
+        Some(PlasticSource::Rolled) => Some(rolled_state(case, stage)?),
+        _ => None,
+    };
+    if case.plastic_stress.is_some() {
+        stage.observer.stage("projecting and balancing the plastic stress");
+    }
+    let prepared = case.prepare_sharing(rolled.as_ref().map(|(field, _)| field), stage.shared)?;
+    let carried = prepared.residual();
+    let Some(rows) = rows(case, carried) else { return Ok((prepared, None)) };
+    let mut notes = Vec::new();
+    let rolled = rolled.map(|(_, summary)| rolled_summary(&summary, &mut notes));
+    notes.extend(carried.projection.and_then(|projection| narrow(case, &projection)));
+    notes.extend(carried.release.map(release_note));
+    let summary = ResidualSummary {
+        balanced_profile: case.residual_stress.as_ref().map(|file| file.given_name().into()),
+        plastic_source: case.plastic_stress.as_ref().map(|source| source.name().into()),
+        rolled,
+        projection: carried.projection.map(|projection| ProjectionSummary {
+            nodes_norm_ratio: projection.recovery.map(|loss| loss.norm_ratio),
+            nodes_difference: projection.recovery.map(|loss| loss.difference),
+            mesh_norm_ratio: projection.loss.norm_ratio,
+            mesh_difference: projection.loss.difference,
+            norm_mpa_mm: projection.loss.norm,
+        }),
+        release: carried.release.map(|release| ReleaseSummary {
+            depth_mm: release.depth,
+            held_sxx_mpa: release.held,
+            free_sxx_mpa: release.free,
+            carried: release.carried,
+        }),
+        wall_s: started.elapsed().as_secs_f64(),
+        notes,
+    };
+    Ok((prepared, Some(Residual { rows, summary })))
+}
+
+/// The stress on the middle line; none where the rail carries none.
+fn rows(case: &Case, carried: &CarriedStress) -> Option<Vec<ResidualRow>> {
+    let field = carried.field.as_ref()?;
+    let at = |&depth: &f64| ResidualRow { depth, stress: field.stress(Vec2::new(case.rail.centre, -depth)) };
+    Some(carried.depths.iter().map(at).collect())
+}
+
+/// The stabilised state of the rail, in a folder of its own: computed, or taken from there by a run that goes on.
+fn rolled_state(case: &Case, stage: &Stage) -> Result<(PlasticField, ShakedownSummary), RunError> {
+    let folder = stage.folder.join(ROLLED_FOLDER);
+    let stored = match stage.state {
+        Some(_) => stored(&folder),
+        None => None,
+    };
+    let summary = match stored {
+        Some(summary) => summary,
+        None => roll(case, &folder, Existing::Replace, stage.presentation, |pass| {
+            stage.observer.stage(&format!("plastic state, {}", pass_text(pass)));
+        })?,
+    };
+    // As a case would take it that names the file.
+    let path = folder.join(PLASTIC_FILE);
+    let grid = read_vtu(&path).map_err(|error| RunError::Rolled(error.to_string()))?;
+    let field = PlasticField::from_grid(&grid).map_err(|error| RunError::Rolled(error.to_string()))?;
+    Ok((field, summary))
+}
+
+/// The state that stands in `folder`; none where it is not whole.
+fn stored(folder: &Path) -> Option<ShakedownSummary> {
+    // Written last.
+    let text = std::fs::read_to_string(folder.join(SHAKEDOWN_FILE)).ok()?;
+    serde_json::from_str(&text).ok()
+}
+
+fn rolled_summary(summary: &ShakedownSummary, notes: &mut Vec<String>) -> RolledSummary {
+    if summary.state == RailState::PlasticShakedown.name() {
+        notes.push(
+            "plastic shakedown: the rail yields in every passage, and the crack is given the stress between passages".into(),
+        );
+    }
+    notes.extend(summary.warnings.iter().cloned());
+    RolledSummary {
+        folder: ROLLED_FOLDER.into(),
+        state: summary.state.clone(),
+        passes: summary.passes,
+        p0_over_k: summary.p0_over_k,
+    }
+}
+
+/// A mesh that ends within the rail.
+fn narrow(case: &Case, projection: &Projection) -> Option<String> {
+    let (left, right, depth) = projection.extent;
+    if !matches!(case.plastic_stress, Some(PlasticSource::Field(_))) {
+        return None;
+    }
+    let half = 0.5 * case.rail.width;
+    let (from, to) = (case.rail.centre - half, case.rail.centre + half);
+    (left > from || right < to).then(|| {
+        format!(
+            "the plastic stress is given from x = {left} to {right} mm and to a depth of {depth} mm: beside it goes on as at its ends, \
+             below it is zero"
+        )
+    })
+}
+
+fn release_note(release: Release) -> String {
+    let carried = if release.carried {
+        "the run carries the released stress"
+    } else {
+        "it is given as balanced, and the run carries it as it is"
+    };
+    format!(
+        "the free sides of the block release the residual stress: at depth {:.3} mm on the middle line sxx = {:.2} MPa becomes \
+         {:.2} MPa; {carried}",
+        release.depth, release.held, release.free
+    )
+}
+
+/// A wheel that yields a rail whose plastic stress the run leaves out.
+pub fn plastic_stress_left_out(case: &Case) -> Option<String> {
+    if case.plastic_stress.is_some() || case.residual_stress.is_some() {
+        return None;
+    }
+    let ratio = case.contact.peak_pressure / case.shakedown.hardening.shear_yield_stress();
+    let first = first_yield_ratio(case.contact.friction, case.steel.poisson()).ratio;
+    (ratio > first).then(|| {
+        format!(
+            "p0 / k = {ratio:.3} is beyond first yield at {first:.3}, and the run leaves the plastic stress out: an empty \
+             [plastic_stress] section has it computed first"
+        )
+    })
+}

@@ -1,0 +1,173 @@
+//! One run: from a case to its folder.
+
+use super::drive::drive;
+use super::residual_stress::{Residual, prepare};
+use super::{Ending, RunError, RunObserver, Silent, StepSource};
+use crate::{CaseFiles, Existing, OutputError, Presentation, Recorder, RunInfo, Summary, TablesOnly};
+use railcrack::growth::GrowthState;
+use railcrack_case::{Case, SharedRail};
+use std::path::{Path, PathBuf};
+
+/// What a run does with the folder that it is to write.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RunEntry {
+    /// Begins; a folder that holds a run is left alone: an error.
+    Begin,
+    /// Begins in place of a run that the folder holds.
+    Replace,
+    /// Goes on with the run in the folder; an error where there is none.
+    Resume,
+    /// Goes on with the run in the folder, or begins where there is none.
+    ResumeOrBegin,
+}
+
+/// The run of a case.
+#[derive(Clone, Copy)]
+pub struct Simulation<'a> {
+    case: &'a Case,
+    observer: &'a dyn RunObserver,
+    presentation: &'a dyn Presentation,
+    shared: Option<&'a SharedRail>,
+}
+
+impl<'a> Simulation<'a> {
+    /// The run of `case`, in silence, with tables and summary only.
+    pub fn new(case: &'a Case) -> Self {
+        Self { case, observer: &Silent, presentation: &TablesOnly, shared: None }
+    }
+
+    /// Tells `observer` how far it is.
+    #[must_use]
+    pub fn observed_by(self, observer: &'a dyn RunObserver) -> Self {
+        Self { observer, ..self }
+    }
+
+    /// Has `presentation` make plots and pages.
+    #[must_use]
+    pub fn presented_by(self, presentation: &'a dyn Presentation) -> Self {
+        Self { presentation, ..self }
+    }
+
+    /// Takes over what another run of the same rail made: the results are the same bits, sooner.
+    #[must_use]
+    pub fn sharing(self, shared: Option<&'a SharedRail>) -> Self {
+        Self { shared, ..self }
+    }
+
+    /// Computes the run into `folder`, step by step, until it ends or is interrupted.
+    ///
+    /// Errors: the folder may not be written, holds another run or is damaged; the plastic state or a step cannot be
+    /// computed (the steps before it are kept).
+    pub fn run_in(&self, folder: &Path, entry: RunEntry) -> Result<Finished, RunError> {
+        let job = Job::of(self.case);
+        run_steps(folder, entry, job, self.observer, self.presentation, |stage| {
+            let stage = Stage { shared: self.shared, ..stage };
+            let (prepared, residual) = prepare(self.case, &stage)?;
+            Ok((prepared.growth(stage.state), residual))
+        })
+    }
+}
+
+/// What a run starts from.
+pub struct Stage<'a> {
+    /// The run folder.
+    pub folder: &'a Path,
+    /// Who is told of the run.
+    pub observer: &'a dyn RunObserver,
+    /// Who makes plots and pages.
+    pub presentation: &'a dyn Presentation,
+    /// What another run computed already.
+    pub shared: Option<&'a SharedRail>,
+    /// The state to go on from; none at the beginning.
+    pub state: Option<GrowthState>,
+}
+
+/// What the case says of a run before anything is computed.
+#[derive(Debug)]
+pub struct Job {
+    /// `case.toml` and the files that it names.
+    pub case: CaseFiles,
+    /// What the files say of the run.
+    pub info: RunInfo,
+}
+
+impl Job {
+    /// The run of `case`.
+    pub fn of(case: &Case) -> Self {
+        Self {
+            case: case_files(case),
+            info: RunInfo {
+                title: case.title.clone(),
+                engine: case.engine.name().into(),
+                contact: case.contact_solver.name().into(),
+                boundary: case.rail.boundary_name(),
+                half_width: case.contact.half_width,
+                axle_load: case.axle_load,
+                warnings: Vec::new(),
+            },
+        }
+    }
+}
+
+/// `case.toml` and the files that it names.
+pub fn case_files(case: &Case) -> CaseFiles {
+    let companions = case.companions().into_iter().map(|file| (file.name.into(), file.text.into())).collect();
+    CaseFiles { toml: case.to_toml(), companions }
+}
+
+/// A run that came to an end or was interrupted.
+#[derive(Debug)]
+pub struct Finished {
+    /// How it ended.
+    pub ending: Ending,
+    /// The run in numbers.
+    pub summary: Summary,
+    /// The run folder.
+    pub folder: PathBuf,
+}
+
+/// Runs `job` in `folder`: checks and prepares the folder, then has `start` build what computes the steps with the
+/// residual stress that the rail carries, and writes step by step.
+///
+/// Errors: see [`Simulation::run_in`].
+pub fn run_steps<S: StepSource>(
+    folder: &Path,
+    entry: RunEntry,
+    job: Job,
+    observer: &dyn RunObserver,
+    presentation: &dyn Presentation,
+    start: impl FnOnce(Stage) -> Result<(S, Option<Residual>), RunError>,
+) -> Result<Finished, RunError> {
+    let (mut recorder, state) = open(folder, entry, job, presentation)?;
+    observer.begins(state.as_ref().map_or(0, |state| state.step));
+    let finished = |(ending, summary)| Finished { ending, summary, folder: folder.to_path_buf() };
+    if state.as_ref().is_some_and(|state| state.ended.is_some()) {
+        observer.close();
+        return Ok(finished((Ending::Ended, recorder.finish()?)));
+    }
+    let (source, residual) = start(Stage { folder, observer, presentation, shared: None, state })?;
+    if let Some(residual) = residual {
+        residual.record(&mut recorder, observer)?;
+    }
+    Ok(finished(drive(source, &mut recorder, observer)?))
+}
+
+fn open(
+    folder: &Path,
+    entry: RunEntry,
+    job: Job,
+    presentation: &dyn Presentation,
+) -> Result<(Recorder, Option<GrowthState>), RunError> {
+    let begin = |job: Job, existing| Recorder::start(folder, job.case, job.info, existing, presentation);
+    Ok(match entry {
+        RunEntry::Begin => (begin(job, Existing::Refuse)?, None),
+        RunEntry::Replace => (begin(job, Existing::Replace)?, None),
+        RunEntry::Resume => Recorder::resume(folder, job.case, job.info, presentation)?,
+        RunEntry::ResumeOrBegin => {
+            match Recorder::resume(folder, job.case.clone(), job.info.clone(), presentation) {
+                Err(OutputError::NoRun { .. }) => (begin(job, Existing::Refuse)?, None),
+                resumed => resumed?,
+            }
+        }
+    })
+}

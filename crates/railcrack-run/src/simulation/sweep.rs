@@ -1,0 +1,187 @@
+//! The runs of a study, side by side.
+
+use super::{Ending, RunEntry, RunError, Simulation, StudyObserver};
+use crate::queue::{NextRun, RunQueue, WaitingRun};
+use crate::study::{Outcome, PlannedRun, RunEnd, StudyAxis, StudyFolder, StudyKey, StudyPlan};
+use crate::{OutputError, Presentation, Summary, VERSION};
+use railcrack::shakedown::ShakedownError;
+use railcrack_case::{Axis, Study, StudyRun, Variation};
+use std::sync::{Mutex, PoisonError};
+
+/// Runs of a study that are to be computed, and where.
+pub struct StudyComputation<'a> {
+    /// The study.
+    pub study: &'a Study,
+    /// Its folder.
+    pub folder: &'a StudyFolder,
+    /// Who is told.
+    pub observer: &'a dyn StudyObserver,
+    /// Who makes plots and pages.
+    pub presentation: &'a dyn Presentation,
+}
+
+/// A run that failed.
+#[derive(Debug)]
+pub struct FailedRun {
+    /// Its number, from 1.
+    pub number: usize,
+    /// Its values.
+    pub label: String,
+    /// How it ended.
+    pub end: RunEnd,
+    /// Why, a sentence.
+    pub reason: String,
+}
+
+impl StudyComputation<'_> {
+    /// Computes the runs `waiting` (indices) on `threads` threads: one run each, and where there are fewer runs than
+    /// threads, several threads for each. Those that failed.
+    ///
+    /// Errors: the system refuses threads.
+    pub fn compute(&self, waiting: &[usize], threads: usize) -> Result<Vec<FailedRun>, RunError> {
+        let of_run = |&run: &usize| {
+            let case = &self.study.runs[run].case;
+            WaitingRun { run, case, effort: (case.growth.steps + 1) as f64 }
+        };
+        let queue = RunQueue::new(waiting.iter().map(of_run));
+        let failed = Mutex::new(Vec::new());
+        let at_once = threads.min(waiting.len());
+        let pools: Result<Vec<_>, _> = (0..at_once)
+            .map(|i| {
+                // The first runs have the threads that are left over.
+                let own = threads / at_once + usize::from(i < threads % at_once);
+                rayon::ThreadPoolBuilder::new().num_threads(own).build()
+            })
+            .collect();
+        let pools = pools.map_err(|reason| RunError::System {
+            action: format!("start {threads} threads"),
+            reason: reason.to_string(),
+        })?;
+        std::thread::scope(|scope| {
+            for pool in &pools {
+                let (queue, failed) = (&queue, &failed);
+                scope.spawn(move || {
+                    pool.install(|| {
+                        let mut last = None;
+                        while !self.observer.interrupted()
+                            && let Some(next) = queue.take(last.as_ref())
+                        {
+                            let end = self.compute_run(&next);
+                            failed.lock().unwrap_or_else(PoisonError::into_inner).extend(end);
+                            last = Some(next);
+                        }
+                    });
+                });
+            }
+        });
+        Ok(failed.into_inner().unwrap_or_else(PoisonError::into_inner))
+    }
+
+    /// Computes a run, or what is missing of it, into its run folder, and remembers there how it ended. One that is
+    /// interrupted has no end yet.
+    fn compute_run(&self, next: &NextRun) -> Option<FailedRun> {
+        let (run, planned) = (&self.study.runs[next.run], &self.folder.plan().runs[next.run]);
+        let computed = self.steps(run, planned, next);
+        let (outcome, told) = match &computed {
+            Ok((Ending::Interrupted, _)) => return None,
+            Ok((Ending::Ended, summary)) => (Outcome::done(), done(summary)),
+            Err(error) => (Outcome::failed(end_of(error), &error.to_string()), format!("failed: {error}")),
+        };
+        let settled = self.folder.settle(planned, &outcome).map_err(RunError::from);
+        self.observer.over(planned, &format!("run {} ({}): {told}", run.number, run.label));
+        let error = computed.err().or(settled.err())?;
+        Some(FailedRun::of(run, end_of(&error), error.to_string()))
+    }
+
+    fn steps(
+        &self,
+        run: &StudyRun,
+        planned: &PlannedRun,
+        next: &NextRun,
+    ) -> Result<(Ending, Summary), RunError> {
+        self.folder.reopen(planned)?;
+        let observer = self.observer.of_run(run.case.growth.steps + 1);
+        let simulation = Simulation::new(&run.case)
+            .observed_by(observer.as_ref())
+            .presented_by(self.presentation)
+            .sharing(next.shared_rail(&run.case));
+        let finished = simulation.run_in(&self.folder.run_folder(planned), RunEntry::ResumeOrBegin)?;
+        Ok((finished.ending, finished.summary))
+    }
+}
+
+impl StudyFolder {
+    /// The runs of `study` with the numbers `own` that are still to be computed (indices), and those that failed before for good.
+    ///
+    /// Errors: a file of a run is damaged; the system refuses.
+    pub fn left_to_do(
+        &self,
+        study: &Study,
+        own: &[usize],
+    ) -> Result<(Vec<usize>, Vec<FailedRun>), OutputError> {
+        let (mut waiting, mut failed) = (Vec::new(), Vec::new());
+        for (i, (run, planned)) in study.runs.iter().zip(&self.plan().runs).enumerate() {
+            if !own.contains(&run.number) {
+                continue;
+            }
+            match self.outcome(planned)? {
+                Some(outcome) if outcome.is_settled() => {
+                    if let Some(reason) = outcome.reason {
+                        failed.push(FailedRun::of(run, outcome.end, reason));
+                    }
+                }
+                _ => waiting.push(i),
+            }
+        }
+        Ok((waiting, failed))
+    }
+}
+
+impl FailedRun {
+    fn of(run: &StudyRun, end: RunEnd, reason: String) -> Self {
+        Self { number: run.number, label: run.label.clone(), end, reason }
+    }
+}
+
+fn end_of(error: &RunError) -> RunEnd {
+    let no_solution = match error {
+        RunError::Output(OutputError::NotFinite { .. } | OutputError::Field(_))
+        | RunError::Growth(_)
+        | RunError::NoLayers
+        | RunError::Shakedown(ShakedownError::NotConverged { .. }) => true,
+        RunError::Residual(error) => !matches!(error, railcrack_case::CarriedStressError::Field(_)),
+        _ => false,
+    };
+    if no_solution { RunEnd::NotConverged } else { RunEnd::CannotReadOrWrite }
+}
+
+fn done(summary: &Summary) -> String {
+    let stop = summary.stop.as_deref().unwrap_or("ended");
+    format!("{stop} at step {}, {:.1} s", summary.steps, summary.wall_s)
+}
+
+/// The study as its folder remembers it; `options` are those of the command line that change what is computed.
+pub fn study_plan(study: &Study, options: Vec<String>) -> StudyPlan {
+    let axis = |axis: &Axis| {
+        let key = |variation: &Variation| StudyKey {
+            key: variation.key.clone(),
+            name: variation.name.clone(),
+            values: (0..axis.len()).map(|i| variation.shown(i)).collect(),
+        };
+        StudyAxis { keys: axis.variations.iter().map(key).collect() }
+    };
+    let run = |run: &StudyRun| PlannedRun {
+        number: run.number,
+        folder: run.folder.clone(),
+        choice: run.choice.clone(),
+    };
+    StudyPlan {
+        version: VERSION.to_owned(),
+        title: study.title.clone(),
+        combine: study.combine.name().to_owned(),
+        axes: study.axes.iter().map(axis).collect(),
+        colour_axis: study.colour_axis,
+        options,
+        runs: study.runs.iter().map(run).collect(),
+    }
+}

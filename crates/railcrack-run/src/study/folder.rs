@@ -1,0 +1,237 @@
+//! The folder of a study: entered by one process or by several at once.
+
+use super::outcome::{OUTCOME_FILE, Outcome};
+use super::plan::{PlannedRun, StudyPlan};
+use crate::folder::{clear_run, read_if_there, remove, run_file_in, run_file_in_study};
+use crate::{CaseFiles, OutputError, Recorder};
+use std::path::{Path, PathBuf};
+use std::time::{SystemTime, UNIX_EPOCH};
+
+pub const PLAN_FILE: &str = "study.json";
+const STUDY_FILE: &str = "study.toml";
+const RUNS_FOLDER: &str = "runs";
+
+/// How a process enters the folder of a study.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Entry {
+    /// It begins the study.
+    Begin,
+    /// It begins its part of a study that others may have begun.
+    Join,
+    /// It goes on with a study.
+    Resume,
+    /// It goes on with its part of a study, or begins it.
+    ResumePart,
+    /// It replaces a study.
+    Replace,
+    /// It replaces its part of a study.
+    ReplacePart,
+}
+
+/// The folder of a study. Each run folder in it belongs to one process at a time; what belongs to all is written whole, and by
+/// everyone the same.
+#[derive(Debug, Clone)]
+pub struct StudyFolder {
+    path: PathBuf,
+    plan: StudyPlan,
+}
+
+impl StudyFolder {
+    /// Enters `path`, which is created where it does not exist, with the study `plan` from the file with `text`, to compute the runs
+    /// with the numbers `own`; `cases` are those of all runs.
+    ///
+    /// Errors: the folder holds another study, a single run, or runs of this one that `entry` does not allow to touch; one of the
+    /// runs to go on with computes another case; the system refuses.
+    pub fn enter(
+        path: &Path,
+        plan: StudyPlan,
+        text: &str,
+        entry: Entry,
+        own: &[usize],
+        cases: &[CaseFiles],
+    ) -> Result<Self, OutputError> {
+        let folder = Self { path: path.to_path_buf(), plan };
+        let stored = stored_plan(path)?;
+        folder.may_enter(stored.as_ref(), entry)?;
+        let own = || folder.plan.runs.iter().filter(|run| own.contains(&run.number));
+        for run in own() {
+            let of_run = folder.run_folder(run);
+            match entry {
+                Entry::Begin | Entry::Join => {
+                    if let Some(file) = run_file_in(&of_run) {
+                        return Err(folder.holds_study(format!("{RUNS_FOLDER}/{}/{file}", run.folder)));
+                    }
+                }
+                Entry::Resume | Entry::ResumePart => {
+                    if let Some(case) = cases.get(run.number - 1) {
+                        Recorder::check_case(&of_run, case)?;
+                    }
+                }
+                Entry::Replace | Entry::ReplacePart => {}
+            }
+        }
+        std::fs::create_dir_all(path).map_err(OutputError::io("create the folder of the study", path))?;
+        if entry == Entry::Replace {
+            // A study with other runs leaves none of its own behind.
+            for run in stored.iter().flat_map(|plan| &plan.runs) {
+                clear_run(&folder.run_folder(run))?;
+            }
+        } else if entry == Entry::ReplacePart {
+            for run in own() {
+                clear_run(&folder.run_folder(run))?;
+            }
+        }
+        folder.put(STUDY_FILE, text.as_bytes())?;
+        folder.put(PLAN_FILE, &folder.plan_text()?)?;
+        Ok(folder)
+    }
+
+    fn may_enter(&self, stored: Option<&StudyPlan>, entry: Entry) -> Result<(), OutputError> {
+        let of_run = if stored.is_some() { run_file_in_study(&self.path) } else { run_file_in(&self.path) };
+        if let (Some(file), false) = (of_run, entry == Entry::Replace) {
+            return Err(OutputError::HoldsRun { folder: self.path.clone(), file });
+        }
+        if let (Some(stored), false) = (stored, matches!(entry, Entry::Replace | Entry::Begin))
+            && stored.version != self.plan.version
+        {
+            let (written_by, this) = (stored.version.clone(), self.plan.version.clone());
+            return Err(OutputError::OtherVersion { folder: self.path.clone(), written_by, this });
+        }
+        match (stored, entry) {
+            (Some(_), Entry::Begin) => Err(self.holds_study(PLAN_FILE.into())),
+            (Some(stored), _) if entry != Entry::Replace && !stored.computes_what(&self.plan) => {
+                Err(OutputError::StudyChanged {
+                    folder: self.path.clone(),
+                    difference: stored.first_difference(&self.plan),
+                })
+            }
+            (None, Entry::Resume) if !self.path.join(RUNS_FOLDER).is_dir() => {
+                Err(OutputError::NoStudy { folder: self.path.clone() })
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn holds_study(&self, file: String) -> OutputError {
+        OutputError::HoldsStudy { folder: self.path.clone(), file }
+    }
+
+    /// The study in `path`, to read.
+    ///
+    /// Errors: no study in the folder; its plan is damaged; the system refuses.
+    pub fn open(path: &Path) -> Result<Self, OutputError> {
+        let plan = stored_plan(path)?.ok_or_else(|| OutputError::NoStudy { folder: path.to_path_buf() })?;
+        Ok(Self { path: path.to_path_buf(), plan })
+    }
+
+    /// The text of the study file.
+    pub fn study_text(&self) -> Result<String, OutputError> {
+        let text = read_if_there(&self.path.join(STUDY_FILE))?.unwrap_or_default();
+        Ok(String::from_utf8_lossy(&text).into_owned())
+    }
+
+    fn plan_text(&self) -> Result<Vec<u8>, OutputError> {
+        let mut text = serde_json::to_vec_pretty(&self.plan)
+            .map_err(|reason| OutputError::damaged(&self.path.join(PLAN_FILE), reason.to_string()))?;
+        text.push(b'\n');
+        Ok(text)
+    }
+
+    /// The folder itself.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// What is computed in it.
+    pub fn plan(&self) -> &StudyPlan {
+        &self.plan
+    }
+
+    /// The run folder of `run`.
+    pub fn run_folder(&self, run: &PlannedRun) -> PathBuf {
+        self.path.join(RUNS_FOLDER).join(&run.folder)
+    }
+
+    /// How `run` ended; none while it is not over.
+    pub fn outcome(&self, run: &PlannedRun) -> Result<Option<Outcome>, OutputError> {
+        Outcome::read(&self.run_folder(run))
+    }
+
+    /// Remembers how `run` ended, once all its other files are written.
+    pub fn settle(&self, run: &PlannedRun, outcome: &Outcome) -> Result<(), OutputError> {
+        let folder = self.run_folder(run);
+        std::fs::create_dir_all(&folder).map_err(OutputError::io("create the run folder", &folder))?;
+        outcome.write(&folder)
+    }
+
+    /// Forgets how `run` ended, before it goes on.
+    pub fn reopen(&self, run: &PlannedRun) -> Result<(), OutputError> {
+        remove(&self.run_folder(run).join(OUTCOME_FILE))
+    }
+
+    /// Puts `content` into a file that several processes may write at once: readers see the file of one of them, whole.
+    pub fn put(&self, file: &str, content: &[u8]) -> Result<(), OutputError> {
+        let path = self.path.join(file);
+        if read_if_there(&path)?.as_deref() == Some(content) {
+            return Ok(());
+        }
+        let refused = || OutputError::io("write", &path);
+        if let Some(parent) = path.parent() {
+            std::fs::create_dir_all(parent).map_err(refused())?;
+        }
+        let now = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_nanos());
+        // No other process, on no other machine, writes under this name.
+        let own = self.path.join(format!("{file}.{}-{now}.partial", std::process::id()));
+        let written = std::fs::write(&own, content).and_then(|()| std::fs::rename(&own, &path));
+        written.map_err(|reason| {
+            // Best effort: the error of the write is the one to report.
+            let _ = std::fs::remove_file(&own);
+            refused()(reason)
+        })
+    }
+
+    /// Removes a file of the study that it no longer has.
+    pub fn take_away(&self, file: &str) -> Result<(), OutputError> {
+        remove(&self.path.join(file))
+    }
+}
+
+fn stored_plan(folder: &Path) -> Result<Option<StudyPlan>, OutputError> {
+    let path = folder.join(PLAN_FILE);
+    let Some(text) = read_if_there(&path)? else { return Ok(None) };
+    let plan = serde_json::from_slice(&text);
+    plan.map(Some).map_err(|reason| OutputError::damaged(&path, reason.to_string()))
+}
+
+impl StudyPlan {
+    /// Whether the runs of `other` are these. Version, title and colours are not of that.
+    fn computes_what(&self, other: &Self) -> bool {
+        (&self.axes, &self.runs, &self.options) == (&other.axes, &other.runs, &other.options)
+    }
+
+    /// The first thing in which `other` differs, in words.
+    fn first_difference(&self, other: &Self) -> String {
+        let said = |options: &[String]| match options {
+            [] => "no options".to_owned(),
+            options => options.join(" "),
+        };
+        if self.options != other.options {
+            return format!("it was begun with {}, now {}", said(&self.options), said(&other.options));
+        }
+        let keys = |plan: &Self| -> Vec<(String, Vec<String>)> {
+            let all = plan.axes.iter().flat_map(|axis| &axis.keys);
+            all.map(|key| (key.key.clone(), key.values.clone())).collect()
+        };
+        for pair in keys(self).iter().zip(&keys(other)) {
+            let ((before, values), (now, values_now)) = pair;
+            if before != now || values != values_now {
+                return format!(
+                    "{before} = [{}] there, {now} = [{}] now",
+                    values.join(", "),
+                    values_now.join(", ")
+                );
+            }
+        }
+        format!("{} runs there, {} now", self.runs.len(), other.runs.len())
+    }
+}

@@ -1,0 +1,68 @@
+//! How a run of a study ended, in its run folder.
+
+use crate::folder::{Durability, read_if_there, replace_file};
+use crate::{OutputError, VERSION};
+use serde::{Deserialize, Serialize};
+use std::path::Path;
+
+pub const OUTCOME_FILE: &str = "outcome.json";
+
+/// How a run of a study ended. Written last of all files of the run.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Outcome {
+    /// Version of the program.
+    pub version: String,
+    /// How it ended.
+    pub end: RunEnd,
+    /// Why it failed, where it did.
+    pub reason: Option<String>,
+}
+
+/// How a run ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum RunEnd {
+    /// All steps, or a physical stop.
+    Done,
+    /// A step could not be computed, and never will be by this version.
+    NotConverged,
+    /// The system refused to read or write.
+    CannotReadOrWrite,
+}
+
+impl Outcome {
+    /// A run that came to its end.
+    pub fn done() -> Self {
+        Self { version: VERSION.into(), end: RunEnd::Done, reason: None }
+    }
+
+    /// A run that failed for `reason`.
+    pub fn failed(end: RunEnd, reason: &str) -> Self {
+        Self { version: VERSION.into(), end, reason: Some(reason.into()) }
+    }
+
+    /// Whether to compute the run again would lead to the same: it is done, or this version cannot do it.
+    pub fn is_settled(&self) -> bool {
+        match self.end {
+            RunEnd::Done => true,
+            RunEnd::NotConverged => self.version == VERSION,
+            RunEnd::CannotReadOrWrite => false,
+        }
+    }
+
+    /// The outcome of the run in `folder`; none while it is not over.
+    pub(super) fn read(folder: &Path) -> Result<Option<Self>, OutputError> {
+        let path = folder.join(OUTCOME_FILE);
+        let Some(text) = read_if_there(&path)? else { return Ok(None) };
+        let outcome = serde_json::from_slice(&text);
+        outcome.map(Some).map_err(|reason| OutputError::damaged(&path, reason.to_string()))
+    }
+
+    pub(super) fn write(&self, folder: &Path) -> Result<(), OutputError> {
+        let path = folder.join(OUTCOME_FILE);
+        let mut text = serde_json::to_string_pretty(self)
+            .map_err(|reason| OutputError::damaged(&path, reason.to_string()))?;
+        text.push('\n');
+        replace_file(&path, text.as_bytes(), Durability::Synced)
+    }
+}

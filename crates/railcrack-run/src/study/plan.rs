@@ -1,0 +1,88 @@
+//! What a study computes, as its folder remembers it.
+
+use serde::{Deserialize, Serialize};
+
+/// What varies in a study, how, and which runs that makes. `study.json` holds it.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct StudyPlan {
+    /// Version of the program that began the study.
+    pub version: String,
+    /// Heading of the plots.
+    pub title: String,
+    /// `product` or `zip`.
+    pub combine: String,
+    /// What varies; at least one.
+    pub axes: Vec<StudyAxis>,
+    /// The axis whose values have the colours of the plots, from 0.
+    pub colour_axis: usize,
+    /// Options of the command in place of values of the file: `--steps 2`.
+    pub options: Vec<String>,
+    /// Every run.
+    pub runs: Vec<PlannedRun>,
+}
+
+/// Keys that vary together.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct StudyAxis {
+    /// The keys; at least one, all with the same number of values.
+    pub keys: Vec<StudyKey>,
+}
+
+/// A key that varies.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct StudyKey {
+    /// Its name with its section, `crack[1].angle_deg`: a column of `summary.csv`.
+    pub key: String,
+    /// The shortest name that tells it from the others: `angle_deg`.
+    pub name: String,
+    /// Its values as text; numbers read back to the same bits.
+    pub values: Vec<String>,
+}
+
+/// A run of a study.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct PlannedRun {
+    /// Its number, from 1.
+    pub number: usize,
+    /// The name of its run folder in `runs/`.
+    pub folder: String,
+    /// The value that it takes of each axis, from 0.
+    pub choice: Vec<usize>,
+}
+
+impl StudyAxis {
+    /// Number of its values.
+    pub fn len(&self) -> usize {
+        self.keys.first().map_or(0, |key| key.values.len())
+    }
+
+    /// Whether it has no value, which no axis of a study is.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// What varies: `peak_pressure_mpa, half_width_mm`.
+    pub fn name(&self) -> String {
+        self.keys.iter().map(|key| key.name.as_str()).collect::<Vec<_>>().join(", ")
+    }
+
+    /// The values at `index`: `845, 6.75`.
+    pub fn value(&self, index: usize) -> String {
+        let values = self.keys.iter().filter_map(|key| key.values.get(index).map(String::as_str));
+        values.collect::<Vec<_>>().join(", ")
+    }
+
+    /// The values of its first key where they are numbers.
+    pub fn numbers(&self) -> Option<Vec<f64>> {
+        self.keys.first()?.values.iter().map(|value| value.parse().ok()).collect()
+    }
+}
+
+impl StudyPlan {
+    /// The keys that vary, axis by axis, with the value that `run` has of each.
+    pub fn values_of<'a>(&'a self, run: &'a PlannedRun) -> impl Iterator<Item = (&'a StudyKey, &'a str)> {
+        self.axes.iter().zip(&run.choice).flat_map(|(axis, &index)| {
+            axis.keys.iter().map(move |key| (key, key.values.get(index).map_or("", String::as_str)))
+        })
+    }
+}

@@ -1,0 +1,63 @@
+//! Where the runs of a study stand.
+
+use super::outcome::{Outcome, RunEnd};
+use super::results::LeadingTip;
+use crate::Summary;
+
+/// Where a run stands.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum RunState {
+    /// It came to its end.
+    Done,
+    /// It failed, for a reason; what was computed before is kept.
+    Failed {
+        /// Why it could not go on.
+        end: RunEnd,
+        /// The reason, a sentence.
+        reason: String,
+    },
+    /// It is being computed, or was interrupted.
+    Unfinished,
+    /// It has no step yet, here.
+    Missing,
+}
+
+impl RunState {
+    /// Its name in `summary.csv`.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Done => "done",
+            Self::Failed { end: RunEnd::CannotReadOrWrite, .. } => "cannot-read-or-write",
+            Self::Failed { .. } => "not-converged",
+            Self::Unfinished => "unfinished",
+            Self::Missing => "missing",
+        }
+    }
+
+    pub(super) fn of(outcome: Option<Outcome>, steps_recorded: usize) -> Self {
+        match outcome {
+            Some(Outcome { end: RunEnd::Done, .. }) => Self::Done,
+            Some(Outcome { end, reason, .. }) => Self::Failed { end, reason: reason.unwrap_or_default() },
+            None if steps_recorded > 0 => Self::Unfinished,
+            None => Self::Missing,
+        }
+    }
+
+    /// Whether the run is over.
+    pub(super) fn is_over(&self) -> bool {
+        matches!(self, Self::Done | Self::Failed { .. })
+    }
+}
+
+/// A run as `summary.csv` has it.
+#[derive(Debug, Clone)]
+pub struct StudyRow {
+    /// Number of the run, from 1.
+    pub number: usize,
+    /// Where it stands.
+    pub state: RunState,
+    /// The run in numbers; none before its first step.
+    pub summary: Option<Summary>,
+    /// The tip that stands for the run; none before its first step.
+    pub leading: Option<LeadingTip>,
+}

@@ -1,0 +1,281 @@
+//! `summary.json`: the run in numbers.
+
+use super::VERSION;
+use super::recorder::RunInfo;
+use super::residual::ResidualSummary;
+use super::story::Story;
+use railcrack::crack::{CrackEnd, End, Junction};
+use railcrack::growth::{Piece, StepRecord, Warning};
+use serde::{Deserialize, Serialize};
+
+/// Wall time by phase, of the run and its resumptions, seconds.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct PhaseSeconds {
+    /// The residual stress: the plastic state of the rolled rail where it is wanted, projection and balance.
+    pub residual: f64,
+    /// The cracked body.
+    pub body: f64,
+    /// Of it: the mesh without cracks and its factor.
+    pub body_mesh: f64,
+    /// Of it: cutting elements, choosing functions and face points.
+    pub body_enrichment: f64,
+    /// Of it: the stiffness of the enriched functions.
+    pub body_border: f64,
+    /// Of it: stress intensity factors as functionals.
+    pub body_sif: f64,
+    /// Of it: the elimination of the unknowns behind the faces.
+    pub body_condensation: f64,
+    /// Loads on the faces and contact.
+    pub contact: f64,
+    /// Direction, rate, increments.
+    pub growth: f64,
+    /// Tables, checkpoints, plots.
+    pub output: f64,
+}
+
+/// A tip in the last finished step.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct TipSummary {
+    /// Number of its crack, from 1.
+    pub crack: usize,
+    /// Number of the tip within its crack, from 1.
+    pub tip: usize,
+    /// Abscissa, mm.
+    pub x_mm: f64,
+    /// Ordinate, mm.
+    pub y_mm: f64,
+    /// Length of its crack, with what waits at its tips, mm.
+    pub length_mm: f64,
+    /// Its growth that is not in the crack yet, mm.
+    pub waiting_mm: f64,
+    /// da/dN in the last finished step, mm per cycle.
+    pub rate_mm_per_cycle: f64,
+    /// Why it stopped, where it did.
+    pub stop: Option<String>,
+}
+
+/// The path of a crack: points (x, y) in mm from the first to the last.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct CrackSummary {
+    /// In step 0.
+    pub initial_points_mm: Vec<[f64; 2]>,
+    /// In the last finished step.
+    pub points_mm: Vec<[f64; 2]>,
+}
+
+/// A piece of the rail that cracks, or cracks and the running surface, enclose.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PieceSummary {
+    /// `spall` or `detached`.
+    pub kind: String,
+    /// The step in which a tip closed the outline.
+    pub step: usize,
+    /// Number of the crack of that tip, from 1.
+    pub crack: usize,
+    /// Area, mm².
+    pub area_mm2: f64,
+    /// Corners (x, y) in order, mm; the last is joined to the first.
+    pub outline_mm: Vec<[f64; 2]>,
+}
+
+/// A crack that has joined another one by the last finished step.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct JunctionSummary {
+    /// Number of the joining crack, from 1.
+    pub crack: usize,
+    /// Which of its ends: `first` or `last`.
+    pub end: String,
+    /// Number of the crack that it has joined, from 1.
+    pub onto: usize,
+    /// Abscissa, mm.
+    pub x_mm: f64,
+    /// Ordinate, mm.
+    pub y_mm: f64,
+}
+
+/// What `summary.json` holds. Keys are the fields' names.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Summary {
+    /// Version of the program.
+    pub version: String,
+    /// Title of the case.
+    pub title: String,
+    /// `xfem` or `dislocation`.
+    pub engine: String,
+    /// `latin` or `newton`.
+    pub contact: String,
+    /// Boundary of the rail: `half-plane` or `block`.
+    pub boundary: String,
+    /// Half-width a of the wheel contact, mm.
+    pub half_width_mm: f64,
+    /// Whether the run has ended; otherwise `--resume` goes on.
+    pub complete: bool,
+    /// Why the run ended; null while it is not complete.
+    pub stop: Option<String>,
+    /// Number of increments done: the number of the last finished step.
+    pub steps: usize,
+    /// Number of finished steps, the initial geometry counted.
+    pub steps_recorded: usize,
+    /// Load cycles (axles) at the start of the last finished step.
+    pub load_cycles: f64,
+    /// The same in million gross tonnes, where the case gives the axle load.
+    pub million_gross_tonnes: Option<f64>,
+    /// Wall time of the run and its resumptions, seconds.
+    pub wall_s: f64,
+    /// Wall time by phase.
+    pub phases_s: PhaseSeconds,
+    /// The most memory held, MB; null where the system does not tell.
+    pub peak_memory_mb: Option<f64>,
+    /// Displacement unknowns, the most of all steps.
+    pub dofs: usize,
+    /// Points on the crack faces, the most of all steps.
+    pub face_points: usize,
+    /// Load steps between output positions, all steps together.
+    pub substeps: usize,
+    /// Contact solutions, all steps together.
+    pub contact_solves: usize,
+    /// Contact iterations per solution.
+    pub contact_iterations_mean: f64,
+    /// The most iterations of one solution.
+    pub contact_iterations_max: usize,
+    /// Largest violation of the law of the faces, relative.
+    pub complementarity_max: f64,
+    /// Passages until the history repeated, the most of all steps.
+    pub passages: usize,
+    /// The same for each step.
+    pub passages_per_step: Vec<usize>,
+    /// The residual stress of the rail; null where it carries none.
+    pub residual_stress: Option<ResidualSummary>,
+    /// Warnings, in order.
+    pub warnings: Vec<Warning>,
+    /// Tips in the last finished step.
+    pub tips: Vec<TipSummary>,
+    /// Paths.
+    pub cracks: Vec<CrackSummary>,
+    /// Where cracks have joined each other.
+    #[serde(default)]
+    pub junctions: Vec<JunctionSummary>,
+    /// Pieces of the rail that were enclosed, in order.
+    #[serde(default)]
+    pub pieces: Vec<PieceSummary>,
+}
+
+impl Summary {
+    pub(crate) fn new(info: &RunInfo, story: &Story) -> Self {
+        let steps = &story.steps;
+        let last = steps.last();
+        let sum = |count: fn(&super::story::StepDigest) -> usize| steps.iter().map(count).sum::<usize>();
+        let most = |count: fn(&super::story::StepDigest) -> usize| steps.iter().map(count).max().unwrap_or(0);
+        let seconds = |time: fn(&super::story::StepDigest) -> f64| steps.iter().map(time).sum::<f64>();
+        let solves = sum(|step| step.counts.solves);
+        let load_cycles = last.map_or(0.0, |step| step.load_cycles);
+        let stop = last.and_then(|step| step.stop);
+        Self {
+            version: VERSION.to_owned(),
+            title: info.title.clone(),
+            engine: info.engine.clone(),
+            contact: info.contact.clone(),
+            boundary: info.boundary.clone(),
+            half_width_mm: info.half_width,
+            complete: stop.is_some(),
+            stop: stop.map(|stop| stop.name().to_owned()),
+            steps: last.map_or(0, |step| step.step),
+            steps_recorded: steps.len(),
+            load_cycles,
+            million_gross_tonnes: info.axle_load.map(|tonnes| load_cycles * tonnes / 1e6),
+            wall_s: story.wall_s,
+            phases_s: PhaseSeconds {
+                residual: story.residual.as_ref().map_or(0.0, |residual| residual.wall_s),
+                body: seconds(|step| step.times.body_s),
+                body_mesh: seconds(|step| step.times.parts.mesh_s),
+                body_enrichment: seconds(|step| step.times.parts.enrichment_s),
+                body_border: seconds(|step| step.times.parts.border_s),
+                body_sif: seconds(|step| step.times.parts.sif_s),
+                body_condensation: seconds(|step| step.times.parts.condensation_s),
+                contact: seconds(|step| step.times.contact_s),
+                growth: seconds(|step| step.times.growth_s),
+                output: story.output_s,
+            },
+            peak_memory_mb: story.peak_memory_mb,
+            dofs: most(|step| step.dofs),
+            face_points: most(|step| step.face_points),
+            substeps: sum(|step| step.counts.substeps),
+            contact_solves: solves,
+            contact_iterations_mean: sum(|step| step.counts.iterations) as f64 / solves.max(1) as f64,
+            contact_iterations_max: most(|step| step.counts.iterations_max),
+            complementarity_max: steps.iter().map(|step| step.counts.complementarity_max).fold(0.0, f64::max),
+            passages: most(|step| step.counts.passages),
+            passages_per_step: steps.iter().map(|step| step.counts.passages).collect(),
+            residual_stress: story.residual.clone(),
+            warnings: info
+                .warnings
+                .iter()
+                .cloned()
+                .chain(of_residual(story))
+                .chain(story.warnings.clone())
+                .collect(),
+            tips: last.map_or_else(Vec::new, |step| step.tips.iter().map(tip_summary).collect()),
+            cracks: (story.initial_cracks.iter().zip(&story.cracks))
+                .map(|(initial, now)| CrackSummary {
+                    initial_points_mm: points(initial),
+                    points_mm: points(now),
+                })
+                .collect(),
+            junctions: story.junctions.iter().map(|junction| junction_summary(junction, story)).collect(),
+            pieces: story.pieces.iter().map(piece_summary).collect(),
+        }
+    }
+}
+
+/// Notes on the residual stress, as warnings before the first step.
+fn of_residual(story: &Story) -> impl Iterator<Item = Warning> {
+    let notes = story.residual.iter().flat_map(|residual| &residual.notes);
+    notes.map(|text| Warning { step: 0, kind: "residual-stress".into(), text: text.clone() })
+}
+
+fn junction_summary(junction: &Junction, story: &Story) -> JunctionSummary {
+    let CrackEnd { crack, end } = junction.joining;
+    let at = story.cracks.get(crack).map_or_else(Default::default, |crack| crack.tip(end));
+    let end = match end {
+        End::First => "first",
+        End::Last => "last",
+    };
+    JunctionSummary { crack: crack + 1, end: end.into(), onto: junction.onto + 1, x_mm: at.x, y_mm: at.y }
+}
+
+fn piece_summary(piece: &Piece) -> PieceSummary {
+    PieceSummary {
+        kind: piece.kind.name().to_owned(),
+        step: piece.step,
+        crack: piece.crack + 1,
+        area_mm2: piece.area,
+        outline_mm: piece.outline.iter().map(|point| [point.x, point.y]).collect(),
+    }
+}
+
+fn tip_summary(tip: &railcrack::growth::TipRecord) -> TipSummary {
+    TipSummary {
+        crack: tip.tip.crack + 1,
+        tip: tip.tip.tip + 1,
+        x_mm: tip.x,
+        y_mm: tip.y,
+        length_mm: tip.length,
+        waiting_mm: tip.waiting.length,
+        rate_mm_per_cycle: tip.rate,
+        stop: tip.stop.map(|stop| stop.name().to_owned()),
+    }
+}
+
+fn points(crack: &railcrack::crack::Crack) -> Vec<[f64; 2]> {
+    crack.points().iter().map(|point| [point.x, point.y]).collect()
+}
+
+/// Checks what has no column in a table and yet goes into the summary.
+pub fn finite_summary(record: &StepRecord) -> Result<(), super::OutputError> {
+    let value = record.counts.complementarity_max;
+    if value.is_finite() {
+        return Ok(());
+    }
+    let (file, column) = (super::folder::SUMMARY_FILE, "complementarity_max");
+    Err(super::OutputError::NotFinite { file, column, row: format!("step {}", record.step), value })
+}

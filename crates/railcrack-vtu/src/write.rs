@@ -1,0 +1,125 @@
+//! Writing a grid.
+
+use super::VtuError;
+use super::base64;
+use super::cell_type::vtk_type;
+use railcrack::mesh::{Array, GridError, SYMMETRIC_TENSOR, UnstructuredGrid};
+use std::fs;
+use std::path::Path;
+
+/// Writes `grid` to the file `path` as [`vtu_text`]. The file is written beside and moved into place.
+///
+/// Errors: the parts of the grid do not fit together; a number that is not finite; the system refuses.
+pub fn write_vtu(path: &Path, grid: &UnstructuredGrid) -> Result<(), VtuError> {
+    let text = vtu_text(grid).map_err(|reason| VtuError::Grid { path: path.to_path_buf(), reason })?;
+    put(path, &text)
+}
+
+/// Puts a file in its place.
+pub(super) fn put(path: &Path, text: &[u8]) -> Result<(), VtuError> {
+    let mut name = path.as_os_str().to_owned();
+    name.push(".partial");
+    let refused = |reason| VtuError::Io { action: "write", path: path.to_path_buf(), reason };
+    fs::write(&name, text).map_err(refused)?;
+    fs::rename(&name, path).map_err(refused)
+}
+
+/// The file of `grid`: numbers in base64, little endian, with headers of 64 bits, not compressed. The points get z = 0. It is
+/// ASCII but for the names of arrays.
+///
+/// Errors: the parts of the grid do not fit together; a number that is not finite.
+pub fn vtu_text(grid: &UnstructuredGrid) -> Result<Vec<u8>, GridError> {
+    grid.check()?;
+    for array in grid.point_data.iter().chain(&grid.cell_data) {
+        array.finite()?;
+    }
+    let points = Array::vectors("points", &grid.points);
+    points.finite()?;
+    let mut text = Vec::new();
+    line(&mut text, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>");
+    line(
+        &mut text,
+        "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">",
+    );
+    line(&mut text, "<UnstructuredGrid>");
+    let (count, cells) = (grid.points.len(), grid.cell_count());
+    line(&mut text, &format!("<Piece NumberOfPoints=\"{count}\" NumberOfCells=\"{cells}\">"));
+    line(&mut text, "<Points>");
+    real_array(&mut text, &points);
+    line(&mut text, "</Points>");
+    cell_arrays(&mut text, grid);
+    for (element, data) in [("PointData", &grid.point_data), ("CellData", &grid.cell_data)] {
+        line(&mut text, &format!("<{element}>"));
+        for array in data {
+            real_array(&mut text, array);
+        }
+        line(&mut text, &format!("</{element}>"));
+    }
+    line(&mut text, "</Piece>");
+    line(&mut text, "</UnstructuredGrid>");
+    line(&mut text, "</VTKFile>");
+    Ok(text)
+}
+
+fn line(text: &mut Vec<u8>, line: &str) {
+    text.extend_from_slice(line.as_bytes());
+    text.push(b'\n');
+}
+
+fn cell_arrays(text: &mut Vec<u8>, grid: &UnstructuredGrid) {
+    let (mut connectivity, mut offsets, mut types) = (Vec::new(), Vec::new(), Vec::new());
+    let mut end = 0;
+    for block in &grid.cells {
+        connectivity.extend(block.connectivity.iter().flat_map(|&point| (point as i64).to_le_bytes()));
+        for _ in block.cells() {
+            end += block.shape.nodes() as i64;
+            offsets.extend_from_slice(&end.to_le_bytes());
+            types.push(vtk_type(block.shape));
+        }
+    }
+    line(text, "<Cells>");
+    binary_array(text, "type=\"Int64\" Name=\"connectivity\"", &connectivity);
+    binary_array(text, "type=\"Int64\" Name=\"offsets\"", &offsets);
+    binary_array(text, "type=\"UInt8\" Name=\"types\"", &types);
+    line(text, "</Cells>");
+}
+
+fn real_array(text: &mut Vec<u8>, array: &Array) {
+    let bytes: Vec<u8> = array.values.iter().flat_map(|value| value.to_le_bytes()).collect();
+    let mut attributes = format!("type=\"Float64\" Name=\"{}\"", escaped(&array.name));
+    // Of one component where the attribute is left out; with it, some readers give a table of one column.
+    if array.components > 1 {
+        attributes.push_str(&format!(" NumberOfComponents=\"{}\"", array.components));
+    }
+    if array.components == SYMMETRIC_TENSOR.len() {
+        // Programs that show the file name the components by these.
+        for (i, name) in SYMMETRIC_TENSOR.iter().enumerate() {
+            attributes.push_str(&format!(" ComponentName{i}=\"{name}\""));
+        }
+    }
+    binary_array(text, &attributes, &bytes);
+}
+
+fn binary_array(text: &mut Vec<u8>, attributes: &str, bytes: &[u8]) {
+    line(text, &format!("<DataArray {attributes} format=\"binary\">"));
+    let mut counted = (bytes.len() as u64).to_le_bytes().to_vec();
+    counted.extend_from_slice(bytes);
+    base64::encode(&counted, text);
+    line(text, "\n</DataArray>");
+}
+
+/// `name` as the value of an attribute.
+pub(super) fn escaped(name: &str) -> String {
+    let mut out = String::with_capacity(name.len());
+    for letter in name.chars() {
+        match letter {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '"' => out.push_str("&quot;"),
+            // XML has no place for control characters.
+            control if control.is_control() => out.push(' '),
+            other => out.push(other),
+        }
+    }
+    out
+}
