@@ -7,7 +7,8 @@ use crate::mesh::QuadMesh;
 pub enum BottomSupport {
     /// No displacement.
     Clamped,
-    /// No vertical displacement. If nothing else holds the block along x, the node nearest to the middle of the bottom does.
+    /// No vertical displacement. If nothing else holds the block along x, the node nearest to the
+    /// middle of the bottom does.
     Rollers,
 }
 

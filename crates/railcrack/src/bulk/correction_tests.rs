@@ -1,4 +1,5 @@
-//! The corrected block under the wheel: equilibrium, interpolation between wheel positions, and a whole finite-element solution.
+//! The corrected block under the wheel: equilibrium, interpolation between wheel positions, and a
+//! whole finite-element solution.
 
 use super::patch_tests::{CONTACT, block, boundaries, steel};
 use super::{
@@ -52,8 +53,8 @@ fn the_clamped_bottom_carries_the_wheel() {
         let displacements = rail.cancel(&[&field]).unwrap().remove(0);
         let rule = gauss_legendre(8);
         let stiffness = RectangleStiffness::new(&steel());
-        // The reaction is the force inside of the elements on the nodes of the bottom, less the forces applied there, and the
-        // traction of the half-plane.
+        // The reaction is the force inside of the elements on the nodes of the bottom, less the
+        // forces applied there, and the traction of the half-plane.
         let mut reaction = Vec2::default();
         for e in 0..mesh.columns() {
             let element = mesh.element(e);
@@ -146,7 +147,8 @@ fn positions_in_between_are_as_good_as_solved_ones() {
     }
 }
 
-/// Spacing of lines: `fine` within `window` of `middle`, growing outwards by `ratio` up to `coarsest` (all mm).
+/// Spacing of lines: `fine` within `window` of `middle`, growing outwards by `ratio` up to
+/// `coarsest` (all mm).
 #[derive(Clone, Copy)]
 struct Grading {
     middle: f64,
@@ -186,8 +188,9 @@ impl Grading {
 
 #[test]
 fn agrees_with_a_whole_solution_of_the_block() {
-    // The wheel on the block itself: elements of a/9 under it, nothing of the half-plane's closed form.
-    // Of p0: what elements of a/9 leave at the edges of the contact, and the coarse ones of the correction at the clamped corners.
+    // The wheel on the block itself: elements of a/9 under it, nothing of the half-plane's closed
+    // form. Of p0: what elements of a/9 leave at the edges of the contact, and the coarse ones of
+    // the correction at the clamped corners.
     const TOLERANCE: f64 = 2e-4;
     let xc = 27.0;
     let a = CONTACT.half_width;
@@ -245,7 +248,8 @@ fn agrees_with_a_whole_solution_of_the_block() {
 #[test]
 #[ignore = "extra: prints how the correction at a crack converges with the coarsest elements of the mesh"]
 fn coarse_elements_do_away_from_the_cracks() {
-    // Of p0, at a crack of 8 mm, with the grading of an ordinary mesh: far below what a crack feels.
+    // Of p0, at a crack of 8 mm, with the grading of an ordinary mesh: far below what a crack
+    // feels.
     const TOLERANCE: f64 = 1e-4;
     let points: Vec<Vec2> = (0..=8).map(|i| Vec2::new(0.7, -0.7) * f64::from(i)).collect();
     for boundary in blocks() {

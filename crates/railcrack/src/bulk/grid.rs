@@ -10,8 +10,8 @@ pub(crate) fn gauss_lines(lines: &[f64]) -> Vec<f64> {
     lines.windows(2).flat_map(pair).collect()
 }
 
-/// Weights of Lagrange's polynomial through the four points of `at` nearest to `x` (all, if there are fewer), and the index of the
-/// first.
+/// Weights of Lagrange's polynomial through the four points of `at` nearest to `x` (all, if there
+/// are fewer), and the index of the first.
 pub(super) fn lagrange(at: &[f64], x: f64) -> (usize, Vec<f64>) {
     let count = at.len().min(4);
     let above = at.partition_point(|&point| point <= x);

@@ -1,5 +1,5 @@
-//! The rail without cracks in finite elements: what holds it, its stiffness and factor, and what its ends do to the stress under
-//! the wheel.
+//! The rail without cracks in finite elements: what holds it, its stiffness and factor, and what
+//! its ends do to the stress under the wheel.
 
 mod boundary;
 mod cancel;

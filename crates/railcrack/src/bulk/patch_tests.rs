@@ -1,4 +1,5 @@
-//! Fields whose opposite is the answer: polynomials, and the half-plane under a wheel beside the block.
+//! Fields whose opposite is the answer: polynomials, and the half-plane under a wheel beside the
+//! block.
 
 use super::{BottomSupport, Boundary, BulkRail, ElasticField, SideSupport, StressAtPoints};
 use crate::field::{HertzDisplacement, HertzField};
@@ -33,7 +34,8 @@ pub(super) fn block(columns: usize) -> QuadMesh {
     QuadMesh::new(lines(-150.0, 150.0, columns), lines(-172.0, 0.0, columns / 2)).unwrap()
 }
 
-/// σ_xx = tension + bending y + 2 shear x, σ_xy = −2 shear y: no tractions on the surface, displacements of second degree.
+/// σ_xx = tension + bending y + 2 shear x, σ_xy = −2 shear y: no tractions on the surface,
+/// displacements of second degree.
 struct Quadratic {
     tension: f64,
     bending: f64,
@@ -133,7 +135,8 @@ fn a_wheel_beside_the_block_is_cancelled_with_the_order_of_the_elements() {
             [near_ends, near_cracks]
         };
         let errors = [8, 16, 32, 64].map(errors);
-        // Quadratic elements: third order at Gauss points inside, less beside the ends, where the field is cubically extrapolated.
+        // Quadratic elements: third order at Gauss points inside, less beside the ends, where the
+        // field is cubically extrapolated.
         for (k, (place, order, last)) in [("ends", 1.9, 3e-3), ("cracks", 2.6, 2e-5)].into_iter().enumerate()
         {
             let errors = errors.map(|e| e[k]);

@@ -68,7 +68,8 @@ pub enum BulkError {
     Stiffness(#[from] LinearError),
 }
 
-/// The rail without cracks: a mesh of 8-node rectangles, supports, and the factor of the stiffness of the free unknowns.
+/// The rail without cracks: a mesh of 8-node rectangles, supports, and the factor of the stiffness
+/// of the free unknowns.
 #[derive(Debug, Clone)]
 pub struct BulkRail {
     mesh: QuadMesh,
@@ -107,7 +108,8 @@ impl ElementSum for RailStiffness<'_> {
 }
 
 impl BulkRail {
-    /// Assembles and factors the rail on `mesh`, whose top is the running surface, ending at `boundary`.
+    /// Assembles and factors the rail on `mesh`, whose top is the running surface, ending at
+    /// `boundary`.
     ///
     /// Errors: a top that is not at y = 0; a stiffness that cannot be factored.
     pub fn new(mesh: QuadMesh, steel: &IsotropicElastic, boundary: Boundary) -> Result<Self, BulkError> {
@@ -171,7 +173,8 @@ impl BulkRail {
         &self.factor
     }
 
-    /// Puts displacements (mm) of the free unknowns and those of the `held` ones at the nodes together: node by node.
+    /// Puts displacements (mm) of the free unknowns and those of the `held` ones at the nodes
+    /// together: node by node.
     pub fn at_nodes(&self, free: &[f64], held: impl Fn(Vec2) -> Vec2) -> Vec<Vec2> {
         let node = |(node, [x, y]): (usize, &[Option<usize>; 2])| match (x, y) {
             (Some(x), Some(y)) => Vec2::new(free[*x], free[*y]),

@@ -8,11 +8,12 @@ use crate::crack::Walk;
 use crate::math::Matrix;
 use rayon::prelude::*;
 
-/// A: the energy ½ wᵀ A w of the jumps w (slip and opening, mm) at the points of `faces`, N/mm per mm, for E′ = `modulus` MPa. The ends of
-/// `elements` are nodes that follow these points by `ties`.
+/// A: the energy ½ wᵀ A w of the jumps w (slip and opening, mm) at the points of `faces`, N/mm per
+/// mm, for E′ = `modulus` MPa. The ends of `elements` are nodes that follow these points by `ties`.
 ///
-/// A_jk = E′/(8π) ∬ φ_j′ E(z, z′) φ_k′ dg dg′ with the hat functions φ: weakly singular because jumps are continuous
-/// and dislocations on the surface do nothing, so that the mouth needs no care.
+/// A_jk = E′/(8π) ∬ φ_j′ E(z, z′) φ_k′ dg dg′ with the hat functions φ: weakly singular because
+/// jumps are continuous and dislocations on the surface do nothing, so that the mouth needs no
+/// care.
 pub(super) fn stiffness(
     walks: &[Walk],
     elements: &[FaceElement],

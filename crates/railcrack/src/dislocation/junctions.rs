@@ -1,17 +1,18 @@
 //! Where cracks meet: no Burgers vector is left over.
 //!
-//! With the jumps w_k of the arms that end at a junction, those walked towards it counted positive and those walked away from
-//! it negative (σ_k = ±1), the displacement is single-valued around the junction if Σ σ_k w_k = 0: only then is the energy
-//! finite. n arms have n laws of contact but n − 1 free jumps at the junction, so no set of face points at the junction itself can be dual to
-//! them. The last face point of each arm lies at the edge of a small core instead, and the jump in the core follows from
-//! these: constant up to a tenth of its radius, from there linear to p_k = w_k − σ_k (Σ σ_j w_j)/n at the junction, the nearest jumps that
-//! leave nothing over.
+//! With the jumps w_k of the arms that end at a junction, those walked towards it counted positive
+//! and those walked away from it negative (σ_k = ±1), the displacement is single-valued around the
+//! junction if Σ σ_k w_k = 0: only then is the energy finite. n arms have n laws of contact but
+//! n − 1 free jumps at the junction, so no set of face points at the junction itself can be dual to
+//! them. The last face point of each arm lies at the edge of a small core instead, and the jump in
+//! the core follows from these: constant up to a tenth of its radius, from there linear to
+//! p_k = w_k − σ_k (Σ σ_j w_j)/n at the junction, the nearest jumps that leave nothing over.
 
 use crate::body::{FaceElement, FaceMesh, FaceSample, MeshPoint};
 use crate::crack::{CrackNetwork, End, Walk};
 
-/// Part of the radius of a core over which the jumps of the arms are brought together. The law of the faces at the edge of the
-/// core sees a sixth of this of the tractions of the other arms.
+/// Part of the radius of a core over which the jumps of the arms are brought together. The law of
+/// the faces at the edge of the core sees a sixth of this of the tractions of the other arms.
 const INNER: f64 = 0.1;
 /// Radius of a core over the regular element there, at most.
 const CORE: f64 = 0.03;
@@ -105,7 +106,8 @@ pub(super) fn cores(
 /// Nodal jumps of a mesh that knows no junctions in terms of free ones.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Ties {
-    /// For each node the face points that it follows, with their factors, which act on jumps in the common frame.
+    /// For each node the face points that it follows, with their factors, which act on jumps in the
+    /// common frame.
     follows: Vec<Vec<(usize, f64)>>,
     /// For each node the face point of its own arm.
     own: Vec<usize>,
@@ -117,8 +119,8 @@ impl Ties {
         &self.follows[node]
     }
 
-    /// The ties of `cores` between the nodes of `elements`, which are the points of `faces`; and the points that are left, to
-    /// which the others hand on their tractions.
+    /// The ties of `cores` between the nodes of `elements`, which are the points of `faces`; and
+    /// the points that are left, to which the others hand on their tractions.
     pub fn new(
         cores: &[Core],
         walks: &[Walk],
@@ -158,7 +160,8 @@ impl Ties {
     }
 
     fn reduced(&self, mut points: Vec<MeshPoint>, faces: &FaceMesh) -> FaceMesh {
-        // The length of a point is that of its own arm: what arms lend each other has other directions.
+        // The length of a point is that of its own arm: what arms lend each other has other
+        // directions.
         for (&own, point) in self.own.iter().zip(&faces.points) {
             points[own].weight += point.weight;
         }
@@ -183,7 +186,8 @@ impl Ties {
     }
 }
 
-/// The nodes of one arm in a core: at its edge, where the jump begins to change, and at the junction.
+/// The nodes of one arm in a core: at its edge, where the jump begins to change, and at the
+/// junction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct ArmNodes {
     edge: usize,

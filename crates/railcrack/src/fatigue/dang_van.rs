@@ -27,8 +27,9 @@ pub struct DangVanValue {
 }
 
 impl DangVan {
-    /// max over time of τ + a p_h on a cycle of stresses `path` (MPa, in any order, residual stress included); s* is the
-    /// centre of the smallest ball (Frobenius norm) around the deviators. None for an empty path.
+    /// max over time of τ + a p_h on a cycle of stresses `path` (MPa, in any order, residual stress
+    /// included); s* is the centre of the smallest ball (Frobenius norm) around the deviators. None
+    /// for an empty path.
     pub fn value(&self, path: &[Stress]) -> Option<DangVanValue> {
         let deviators: Vec<[f64; 3]> = path.iter().map(|stress| stress.deviator()).collect();
         let centre = smallest_ball(&deviators).centre;
@@ -50,7 +51,8 @@ impl DangVan {
     }
 }
 
-/// Half the difference of the extreme principal values of a deviator in the coordinates of [`Stress::deviator`].
+/// Half the difference of the extreme principal values of a deviator in the coordinates of
+/// [`Stress::deviator`].
 fn largest_shear([difference, out, shear]: [f64; 3]) -> f64 {
     let zz = (2.0 / 3.0_f64).sqrt() * out;
     let in_plane = difference.hypot(shear) / std::f64::consts::SQRT_2;
@@ -75,7 +77,8 @@ mod tests {
         assert_eq!(worst.time, 0);
     }
 
-    /// Repeated tension 0 to S: the ball is centred at half of it, τ = S/4, p_h = S/3; so is out-of-plane tension.
+    /// Repeated tension 0 to S: the ball is centred at half of it, τ = S/4, p_h = S/3; so is
+    /// out-of-plane tension.
     #[test]
     fn repeated_tension() {
         for path in [

@@ -59,7 +59,8 @@ fn alternating_mode_two_is_a_tie_that_goes_to_the_positive_angle() {
 
 #[test]
 fn clipping_makes_alternating_mode_two_coplanar() {
-    // Clipped, Δk1 at ±76.6° is 1.2316 K_II, but w Δk2² straight ahead is 0.772 · (2 K_II)²: co-planar wins.
+    // Clipped, Δk1 at ±76.6° is 1.2316 K_II, but w Δk2² straight ahead is 0.772 · (2 K_II)²:
+    // co-planar wins.
     let kink = with(DirectionCriterion::MaxRate).kink(&history([(0.0, 100.0), (0.0, -100.0)])).unwrap();
     assert!(kink.angle.abs() < 1e-6, "{kink:?}");
     assert!((kink.delta_k2 - 200.0).abs() < 1e-6 && kink.delta_k1 < 1e-3, "{kink:?}");
@@ -67,8 +68,8 @@ fn clipping_makes_alternating_mode_two_coplanar() {
 
 #[test]
 fn counting_negative_k1_makes_alternating_mode_two_branch() {
-    // Unclipped, Δk1 at ±76.6° is 2 · 1.2316 K_II, more than √0.772 · 2 K_II straight ahead. Without weight of mode II the kink is
-    // where k1 is largest; with it a little off.
+    // Unclipped, Δk1 at ±76.6° is 2 · 1.2316 K_II, more than √0.772 · 2 K_II straight ahead.
+    // Without weight of mode II the kink is where k1 is largest; with it a little off.
     let alternating = history([(0.0, 100.0), (0.0, -100.0)]);
     let rule = with(DirectionCriterion::MaxRateUnclipped);
     let mode_1 = HourlierPineau { law: ParisLaw { mode_2_weight: 0.0, ..rule.law }, ..rule };

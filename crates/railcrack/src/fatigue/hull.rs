@@ -3,8 +3,9 @@
 use crate::fracture::Sif;
 use crate::math::{Orientation, Vec2, orientation};
 
-/// The corners of the convex hull of `samples` in the (K_I, K_II) plane, counter-clockwise: a linear function of K
-/// has its largest and smallest value at corners. Fewer than three samples, or samples on a line, give their ends.
+/// The corners of the convex hull of `samples` in the (K_I, K_II) plane, counter-clockwise: a
+/// linear function of K has its largest and smallest value at corners. Fewer than three samples, or
+/// samples on a line, give their ends.
 ///
 /// Andrew's monotone chain with an exact orientation test; all samples finite.
 pub(super) fn convex_hull(samples: &[Sif]) -> Vec<Sif> {

@@ -24,8 +24,8 @@ pub struct Initiation {
 }
 
 impl Initiation {
-    /// `criterion` at depths (mm, increasing, the surface first), each with the stress path of its cycle (MPa). None without a
-    /// path.
+    /// `criterion` at depths (mm, increasing, the surface first), each with the stress path of its
+    /// cycle (MPa). None without a path.
     pub fn by_depth(
         criterion: &DangVan,
         paths: impl IntoIterator<Item = (f64, Vec<Stress>)>,

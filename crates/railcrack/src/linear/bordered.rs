@@ -4,8 +4,9 @@ use super::LinearError;
 use crate::math::inlined::{axpy, dot};
 use pulp::{Arch, Simd, WithSimd};
 
-/// The triangular factors of a square matrix of some unknowns, without exchange of rows: a further unknown costs as much as a solution, and the last ones
-/// are taken away for nothing. For matrices whose leading blocks are well conditioned.
+/// The triangular factors of a square matrix of some unknowns, without exchange of rows: a further
+/// unknown costs as much as a solution, and the last ones are taken away for nothing. For matrices
+/// whose leading blocks are well conditioned.
 #[derive(Debug, Clone, Default)]
 pub struct BorderedFactor {
     lower: Triangle,
@@ -49,9 +50,11 @@ impl BorderedFactor {
         }
     }
 
-    /// Adds an unknown: its `row` of the matrix as far as the former unknowns, its `column`, and its `diagonal` entry.
+    /// Adds an unknown: its `row` of the matrix as far as the former unknowns, its `column`, and
+    /// its `diagonal` entry.
     ///
-    /// Errors, which leave the factor as it was: another length; a pivot below 1e-10 of the largest of the new entries.
+    /// Errors, which leave the factor as it was: another length; a pivot below 1e-10 of the largest
+    /// of the new entries.
     pub fn push(&mut self, row: &[f64], column: &[f64], diagonal: f64) -> Result<(), LinearError> {
         let order = self.order();
         for (quantity, given) in [

@@ -3,8 +3,8 @@
 use super::LinearError;
 use crate::math::Matrix;
 
-/// A sparse symmetric matrix that is a sum of small dense ones, as a stiffness is that of its elements. It is never put together: elements go into
-/// the fronts of a factor one by one.
+/// A sparse symmetric matrix that is a sum of small dense ones, as a stiffness is that of its
+/// elements. It is never put together: elements go into the fronts of a factor one by one.
 pub trait ElementSum: Sync {
     /// Number of unknowns.
     fn order(&self) -> usize;
@@ -12,14 +12,16 @@ pub trait ElementSum: Sync {
     /// Number of elements.
     fn count(&self) -> usize;
 
-    /// The unknowns of an element, from 0, each at most once; `None` is one that is held: it has no row and no column.
+    /// The unknowns of an element, from 0, each at most once; `None` is one that is held: it has no
+    /// row and no column.
     fn unknowns(&self, element: usize) -> Vec<Option<usize>>;
 
     /// The matrix of an element, n × n with its n unknowns. Only the lower triangle is read.
     fn matrix(&self, element: usize) -> Matrix;
 }
 
-/// The places of the entries of a sparse symmetric matrix: the lower triangle, column by column, the diagonal always among them.
+/// The places of the entries of a sparse symmetric matrix: the lower triangle, column by column,
+/// the diagonal always among them.
 #[derive(Debug)]
 pub(super) struct Pattern {
     /// Column j has its rows at `starts[j]..starts[j + 1]`.

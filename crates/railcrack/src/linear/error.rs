@@ -10,7 +10,8 @@ pub enum LinearError {
     NotPositiveDefinite {
         /// Order of the matrix.
         order: usize,
-        /// Index of the pivot, from 0: of a sparse matrix the unknown, whatever the order of elimination.
+        /// Index of the pivot, from 0: of a sparse matrix the unknown, whatever the order of
+        /// elimination.
         pivot: usize,
     },
     /// A matrix without inverse.

@@ -1,6 +1,7 @@
-//! The numbers of a sparse Cholesky factor, from the leaves of the elimination tree to its root: the multifrontal method (Duff and Reid 1983; Liu
-//! 1992). The front of a supernode is the dense matrix of its columns and the rows below them; what its elimination leaves of it is added to
-//! the front of its parent.
+//! The numbers of a sparse Cholesky factor, from the leaves of the elimination tree to its root:
+//! the multifrontal method (Duff and Reid 1983; Liu 1992). The front of a supernode is the dense
+//! matrix of its columns and the rows below them; what its elimination leaves of it is added to the
+//! front of its parent.
 
 use super::cholesky::Tile;
 use super::dense::eliminate;
@@ -16,8 +17,8 @@ const BRANCH_SHARE: f64 = 1.0 / 24.0;
 
 /// L in tiles, supernode by supernode.
 ///
-/// Errors: another number of unknowns; an element that does not fit its unknowns or the structure; a matrix that is not positive definite (the
-/// unknown is named).
+/// Errors: another number of unknowns; an element that does not fit its unknowns or the structure;
+/// a matrix that is not positive definite (the unknown is named).
 pub(super) fn eliminated(structure: &Structure, matrix: &impl ElementSum) -> Result<Vec<Tile>, LinearError> {
     let elements = ElementsBySupernode::new(structure, matrix)?;
     let fronts = Fronts { structure, matrix, elements, children: children(structure) };
@@ -66,7 +67,8 @@ struct Failure {
     reason: LinearError,
 }
 
-/// Branches that are eliminated independently of each other, and the trunk that they grow from; supernodes in elimination order.
+/// Branches that are eliminated independently of each other, and the trunk that they grow from;
+/// supernodes in elimination order.
 fn branches(structure: &Structure) -> (Vec<Vec<usize>>, Vec<usize>) {
     let count = structure.supernodes.len();
     let mut work: Vec<f64> = structure
@@ -111,7 +113,8 @@ fn children(structure: &Structure) -> Vec<Vec<usize>> {
     children
 }
 
-/// The elements that begin in the front of each supernode: where the first of their unknowns is eliminated.
+/// The elements that begin in the front of each supernode: where the first of their unknowns is
+/// eliminated.
 struct ElementsBySupernode {
     /// Supernode s has its elements at `starts[s]..starts[s + 1]`.
     starts: Vec<usize>,
@@ -154,7 +157,8 @@ impl ElementsBySupernode {
     }
 }
 
-/// What is left of the fronts of some supernodes, where their parents wait for it: the lower triangle, column by column.
+/// What is left of the fronts of some supernodes, where their parents wait for it: the lower
+/// triangle, column by column.
 type Remainders = HashMap<usize, Vec<f64>>;
 
 struct Fronts<'a, M> {
@@ -165,7 +169,8 @@ struct Fronts<'a, M> {
 }
 
 impl<M: ElementSum> Fronts<'_, M> {
-    /// Eliminates supernodes, given what those before have left, by supernode; with what all of these have left for others.
+    /// Eliminates supernodes, given what those before have left, by supernode; with what all of
+    /// these have left for others.
     fn branch(&self, places: Vec<Place>, mut left: Remainders) -> (Option<Failure>, Remainders) {
         let mut front = Vec::new();
         for (s, place) in places {
@@ -258,7 +263,8 @@ fn add_at(at: &[usize], values: &[f64], column: &mut [f64]) {
     }
 }
 
-/// Where a row, a place in the elimination order, stands in the front of a supernode with the rows `below` it.
+/// Where a row, a place in the elimination order, stands in the front of a supernode with the rows
+/// `below` it.
 fn place_in(node: &Supernode, below: &[u32], row: usize) -> usize {
     if row < node.start + node.columns {
         row - node.start

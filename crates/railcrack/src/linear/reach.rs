@@ -1,4 +1,5 @@
-//! Solutions with a sparse factor: whole ones, and halves of them over the reach of sparse right-hand sides.
+//! Solutions with a sparse factor: whole ones, and halves of them over the reach of sparse
+//! right-hand sides.
 
 use super::LinearError;
 use super::cholesky::SparseFactor;
@@ -13,10 +14,11 @@ pub struct SparseColumn {
     pub entries: Vec<(usize, f64)>,
 }
 
-/// W = L⁻¹ P b of up to [`PANEL_COLUMNS`] columns side by side, kept where one of them is not zero: on the supernodes between those of their b and
-/// the root of the elimination tree.
+/// W = L⁻¹ P b of up to [`PANEL_COLUMNS`] columns side by side, kept where one of them is not zero:
+/// on the supernodes between those of their b and the root of the elimination tree.
 ///
-/// The bits of a column depend on the factor and on its b alone. It is of use with the factor that made it and with none other.
+/// The bits of a column depend on the factor and on its b alone. It is of use with the factor that
+/// made it and with none other.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ReachedPanel {
     columns: usize,
@@ -56,8 +58,9 @@ impl ReachedPanel {
 }
 
 impl SparseFactor {
-    /// W = L⁻¹ P b of every column, so that W_iᵀ W_j = b_iᵀ K⁻¹ b_j: panels of [`PANEL_COLUMNS`] columns that follow each other. Columns that begin
-    /// near each other in the elimination tree should stand beside each other.
+    /// W = L⁻¹ P b of every column, so that W_iᵀ W_j = b_iᵀ K⁻¹ b_j: panels of [`PANEL_COLUMNS`]
+    /// columns that follow each other. Columns that begin near each other in the elimination tree
+    /// should stand beside each other.
     ///
     /// Errors: an unknown that is not there.
     pub fn forward(&self, columns: &[SparseColumn]) -> Result<Vec<ReachedPanel>, LinearError> {
@@ -97,8 +100,9 @@ impl SparseFactor {
         Ok((0..reached.len()).filter(|&s| reached[s]).collect())
     }
 
-    /// Solves K x = b for right-hand sides b one after the other in `columns` (a multiple of `order` entries), which become
-    /// the solutions. The bits of a solution depend on its own right-hand side alone.
+    /// Solves K x = b for right-hand sides b one after the other in `columns` (a multiple of
+    /// `order` entries), which become the solutions. The bits of a solution depend on its own
+    /// right-hand side alone.
     ///
     /// Errors: another length.
     pub fn solve(&self, columns: &mut [f64]) -> Result<(), LinearError> {
@@ -106,8 +110,9 @@ impl SparseFactor {
         self.solve_over(&all, &[], columns)
     }
 
-    /// [`SparseFactor::solve`] for some unknowns alone: at the `wanted` ones the solutions are the same, elsewhere they are not complete. The work is that on
-    /// the paths from these and from the entries of the right-hand sides to the root of the elimination tree.
+    /// [`SparseFactor::solve`] for some unknowns alone: at the `wanted` ones the solutions are the
+    /// same, elsewhere they are not complete. The work is that on the paths from these and from the
+    /// entries of the right-hand sides to the root of the elimination tree.
     ///
     /// Errors: another length; an unknown that is not there.
     pub fn solve_for(
@@ -121,7 +126,8 @@ impl SparseFactor {
         self.solve_over(&trunk, &branches, columns)
     }
 
-    /// Those of `supernodes`, which hold every ancestor of each, that are not in the `trunk`, as branches of the elimination tree that grow from it.
+    /// Those of `supernodes`, which hold every ancestor of each, that are not in the `trunk`, as
+    /// branches of the elimination tree that grow from it.
     fn branches(&self, trunk: &[usize], supernodes: &[usize]) -> Vec<Vec<usize>> {
         let in_trunk = |s: usize| trunk.binary_search(&s).is_ok();
         let mut branch_of = vec![0; self.structure.supernodes.len()];
@@ -140,8 +146,9 @@ impl SparseFactor {
         branches
     }
 
-    /// Solves for the unknowns of some supernodes in elimination order: of the `trunk`, which holds every ancestor of each, and of `branches` that grow
-    /// from it, where the right-hand sides are zero. What a branch takes serves the next one.
+    /// Solves for the unknowns of some supernodes in elimination order: of the `trunk`, which holds
+    /// every ancestor of each, and of `branches` that grow from it, where the right-hand sides are
+    /// zero. What a branch takes serves the next one.
     fn solve_over(
         &self,
         trunk: &[usize],

@@ -71,7 +71,8 @@ impl Elements {
     }
 }
 
-/// Two unknowns at each node of `columns` × `rows` squares with random symmetric positive definite blocks.
+/// Two unknowns at each node of `columns` × `rows` squares with random symmetric positive definite
+/// blocks.
 struct Grid {
     columns: usize,
     rows: usize,
@@ -152,7 +153,8 @@ impl Grid {
     }
 }
 
-/// Round-off of a few thousand operations on numbers of order 1, times the condition of the matrices (below 1e4).
+/// Round-off of a few thousand operations on numbers of order 1, times the condition of the
+/// matrices (below 1e4).
 const ROUND_OFF: f64 = 1e-10;
 
 fn full(order: usize, column: &SparseColumn) -> Vec<f64> {
@@ -321,7 +323,8 @@ fn what_is_not_positive_definite_names_the_unknown() {
 
 #[test]
 fn held_unknowns_and_gaps_between_elements() {
-    // Unknown 2 of the first element is held; the second has one unknown alone; unknown 3 comes after both.
+    // Unknown 2 of the first element is held; the second has one unknown alone; unknown 3 comes
+    // after both.
     let spring = Matrix::from_fn(2, 2, |i, j| if i == j { 3.0 } else { -1.0 });
     let springs = [vec![Some(0), Some(2)], vec![Some(2), Some(1)], vec![None, Some(1)], vec![Some(3), None]];
     let matrix =

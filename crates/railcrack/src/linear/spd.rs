@@ -12,8 +12,9 @@ use std::sync::Arc;
 
 /// The Cholesky factor K = L Lᵀ of a symmetric positive definite matrix.
 ///
-/// It is made in blocks of rows from the first on. A row of L depends on the rows of K up to its own alone, so that a matrix with the same leading
-/// rows takes their blocks over, which are shared.
+/// It is made in blocks of rows from the first on. A row of L depends on the rows of K up to its
+/// own alone, so that a matrix with the same leading rows takes their blocks over, which are
+/// shared.
 #[derive(Debug, Clone)]
 pub struct SpdFactor {
     order: usize,
@@ -24,7 +25,8 @@ pub struct SpdFactor {
 #[derive(Debug)]
 struct Block {
     start: usize,
-    /// (start + w) × w: the rows stand beside each other, as products with them read them, with nothing of meaning above the diagonal.
+    /// (start + w) × w: the rows stand beside each other, as products with them read them, with
+    /// nothing of meaning above the diagonal.
     rows: Matrix,
 }
 
@@ -34,15 +36,16 @@ const BLOCK: usize = 96;
 const TOGETHER: usize = 48;
 
 impl SpdFactor {
-    /// Factors a matrix of `order` unknowns: `fill(i, row)` adds the entries (i, 0) to (i, i) to the i + 1 zeros of `row`. The bits do not
-    /// depend on the number of threads.
+    /// Factors a matrix of `order` unknowns: `fill(i, row)` adds the entries (i, 0) to (i, i) to
+    /// the i + 1 zeros of `row`. The bits do not depend on the number of threads.
     ///
     /// Errors: a matrix that is not positive definite (the unknown is named).
     pub fn new(order: usize, fill: impl Fn(usize, &mut [f64]) + Sync) -> Result<Self, LinearError> {
         Self { order: 0, blocks: Vec::new() }.changed(0, order, fill)
     }
 
-    /// [`SpdFactor::new`] of a matrix whose rows before `unchanged` are those of this one. The bits are the same as without them.
+    /// [`SpdFactor::new`] of a matrix whose rows before `unchanged` are those of this one. The bits
+    /// are the same as without them.
     pub fn changed(
         mut self,
         unchanged: usize,
@@ -62,7 +65,8 @@ impl SpdFactor {
         Ok(self)
     }
 
-    /// How many rows [`SpdFactor::changed`] takes over from this one, and does not ask for, where those before `unchanged` are the same.
+    /// How many rows [`SpdFactor::changed`] takes over from this one, and does not ask for, where
+    /// those before `unchanged` are the same.
     pub fn kept(&self, unchanged: usize) -> usize {
         unchanged.min(self.order) / BLOCK * BLOCK
     }
@@ -85,8 +89,8 @@ impl SpdFactor {
         blocks
     }
 
-    /// The block of L at `start` from its `rows` of the matrix, to which the first `applied` blocks are applied, or the place among them without
-    /// a positive pivot.
+    /// The block of L at `start` from its `rows` of the matrix, to which the first `applied` blocks
+    /// are applied, or the place among them without a positive pivot.
     fn block(&self, start: usize, applied: usize, mut rows: Matrix) -> Result<Block, usize> {
         let (width, stride) = (rows.rows(), rows.columns());
         rows.entries_mut().par_chunks_mut(TOGETHER * stride).for_each(|rows| {
@@ -105,8 +109,8 @@ impl SpdFactor {
         Ok(Block { start, rows: rows.transposed() })
     }
 
-    /// L⁻¹ Bᵀ as rows, one for each row of `right` (r × order), so that their scalar products are B K⁻¹ Bᵀ. Where rows with leading zeros stand
-    /// beside each other, these are skipped.
+    /// L⁻¹ Bᵀ as rows, one for each row of `right` (r × order), so that their scalar products are B
+    /// K⁻¹ Bᵀ. Where rows with leading zeros stand beside each other, these are skipped.
     ///
     /// Errors: rows of another length.
     pub fn half_solve_rows(&self, mut right: Matrix) -> Result<Matrix, LinearError> {
@@ -143,8 +147,9 @@ impl SpdFactor {
     }
 }
 
-/// Right-hand sides as rows of `stride` entries, of which those before `first` are zero: what the `blocks` have rows for becomes that of L⁻¹ b. All
-/// blocks before them are applied already, or have nothing but zeros to be applied to.
+/// Right-hand sides as rows of `stride` entries, of which those before `first` are zero: what the
+/// `blocks` have rows for becomes that of L⁻¹ b. All blocks before them are applied already, or
+/// have nothing but zeros to be applied to.
 fn forward(blocks: &[Arc<Block>], rows: &mut [f64], stride: usize, first: usize) {
     let mut all = MatMut::from_row_major_slice_mut(rows, rows.len() / stride, stride);
     for block in blocks {

@@ -12,7 +12,8 @@ use faer::sparse::linalg::cholesky::{
 use faer::{Side, sparse::linalg::cholesky::supernodal::SymbolicSupernodalCholesky};
 use std::ops::Range;
 
-/// The shape of L in P K Pᵀ = L Lᵀ. Columns with the same rows below them form supernodes, dense blocks.
+/// The shape of L in P K Pᵀ = L Lᵀ. Columns with the same rows below them form supernodes, dense
+/// blocks.
 #[derive(Debug)]
 pub(super) struct Structure {
     /// Elimination order: the unknown at each place.
@@ -63,7 +64,8 @@ impl Supernode {
         self.blocks() * ROWS
     }
 
-    /// Where block `b` of the triangle begins, counted from its first tile: all blocks before it have 6, 12, 18, … columns.
+    /// Where block `b` of the triangle begins, counted from its first tile: all blocks before it
+    /// have 6, 12, 18, … columns.
     pub(super) fn triangle(&self, b: usize) -> usize {
         ROWS * b * (b + 1) / 2
     }
@@ -80,7 +82,8 @@ impl Supernode {
 }
 
 impl Structure {
-    /// Errors: an order that is not one of the unknowns; an element with an unknown that is not there.
+    /// Errors: an order that is not one of the unknowns; an element with an unknown that is not
+    /// there.
     pub(super) fn new(matrix: &impl ElementSum, order: Vec<usize>) -> Result<Self, LinearError> {
         let (order, place) = places(&order, matrix.order())?;
         let pattern = Pattern::new(matrix)?;

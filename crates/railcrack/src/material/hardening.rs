@@ -19,8 +19,9 @@ pub enum HardeningError {
     },
 }
 
-/// The von Mises criterion with linear kinematic hardening (Prager 1956): |s − X| ≤ √(2/3) σ_y in the Frobenius norm,
-/// with the deviator s and the back stress X = (2/3) C ε_p; plastic flow follows the normal.
+/// The von Mises criterion with linear kinematic hardening (Prager 1956): |s − X| ≤ √(2/3) σ_y in
+/// the Frobenius norm, with the deviator s and the back stress X = (2/3) C ε_p; plastic flow
+/// follows the normal.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct KinematicHardening {
     yield_stress: f64,
@@ -28,7 +29,8 @@ pub struct KinematicHardening {
 }
 
 impl KinematicHardening {
-    /// Yield stress in tension `yield_stress` and hardening modulus C `modulus`, MPa, both positive.
+    /// Yield stress in tension `yield_stress` and hardening modulus C `modulus`, MPa, both
+    /// positive.
     pub fn new(yield_stress: f64, modulus: f64) -> Result<Self, HardeningError> {
         if !(yield_stress > 0.0 && yield_stress.is_finite()) {
             return Err(HardeningError::YieldStress { value: yield_stress });

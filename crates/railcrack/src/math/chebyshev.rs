@@ -9,8 +9,9 @@ pub(crate) fn points(range: &RangeInclusive<f64>, count: usize) -> Vec<f64> {
     (0..count).map(|j| middle - half * (PI * (j as f64 + 0.5) / count as f64).cos()).collect()
 }
 
-/// The weights with which values at [`points`] give the value of their polynomial at `at` (second barycentric formula with
-/// weights (−1)^j sin((2j + 1) π / 2n); Berrut & Trefethen, SIAM Review 46, 2004).
+/// The weights with which values at [`points`] give the value of their polynomial at `at` (second
+/// barycentric formula with weights (−1)^j sin((2j + 1) π / 2n); Berrut & Trefethen, SIAM Review
+/// 46, 2004).
 pub(crate) fn weights(points: &[f64], at: f64) -> Vec<f64> {
     if let Some(hit) = points.iter().position(|&point| point == at) {
         return (0..points.len()).map(|j| f64::from(j == hit)).collect();
@@ -25,16 +26,18 @@ pub(crate) fn weights(points: &[f64], at: f64) -> Vec<f64> {
     terms.into_iter().map(|term| term / sum).collect()
 }
 
-/// How fast the interpolation of a function on a range converges, n points leaving an error like e^(−rate n): the function is analytic but
-/// for branch points on the real axis at the distance `beyond` from the ends of the range, and others at the distance `beside`
-/// from the axis (both in half-lengths of the range). The rate is ln ρ of the largest ellipse between them, with half-axes
+/// How fast the interpolation of a function on a range converges, n points leaving an error like
+/// e^(−rate n): the function is analytic but for branch points on the real axis at the distance
+/// `beyond` from the ends of the range, and others at the distance `beside` from the axis (both in
+/// half-lengths of the range). The rate is ln ρ of the largest ellipse between them, with half-axes
 /// (ρ ± 1/ρ)/2 (Trefethen, Approximation Theory and Approximation Practice, theorem 8.2).
 pub(crate) fn rate(beyond: f64, beside: f64) -> f64 {
     let real = (beyond + (beyond * (beyond + 2.0)).sqrt()).ln_1p();
     real.min(beside.asinh())
 }
 
-/// How many points leave an error of `tolerance` relative to the size of the function. Infinite for a rate of zero.
+/// How many points leave an error of `tolerance` relative to the size of the function. Infinite for
+/// a rate of zero.
 pub(crate) fn count(rate: f64, tolerance: f64) -> f64 {
     // The constant of the theorem, 2 / (ρ − 1), is 2/rate where that matters.
     ((1.0 / tolerance).ln() + (2.0 / rate).ln().max(0.0)) / rate + 2.0

@@ -1,7 +1,7 @@
 //! Graded subdivision of an interval.
 
-/// Interior points that divide [a, b] into equal integrals of `density` (per length), their number its rounded integral: a
-/// graded mesh whose element size is 1/density or a little less.
+/// Interior points that divide [a, b] into equal integrals of `density` (per length), their number
+/// its rounded integral: a graded mesh whose element size is 1/density or a little less.
 pub fn quantiles(a: f64, b: f64, density: impl Fn(f64) -> f64) -> Vec<f64> {
     const CELLS: usize = 400;
     let step = (b - a) / CELLS as f64;

@@ -1,9 +1,10 @@
-//! Loops over vectors, compiled for the widest vector unit of the machine. Sums have a fixed order and no product is
-//! fused with a sum, so that results are the same bits on every machine.
+//! Loops over vectors, compiled for the widest vector unit of the machine. Sums have a fixed order
+//! and no product is fused with a sum, so that results are the same bits on every machine.
 
 use pulp::{Arch, Simd, WithSimd};
 
-/// Partial sums of a scalar product: as many as the widest vector unit needs to hide the latency of one sum.
+/// Partial sums of a scalar product: as many as the widest vector unit needs to hide the latency of
+/// one sum.
 const SUMS: usize = 8;
 
 /// Scalar product.
@@ -87,7 +88,8 @@ impl<W: AsRef<[f64]>, Y: AsMut<[f64]>> WithSimd for AddRows<'_, W, Y> {
     }
 }
 
-/// The same loops to be part of a larger one that is compiled for the vector unit: short vectors are not worth a call.
+/// The same loops to be part of a larger one that is compiled for the vector unit: short vectors
+/// are not worth a call.
 pub(crate) mod inlined {
     use super::SUMS;
 

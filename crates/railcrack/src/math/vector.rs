@@ -28,7 +28,8 @@ impl Vec2 {
         self.x * other.x + self.y * other.y
     }
 
-    /// The out-of-plane component of the vector product; positive when `other` lies counter-clockwise.
+    /// The out-of-plane component of the vector product; positive when `other` lies
+    /// counter-clockwise.
     pub fn cross(self, other: Self) -> f64 {
         self.x * other.y - self.y * other.x
     }

@@ -9,13 +9,15 @@ struct Part {
     rows: RangeInclusive<usize>,
 }
 
-/// A part of so few elements along both directions is not cut further: below it a separator costs what it saves.
+/// A part of so few elements along both directions is not cut further: below it a separator costs
+/// what it saves.
 const LEAF_ELEMENTS: usize = 2;
 
 impl QuadMesh {
-    /// The nodes in the order of nested dissection: the mesh is cut in two along one grid line, the nodes of both parts come
-    /// first, part by part and each ordered in the same way, the nodes on the line last. Eliminated in this order, the nodes of a part
-    /// fill in only among themselves and on the lines around it. The direction with more elements is cut.
+    /// The nodes in the order of nested dissection: the mesh is cut in two along one grid line, the
+    /// nodes of both parts come first, part by part and each ordered in the same way, the nodes on
+    /// the line last. Eliminated in this order, the nodes of a part fill in only among themselves
+    /// and on the lines around it. The direction with more elements is cut.
     ///
     /// Every node once (George, SIAM J. Numer. Anal. 10, 1973).
     pub fn nested_dissection(&self) -> Vec<usize> {

@@ -1,7 +1,7 @@
 //! Shape functions of the 8-node (serendipity) rectangle.
 
-/// Nodes of an element: corners 0 to 3 counter-clockwise from the lower left, then the middles of the bottom, right,
-/// top and left side.
+/// Nodes of an element: corners 0 to 3 counter-clockwise from the lower left, then the middles of
+/// the bottom, right, top and left side.
 pub const NODES: usize = 8;
 
 /// Reference coordinates of the four corners.
@@ -31,7 +31,8 @@ impl Edge {
     }
 }
 
-/// Values, ∂/∂ξ and ∂/∂η of the eight shape functions at (ξ, η) in [−1, 1]² (Zienkiewicz & Taylor, serendipity family).
+/// Values, ∂/∂ξ and ∂/∂η of the eight shape functions at (ξ, η) in [−1, 1]² (Zienkiewicz & Taylor,
+/// serendipity family).
 pub fn shape_functions(xi: f64, eta: f64) -> [[f64; 3]; NODES] {
     let mut values = [[0.0; 3]; NODES];
     for (value, [a, b]) in values.iter_mut().zip(CORNERS) {

@@ -7,11 +7,12 @@ use crate::math::{Stress, Vec2, gauss_legendre};
 use crate::mesh::{Element, NODES, shape_functions};
 use rayon::prelude::*;
 
-/// The residual stress σ = 𝕂ε(u) − 𝕂ε_p that a plastic stress leaves in the uncracked rail, where u solves
-/// ∫ 𝕂ε(u) : ε(v) = ∫ 𝕂ε_p : ε(v) for every displacement v that the supports allow.
+/// The residual stress σ = 𝕂ε(u) − 𝕂ε_p that a plastic stress leaves in the uncracked rail, where u
+/// solves ∫ 𝕂ε(u) : ε(v) = ∫ 𝕂ε_p : ε(v) for every displacement v that the supports allow.
 ///
-/// The plastic stress is taken at the nodes of the mesh and interpolated by its shape functions. The stress is computed at the 2 × 2
-/// Gauss points of the elements, where what the two terms have in common cancels, and is bilinear between them.
+/// The plastic stress is taken at the nodes of the mesh and interpolated by its shape functions.
+/// The stress is computed at the 2 × 2 Gauss points of the elements, where what the two terms have
+/// in common cancels, and is bilinear between them.
 ///
 /// Source: Trollé et al. 2014, section 2.4 and eq. (28).
 #[derive(Debug, Clone, PartialEq)]
@@ -131,8 +132,8 @@ fn generalised_forces(rail: &BulkRail, nodal: &[Stress]) -> Vec<f64> {
     forces
 }
 
-/// What the interpolation on the mesh of `rail` loses of `plastic`, over the elements whose middle lies within `half_width` of `centre`
-/// and above `depth` (mm).
+/// What the interpolation on the mesh of `rail` loses of `plastic`, over the elements whose middle
+/// lies within `half_width` of `centre` and above `depth` (mm).
 pub fn projection_loss(rail: &BulkRail, plastic: &PlasticField, part: RailPart) -> ProjectionLoss {
     let mesh = rail.mesh();
     let nodal = at_nodes(rail, |point| plastic.plastic_stress(point));

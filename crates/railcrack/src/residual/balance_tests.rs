@@ -38,7 +38,8 @@ fn largest_difference(one: Stress, other: Stress) -> f64 {
     [d.xx, d.yy, d.zz, d.xy].into_iter().fold(0.0, |m: f64, v| m.max(v.abs()))
 }
 
-/// A uniform plastic strain as plastic flow leaves it (without change of volume), and one that is not.
+/// A uniform plastic strain as plastic flow leaves it (without change of volume), and one that is
+/// not.
 const STRAINS: [Stress; 2] = [
     Stress { xx: 1e-3, yy: -1.4e-3, zz: 0.4e-3, xy: 0.0 },
     Stress { xx: 0.7e-3, yy: 0.2e-3, zz: -0.3e-3, xy: 0.0 },
@@ -103,7 +104,8 @@ fn layers_balance_as_in_closed_form_and_better_on_finer_meshes() {
     };
     let errors = [error(2), error(4), error(8)];
     assert!(errors[2] < 0.1, "mean error in MPa: {errors:?}"); // a thousandth of the largest stress
-    // Elements with a kink are wrong to the first order, and they cover a part of the depth that is of first order itself.
+    // Elements with a kink are wrong to the first order, and they cover a part of the depth that is
+    // of first order itself.
     let order = (errors[0] / errors[2]).log2() / 2.0;
     assert!(order > 1.7, "order {order}, {errors:?}");
 }
@@ -129,7 +131,8 @@ fn losses_vanish_for_linear_fields() {
     assert!(loss.norm > 0.0 && (loss.norm_ratio - 1.0).abs() < 1e-12 && loss.difference < 1e-7, "{loss:?}"); // reference coordinates to 1e-12
 }
 
-/// Triangles on rings around (0, `y`): a disc of radius 2 mm that has grown, in a ring that has not.
+/// Triangles on rings around (0, `y`): a disc of radius 2 mm that has grown, in a ring that has
+/// not.
 fn grown_disc(y: f64, plastic: Stress) -> PlasticField {
     let (rings, around, radius) = (40, 48, 2.0);
     let centre = Vec2::new(0.0, y);
@@ -176,12 +179,13 @@ fn grown_disc(y: f64, plastic: Stress) -> PlasticField {
     PlasticField::from_grid(&grid).unwrap()
 }
 
-/// Share of the stress inside: elements of a quarter of the radius, cells that smear the edge over a tenth of it, and (2/20)² for the
-/// surface and the ends of the mesh.
+/// Share of the stress inside: elements of a quarter of the radius, cells that smear the edge over
+/// a tenth of it, and (2/20)² for the surface and the ends of the mesh.
 const DISC: f64 = 0.04;
 
-/// A disc that would grow by e in the plane is held back by its surroundings: −μ e/(1 − ν) inside in all directions of the plane, and outside
-/// radially −, around + μ e/(1 − ν) (a/r)² (Eshelby 1957, for a cylinder).
+/// A disc that would grow by e in the plane is held back by its surroundings: −μ e/(1 − ν) inside
+/// in all directions of the plane, and outside radially −, around + μ e/(1 − ν) (a/r)² (Eshelby
+/// 1957, for a cylinder).
 #[test]
 fn a_field_on_foreign_triangles_balances_like_eshelbys_cylinder() {
     let growth = 1e-3;

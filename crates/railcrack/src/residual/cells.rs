@@ -30,7 +30,8 @@ struct Buckets {
     cells: Vec<Vec<usize>>,
 }
 
-/// Reference coordinates this far outside still count as in the cell: gaps between cells that their writer rounded.
+/// Reference coordinates this far outside still count as in the cell: gaps between cells that their
+/// writer rounded.
 const INSIDE: f64 = 1e-6;
 /// Newton steps to the reference coordinates; straight cells need three.
 const NEWTON_STEPS: usize = 20;

@@ -21,8 +21,8 @@ const NOTHING: f64 = 1e-3;
 
 /// The plastic stress 𝕂ε_p = 2 G ε_p (MPa) at the nodes of its own mesh; still to be balanced.
 ///
-/// Beyond the left and the right end of the mesh it goes on as at the end: a rail is rolled along its whole length. Below and
-/// in holes of the mesh it is zero.
+/// Beyond the left and the right end of the mesh it goes on as at the end: a rail is rolled along
+/// its whole length. Below and in holes of the mesh it is zero.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlasticField {
     mesh: CellMesh,
@@ -42,10 +42,12 @@ pub struct RecoveryLoss {
 }
 
 impl PlasticField {
-    /// Takes the array [`PLASTIC_STRESS_ARRAY`] of a grid: on points as it stands; on cells as their means, from which
-    /// values at the nodes follow by least squares. Points and lines among the cells are left out.
+    /// Takes the array [`PLASTIC_STRESS_ARRAY`] of a grid: on points as it stands; on cells as
+    /// their means, from which values at the nodes follow by least squares. Points and lines among
+    /// the cells are left out.
     ///
-    /// Errors: no such array, or one that holds no stress; no plane cells, or folded ones; a mesh above the running surface.
+    /// Errors: no such array, or one that holds no stress; no plane cells, or folded ones; a mesh
+    /// above the running surface.
     pub fn from_grid(grid: &UnstructuredGrid) -> Result<Self, PlasticFieldError> {
         let (on_points, on_cells) =
             (grid.point_array(PLASTIC_STRESS_ARRAY), grid.cell_array(PLASTIC_STRESS_ARRAY));
@@ -126,7 +128,8 @@ impl PlasticField {
         (lower.x, upper.x, -lower.y)
     }
 
-    /// Depth of its lowest node with a plastic stress worth the name, mm; none where there is none at all.
+    /// Depth of its lowest node with a plastic stress worth the name, mm; none where there is none
+    /// at all.
     pub fn plastic_depth(&self) -> Option<f64> {
         let largest = self.nodal.iter().map(|stress| stress.squared()).fold(0.0, f64::max);
         let counts = |stress: &Stress| stress.squared() > NOTHING * NOTHING * largest;

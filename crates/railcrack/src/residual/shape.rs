@@ -3,8 +3,8 @@
 use crate::math::Vec2;
 use crate::mesh::{CORNERS, shape_functions};
 
-/// A cell of the plane: corners in turn, then the middles of the sides, the first between the first and the second corner, then
-/// the centre.
+/// A cell of the plane: corners in turn, then the middles of the sides, the first between the first
+/// and the second corner, then the centre.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PlaneShape {
     /// 3 corners.
@@ -53,7 +53,8 @@ impl PlaneShape {
         CORNERS.iter().map(|[x, y]| (Vec2::new(at * x, at * y), 1.0)).collect()
     }
 
-    /// The shape functions at `at`: (ξ, η) in the triangle 0 ≤ ξ, η, ξ + η ≤ 1 or in the square [−1, 1]².
+    /// The shape functions at `at`: (ξ, η) in the triangle 0 ≤ ξ, η, ξ + η ≤ 1 or in the square
+    /// [−1, 1]².
     ///
     /// Source: Zienkiewicz & Taylor, The Finite Element Method, standard isoparametric families.
     pub(super) fn functions(self, at: Vec2) -> Shapes {

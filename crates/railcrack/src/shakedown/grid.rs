@@ -8,8 +8,8 @@ use crate::math::Vec2;
 /// How finely stress and strain around the contact are resolved.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Resolution {
-    /// Columns, and layers where the rail may yield, per half-width of the contact: a power of two, so that both edges
-    /// of the contact are columns.
+    /// Columns, and layers where the rail may yield, per half-width of the contact: a power of two,
+    /// so that both edges of the contact are columns.
     pub per_half_width: u32,
     /// The period of the waves, in half-widths of the contact, at least; see `docs/shakedown.md`.
     pub period: u32,
@@ -34,16 +34,18 @@ pub(super) struct Grid {
     pub fine_depth: f64,
 }
 
-/// Beyond this p0/k the plastic zone is deeper than ten half-widths: no elastic half-plane carries such a load, and the pressure is
-/// no longer Hertz's long before.
+/// Beyond this p0/k the plastic zone is deeper than ten half-widths: no elastic half-plane carries
+/// such a load, and the pressure is no longer Hertz's long before.
 const HEAVIEST: f64 = 20.0;
-/// The plastic zone reaches deeper than first yield does, because the yielded part sheds its load: by so much, and …
+/// The plastic zone reaches deeper than first yield does, because the yielded part sheds its load:
+/// by so much, and …
 const SPREAD: f64 = 1.35;
 /// … so much over a.
 const SPREAD_OVER_A: f64 = 0.1;
 /// The period over the depth of the even layers, at least.
 const PERIOD_OVER_DEPTH: f64 = 4.5;
-/// Depth of all layers over that of the even ones: flow in the lower ones tells that there should be more even ones.
+/// Depth of all layers over that of the even ones: flow in the lower ones tells that there should
+/// be more even ones.
 const MARGIN: f64 = 1.15;
 /// Depth over a from which on layers and columns double: deeper zones are larger in all directions.
 const COARSER_BEYOND: f64 = 4.0;
@@ -92,7 +94,8 @@ impl Grid {
 
 /// The greatest depth (mm) at which the elastic passage reaches the yield stress; 0 for none.
 fn yield_depth(rail: &RolledRail) -> f64 {
-    // Steps of the search over a, and how far: beyond a depth d the stress of the wheel is at most p0 a/d.
+    // Steps of the search over a, and how far: beyond a depth d the stress of the wheel is at most
+    // p0 a/d.
     const STEP: f64 = 0.05;
     let a = rail.contact.half_width;
     let field = rail.forward_field();

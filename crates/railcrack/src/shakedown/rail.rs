@@ -35,8 +35,8 @@ impl RolledRail {
         self.contact.peak_pressure / self.hardening.shear_yield_stress()
     }
 
-    /// The same rail with a wheel that runs towards +x: mirrored where it runs towards −x, which turns the sign of the
-    /// friction (and of what it leads to: shears).
+    /// The same rail with a wheel that runs towards +x: mirrored where it runs towards −x, which
+    /// turns the sign of the friction (and of what it leads to: shears).
     pub(super) fn forward_contact(&self) -> HertzianContact {
         match self.travel {
             Travel::Forward => self.contact,

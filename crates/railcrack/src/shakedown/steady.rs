@@ -5,7 +5,8 @@ use super::streamline::FlowLaw;
 use crate::math::Anderson;
 use std::ops::Range;
 
-/// The steady state of one passage: stress and plastic strain around the load, which do not change as it moves on.
+/// The steady state of one passage: stress and plastic strain around the load, which do not change
+/// as it moves on.
 #[derive(Debug, Clone)]
 pub(super) struct SteadyPassage {
     /// Plastic strain, coordinates of a deviator.
@@ -16,7 +17,8 @@ pub(super) struct SteadyPassage {
     pub path: Vec<f64>,
     /// Elastic redistributions that it took.
     pub iterations: usize,
-    /// Largest change of the plastic strain in the last of them, times 2 G over the radius of the yield surface.
+    /// Largest change of the plastic strain in the last of them, times 2 G over the radius of the
+    /// yield surface.
     pub change: f64,
 }
 
@@ -35,7 +37,8 @@ pub(super) struct SteadyProblem {
     pub law: FlowLaw,
     /// Deviators of the stress of wheel and initial state, MPa.
     pub background: Columns,
-    /// Columns around the contact, in which the extrapolation works; what is outside of them follows.
+    /// Columns around the contact, in which the extrapolation works; what is outside of them
+    /// follows.
     pub window: Range<usize>,
     /// 2 G over the radius of the yield surface.
     pub strain_scale: f64,
@@ -45,12 +48,13 @@ pub(super) struct SteadyProblem {
     pub max_iterations: usize,
 }
 
-/// Iterates that Anderson's extrapolation combines: 4 to 10 take about the same number of redistributions.
+/// Iterates that Anderson's extrapolation combines: 4 to 10 take about the same number of
+/// redistributions.
 const DEPTH: usize = 6;
 
 impl SteadyProblem {
-    /// Iterates redistribution and flow from `start` until the plastic strain repeats, or `max_iterations`; `entering`
-    /// is the plastic strain upstream, by layer.
+    /// Iterates redistribution and flow from `start` until the plastic strain repeats, or
+    /// `max_iterations`; `entering` is the plastic strain upstream, by layer.
     pub(super) fn solve(
         &mut self,
         start: Columns,

@@ -7,10 +7,11 @@ use std::ops::Range;
 
 /// The law of the material along horizontal streamlines.
 ///
-/// In the frame of the load a particle meets the stresses of its layer one after the other, d/dt = −V ∂/∂x. With
-/// B = s + H ε_p of the iterate before, which is what the redistribution leaves alone if H is the stiffness with which
-/// the surroundings answer, the plastic strain is such that ξ = B − (H + 2 C/3) ε_p stays in the yield ball: the return along
-/// the normal (Wilkins 1964; Simo & Hughes 1998, Computational Inelasticity, 3.3). At the fixed point B − H ε_p is the
+/// In the frame of the load a particle meets the stresses of its layer one after the other,
+/// d/dt = −V ∂/∂x. With B = s + H ε_p of the iterate before, which is what the redistribution
+/// leaves alone if H is the stiffness with which the surroundings answer, the plastic strain is
+/// such that ξ = B − (H + 2 C/3) ε_p stays in the yield ball: the return along the normal (Wilkins
+/// 1964; Simo & Hughes 1998, Computational Inelasticity, 3.3). At the fixed point B − H ε_p is the
 /// deviator s itself, whatever H.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct FlowLaw {
@@ -24,12 +25,12 @@ pub(super) struct FlowLaw {
     out_of_strain: f64,
 }
 
-/// H over 2 G. The redistribution has stiffnesses from 0 (a shear that the surroundings follow) to 2 G (none do): half of it
-/// is the constant for which the worse of the two ends converges best.
+/// H over 2 G. The redistribution has stiffnesses from 0 (a shear that the surroundings follow) to
+/// 2 G (none do): half of it is the constant for which the worse of the two ends converges best.
 const STIFFNESS: f64 = 0.5;
 
-/// Parts of a step between columns in which there is plastic flow; the path is straight in between. See `docs/shakedown.md`
-/// for what they and the columns change.
+/// Parts of a step between columns in which there is plastic flow; the path is straight in between.
+/// See `docs/shakedown.md` for what they and the columns change.
 const PARTS: usize = 4;
 
 impl FlowLaw {
@@ -44,9 +45,9 @@ impl FlowLaw {
         }
     }
 
-    /// From the plastic strain `old`, its residual `stress` and the deviators `background` of all other stress: the
-    /// plastic strain `new` of particles that enter with `upstream` at the last column. Returns the length of the plastic
-    /// path √(2/3) ∫ |dε_p| of each layer.
+    /// From the plastic strain `old`, its residual `stress` and the deviators `background` of all
+    /// other stress: the plastic strain `new` of particles that enter with `upstream` at the last
+    /// column. Returns the length of the plastic path √(2/3) ∫ |dε_p| of each layer.
     pub(super) fn follow(
         &self,
         stress: &Columns,

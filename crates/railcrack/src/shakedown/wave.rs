@@ -74,15 +74,16 @@ pub(super) struct LayerFactors {
     source: [f64; 2],
     /// The same over τ: a source at the border, felt in the layer.
     mean: [f64; 2],
-    /// (1/τ) ∫∫ e^(−|t − t'|) and (1/τ) ∫∫ |t − t'| e^(−|t − t'|): a source in the layer, felt in it.
+    /// (1/τ) ∫∫ e^(−|t − t'|) and (1/τ) ∫∫ |t − t'| e^(−|t − t'|): a source in the layer, felt in
+    /// it.
     own: [f64; 2],
     /// κ d and e^(−κ d), d the depth of the upper border.
     depth: f64,
     depth_decay: f64,
 }
 
-/// Below this τ the closed forms of `source[1]` and `own` cancel; the first left-out term of the series is τ⁵/840 of
-/// them.
+/// Below this τ the closed forms of `source[1]` and `own` cancel; the first left-out term of the
+/// series is τ⁵/840 of them.
 const THIN: f64 = 1e-2;
 
 impl LayerFactors {
@@ -114,7 +115,8 @@ impl LayerFactors {
     }
 }
 
-/// What the sources on one side do at a border: ∫ z e^(−t), ∫ t z e^(−t), ∫ w e^(−t), t = κ |y − y′|.
+/// What the sources on one side do at a border: ∫ z e^(−t), ∫ t z e^(−t), ∫ w e^(−t),
+/// t = κ |y − y′|.
 #[derive(Clone, Copy, Default)]
 struct Far {
     z0: Complex,
@@ -153,13 +155,14 @@ impl Far {
 
 /// One wave e^(iκx) through all layers.
 ///
-/// Green's function of (∂² − κ²)² is (1 + t) e^(−t) / 4κ³, t = κ|y − y′|. With w = e_xx + e_yy and z = e_xx − e_yy ± 2 i e_xy (+ for
-/// sources below), the endless plane has
+/// Green's function of (∂² − κ²)² is (1 + t) e^(−t) / 4κ³, t = κ|y − y′|. With w = e_xx + e_yy and
+/// z = e_xx − e_yy ± 2 i e_xy (+ for sources below), the endless plane has
 ///
 ///   4 σ_xx/−E′ = 4 e_xx + ∫ ((t − 2) z − w) e^(−t) κ dy′,  4 σ_yy/−E′ = ∫ (w − t z) e^(−t) κ dy′,
 ///   4 σ_xy/−E′ = ± i ∫ ((t − 1) z − w) e^(−t) κ dy′,
 ///
-/// and φ = (A + B κ y) e^(κy) frees the surface of it. Sums over the sources above and below run from border to border.
+/// and φ = (A + B κ y) e^(κy) frees the surface of it. Sums over the sources above and below run
+/// from border to border.
 pub(super) struct Wave {
     /// e_xx, e_yy, e_xy of each layer.
     pub strains: Vec<[Complex; 3]>,
@@ -210,7 +213,8 @@ impl Wave {
 }
 
 impl Wave {
-    /// Tractions (σ_yy, σ_xy) over −E′ at the upper border of each layer, and below the last, of the last balance.
+    /// Tractions (σ_yy, σ_xy) over −E′ at the upper border of each layer, and below the last, of
+    /// the last balance.
     fn tractions(&self, layers: &[LayerFactors]) -> Vec<[Complex; 2]> {
         let image = Image::of(self.borders[0]);
         let mut above = Far::default();
@@ -235,7 +239,8 @@ impl Wave {
         tractions
     }
 
-    /// The largest force over −E′ per wave length/2π that is missing on a layer, or on the surface, after a balance.
+    /// The largest force over −E′ per wave length/2π that is missing on a layer, or on the surface,
+    /// after a balance.
     pub(super) fn imbalance(&self, layers: &[LayerFactors]) -> f64 {
         let borders = self.tractions(layers);
         let mut largest = borders[0][0].size().max(borders[0][1].size());
@@ -302,7 +307,8 @@ mod tests {
         (wave, layers)
     }
 
-    /// Each layer is in equilibrium between the tractions on its borders, and the surface is free: to round-off.
+    /// Each layer is in equilibrium between the tractions on its borders, and the surface is free:
+    /// to round-off.
     #[test]
     fn every_layer_is_in_equilibrium() {
         for wave_number in [0.01, 0.3, 2.0, 30.0] {

@@ -51,8 +51,8 @@ impl Array {
         Ok(self.entries().map(|v| Vec2::new(v[0], v[1])).collect())
     }
 
-    /// The entries as plane-strain tensors: 4 components XX, YY, ZZ, XY, or the 6 of VTK, of which the shear out of the
-    /// plane is left out.
+    /// The entries as plane-strain tensors: 4 components XX, YY, ZZ, XY, or the 6 of VTK, of which
+    /// the shear out of the plane is left out.
     ///
     /// Errors: not 4 or 6 components; a value that is not finite.
     pub fn to_stresses(&self) -> Result<Vec<Stress>, GridError> {

@@ -8,13 +8,14 @@ use crate::math::Vec2;
 use roxmltree::{Document, Node};
 use std::path::Path;
 
-/// Reads the grid in the file `path`: ours, and those of other programs. Numbers may be decimal, in base64 or appended
-/// (raw or in base64), of any type and byte order, compressed by zlib or not; cells those of [`CellShape`]; arrays of
-/// texts are left out. Values of data are given as they stand, whether finite or not: see [`Array::finite`].
+/// Reads the grid in the file `path`: ours, and those of other programs. Numbers may be decimal, in
+/// base64 or appended (raw or in base64), of any type and byte order, compressed by zlib or not;
+/// cells those of [`CellShape`]; arrays of texts are left out. Values of data are given as they
+/// stand, whether finite or not: see [`Array::finite`].
 ///
-/// Errors: the system refuses; not such a file, or one of several pieces, with cells that have no [`CellShape`] or with
-/// another compression; an array that ends early, is too long or holds no numbers; a point off the plane z = 0; a
-/// cell with a point that is not there.
+/// Errors: the system refuses; not such a file, or one of several pieces, with cells that have no
+/// [`CellShape`] or with another compression; an array that ends early, is too long or holds no
+/// numbers; a point off the plane z = 0; a cell with a point that is not there.
 pub fn read_vtu(path: &Path) -> Result<UnstructuredGrid, VtuError> {
     let bytes = std::fs::read(path).map_err(|reason| VtuError::Io {
         action: "read",

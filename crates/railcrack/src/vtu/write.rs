@@ -6,9 +6,11 @@ use super::{Array, CellShape, GridError, UnstructuredGrid, VtuError};
 use std::fs;
 use std::path::Path;
 
-/// Writes `grid` to the file `path` as [`vtu_text`]. The file is written beside and moved into place.
+/// Writes `grid` to the file `path` as [`vtu_text`]. The file is written beside and moved into
+/// place.
 ///
-/// Errors: the parts of the grid do not fit together; a number that is not finite; the system refuses.
+/// Errors: the parts of the grid do not fit together; a number that is not finite; the system
+/// refuses.
 pub fn write_vtu(path: &Path, grid: &UnstructuredGrid) -> Result<(), VtuError> {
     let text = vtu_text(grid).map_err(|reason| VtuError::Grid { path: path.to_path_buf(), reason })?;
     put(path, &text)
@@ -23,8 +25,8 @@ pub(super) fn put(path: &Path, text: &[u8]) -> Result<(), VtuError> {
     fs::rename(&name, path).map_err(refused)
 }
 
-/// The file of `grid`: numbers in base64, little endian, with headers of 64 bits, not compressed. The points get z = 0. It is
-/// ASCII but for the names of arrays.
+/// The file of `grid`: numbers in base64, little endian, with headers of 64 bits, not compressed.
+/// The points get z = 0. It is ASCII but for the names of arrays.
 ///
 /// Errors: the parts of the grid do not fit together; a number that is not finite.
 pub fn vtu_text(grid: &UnstructuredGrid) -> Result<Vec<u8>, GridError> {
@@ -86,7 +88,8 @@ fn cell_arrays(text: &mut Vec<u8>, grid: &UnstructuredGrid) {
 fn real_array(text: &mut Vec<u8>, array: &Array) {
     let bytes: Vec<u8> = array.values.iter().flat_map(|value| value.to_le_bytes()).collect();
     let mut attributes = format!("type=\"Float64\" Name=\"{}\"", escaped(&array.name));
-    // Of one component where the attribute is left out; with it, some readers give a table of one column.
+    // Of one component where the attribute is left out; with it, some readers give a table of one
+    // column.
     if array.components > 1 {
         attributes.push_str(&format!(" NumberOfComponents=\"{}\"", array.components));
     }

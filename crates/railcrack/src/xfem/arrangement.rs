@@ -20,15 +20,16 @@ pub(super) enum Border {
     Line(usize),
 }
 
-/// A convex cell, counter-clockwise; `borders[k]` is what the edge from vertex k to the next one lies on.
+/// A convex cell, counter-clockwise; `borders[k]` is what the edge from vertex k to the next one
+/// lies on.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Cell {
     pub vertices: Vec<usize>,
     pub borders: Vec<Border>,
 }
 
-/// The cells of an element: an arrangement of whole lines, so that each inner edge lies between exactly two cells that
-/// have both its ends in common.
+/// The cells of an element: an arrangement of whole lines, so that each inner edge lies between
+/// exactly two cells that have both its ends in common.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Arrangement {
     pub vertices: Vec<Vec2>,
@@ -45,8 +46,8 @@ impl Arrangement {
 
     /// The element cut by `lines`.
     ///
-    /// Sides of points are decided exactly; a point made by a line lies on it by construction, so that round-off in its
-    /// coordinates cannot contradict the order of the cells.
+    /// Sides of points are decided exactly; a point made by a line lies on it by construction, so
+    /// that round-off in its coordinates cannot contradict the order of the cells.
     pub(super) fn new(element: &Element, lines: &[CutLine]) -> Self {
         let mut cut = Self::whole(element);
         // What each vertex lies on.
@@ -95,7 +96,8 @@ impl Arrangement {
                         Orientation::Left => halves[0].push(a, border),
                         Orientation::Right => halves[1].push(a, border),
                         Orientation::On => {
-                            // The cell leaves the line on the side of b, and the other half closes along the line.
+                            // The cell leaves the line on the side of b, and the other half closes
+                            // along the line.
                             let (own, other) = if side[b] == Orientation::Left { (0, 1) } else { (1, 0) };
                             halves[own].push(a, border);
                             halves[other].push(a, label);
@@ -133,8 +135,9 @@ impl Ring {
     }
 }
 
-/// Where line `index` meets an edge of a cell that lies on `border`. On a side of the element the point depends on the side
-/// and the line alone, so that both elements at the side get the same bits.
+/// Where line `index` meets an edge of a cell that lies on `border`. On a side of the element the
+/// point depends on the side and the line alone, so that both elements at the side get the same
+/// bits.
 fn crossing(element: &Element, lines: &[CutLine], border: Border, index: usize, ends: (Vec2, Vec2)) -> Vec2 {
     let line = lines[index];
     match border {

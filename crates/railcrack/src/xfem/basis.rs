@@ -53,8 +53,8 @@ impl Elasticity {
     }
 }
 
-/// The functions that live in one cell: two per node of the element, of the mesh and, with the same values, of the part of
-/// its support; then two per node with the functions of a tip or kink.
+/// The functions that live in one cell: two per node of the element, of the mesh and, with the same
+/// values, of the part of its support; then two per node with the functions of a tip or kink.
 pub(super) struct CellBasis<'a> {
     element: Element,
     tips: Vec<TipBasis<'a>>,

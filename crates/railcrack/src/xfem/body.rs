@@ -55,7 +55,8 @@ pub struct XfemSettings {
     pub domain_inner: f64,
     /// It falls to 0 here.
     pub domain_outer: f64,
-    /// Distance between face points away from mouth, tip and kinks, mm; the length of crack in an element where none.
+    /// Distance between face points away from mouth, tip and kinks, mm; the length of crack in an
+    /// element where none.
     pub interface_spacing: Option<f64>,
 }
 
@@ -234,7 +235,8 @@ impl Discretisation {
     }
 }
 
-/// Difference between the length of a crack and that of its pieces in elements, over the length, that round-off explains.
+/// Difference between the length of a crack and that of its pieces in elements, over the length,
+/// that round-off explains.
 const COVERAGE: f64 = 1e-8;
 
 /// Size (mm) of the elements at a point: the longest side of the one that holds it.

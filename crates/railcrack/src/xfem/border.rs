@@ -30,7 +30,8 @@ pub(super) struct CellStiffness {
 /// The border of the system, cells added up.
 #[derive(Debug, Clone)]
 pub(super) struct BorderEntries {
-    /// K_se: per enriched unknown, the entries of unknowns 2 node + axis of the mesh, held ones included.
+    /// K_se: per enriched unknown, the entries of unknowns 2 node + axis of the mesh, held ones
+    /// included.
     pub columns: Vec<Entries>,
     /// K_ee: of row i the entries of the enriched unknowns j ≤ i; the diagonal is always there.
     pub square: Vec<Entries>,
@@ -114,8 +115,9 @@ pub(super) fn merge(entries: &mut Entries) {
     });
 }
 
-/// The stiffness of the cells of an element in which enrichments live. Products of the shape functions alone are polynomials and are integrated
-/// as such, near a tip too: so what they come to does not change in any bit when a tip moves on.
+/// The stiffness of the cells of an element in which enrichments live. Products of the shape
+/// functions alone are polynomials and are integrated as such, near a tip too: so what they come to
+/// does not change in any bit when a tip moves on.
 fn element_stiffness(
     cuts: &Cuts,
     space: &Space,

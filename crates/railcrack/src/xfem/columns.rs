@@ -4,15 +4,18 @@ use super::border::Entries;
 use crate::linear::{LinearError, PANEL_COLUMNS, ReachedPanel, SparseColumn, SparseFactor, SpdFactor, gram};
 use std::sync::Arc;
 
-/// Half-solved columns L⁻¹ b of the border and scalar products of the last ones, and the factor of its Schur complement.
+/// Half-solved columns L⁻¹ b of the border and scalar products of the last ones, and the factor of
+/// its Schur complement.
 ///
-/// What the first columns came to is used again as long as these are the same bits; since it depends on nothing else, a run that begins in the
-/// middle finds the same bits without it. A clone shares all of it.
+/// What the first columns came to is used again as long as these are the same bits; since it
+/// depends on nothing else, a run that begins in the middle finds the same bits without it. A clone
+/// shares all of it.
 #[derive(Debug, Clone, Default)]
 pub struct ColumnStore {
     columns: Arc<[SparseColumn]>,
     panels: Vec<Arc<ReachedPanel>>,
-    /// b_iᵀ K⁻¹ b_j of the columns from `first_product` on with all up to their own: those before are in the factor.
+    /// b_iᵀ K⁻¹ b_j of the columns from `first_product` on with all up to their own: those before
+    /// are in the factor.
     products: Vec<Arc<[f64]>>,
     first_product: usize,
     factored: Option<Factored>,
@@ -59,8 +62,9 @@ impl ColumnStore {
         !self.panels.is_empty() && self.factored.is_some()
     }
 
-    /// Eliminates a border of `columns` and rows `square` of K_ee; after those of the border, `columns` may have further ones.
-    /// `fill(i, row, products, square)` makes row i of the Schur complement as for [`SpdFactor::new`], from the products b_iᵀ K⁻¹ b_j and its row of K_ee.
+    /// Eliminates a border of `columns` and rows `square` of K_ee; after those of the border,
+    /// `columns` may have further ones. `fill(i, row, products, square)` makes row i of the Schur
+    /// complement as for [`SpdFactor::new`], from the products b_iᵀ K⁻¹ b_j and its row of K_ee.
     /// Keeps what the next call may use and forgets the rest.
     pub(super) fn eliminated(
         &mut self,
@@ -89,7 +93,8 @@ impl ColumnStore {
         Ok(Eliminated { factor, further })
     }
 
-    /// Solves `columns`, of which the first ones are the `same` as before, and multiplies those from `needed` on with all up to their own.
+    /// Solves `columns`, of which the first ones are the `same` as before, and multiplies those
+    /// from `needed` on with all up to their own.
     fn solve(
         &mut self,
         rail: &SparseFactor,
@@ -171,7 +176,8 @@ mod tests {
         let order = rail.factor().order();
         let mut kept = ColumnStore::default();
         let mut seen = Vec::new();
-        // Forwards, back to before what is kept in K_ee and in the columns, everything, and nothing.
+        // Forwards, back to before what is kept in K_ee and in the columns, everything, and
+        // nothing.
         let changes =
             [(0, None), (250, None), (300, None), (BORDER, None), (320, Some(120)), (40, None), (310, None)];
         for (seed, (changed, in_square)) in changes.into_iter().chain([(0, None), (0, None)]).enumerate() {

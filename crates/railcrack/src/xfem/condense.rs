@@ -58,17 +58,21 @@ pub(super) enum Elimination {
     },
 }
 
-/// Share of the diagonal that is added to the condensed matrix: functions that the others repeat to round-off get no say.
+/// Share of the diagonal that is added to the condensed matrix: functions that the others repeat to
+/// round-off get no say.
 const REDUNDANT: f64 = 1e-13;
 
-/// Up to this many enriched unknowns over the root of those of the mesh, these are a dense border, whose elimination grows like the third power of
-/// their number. Beyond, a factorisation of everything is faster: it grows like the 1.5th power of the unknowns of the mesh. By their numbers of
-/// operations both take the same time in a growth step at about eight; one crack stays below, nine are at eighteen.
+/// Up to this many enriched unknowns over the root of those of the mesh, these are a dense border,
+/// whose elimination grows like the third power of their number. Beyond, a factorisation of
+/// everything is faster: it grows like the 1.5th power of the unknowns of the mesh. By their
+/// numbers of operations both take the same time in a growth step at about eight; one crack stays
+/// below, nine are at eighteen.
 const DENSE: f64 = 8.0;
 
 impl System<'_> {
-    /// C = B S_ee⁻¹ Bᵀ with S_ee = K_ee − K_es K_ss⁻¹ K_se, as jumps at face points under nodal forces there, and S. What is chosen depends on
-    /// the cracks and the mesh alone, so that a resumed run finds the same bits.
+    /// C = B S_ee⁻¹ Bᵀ with S_ee = K_ee − K_es K_ss⁻¹ K_se, as jumps at face points under nodal
+    /// forces there, and S. What is chosen depends on the cracks and the mesh alone, so that a
+    /// resumed run finds the same bits.
     pub(super) fn condensed(&self, store: &mut ColumnStore) -> Result<Condensed, XfemError> {
         let mesh = self.rail.factor().order() as f64;
         if self.border.unknowns as f64 <= DENSE * mesh.sqrt() {
@@ -160,7 +164,8 @@ impl System<'_> {
         Ok(self.at_face_points(compliance, &influence, elimination))
     }
 
-    /// The nested dissection of the mesh, where each node brings its enrichments along: they live on the elements around it, like its own functions.
+    /// The nested dissection of the mesh, where each node brings its enrichments along: they live
+    /// on the elements around it, like its own functions.
     fn order(&self) -> Vec<usize> {
         let mesh = self.rail.factor().order();
         let mut of_node: Vec<Vec<usize>> = vec![Vec::new(); self.rail.mesh().node_count()];
@@ -191,8 +196,8 @@ impl System<'_> {
 }
 
 impl Elimination {
-    /// The unknowns under each of some tractions Σ λ_j τ_j on the faces: `tractions` are the τ_j (MPa), along x and y. Those of the mesh are complete at the
-    /// `nodes` alone.
+    /// The unknowns under each of some tractions Σ λ_j τ_j on the faces: `tractions` are the τ_j
+    /// (MPa), along x and y. Those of the mesh are complete at the `nodes` alone.
     pub(super) fn unknowns(
         &self,
         rail: &BulkRail,
@@ -215,7 +220,8 @@ impl Elimination {
         Ok(Unknowns { standard: together, enriched })
     }
 
-    /// The enriched unknowns under each of some tractions, where they can be had without those of the mesh.
+    /// The enriched unknowns under each of some tractions, where they can be had without those of
+    /// the mesh.
     fn enriched(&self, tractions: &[Vec<f64>]) -> Result<Vec<Vec<f64>>, LinearError> {
         let Self::Border { factor, jumps, scale, .. } = self else {
             return Ok(vec![Vec::new(); tractions.len()]);
@@ -234,7 +240,8 @@ impl Elimination {
     }
 }
 
-/// Bᵀ τ of `unknowns` unknowns for each of some tractions τ, row by row, from B = `jumps` row by row.
+/// Bᵀ τ of `unknowns` unknowns for each of some tractions τ, row by row, from B = `jumps` row by
+/// row.
 fn under_tractions(jumps: &[Entries], tractions: &[Vec<f64>], unknowns: usize) -> Matrix {
     let mut right = Matrix::zeros(tractions.len(), unknowns);
     for (k, tractions) in tractions.iter().enumerate() {
@@ -254,7 +261,8 @@ pub(super) struct Unknowns {
     pub enriched: Vec<Vec<f64>>,
 }
 
-/// What `enriched` unknowns do to the equations of those of the mesh: −K_se u_e, a row for each of some loads.
+/// What `enriched` unknowns do to the equations of those of the mesh: −K_se u_e, a row for each of
+/// some loads.
 fn pulls(rail: &BulkRail, coupling: &[Entries], enriched: &[Vec<f64>]) -> Matrix {
     let mut right = Matrix::zeros(enriched.len(), rail.factor().order());
     for (k, enriched) in enriched.iter().enumerate() {

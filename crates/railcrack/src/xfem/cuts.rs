@@ -7,12 +7,14 @@ use crate::math::{Orientation, Vec2, orientation};
 use crate::mesh::{Edge, Element, QuadMesh};
 use std::collections::BTreeMap;
 
-/// Pieces of a side or chords of an element that are shorter than this times the side do not count: what round-off leaves
-/// where a crack passes through a node. A piece this short carries 1e-24 of the energy of an element.
+/// Pieces of a side or chords of an element that are shorter than this times the side do not count:
+/// what round-off leaves where a crack passes through a node. A piece this short carries 1e-24 of
+/// the energy of an element.
 const NOTHING: f64 = 1e-12;
 
-/// Kinks above this angle (radians) stop the slip of the faces that meet there: jumps go like √r. Without these functions K of an increment
-/// of 2.4 elements that turns by 15° is 3 to 6 % off, with them 1 %; at 5° the difference is no longer seen.
+/// Kinks above this angle (radians) stop the slip of the faces that meet there: jumps go like √r.
+/// Without these functions K of an increment of 2.4 elements that turns by 15° is 3 to 6 % off,
+/// with them 1 %; at 5° the difference is no longer seen.
 pub(super) const SHARP_KINK: f64 = 0.1;
 
 /// One element with its cells.
@@ -20,8 +22,8 @@ pub(super) const SHARP_KINK: f64 = 0.1;
 pub(super) struct CutElement {
     pub element: Element,
     pub arrangement: Arrangement,
-    /// The region of each cell: cells are of one region when one gets from one to the other within the element without
-    /// crossing a crack.
+    /// The region of each cell: cells are of one region when one gets from one to the other within
+    /// the element without crossing a crack.
     pub region: Vec<usize>,
     /// Number of regions.
     pub regions: usize,
@@ -31,7 +33,8 @@ pub(super) struct CutElement {
     pub cracks: Vec<InnerCrack>,
 }
 
-/// The edge of a cell on a side of the element: from `from` to `to` (mm) along the side, increasing.
+/// The edge of a cell on a side of the element: from `from` to `to` (mm) along the side,
+/// increasing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct SidePiece {
     pub side: Edge,
@@ -202,7 +205,8 @@ impl Cuts {
         })
     }
 
-    /// Notes the part of a segment that lies exactly on the top or right side of an element, or of its neighbour there.
+    /// Notes the part of a segment that lies exactly on the top or right side of an element, or of
+    /// its neighbour there.
     fn note_side(&mut self, mesh: &QuadMesh, e: usize, element: &Element, (crack, segment): (usize, usize)) {
         let (p, q) = self.paths[crack].segment(segment);
         let corners = element.corners();
@@ -249,7 +253,8 @@ impl Cuts {
                         continue;
                     }
                     let (p, q) = self.paths[crack.crack].segment(crack.segment);
-                    // The element above (beyond Top) is left of +x; the one beyond Right is right of +y.
+                    // The element above (beyond Top) is left of +x; the one beyond Right is right
+                    // of +y.
                     let forward = (q - p).dot(at(to) - at(from)) > 0.0;
                     let ends = if forward { (at(from), at(to)) } else { (at(to), at(from)) };
                     let beyond_is_plus = forward == (side == Edge::Top);
@@ -270,7 +275,8 @@ impl Cuts {
             .sort_by(|a, b| (a.crack, a.segment).cmp(&(b.crack, b.segment)).then(a.s.0.total_cmp(&b.s.0)));
     }
 
-    /// The cells of two neighbours that face each other across their common side, with the interval (mm along it).
+    /// The cells of two neighbours that face each other across their common side, with the interval
+    /// (mm along it).
     fn overlaps(
         &self,
         mesh: &QuadMesh,
@@ -313,7 +319,8 @@ impl Cuts {
         self.elements.get(&element).map_or(1, |cut| cut.regions)
     }
 
-    /// Pairs of regions of `e` and its neighbour across `side` (Top or Right) that are joined there.
+    /// Pairs of regions of `e` and its neighbour across `side` (Top or Right) that are joined
+    /// there.
     pub(super) fn joined(&self, mesh: &QuadMesh, e: usize, side: Edge) -> Vec<(usize, usize)> {
         let Some(other) = mesh.neighbour(e, side) else { return Vec::new() };
         let facing = if side == Edge::Top { Edge::Bottom } else { Edge::Left };
@@ -342,7 +349,8 @@ impl CutElement {
         Self::new(element, Arrangement::whole(&element), |_, _, _| None)
     }
 
-    /// `crack` tells of an edge on a border from a to b whether it is crack: which segment, and whether it runs along it.
+    /// `crack` tells of an edge on a border from a to b whether it is crack: which segment, and
+    /// whether it runs along it.
     fn new(
         element: Element,
         arrangement: Arrangement,
@@ -402,8 +410,9 @@ pub(super) fn along_side(side: Edge, point: Vec2) -> f64 {
     }
 }
 
-/// The common end of a segment and a line through another one, if the segment goes straight on from there up to round-off: a crack that
-/// continues another one from a junction. Two lines that differ by round-off cannot be ordered, so both are one.
+/// The common end of a segment and a line through another one, if the segment goes straight on from
+/// there up to round-off: a crack that continues another one from a junction. Two lines that differ
+/// by round-off cannot be ordered, so both are one.
 fn continuation(line: CutLine, (from, to): (Vec2, Vec2)) -> Option<Vec2> {
     let (joint, other) = match [line.from, line.to] {
         ends if ends.contains(&from) => (from, to),

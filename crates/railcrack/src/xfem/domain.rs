@@ -6,12 +6,14 @@ use super::sif::SifDomain;
 use crate::crack::point_to_segment;
 use crate::math::Vec2;
 
-/// Smallest outer radius of a domain over the inner one: with that of 1.5 elements, more than an element lies between them. A smaller inner
-/// radius reaches into the elements at the tip and costs 0.9 % of K.
+/// Smallest outer radius of a domain over the inner one: with that of 1.5 elements, more than an
+/// element lies between them. A smaller inner radius reaches into the elements at the tip and costs
+/// 0.9 % of K.
 const SMALLEST: f64 = 2.0;
 
-/// Elements between a tip and its neighbour below which K is not to be trusted: both lie in one element then. Measured against fine elements
-/// of the other engine: within 0.1 % of the largest K down to 1.4 elements, 0.8 % at 0.6 of one, 6 % at 0.4.
+/// Elements between a tip and its neighbour below which K is not to be trusted: both lie in one
+/// element then. Measured against fine elements of the other engine: within 0.1 % of the largest K
+/// down to 1.4 elements, 0.8 % at 0.6 of one, 6 % at 0.4.
 const TRUSTED: f64 = 1.0;
 
 /// What lies next to a tip.
@@ -21,9 +23,10 @@ enum Neighbour {
     Surface,
 }
 
-/// The domain of tip `tip`, around which elements are `size` (mm) large: as `settings` say, but no farther than the nearest other crack or
-/// the running surface, down to [`SMALLEST`]. What lies in the smallest domain nevertheless takes part in it with its faces. The remark
-/// tells of a neighbour that is too near.
+/// The domain of tip `tip`, around which elements are `size` (mm) large: as `settings` say, but no
+/// farther than the nearest other crack or the running surface, down to [`SMALLEST`]. What lies in
+/// the smallest domain nevertheless takes part in it with its faces. The remark tells of a
+/// neighbour that is too near.
 pub(super) fn domain_of(
     cuts: &Cuts,
     tip: usize,
@@ -54,8 +57,9 @@ pub(super) fn domain_of(
     (domain, remark)
 }
 
-/// Elements between a tip and the last sharp turn of its crack below which K is not to be trusted: the friction of the faces around the corner is
-/// not resolved. Measured against fine elements of the other engine, turns of 40° and 70° to either side: up to 15 % of the largest K at a quarter
+/// Elements between a tip and the last sharp turn of its crack below which K is not to be trusted:
+/// the friction of the faces around the corner is not resolved. Measured against fine elements of
+/// the other engine, turns of 40° and 70° to either side: up to 15 % of the largest K at a quarter
 /// of an element, 8 % at one, 6 % at 1.6, 4 % at 2.4.
 const TRUSTED_PART: f64 = 1.25;
 

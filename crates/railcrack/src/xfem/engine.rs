@@ -35,8 +35,8 @@ pub enum RailEnd {
     },
 }
 
-/// Half width and depth of the mesh of a half-plane, over the extent of the window. Held at this distance, the boundary
-/// changes K by about (l/R)² × 8: less than 1e-3.
+/// Half width and depth of the mesh of a half-plane, over the extent of the window. Held at this
+/// distance, the boundary changes K by about (l/R)² × 8: less than 1e-3.
 const FAR: f64 = 150.0;
 /// Enlargements of the window that are tried.
 const ENLARGEMENTS: usize = 20;
@@ -61,7 +61,8 @@ impl RailEnd {
     }
 }
 
-/// Entries of the factor over n log2 n: nested dissection of a plane grid, measured from 20k to 60k unknowns.
+/// Entries of the factor over n log2 n: nested dissection of a plane grid, measured from 20k to 60k
+/// unknowns.
 const FACTOR_ENTRIES: f64 = 6.0;
 
 /// Size of a cracked rail in finite elements.
@@ -77,9 +78,9 @@ pub struct XfemSize {
     pub factor_entries: usize,
 }
 
-/// Extended finite elements for all steps of a run. The mesh is laid around the cracks of the first step with room for their
-/// growth, and is factored once; a crack that leaves the fine window has it enlarged in fixed steps. A clone shares the factor and what
-/// was solved with it.
+/// Extended finite elements for all steps of a run. The mesh is laid around the cracks of the first
+/// step with room for their growth, and is factored once; a crack that leaves the fine window has
+/// it enlarged in fixed steps. A clone shares the factor and what was solved with it.
 #[derive(Debug, Clone)]
 pub struct XfemEngine {
     steel: IsotropicElastic,
@@ -96,7 +97,8 @@ pub struct XfemEngine {
 }
 
 impl XfemEngine {
-    /// The engine for cracks that are `initial` at the beginning of the run, elements of one size at all of them.
+    /// The engine for cracks that are `initial` at the beginning of the run, elements of one size
+    /// at all of them.
     pub fn new(
         initial: &CrackNetwork,
         steel: IsotropicElastic,
@@ -132,15 +134,16 @@ impl XfemEngine {
         Self { initial: window.clone(), window, ..self }
     }
 
-    /// Everything on which mesh and factor of the rail depend for the cracks at the beginning; two rails with the same words are the
-    /// same bits.
+    /// Everything on which mesh and factor of the rail depend for the cracks at the beginning; two
+    /// rails with the same words are the same bits.
     pub fn rail_in_words(&self) -> String {
         let (outline, boundary) = (self.end.outline(&self.initial), self.end.boundary());
         // The shortest decimals that read back to the same bits.
         format!("{:?} {outline:?} {boundary:?} {:?}", self.steel, self.initial)
     }
 
-    /// Takes over mesh, factor and columns of `other`, where this engine has none yet and would make the same ones.
+    /// Takes over mesh, factor and columns of `other`, where this engine has none yet and would
+    /// make the same ones.
     pub fn take_over(&mut self, other: &Self) {
         if self.background.is_some()
             || other.window != self.initial
@@ -169,7 +172,8 @@ impl XfemEngine {
         })
     }
 
-    /// The window that holds `network`, and the one before it in the sequence of enlargements, where there is one.
+    /// The window that holds `network`, and the one before it in the sequence of enlargements,
+    /// where there is one.
     fn window_for(&self, network: &CrackNetwork) -> (Window, Option<Window>) {
         let mut window = self.initial.clone();
         let mut before = None;

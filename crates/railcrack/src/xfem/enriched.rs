@@ -5,8 +5,8 @@ use crate::bulk::{BulkRail, RailStiffness};
 use crate::linear::ElementSum;
 use crate::math::Matrix;
 
-/// The stiffness of the free unknowns of the mesh and, after these, of the enriched ones: the elements of the mesh, the cells with enrichments, and what
-/// is added to the diagonal.
+/// The stiffness of the free unknowns of the mesh and, after these, of the enriched ones: the
+/// elements of the mesh, the cells with enrichments, and what is added to the diagonal.
 pub(super) struct EnrichedStiffness<'a> {
     rail: &'a BulkRail,
     mesh: RailStiffness<'a>,

@@ -27,18 +27,21 @@ pub(super) struct Inside {
     pub elimination: Elimination,
 }
 
-/// Distance (over the length of the longest crack) from the box of the cracks up to which fields are given.
+/// Distance (over the length of the longest crack) from the box of the cracks up to which fields
+/// are given.
 const MARGIN: f64 = 0.25;
 
 /// The displacements under one load.
 struct Displacements {
-    /// Displacement of the nodes of the mesh that the grid depends on, mm; of the others nothing of use.
+    /// Displacement of the nodes of the mesh that the grid depends on, mm; of the others nothing of
+    /// use.
     nodes: Vec<Vec2>,
     enriched: Vec<f64>,
 }
 
 impl Inside {
-    /// The fields under `loads`, and under what the ends of a block do to the stress under the `wheel`.
+    /// The fields under `loads`, and under what the ends of a block do to the stress under the
+    /// `wheel`.
     pub(super) fn fields(
         &self,
         loads: &[FieldLoad],
@@ -159,8 +162,9 @@ impl Inside {
     }
 }
 
-/// The stress (MPa) at the nodes of an element without enrichment: that at its 2 × 2 Gauss points, where it converges faster than
-/// elsewhere (Barlow, Int. J. Numer. Meth. Engng 10, 1976), continued bilinearly.
+/// The stress (MPa) at the nodes of an element without enrichment: that at its 2 × 2 Gauss points,
+/// where it converges faster than elsewhere (Barlow, Int. J. Numer. Meth. Engng 10, 1976),
+/// continued bilinearly.
 fn nodal_stresses(element: &Element, nodes: &[Vec2], elasticity: &Elasticity) -> [Stress; NODES] {
     let gauss = 1.0 / 3.0f64.sqrt();
     let size = element.size();

@@ -19,7 +19,8 @@ pub(super) struct Layout {
     pub cells: Vec<(CellPlace, Range<usize>)>,
 }
 
-/// Share of the way to the middle of the cell at which the stress of a point at a tip or a kink is taken: it is infinite there.
+/// Share of the way to the middle of the cell at which the stress of a point at a tip or a kink is
+/// taken: it is infinite there.
 const INSIDE: f64 = 0.1;
 /// A corner this near to a tip or a kink, over the element, is at it.
 const AT_POLE: f64 = 1e-9;

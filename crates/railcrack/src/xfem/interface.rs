@@ -19,8 +19,9 @@ pub(super) struct Interface {
 /// The face points at the ends of an element, and what each counts.
 type Shares = [(usize, f64); 2];
 
-/// A quadrature point of the faces. Jumps are ⟦w⟧ = Σ ψ_j w_j with ψ linear in g and zero at a tip; tractions are Σ λ_j τ_j with
-/// λ = ψ but for the element at a tip, where the traction stays what it is at its other end.
+/// A quadrature point of the faces. Jumps are ⟦w⟧ = Σ ψ_j w_j with ψ linear in g and zero at a tip;
+/// tractions are Σ λ_j τ_j with λ = ψ but for the element at a tip, where the traction stays what
+/// it is at its other end.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Station {
     /// Index of the piece of crack.
@@ -34,18 +35,20 @@ pub(super) struct Station {
     pub tractions: Shares,
 }
 
-/// Distance between face points, over the length of crack in an element: quadratic jumps carry two points per element, and
-/// with one, pressures do not alternate.
+/// Distance between face points, over the length of crack in an element: quadratic jumps carry two
+/// points per element, and with one, pressures do not alternate.
 const SPACING: f64 = 1.0;
-/// Step of √r next to a tip, over the root of the element's length of crack there: points at 0.16, 0.64, 1.44 of an element. With steps of a third
-/// K leaks out of a tip that is locked, by up to 3 % of its peak as the last of the crack lets go; with a quarter pressures alternate.
+/// Step of √r next to a tip, over the root of the element's length of crack there: points at 0.16,
+/// 0.64, 1.44 of an element. With steps of a third K leaks out of a tip that is locked, by up to 3
+/// % of its peak as the last of the crack lets go; with a quarter pressures alternate.
 const TIP_STEP: f64 = 0.4;
 /// Length of the element across a kink, over the regular one.
 const KINK_SPACING: f64 = 0.15;
 /// The same for kinks without √r functions.
 const SMALL_KINK_SPACING: f64 = 0.5;
-/// Distance of a small kink from the next one or the end of the crack, over the regular element, from which it has points of its own. Points
-/// that are closer than the jump has functions for carry pressures that alternate: at half an element from the tip K was off by 7 to 30 %.
+/// Distance of a small kink from the next one or the end of the crack, over the regular element,
+/// from which it has points of its own. Points that are closer than the jump has functions for
+/// carry pressures that alternate: at half an element from the tip K was off by 7 to 30 %.
 const KINK_ROOM: f64 = 3.0;
 /// Growth of the distance of face points away from a kink: length per distance.
 const KINK_GRADING: f64 = 0.5;
@@ -53,7 +56,8 @@ const KINK_GRADING: f64 = 0.5;
 const JUNCTION_SPACING: f64 = 0.5;
 /// Kinks below this angle (radians) are smooth for the jump.
 const SMALL_KINK: f64 = 0.05;
-/// Gauss points on each common piece of face element and cut element: jumps are of degree 5 in g, times ψ and ds/dg.
+/// Gauss points on each common piece of face element and cut element: jumps are of degree 5 in g,
+/// times ψ and ds/dg.
 const GAUSS: usize = 6;
 
 impl Interface {
@@ -147,18 +151,20 @@ impl Interface {
     }
 }
 
-/// What turns integrals over the faces into jumps at face points, and nodal forces there into tractions.
+/// What turns integrals over the faces into jumps at face points, and nodal forces there into
+/// tractions.
 #[derive(Debug, Clone)]
 pub(super) struct Duality {
-    /// The factors of the tridiagonal G: of each row the entry of the lower one, the pivot, and the entry beside it.
+    /// The factors of the tridiagonal G: of each row the entry of the lower one, the pivot, and the
+    /// entry beside it.
     bands: Vec<[f64; 3]>,
     /// x1 of each face point.
     tangents: Vec<Vec2>,
 }
 
 impl Duality {
-    /// G⁻¹ b in the frames of the faces: slip and opening at the face points from b_j = ∫ λ_j ⟦w⟧ ds along x and y. `b[j]` may be any
-    /// row of numbers.
+    /// G⁻¹ b in the frames of the faces: slip and opening at the face points from b_j = ∫ λ_j ⟦w⟧
+    /// ds along x and y. `b[j]` may be any row of numbers.
     pub(super) fn nodal_jumps(&self, mut b: Matrix) -> Matrix {
         let points = self.bands.len();
         for i in 1..points {
@@ -191,8 +197,8 @@ impl Duality {
         b
     }
 
-    /// The coefficients τ_j (x and y, MPa) of the tractions Σ λ_j τ_j that nodal `forces` (N/mm, in the frames of the faces) are: the
-    /// transpose of [`Duality::nodal_jumps`].
+    /// The coefficients τ_j (x and y, MPa) of the tractions Σ λ_j τ_j that nodal `forces` (N/mm, in
+    /// the frames of the faces) are: the transpose of [`Duality::nodal_jumps`].
     pub(super) fn tractions(&self, forces: &[f64]) -> Vec<f64> {
         let points = self.bands.len();
         let mut tractions = vec![0.0; 2 * points];
@@ -266,7 +272,8 @@ struct Place {
     nodes: Vec<f64>,
 }
 
-/// The nodes of one walk in g, ends included; those at the points `joined`, where cracks meet, twice.
+/// The nodes of one walk in g, ends included; those at the points `joined`, where cracks meet,
+/// twice.
 fn nodes(mesh: &QuadMesh, walk: &Walk, joined: &[usize], spacing: Option<f64>) -> Vec<f64> {
     let (start, end) = walk.range();
     let vertices = walk.vertices();
@@ -301,9 +308,9 @@ fn nodes(mesh: &QuadMesh, walk: &Walk, joined: &[usize], spacing: Option<f64>) -
         if i == 0 || i == segments {
             return Some(Place { s, element: f64::INFINITY, nodes: vec![g] });
         }
-        // An element across each kink, so that every node has one tangent. Points crowd only where the jump has the functions to follow
-        // them.
-        // So a small kink has none where another one or an end is too near for the jump to follow: the element that is there runs across it.
+        // An element across each kink, so that every node has one tangent. Points crowd only where
+        // the jump has the functions to follow them. So a small kink has none where another one or
+        // an end is too near for the jump to follow: the element that is there runs across it.
         let sharp = walk.turn(i) > SHARP_KINK;
         (sharp || (walk.turn(i) > SMALL_KINK && gap >= KINK_ROOM * chord(g))).then(|| {
             let spacing = if sharp { KINK_SPACING } else { SMALL_KINK_SPACING };

@@ -1,4 +1,5 @@
-//! The finite-element engine: a background mesh that does not know the cracks, and functions that do.
+//! The finite-element engine: a background mesh that does not know the cracks, and functions that
+//! do.
 
 mod arrangement;
 mod basis;

@@ -166,11 +166,13 @@ impl Dense {
     }
 }
 
-/// K_I = 1 and K_II = 0, and the reverse, within this: default enrichment and domain, eleven elements to the nearest side.
+/// K_I = 1 and K_II = 0, and the reverse, within this: default enrichment and domain, eleven
+/// elements to the nearest side.
 const PATCH: f64 = 1e-3;
 
-/// The outline of a patch carries the tractions of a Williams field, so that this field is the solution. Three unknowns on
-/// the bottom hold the rigid motions; their reactions vanish, since the tractions are balanced.
+/// The outline of a patch carries the tractions of a Williams field, so that this field is the
+/// solution. Three unknowns on the bottom hold the rigid motions; their reactions vanish, since the
+/// tractions are balanced.
 #[test]
 fn williams_field_on_a_patch() {
     let (mesh, network) = patch();
@@ -194,8 +196,9 @@ fn williams_field_on_a_patch() {
 /// Round-off of systems of two thousand unknowns.
 const SAME: f64 = 1e-10;
 
-/// A loaded block with a crack: all unknowns at once, against the uncracked block first and then the crack under the forces −K_es u0
-/// that the field of the uncracked block puts on the enriched functions.
+/// A loaded block with a crack: all unknowns at once, against the uncracked block first and then
+/// the crack under the forces −K_es u0 that the field of the uncracked block puts on the enriched
+/// functions.
 #[test]
 fn superposition_of_a_discrete_field() {
     let (mesh, network) = patch();
@@ -277,7 +280,8 @@ fn superposition_of_a_discrete_field() {
     assert!(error < SAMPLED, "K of the sampled field {error:.1e}");
 }
 
-/// Error of K from sampling the stress of elements of a sixth of the crack, smoothed from their Gauss points.
+/// Error of K from sampling the stress of elements of a sixth of the crack, smoothed from their
+/// Gauss points.
 const SAMPLED: f64 = 2e-2;
 
 fn nodal_jumps(

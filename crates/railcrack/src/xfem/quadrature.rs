@@ -12,8 +12,8 @@ pub(super) struct Rules {
     rules: Vec<Vec<(f64, f64)>>,
 }
 
-/// Points per direction for products of slopes of eight-node shape functions: of degree 4 together, and 5 with the collapse
-/// of a square to a triangle.
+/// Points per direction for products of slopes of eight-node shape functions: of degree 4 together,
+/// and 5 with the collapse of a square to a triangle.
 const POLYNOMIAL: usize = 3;
 /// Points per direction and triangle at the tip, where r = t² makes everything smooth.
 const AT_TIP: usize = 8;
@@ -61,7 +61,8 @@ impl Rules {
             .collect()
     }
 
-    /// Triangles from the first corner of a convex polygon, each by a collapsed square: for integrands that this integrates exactly.
+    /// Triangles from the first corner of a convex polygon, each by a collapsed square: for
+    /// integrands that this integrates exactly.
     fn fan(&self, polygon: &[Vec2], points: usize) -> Vec<WeightedPoint> {
         let mut all = Vec::new();
         for i in 1..polygon.len() - 1 {
@@ -70,8 +71,8 @@ impl Rules {
         all
     }
 
-    /// Triangles from the point of the polygon nearest to the tip: the tip itself where it is a corner. Mirrored polygons have mirrored
-    /// triangles.
+    /// Triangles from the point of the polygon nearest to the tip: the tip itself where it is a
+    /// corner. Mirrored polygons have mirrored triangles.
     fn around(&self, polygon: &[Vec2], tip: Vec2, points: usize, radial: Radial) -> Vec<WeightedPoint> {
         let apex = nearest_point(polygon, tip);
         let mut all = Vec::new();

@@ -9,11 +9,13 @@ use crate::mesh::{MeshError, QuadMesh};
 pub struct MeshSettings {
     /// Size of the elements at the cracks as they are at the beginning, mm.
     pub element_size: f64,
-    /// Length of the cracks at the end over that at the beginning, as far as the window shall reach.
+    /// Length of the cracks at the end over that at the beginning, as far as the window shall
+    /// reach.
     pub expected_growth: f64,
 }
 
-/// Elements along the longest crack, by default: with 60, histories of single cracks are within 0.6 % of the peak |K|, where 1 % is promised.
+/// Elements along the longest crack, by default: with 60, histories of single cracks are within 0.6
+/// % of the peak |K|, where 1 % is promised.
 const ELEMENTS_PER_CRACK: f64 = 60.0;
 /// Elements along the longest crack of a network of more than [`FEW`], by default.
 const ELEMENTS_PER_CRACK_OF_MANY: f64 = 30.0;
@@ -21,16 +23,18 @@ const ELEMENTS_PER_CRACK_OF_MANY: f64 = 30.0;
 const FEW: usize = 3;
 /// Elements along a shorter crack, at least, by default.
 const FEWEST_ELEMENTS_PER_CRACK: f64 = 30.0;
-/// Elements along the part of a crack between a tip and the last turn before it, at least, by default.
+/// Elements along the part of a crack between a tip and the last turn before it, at least, by
+/// default.
 const ELEMENTS_PER_TIP_SEGMENT: f64 = 7.0;
 /// Turns below this angle (radians) do not end that part.
 const TURN: f64 = 0.05;
 /// Elements along a crack at most, by default: a shorter last part has fewer.
 const MOST_ELEMENTS_PER_CRACK: f64 = 250.0;
 
-/// Size (mm) of the elements at each crack when none is asked for: a sixtieth of the longest crack (a thirtieth in a network of more than
-/// three), a thirtieth of the crack itself where that is less, and a seventh of the shortest part of it that ends at a tip, which the domain
-/// of the SIFs shall not reach far beyond.
+/// Size (mm) of the elements at each crack when none is asked for: a sixtieth of the longest crack
+/// (a thirtieth in a network of more than three), a thirtieth of the crack itself where that is
+/// less, and a seventh of the shortest part of it that ends at a tip, which the domain of the SIFs
+/// shall not reach far beyond.
 pub fn default_element_sizes(network: &CrackNetwork) -> Vec<f64> {
     let cracks = network.cracks();
     let of_longest = if cracks.len() > FEW { ELEMENTS_PER_CRACK_OF_MANY } else { ELEMENTS_PER_CRACK };
@@ -68,7 +72,8 @@ pub struct Outline {
     pub depth: f64,
 }
 
-/// Layers of the rail that elements shall resolve along its whole length: those with plastic stress.
+/// Layers of the rail that elements shall resolve along its whole length: those with plastic
+/// stress.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Layers {
     /// Depth of the lowest, mm.
@@ -77,8 +82,9 @@ pub struct Layers {
     pub height: f64,
 }
 
-/// The fine part of the mesh: where the cracks are and where they are expected to go. Elements grow in it with the distance
-/// from each crack at the beginning, as cracks that reach there have grown longer.
+/// The fine part of the mesh: where the cracks are and where they are expected to go. Elements grow
+/// in it with the distance from each crack at the beginning, as cracks that reach there have grown
+/// longer.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Window {
     /// Lower left corner, mm.
@@ -103,14 +109,16 @@ struct Resolved {
     mouth: Option<f64>,
 }
 
-/// Element at a mouth, over the crack: the edge of the wheel contact passes over the mouth, and the stress on the
-/// faces there varies over its distance from the surface.
+/// Element at a mouth, over the crack: the edge of the wheel contact passes over the mouth, and the
+/// stress on the faces there varies over its distance from the surface.
 const MOUTH_ELEMENT: f64 = 1.0 / 300.0;
 /// Growth of elements away from a mouth: length per distance.
 const MOUTH_GRADING: f64 = 0.35;
-/// Growth of elements outside of the window: length per distance. Quadratic elements follow the decay of the field there.
+/// Growth of elements outside of the window: length per distance. Quadratic elements follow the
+/// decay of the field there.
 const OUTER_GRADING: f64 = 0.4;
-/// Angle (radians) of the branch that the window makes room for: kinks at ±70.5° maximise the opening of a shear crack.
+/// Angle (radians) of the branch that the window makes room for: kinks at ±70.5° maximise the
+/// opening of a shear crack.
 const BRANCH: f64 = 1.25;
 /// Elements around the cracks that belong to the window.
 const MARGIN: f64 = 5.0;
@@ -124,8 +132,8 @@ impl Window {
         Self::with_sizes(network, &sizes, settings.expected_growth)
     }
 
-    /// [`Window::new`] with elements of `sizes[i]` (mm) at crack i: lines of the grid are as close as the crack wants them, whose box is
-    /// nearest for its size.
+    /// [`Window::new`] with elements of `sizes[i]` (mm) at crack i: lines of the grid are as close
+    /// as the crack wants them, whose box is nearest for its size.
     pub fn with_sizes(network: &CrackNetwork, sizes: &[f64], expected_growth: f64) -> Self {
         let resolved = |(crack, &element_size): (&Crack, &f64)| Resolved {
             element_size,
@@ -192,7 +200,8 @@ impl Window {
             && (self.upper.y == 0.0 || self.upper.y - point.y >= space)
     }
 
-    /// Distance (mm) that quadratic elements resolve at the tips of `network`: half of the smallest one there.
+    /// Distance (mm) that quadratic elements resolve at the tips of `network`: half of the smallest
+    /// one there.
     pub fn resolution(&self, network: &CrackNetwork) -> f64 {
         let tips = network.tips().into_iter().map(|tip| network.cracks()[tip.crack].tip(tip.end));
         0.5 * tips.map(|tip| self.size_x(tip.x).max(self.size_y(tip.y))).fold(f64::INFINITY, f64::min)
@@ -258,7 +267,8 @@ impl Window {
 }
 
 impl Resolved {
-    /// Size (mm) of the elements at this distance (mm) from its box: cracks that reach there have grown longer.
+    /// Size (mm) of the elements at this distance (mm) from its box: cracks that reach there have
+    /// grown longer.
     fn size_at(&self, from_crack: f64) -> f64 {
         self.element_size * (1.0 + from_crack / self.length)
     }

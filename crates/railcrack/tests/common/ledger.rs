@@ -8,8 +8,9 @@ use std::sync::Mutex;
 /// By requirement, how close the measurements came to what is allowed (1: all of it).
 static WORST: Mutex<BTreeMap<usize, f64>> = Mutex::new(BTreeMap::new());
 
-/// Notes an `error` that the running test measured, what is `allowed` and the `reason` for it, as its requirement of that `quantity`. Of many
-/// measurements the one that comes closest to what is allowed stays.
+/// Notes an `error` that the running test measured, what is `allowed` and the `reason` for it, as
+/// its requirement of that `quantity`. Of many measurements the one that comes closest to what is
+/// allowed stays.
 pub fn measured_as(quantity: &str, error: f64, allowed: f64, reason: &str) {
     let share = if allowed > 0.0 { error / allowed } else { f64::from(error != 0.0) };
     note(quantity, share, [&format!("{error:.1e}"), &format!("{allowed:e}"), reason]);

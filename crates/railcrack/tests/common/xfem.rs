@@ -98,8 +98,9 @@ pub fn sifs_under(body: &dyn CrackedBody, stress: impl Fn(Vec2) -> Stress) -> Ve
     body.sif_influence().times(&body.faces().nodal_forces(stress))
 }
 
-/// The condition number of a symmetric positive definite matrix scaled to a unit diagonal, by power iteration on it and on its
-/// inverse; none where it is not symmetric to the last bit or not positive definite.
+/// The condition number of a symmetric positive definite matrix scaled to a unit diagonal, by power
+/// iteration on it and on its inverse; none where it is not symmetric to the last bit or not
+/// positive definite.
 pub fn condition(matrix: &Matrix) -> Option<f64> {
     let n = matrix.rows();
     let symmetric = (0..n).all(|i| (0..i).all(|j| matrix[(i, j)] == matrix[(j, i)]));
@@ -127,7 +128,8 @@ fn largest_eigenvalue(matrix: &Matrix) -> f64 {
     value
 }
 
-/// The largest difference of K at any position and crack, over the peak of the reference, and where.
+/// The largest difference of K at any position and crack, over the peak of the reference, and
+/// where.
 pub fn misfit(result: &StabilisedPassage, reference: &[History]) -> (f64, String) {
     let passage = &result.passages[result.passages.len() - 1];
     let all = || reference.iter().flat_map(|h| &h.sifs);

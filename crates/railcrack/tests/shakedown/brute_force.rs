@@ -1,8 +1,9 @@
-//! Time marching: the same material on a fixed mesh of finite elements, the wheel moved over it in small steps. Shares the
-//! closed-form stress of the wheel with the library, and nothing else.
+//! Time marching: the same material on a fixed mesh of finite elements, the wheel moved over it in
+//! small steps. Shares the closed-form stress of the wheel with the library, and nothing else.
 //!
-//! The mesh closes on itself: behind the last column comes the first. So the whole length is rolled, and no ends of a rolled
-//! piece are near; a free rail of some half-widths would be bent by them.
+//! The mesh closes on itself: behind the last column comes the first. So the whole length is
+//! rolled, and no ends of a rolled piece are near; a free rail of some half-widths would be bent by
+//! them.
 
 use railcrack::field::HertzField;
 use railcrack::math::Vec2;
@@ -21,7 +22,8 @@ pub struct March {
     pub fine_depth: f64,
 }
 
-/// Residual stress under the middle of the rail after each pass: (depth mm, σ_xx, σ_zz MPa) by element.
+/// Residual stress under the middle of the rail after each pass: (depth mm, σ_xx, σ_zz MPa) by
+/// element.
 pub type Profile = Vec<(f64, f64, f64)>;
 
 /// What the march did.
@@ -36,7 +38,8 @@ const EVEN: f64 = 2.0;
 const DEEP: f64 = 12.0;
 /// Gauss points of an element.
 const POINTS: usize = 4;
-/// The iteration of a step ends at this change of the plastic strain, times 2 G over the radius of the yield surface.
+/// The iteration of a step ends at this change of the plastic strain, times 2 G over the radius of
+/// the yield surface.
 const TOLERANCE: f64 = 1e-4;
 
 struct Element {
@@ -136,12 +139,14 @@ pub fn march(rail: &RolledRail, mesh: March, passes: usize) -> Marched {
     Marched { profiles, solutions }
 }
 
-/// The place of column `i` of `columns` in a ring in the system: so that neighbours in the ring are near.
+/// The place of column `i` of `columns` in a ring in the system: so that neighbours in the ring are
+/// near.
 fn place(i: usize, columns: usize) -> usize {
     if i < columns.div_ceil(2) { 2 * i } else { 2 * (columns - 1 - i) + 1 }
 }
 
-/// Borders of the columns: even with x = 0 in the middle of one, up to `even`; growing beyond, up to `end`.
+/// Borders of the columns: even with x = 0 in the middle of one, up to `even`; growing beyond, up
+/// to `end`.
 fn abscissae(h: f64, even: f64, end: f64) -> Vec<f64> {
     let mut right = vec![0.5 * h];
     let mut next = h;

@@ -3,7 +3,8 @@
 use crate::{direct, peak, rail, stabilised};
 use railcrack::shakedown::RailState;
 
-/// |s − X| over the radius of the yield surface less one: what the direct iteration ends at, times ten.
+/// |s − X| over the radius of the yield surface less one: what the direct iteration ends at, times
+/// ten.
 const ADMISSIBLE: f64 = 1e-4;
 
 #[test]
@@ -26,7 +27,8 @@ fn admissible_at_a_third_of_the_cost() {
     }
 }
 
-/// An elastic-shakedown state is not unique: the direct one is not what passages lead to, by far more than the error of either.
+/// An elastic-shakedown state is not unique: the direct one is not what passages lead to, by far
+/// more than the error of either.
 #[test]
 fn another_state() {
     let rail = rail(1100.0, 0.1, 20e3);

@@ -1,4 +1,5 @@
-//! What must not change anything: the unit of length, the unit of stress, the side from which one looks.
+//! What must not change anything: the unit of length, the unit of stress, the side from which one
+//! looks.
 
 use crate::{rail, stabilised};
 use railcrack::load::HertzianContact;
@@ -30,8 +31,8 @@ fn length_and_stress_have_no_scale() {
     }
 }
 
-/// A mirrored wheel (friction and travel) leaves the mirrored rail: shears change sign, nothing else. Travel alone matters: a
-/// braking wheel that rolls the other way is a driving one.
+/// A mirrored wheel (friction and travel) leaves the mirrored rail: shears change sign, nothing
+/// else. Travel alone matters: a braking wheel that rolls the other way is a driving one.
 #[test]
 fn mirror_and_travel() {
     let one = rail(1050.0, 0.15, 20e3);
@@ -45,13 +46,15 @@ fn mirror_and_travel() {
     assert_eq!(a.cycle.abscissae[0], -b.cycle.abscissae[0]);
     let (here, there) = (a.cycle.stress[10_000], b.cycle.stress[10_000]);
     assert_eq!((here.xx, here.xy), (there.xx, -there.xy));
-    // The wheel of a forward passage comes from upstream, that is from larger abscissae of the rail point.
+    // The wheel of a forward passage comes from upstream, that is from larger abscissae of the rail
+    // point.
     assert!(a.cycle.abscissae[0] > 0.0);
     let backward = stabilised(&RolledRail { travel: Travel::Backward, ..one });
     assert!(a.stress_difference(&backward) > 1.0);
 }
 
-/// Without friction the two directions of travel leave the same residual stress, and opposite shears.
+/// Without friction the two directions of travel leave the same residual stress, and opposite
+/// shears.
 #[test]
 fn no_friction_no_direction() {
     let forward = rail(1150.0, 0.0, 20e3);

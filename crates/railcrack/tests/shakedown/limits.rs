@@ -1,4 +1,5 @@
-//! States on both sides of first yield and of the limits of elastic shakedown, and the residual stress at the limit.
+//! States on both sides of first yield and of the limits of elastic shakedown, and the residual
+//! stress at the limit.
 
 use crate::{YIELD, peak, rail, stabilised};
 use railcrack::shakedown::{RailState, StabilisedRail, shakedown_limit_ratio};
@@ -27,7 +28,8 @@ fn first_yield() {
     }
 }
 
-/// p0/k at the limit of elastic shakedown (Ponter, Hearle & Johnson 1985), and where plastic strain alternates beyond it.
+/// p0/k at the limit of elastic shakedown (Ponter, Hearle & Johnson 1985), and where plastic strain
+/// alternates beyond it.
 #[test]
 fn shakedown_limits() {
     for (friction, ratio, depth) in [(0.0, 4.000, 0.50), (0.1, 3.987, 0.50), (0.3, 3.150, 0.0)] {
@@ -45,7 +47,8 @@ fn shakedown_limits() {
     }
 }
 
-/// What plastic shakedown does in every passage grows with the load, and is not there below the limit.
+/// What plastic shakedown does in every passage grows with the load, and is not there below the
+/// limit.
 #[test]
 fn plastic_strain_per_passage() {
     let per_pass = |ratio: f64| {
@@ -57,11 +60,12 @@ fn plastic_strain_per_passage() {
     assert!(below < 2e-6 && just_above > 1e-4 && above > 2.0 * just_above, "{below} {just_above} {above}");
 }
 
-/// At the frictionless limit every residual stress but one lets the rail yield for ever: σ_xx = −0.134 p0, σ_zz = −0.213 p0 at 0.5 a
-/// for vanishing hardening (−s of the residual stress is then the centre of the smallest ball around the deviatoric path).
+/// At the frictionless limit every residual stress but one lets the rail yield for ever:
+/// σ_xx = −0.134 p0, σ_zz = −0.213 p0 at 0.5 a for vanishing hardening (−s of the residual stress
+/// is then the centre of the smallest ball around the deviatoric path).
 ///
-/// Just above it: below, by a part g, the centre may move by √(2 g) of the radius before the ball is left, and 7 % of it is
-/// half of σ_xx for g = 0.25 %.
+/// Just above it: below, by a part g, the centre may move by √(2 g) of the radius before the ball
+/// is left, and 7 % of it is half of σ_xx for g = 0.25 %.
 #[test]
 fn residual_stress_at_the_limit() {
     let pressure = 1.004 * shakedown_limit_ratio(0.0, 0.3).ratio * k();
@@ -73,8 +77,8 @@ fn residual_stress_at_the_limit() {
     assert!((stress.zz / pressure + 0.213).abs() < 0.004, "{}", stress.zz / pressure);
 }
 
-/// The residual stress of a rolled half-plane: σ_xx = −E′ (ε_xx + ν ε_zz), σ_zz = −E′ (ε_zz + ν ε_xx), nothing else; and no
-/// plastic change of volume.
+/// The residual stress of a rolled half-plane: σ_xx = −E′ (ε_xx + ν ε_zz), σ_zz = −E′ (ε_zz + ν
+/// ε_xx), nothing else; and no plastic change of volume.
 #[test]
 fn one_dimensional_identity() {
     let result = at_ratio(4.3, 0.2);

@@ -28,8 +28,9 @@ fn makes_the_rail_yield_earlier() {
     assert_eq!(stabilised(&pulled).state, RailState::ElasticShakedown);
 }
 
-/// The limit of elastic shakedown is that of the bare rail (Melan: what is constant in time does not matter), and the
-/// stress that a heavy load leaves is the part of it that the load asks for: rolling replaces the stress of manufacturing.
+/// The limit of elastic shakedown is that of the bare rail (Melan: what is constant in time does
+/// not matter), and the stress that a heavy load leaves is the part of it that the load asks for:
+/// rolling replaces the stress of manufacturing.
 #[test]
 fn does_not_move_the_shakedown_limit() {
     let profile = vec![(0.0, 100.0, 50.0), (6.0, -60.0, -30.0), (20.0, 0.0, 0.0)];
@@ -39,7 +40,8 @@ fn does_not_move_the_shakedown_limit() {
     }
 }
 
-/// A profile that makes the rail yield everywhere and without a wheel is refused, not followed for ever.
+/// A profile that makes the rail yield everywhere and without a wheel is refused, not followed for
+/// ever.
 #[test]
 fn beyond_yield_is_refused() {
     let rail = with_profile(rail(900.0, 0.1, 20e3), vec![(0.0, 700.0, 0.0), (500.0, 700.0, 0.0)]);

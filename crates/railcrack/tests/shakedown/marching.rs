@@ -1,6 +1,6 @@
-//! Against time marching on a fixed mesh. Its own error is of first order in step and element: 5 % of the peak in the mean at a/8, 2.5 % at
-//! a/12 with steps of a/24; the largest differences are at the upper border of the plastic zone, where an element is wider than
-//! the rise of the stress.
+//! Against time marching on a fixed mesh. Its own error is of first order in step and element: 5 %
+//! of the peak in the mean at a/8, 2.5 % at a/12 with steps of a/24; the largest differences are at
+//! the upper border of the plastic zone, where an element is wider than the rise of the stress.
 
 use crate::brute_force::{March, Profile, march};
 use crate::{peak, rail};

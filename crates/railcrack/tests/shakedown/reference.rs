@@ -1,4 +1,5 @@
-//! The case of `verification/shakedown-half-plane`: an independent computation, whose mesh is as fine as ours.
+//! The case of `verification/shakedown-half-plane`: an independent computation, whose mesh is as
+//! fine as ours.
 
 use crate::table::{column, rows};
 use crate::{peak, rail, stabilised};

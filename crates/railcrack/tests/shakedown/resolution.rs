@@ -21,8 +21,9 @@ fn difference(coarse: &StabilisedRail, fine: &StabilisedRail) -> (f64, f64) {
     (largest / peak(fine), mean / peak(fine))
 }
 
-/// After three passages, where most has happened: the default against half as many and twice as many columns and layers. Where the plastic zone
-/// ends, the stress turns within a layer: the largest difference is there, and falls with the first order.
+/// After three passages, where most has happened: the default against half as many and twice as
+/// many columns and layers. Where the plastic zone ends, the stress turns within a layer: the
+/// largest difference is there, and falls with the first order.
 #[test]
 fn columns_and_layers() {
     for (pressure, friction) in [(1100.0, 0.1), (1000.0, 0.3)] {
@@ -36,8 +37,8 @@ fn columns_and_layers() {
     }
 }
 
-/// The period of the waves does not decide: four times as long changes two thousandths of the peak at most, and doubling it leaves an
-/// eighth of that.
+/// The period of the waves does not decide: four times as long changes two thousandths of the peak
+/// at most, and doubling it leaves an eighth of that.
 #[test]
 fn period() {
     let rail = rail(1100.0, 0.1, 20e3);
@@ -47,7 +48,8 @@ fn period() {
     assert!(first.0 < 2e-3 && second.0 < 0.3 * first.0, "{first:?} {second:?}");
 }
 
-/// Forces balance on every layer to 1e-8 of the yield stress, and nowhere in the cycle is the yield surface left.
+/// Forces balance on every layer to 1e-8 of the yield stress, and nowhere in the cycle is the yield
+/// surface left.
 #[test]
 fn equilibrium_and_yield() {
     for (pressure, friction) in [(1100.0, 0.1), (1300.0, 0.3)] {

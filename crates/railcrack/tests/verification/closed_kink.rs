@@ -3,9 +3,10 @@
 use railcrack::fatigue::{DirectionCriterion, HourlierPineau, ParisLaw};
 use railcrack::fracture::{Sif, SifHistory};
 
-/// K_II goes to and fro on a closed crack. At the kink of the largest k1, ±76.6° with k1 = 1.2316 K_II (Amestoy & Leblond 1992), Δk1 is
-/// once that where it is clipped and twice that where negative k1 counts; straight ahead there is w Δk2² = 0.772 (2 K_II)². So the first is
-/// co-planar, and the second branches.
+/// K_II goes to and fro on a closed crack. At the kink of the largest k1, ±76.6° with k1 = 1.2316
+/// K_II (Amestoy & Leblond 1992), Δk1 is once that where it is clipped and twice that where
+/// negative k1 counts; straight ahead there is w Δk2² = 0.772 (2 K_II)². So the first is co-planar,
+/// and the second branches.
 #[test]
 fn alternating_mode_two() {
     let history = SifHistory { samples: [100.0, -100.0].map(|k2| Sif { k1: 0.0, k2 }).to_vec() };

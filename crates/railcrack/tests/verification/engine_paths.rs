@@ -6,7 +6,8 @@ use railcrack::growth::Unwatched;
 use railcrack::math::Vec2;
 use std::path::Path;
 
-/// Tips of the two engines, mm: what users are promised, unless a near tie of directions explains more.
+/// Tips of the two engines, mm: what users are promised, unless a near tie of directions explains
+/// more.
 const PROMISED: f64 = 0.1;
 
 /// A crack of 6 mm under the wheel of the reference case.

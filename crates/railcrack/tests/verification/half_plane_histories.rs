@@ -1,4 +1,5 @@
-//! SIF histories under the passing wheel against independent collocation codes, at the defaults users get.
+//! SIF histories under the passing wheel against independent collocation codes, at the defaults
+//! users get.
 
 use crate::common::{Rolling, histories, measured, misfit, surface_crack};
 use railcrack::crack::End;

@@ -1,4 +1,5 @@
-//! A passage ends: when who watches asks for it, between two load steps, and with an error when the contact finds no solution.
+//! A passage ends: when who watches asks for it, between two load steps, and with an error when the
+//! contact finds no solution.
 
 use crate::common::{body, surface_crack};
 use railcrack::contact::{

@@ -1,4 +1,5 @@
-//! A passage whose faces are in the state of the passage before at the same position is not computed any further: here the rest of it is.
+//! A passage whose faces are in the state of the passage before at the same position is not
+//! computed any further: here the rest of it is.
 
 use crate::common::{Rolling, body, polyline, surface_crack};
 use railcrack::body::CrackedBody;
@@ -90,12 +91,14 @@ fn second_passage(rolling: &Rolling, tolerance: f64) -> Vec<Vec<FaceState>> {
     states
 }
 
-/// A shallow crack, one that leans the other way and keeps locked slip, a kinked one, one that goes straight down and joins late, and a pair.
+/// A shallow crack, one that leans the other way and keeps locked slip, a kinked one, one that goes
+/// straight down and joins late, and a pair.
 #[test]
 fn the_rest_of_a_joined_passage_is_as_computed() {
     let pair: Vec<Crack> = vec![surface_crack(0.0, 6.0, 15.0), surface_crack(-1.0, 6.0, 165.0)];
     let kinked = vec![polyline(&[(0.0, 0.0), (3.9, -1.0), (4.9, -2.7)])];
-    // Compression that holds the faces together until the wheel comes for the first time: the second passage is another one.
+    // Compression that holds the faces together until the wheel comes for the first time: the
+    // second passage is another one.
     let layer = DepthProfile::new(vec![(0.0, -200.0, 0.0), (2.0, -200.0, 0.0), (4.0, 0.0, 0.0)]).unwrap();
     let none: Option<&dyn StressField> = None;
     for (cracks, friction, wheel, residual) in [

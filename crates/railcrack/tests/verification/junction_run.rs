@@ -28,8 +28,8 @@ fn steps(case: &Case, state: Option<GrowthState>, last: usize) -> Vec<(StepRecor
 /// Area with 96 elements along each crack, mm².
 const SPALL: f64 = 5.351;
 
-/// Crack 1 joins in one of the first steps, the two tips of crack 2 go on, the upper one breaks out; and a run that is taken up in
-/// between is the same run.
+/// Crack 1 joins in one of the first steps, the two tips of crack 2 go on, the upper one breaks
+/// out; and a run that is taken up in between is the same run.
 #[test]
 fn area_of_the_spall() {
     let case = case();

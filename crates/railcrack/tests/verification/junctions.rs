@@ -1,5 +1,5 @@
-//! Cracks that meet: what is one crack is one crack however it is cut into pieces, branches have the factors of an independent
-//! computation, and what does nothing changes nothing.
+//! Cracks that meet: what is one crack is one crack however it is cut into pieces, branches have
+//! the factors of an independent computation, and what does nothing changes nothing.
 
 use crate::common::{
     Absolute, Of, Relative, Rolling, StepControl, TENSION, body, close, column, default_elements,
@@ -14,7 +14,8 @@ use std::f64::consts::PI;
 
 /// So deep that the surface changes K by about (l/depth)² = 1e-6.
 const DEEP: f64 = -4000.0;
-/// The jump sin g by 48 linear elements errs by (π/48)²/12 = 3.6e-4; pieces with 48 elements each by less. Measured 1.1e-4.
+/// The jump sin g by 48 linear elements errs by (π/48)²/12 = 3.6e-4; pieces with 48 elements each
+/// by less. Measured 1.1e-4.
 const DISCRETE: f64 = 2e-4;
 /// The same for a crack with 48 elements in all, (π/48)²/12.
 const WHOLE: f64 = 3.6e-4;
@@ -72,7 +73,8 @@ fn surface_crack_in_two_pieces() {
     }
 }
 
-/// The passage of the wheel over the crack in two pieces: closed faces, friction, slip that comes and goes.
+/// The passage of the wheel over the crack in two pieces: closed faces, friction, slip that comes
+/// and goes.
 #[test]
 fn surface_crack_in_two_pieces_under_the_wheel() {
     for (degrees, friction, wheel) in [(15.0, 0.5, 0.025), (15.0, 0.1, 0.4), (60.0, 0.3, -0.2)] {
@@ -91,7 +93,8 @@ fn surface_crack_in_two_pieces_under_the_wheel() {
     }
 }
 
-/// Arms of a case of `branched-cracks`: the first two are one crack, or join as ends, the others join it.
+/// Arms of a case of `branched-cracks`: the first two are one crack, or join as ends, the others
+/// join it.
 fn arms(tips: &[(f64, f64)]) -> (Vec<Crack>, Vec<Junction>) {
     let at = |&(x, y): &(f64, f64)| (x, y + DEEP);
     let mut cracks = vec![polyline(&[at(&tips[0]), (0.0, DEEP)])];
@@ -132,7 +135,8 @@ fn branched_misfit(elements: usize) -> Vec<f64> {
     misfits
 }
 
-/// Line, cross, star and an unsymmetric branch against an independent computation, and the order in the elements.
+/// Line, cross, star and an unsymmetric branch against an independent computation, and the order in
+/// the elements.
 #[test]
 fn branched_cracks() {
     let misfits = [24, 48, 96].map(branched_misfit);
@@ -163,8 +167,9 @@ fn order_and_walk_of_the_arms() {
     }
 }
 
-/// The work of a uniform traction on jumps that leave nothing over at the junction, summed over the nodes and integrated over
-/// the faces: a translation of what lies on one side of the whole crack, or between the branch and one half of it.
+/// The work of a uniform traction on jumps that leave nothing over at the junction, summed over the
+/// nodes and integrated over the faces: a translation of what lies on one side of the whole crack,
+/// or between the branch and one half of it.
 #[test]
 fn junction_loses_and_doubles_no_traction() {
     let branch = [(0.3, DEEP), (1.1, DEEP - 0.9)];
@@ -255,7 +260,8 @@ fn short_branch_vanishes() {
     close(change(0.001), 0.0, Absolute(1e-5), "finer elements around the junction; 1.4e-6");
 }
 
-/// A tip that comes straight to a free crack, `gap` (mm) from it, or has joined it where there is none.
+/// A tip that comes straight to a free crack, `gap` (mm) from it, or has joined it where there is
+/// none.
 fn coming(gap: f64) -> DislocationBody {
     let wall = polyline(&[(0.0, DEEP - 2.0), (0.0, DEEP + 0.5), (0.0, DEEP + 2.0)]);
     let cracks = [polyline(&[(-4.0, DEEP + 0.5), (-gap, DEEP + 0.5)]), wall];
@@ -269,8 +275,9 @@ fn energy(body: &DislocationBody) -> f64 {
     0.5 * jumps.iter().zip(&forces).map(|(w, f)| w * f).sum::<f64>()
 }
 
-/// The energy is continuous when the tip joins. A ligament h has a compliance like 1/ln(1/h), so what is missing to the energy of the
-/// joined cracks is, inverted, a line over ln h. Half the elements give the same steps to 0.3 %.
+/// The energy is continuous when the tip joins. A ligament h has a compliance like 1/ln(1/h), so
+/// what is missing to the energy of the joined cracks is, inverted, a line over ln h. Half the
+/// elements give the same steps to 0.3 %.
 #[test]
 fn energy_is_continuous_at_the_junction() {
     let joined = energy(&coming(0.0));
@@ -281,7 +288,8 @@ fn energy_is_continuous_at_the_junction() {
     }
 }
 
-/// Down to where the engine resolves it the energy release rate is that of K, (K_I² + K_II²)/E′ = dE/da.
+/// Down to where the engine resolves it the energy release rate is that of K,
+/// (K_I² + K_II²)/E′ = dE/da.
 #[test]
 fn energy_release_of_a_tip_that_comes_to_a_free_crack() {
     for gap in [0.64, 0.16, 0.04, 0.02] {
@@ -297,7 +305,8 @@ fn energy_release_of_a_tip_that_comes_to_a_free_crack() {
     }
 }
 
-/// A crack from the right and one from the left into the same wall, and a T whose mirror image is itself.
+/// A crack from the right and one from the left into the same wall, and a T whose mirror image is
+/// itself.
 #[test]
 fn mirrored_junctions() {
     let mirrored = |crack: &Crack| {

@@ -10,7 +10,8 @@ use railcrack::math::{Stress, Vec2};
 
 const HALF: f64 = 3.0;
 
-/// K at the tip of a kink of length `kink` (over the half-length) at `degrees`, over that of the straight crack.
+/// K at the tip of a kink of length `kink` (over the half-length) at `degrees`, over that of the
+/// straight crack.
 fn short_kink(stress: Stress, degrees: f64, kink: f64, elements: usize) -> Sif {
     let straight = buried_crack(Vec2::new(0.0, -3000.0), HALF, 0.0);
     let kinked = straight.extended(End::Last, kink * HALF, degrees.to_radians()).unwrap();
@@ -19,7 +20,8 @@ fn short_kink(stress: Stress, degrees: f64, kink: f64, elements: usize) -> Sif {
     Sif { k1: k[2] / scale, k2: k[3] / scale }
 }
 
-/// The limit of an infinitesimal kink. Without stress along the crack the first correction is linear in its length.
+/// The limit of an infinitesimal kink. Without stress along the crack the first correction is
+/// linear in its length.
 fn infinitesimal(stress: Stress, degrees: f64, elements: usize) -> Sif {
     let (short, long) =
         (short_kink(stress, degrees, 2e-3, elements), short_kink(stress, degrees, 4e-3, elements));
@@ -58,7 +60,8 @@ fn largest_opening_of_a_kink_in_shear() {
     assert!(k1(76.6) < -1.0, "the other way the kink closes: {}", k1(76.6));
 }
 
-/// Kinks of a third of the crack, one of which rises to a tip 0.5 mm below the surface: second order.
+/// Kinks of a third of the crack, one of which rises to a tip 0.5 mm below the surface: second
+/// order.
 #[test]
 fn finer_meshes() {
     for (degrees, allowed) in [(30.0_f64, 2e-3), (-30.0, 2e-4), (-60.0, 1e-4)] {

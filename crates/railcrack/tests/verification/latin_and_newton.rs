@@ -94,8 +94,8 @@ fn agree_on(body: &dyn CrackedBody, rolling: &Rolling) {
     rolling.on(&problem, &both);
     let seen = *both.0.lock().unwrap();
     assert!(seen.steps > 200, "{seen:?}");
-    // LATIN stops at an indicator of 1e-9 on forces and K; tractions on the short elements of the mouth are the forces
-    // over their length. Measured 3e-7 and 1e-9.
+    // LATIN stops at an indicator of 1e-9 on forces and K; tractions on the short elements of the
+    // mouth are the forces over their length. Measured 3e-7 and 1e-9.
     close(seen.traction, 0.0, Of(1e-6, seen.largest_traction), "indicator of LATIN, tractions");
     close(seen.sif, 0.0, Of(1e-8, seen.largest_sif), "indicator of LATIN, K");
 }

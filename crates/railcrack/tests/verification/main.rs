@@ -1,5 +1,5 @@
-//! Both engines, the contact of the faces and passages of the wheel against closed forms, against independent
-//! computations and against themselves.
+//! Both engines, the contact of the faces and passages of the wheel against closed forms, against
+//! independent computations and against themselves.
 
 #[path = "../common/mod.rs"]
 mod common;

@@ -45,7 +45,8 @@ fn difference(one: &StepRecord, other: &StepRecord) -> f64 {
     apart / peak
 }
 
-/// Balanced layers in both engines, and the same layers as a plastic stress, which both get balanced on the mesh.
+/// Balanced layers in both engines, and the same layers as a plastic stress, which both get
+/// balanced on the mesh.
 #[test]
 fn engines_agree() {
     for (name, sections) in [
@@ -61,10 +62,12 @@ fn engines_agree() {
     }
 }
 
-/// Layers given as cells by the steady state and balanced by finite elements, against the residual stress of that state itself.
+/// Layers given as cells by the steady state and balanced by finite elements, against the residual
+/// stress of that state itself.
 const ROLLED: f64 = 0.01;
 
-/// The stabilised state of a load that yields: what its plastic stress leaves after projection and balance is its own residual stress.
+/// The stabilised state of a load that yields: what its plastic stress leaves after projection and
+/// balance is its own residual stress.
 #[test]
 fn rolled_rail_balances_to_its_own_residual_stress() {
     let case = case("dislocation", 1100.0, 0.3, "[plastic_stress]\n");

@@ -66,7 +66,8 @@ fn k_of_the_slow_tip_of_a_squat() {
     assert!((to - from).length() > 0.24, "a whole increment: {turned:?}");
 }
 
-/// A run that is taken up while a tip waits goes on to the same bits, in either engine; and both engines wait at the same steps.
+/// A run that is taken up while a tip waits goes on to the same bits, in either engine; and both
+/// engines wait at the same steps.
 #[test]
 fn taken_up_while_a_tip_waits() {
     let waits = ["dislocation", "xfem"].map(|engine| {

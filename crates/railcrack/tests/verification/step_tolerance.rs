@@ -1,5 +1,5 @@
-//! The load step is part of the answer: the error of a frictional passage falls with the tolerance, and faces without
-//! memory do not pay for it.
+//! The load step is part of the answer: the error of a frictional passage falls with the tolerance,
+//! and faces without memory do not pay for it.
 
 use crate::common::{Rolling, StepControl, largest, measured, surface_crack};
 use railcrack::contact;
@@ -11,7 +11,8 @@ fn sifs(result: &StabilisedPassage, every: usize) -> Vec<f64> {
     passage.sifs[0].iter().step_by(every).flat_map(|k| [k.k1, k.k2]).collect()
 }
 
-/// Largest errors of K over its peak at `positions` output positions for `tolerances`, against 2401 positions and far finer steps.
+/// Largest errors of K over its peak at `positions` output positions for `tolerances`, against 2401
+/// positions and far finer steps.
 fn errors(degrees: f64, friction: f64, wheel: f64, positions: usize, tolerances: &[f64]) -> Vec<f64> {
     let mut rolling = Rolling::over(vec![surface_crack(0.0, 6.0, degrees)], friction, wheel);
     rolling.steps = StepControl { positions: 2401, tolerance: 1e-4, ..StepControl::default() };
@@ -51,8 +52,8 @@ fn steps_are_cut_between_positions_far_apart() {
     }
 }
 
-/// A slip that slows down and turns back within one step, at the moment the trailing edge of the contact leaves the
-/// mouth.
+/// A slip that slows down and turns back within one step, at the moment the trailing edge of the
+/// contact leaves the mouth.
 #[test]
 
 fn slip_that_turns_back_within_a_step() {
@@ -70,9 +71,9 @@ fn faces_without_memory_take_no_substeps() {
     }
 }
 
-/// What a code without control of its steps gets: two independent codes (displacement discontinuities by collocation, and
-/// conforming finite elements) were off by 11 %, 6 % and 2.5 % of the peak in the reference case with steps of 0.1 a, 0.05 a and
-/// 0.02 a, November 2026.
+/// What a code without control of its steps gets: two independent codes (displacement
+/// discontinuities by collocation, and conforming finite elements) were off by 11 %, 6 % and 2.5 %
+/// of the peak in the reference case with steps of 0.1 a, 0.05 a and 0.02 a, November 2026.
 #[test]
 fn fixed_steps_lock_too_little_slip() {
     let mut rolling = Rolling::over(vec![surface_crack(0.0, 6.0, 15.0)], 0.5, 0.025);

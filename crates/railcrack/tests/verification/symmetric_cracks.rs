@@ -5,7 +5,8 @@ use railcrack::math::{Stress, Vec2};
 
 const ROUND_OFF: f64 = 1e-11;
 
-/// Two tips of a shallow horizontal crack: the mirror turns x2 of a tip frame around, so that K_II changes sign.
+/// Two tips of a shallow horizontal crack: the mirror turns x2 of a tip frame around, so that K_II
+/// changes sign.
 #[test]
 fn both_tips_of_a_shallow_crack() {
     let crack = buried_crack(Vec2::new(1.0, -2.0), 3.0, 0.0);

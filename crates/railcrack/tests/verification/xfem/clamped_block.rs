@@ -4,7 +4,8 @@ use crate::common::{Meshed, Rolling, RollingEngine, measured, misfit, surface_cr
 use railcrack::bulk::{BottomSupport, SideSupport};
 use railcrack::xfem::{Outline, RailEnd};
 
-/// Difference of K at any position, over its peak. The locked K_II of the reference is itself 0.5 % low.
+/// Difference of K at any position, over its peak. The locked K_II of the reference is itself 0.5 %
+/// low.
 const PROMISED: f64 = 0.015;
 
 #[test]

@@ -1,4 +1,5 @@
-//! SIF histories under the passing wheel against independent collocation codes, at the defaults users get.
+//! SIF histories under the passing wheel against independent collocation codes, at the defaults
+//! users get.
 
 use crate::common::{
     Meshed, Rolling, RollingEngine, histories, largest, measured, measured_as, misfit, surface_crack,
@@ -18,7 +19,8 @@ const CLOSED: f64 = 5e-3;
 /// Interpenetration over the largest opening.
 const OVERLAP: f64 = 1e-4;
 
-/// K_I at the positions where the face point next to the tip is closed, over the peak of |K_II|; the largest.
+/// K_I at the positions where the face point next to the tip is closed, over the peak of |K_II|;
+/// the largest.
 fn opening_mode_of_closed_tips(result: &StabilisedPassage) -> f64 {
     let passage = &result.passages[result.passages.len() - 1];
     let peak = largest(passage.sifs.iter().flatten().map(|k| k.k2));

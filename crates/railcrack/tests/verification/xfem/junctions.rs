@@ -1,4 +1,5 @@
-//! Cracks that meet: a crack in two pieces is that crack, and a T-junction is that of the other engine and of a finer mesh.
+//! Cracks that meet: a crack in two pieces is that crack, and a T-junction is that of the other
+//! engine and of a finer mesh.
 
 use crate::common::{
     Absolute, Meshed, Of, Rolling, StepControl, TENSION, close, condition, default_elements, joined_body,
@@ -66,7 +67,8 @@ fn t_junction(right: (f64, f64)) -> CrackNetwork {
 const STRAIGHT: (f64, f64) = (3.7, -3.7);
 const KINKED: (f64, f64) = (3.0, -3.0);
 
-/// Largest differences from the other engine with twice its elements, over the peak: open, with friction and without.
+/// Largest differences from the other engine with twice its elements, over the peak: open, with
+/// friction and without.
 fn from_other_engine(network: &CrackNetwork, sizes: &[f64]) -> Vec<[f64; 3]> {
     let rolling = Rolling::over(vec![network.cracks()[0].clone()], 0.3, 0.1);
     let all = |body: &dyn CrackedBody| {
@@ -96,7 +98,8 @@ fn a_t_junction_is_that_of_the_other_engine() {
     }
 }
 
-/// The nodal forces of a stress add up to its resultant on the joining crack and on each side of the junction.
+/// The nodal forces of a stress add up to its resultant on the joining crack and on each side of
+/// the junction.
 #[test]
 fn no_traction_is_lost_or_doubled() {
     let network = t_junction(KINKED);

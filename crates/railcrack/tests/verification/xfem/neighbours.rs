@@ -64,7 +64,8 @@ fn tips_near_others_and_the_surface() {
     }
 }
 
-/// Cracks that pass through the same elements all along, so that tips end in elements that the other crack cuts.
+/// Cracks that pass through the same elements all along, so that tips end in elements that the
+/// other crack cuts.
 #[test]
 fn several_cracks_in_one_element() {
     for (gap, within) in [(0.2, 1e-3), (0.1, 1e-2)] {

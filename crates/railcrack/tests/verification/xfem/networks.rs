@@ -9,7 +9,8 @@ use railcrack::crack::{Crack, CrackNetwork, End};
 const DIFFERENCE: f64 = 0.015;
 /// Elements of the other engine along each crack.
 const ELEMENTS: usize = 40;
-/// Output positions: some, or as many as in a run, where some of them come upon the moment at which a tip lets go.
+/// Output positions: some, or as many as in a run, where some of them come upon the moment at which
+/// a tip lets go.
 const SOME: usize = 81;
 const ALL: usize = 241;
 
@@ -33,7 +34,8 @@ fn grown(cracks: &[Crack]) -> Vec<Crack> {
     cracks.iter().enumerate().map(longer).collect()
 }
 
-/// The nine cracks after three increments of a run, of which the last tip makes half of what the others do.
+/// The nine cracks after three increments of a run, of which the last tip makes half of what the
+/// others do.
 fn nine_of_a_run() -> Vec<Crack> {
     let increments = [
         [0.2173, 0.2243, 0.2323],
@@ -108,15 +110,16 @@ fn nine_parallel_cracks() {
     compare("nine, grown", &differences(&nine(), &grown(&nine()), 0.5, 0.1));
 }
 
-/// At all positions of a run: some of them come upon the moment at which a tip lets go, and K_II falls by two thirds over 0.4 mm of wheel
-/// travel.
+/// At all positions of a run: some of them come upon the moment at which a tip lets go, and K_II
+/// falls by two thirds over 0.4 mm of wheel travel.
 #[test]
 fn nine_parallel_cracks_of_a_run() {
     let off = differences_by_position(&nine(), &nine_of_a_run(), 0.5, 0.1, ALL);
     compare("nine, of a run", &off.into_iter().map(largest).collect::<Vec<_>>());
 }
 
-/// While the face point next to a tip sticks, K is the same to the last bit, and it does not jump as that point lets go.
+/// While the face point next to a tip sticks, K is the same to the last bit, and it does not jump
+/// as that point lets go.
 #[test]
 fn a_tip_that_sticks_keeps_its_k() {
     let cracks = vec![surface_crack(0.0, 6.0, 15.0)];

@@ -1,4 +1,5 @@
-//! Random cracks, many of them in awkward places of the mesh, on one mesh: K against the dislocation engine, and C.
+//! Random cracks, many of them in awkward places of the mesh, on one mesh: K against the
+//! dislocation engine, and C.
 
 use crate::common::{Of, close, condition, largest, measured_as, sifs_under, steel};
 use railcrack::body::CrackedBody;
@@ -11,7 +12,8 @@ use railcrack::xfem::{XfemBody, XfemSettings};
 use rayon::prelude::*;
 use std::sync::Arc;
 
-/// Size of the elements, mm: a power of two, so that nodes are where products of whole numbers with it are.
+/// Size of the elements, mm: a power of two, so that nodes are where products of whole numbers with
+/// it are.
 const H: f64 = 0.25;
 /// Half width and depth of the fine part, mm.
 const FINE: (f64, f64) = (8.0, 8.0);
@@ -70,7 +72,8 @@ impl Random {
         }
     }
 
-    /// Straight or kinked, from the surface or buried; often through nodes and along lines of the mesh.
+    /// Straight or kinked, from the surface or buried; often through nodes and along lines of the
+    /// mesh.
     fn crack(&mut self) -> Option<Crack> {
         let buried = self.between(0.0, 1.0) < 0.25;
         let mut points = vec![if buried {
@@ -110,8 +113,8 @@ const MIN_DEPTH: f64 = 0.8;
 const CRACKS: usize = 1000;
 /// Difference of K between the engines, over |K|, with a twentieth of the crack per element.
 const ERROR: f64 = 5e-3;
-/// Condition number of C scaled to a unit diagonal: 7e3 without kinks, 1e4 with them. Twenty times that would show face points that draw
-/// together where no function can follow.
+/// Condition number of C scaled to a unit diagonal: 7e3 without kinks, 1e4 with them. Twenty times
+/// that would show face points that draw together where no function can follow.
 const CONDITION: f64 = 1e5;
 
 /// Opens cracks of every direction.
@@ -167,7 +170,8 @@ fn agree_with_dislocations() {
     assert!(worst.condition < CONDITION, "condition number {:.1e}", worst.condition);
 }
 
-/// Straight through nodes, where the elements beside the crack are touched in one point; and off a line of the mesh by one bit.
+/// Straight through nodes, where the elements beside the crack are touched in one point; and off a
+/// line of the mesh by one bit.
 #[test]
 fn through_nodes_and_along_lines() {
     let rail = rail();

@@ -1,4 +1,5 @@
-//! Tips that have turned and gone on by a few elements only, closed and under friction, against the other engine.
+//! Tips that have turned and gone on by a few elements only, closed and under friction, against the
+//! other engine.
 
 use crate::common::{Absolute, Meshed, Rolling, StepControl, close, joined_body, largest, surface_crack};
 use railcrack::body::{BodyEngine, CrackedBody};
@@ -11,8 +12,9 @@ const FRICTION: f64 = 0.3;
 /// Elements of the other engine.
 const FINE: usize = 120;
 
-/// The largest difference of K over its peak, and the remarks, of a crack of 6 mm that has turned by `turn` (degrees) and back by a
-/// fifth of it in every further increment of `elements`, on the mesh of the crack at the beginning.
+/// The largest difference of K over its peak, and the remarks, of a crack of 6 mm that has turned
+/// by `turn` (degrees) and back by a fifth of it in every further increment of `elements`, on the
+/// mesh of the crack at the beginning.
 fn misfit(elements: f64, turn: f64, increments: usize) -> (f64, Vec<String>) {
     let start = surface_crack(0.0, 6.0, 15.0);
     let longer = |crack: Crack, i: usize| {

@@ -55,7 +55,8 @@ fn open() {
     }
 }
 
-/// Under the wheel, with friction: C does not know of the domain, so the faces do the same and only K differs.
+/// Under the wheel, with friction: C does not know of the domain, so the faces do the same and only
+/// K differs.
 #[test]
 fn closed_with_friction() {
     for (name, crack, meshed) in cracks() {

@@ -19,7 +19,8 @@ fn samples(result: &StabilisedPassage) -> Vec<(f64, f64)> {
 /// Difference of K of mirrored cases over its peak: round-off.
 const MIRROR: f64 = 2e-11;
 
-/// Mirrored cracks, wheel friction and travel: the same history with the other sign of K_II. The mesh is mirrored to round-off.
+/// Mirrored cracks, wheel friction and travel: the same history with the other sign of K_II. The
+/// mesh is mirrored to round-off.
 #[test]
 fn mirrored_passage() {
     for (degrees, friction, wheel) in [(15.0, 0.5, 0.025), (45.0, 0.8, -0.4)] {
