@@ -1,4 +1,4 @@
-//! What the ends of a block do to the stress under the wheel.
+//! Effect of the ends of a block on the stress under the wheel.
 
 use super::boundary::Boundary;
 use super::cancel::ElasticField;
@@ -11,12 +11,12 @@ use std::ops::RangeInclusive;
 use std::sync::Arc;
 
 /// The field that, added to that of the half-plane under the wheel, gives the field of the block:
-/// it takes the tractions of the half-plane from the free ends of the block and its displacements
+/// it removes the tractions of the half-plane from the free ends of the block and its displacements
 /// from the held ones.
 ///
-/// The ends are away from the wheel, so the field is smooth, and coarse elements do. It depends on
-/// the wheel position x_c like its data on the ends, which are analytic in x_c: it is solved at
-/// Chebyshev points and interpolated between them, to [`BlockCorrection::TOLERANCE`]. Nothing is
+/// The ends are far from the wheel, so the field is smooth and coarse elements suffice. It depends
+/// on the wheel position x_c through its data on the ends, which are analytic in x_c: it is solved
+/// at Chebyshev points and interpolated between them, to [`BlockCorrection::TOLERANCE`]. Nothing is
 /// solved per wheel position.
 #[derive(Debug, Clone)]
 pub struct BlockCorrection {
@@ -27,7 +27,7 @@ pub struct BlockCorrection {
     displacements: Vec<Vec<Vec2>>,
 }
 
-/// The field of the half-plane with the wheel at one place.
+/// The field of the half-plane for one wheel position.
 struct Under {
     stress: HertzField,
     displacement: HertzDisplacement,
@@ -88,7 +88,7 @@ impl BlockCorrection {
         Ok(Self { rail: Arc::clone(rail), range, positions, displacements })
     }
 
-    /// Wheel positions at which the correction was solved, mm.
+    /// Wheel positions for which the correction was solved, mm.
     pub fn positions(&self) -> &[f64] {
         &self.positions
     }
@@ -129,9 +129,10 @@ fn positions_needed(
     let lines = rail.mesh().x_lines();
     let (left, right) = (lines[0], lines[lines.len() - 1]);
     let (from, to) = (range.start() - contact.half_width, range.end() + contact.half_width);
-    // As seen from a place on the ends of the block, the potential has its branch points where an
-    // edge of the contact would meet that place or its mirror image above the surface: a top corner
-    // is the first of the sides, and the bottom lies at its depth beside the range.
+    // As seen from a point on the ends of the block, the potential has its branch points where an
+    // edge of the contact would coincide with that point or its mirror image above the surface: a
+    // top corner is the nearest such point on the sides, and the bottom lies at its depth beside
+    // the range.
     let half = 0.5 * (range.end() - range.start());
     let depth = -rail.mesh().y_lines()[0];
     let needed = |gap: f64| {
@@ -145,7 +146,7 @@ fn positions_needed(
     if from >= left && to <= right && count <= most {
         return Ok(count.ceil() as usize);
     }
-    // The gap that would do, by bisection: the wider it is, the fewer positions.
+    // The smallest sufficient gap, by bisection: the wider the gap, the fewer the positions.
     let (mut narrow, mut wide) = (0.0, half);
     for _ in 0..50 {
         let middle = 0.5 * (narrow + wide);
@@ -197,7 +198,7 @@ impl CorrectionAtPoints {
     }
 }
 
-/// The correction at fixed points with the wheel at one place.
+/// The correction at fixed points for one wheel position.
 #[derive(Debug, Clone)]
 pub struct WheelAt<'a> {
     points: &'a CorrectionAtPoints,

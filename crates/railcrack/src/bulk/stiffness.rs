@@ -7,8 +7,8 @@ use crate::mesh::{NODES, shape_functions};
 /// Stiffness of 8-node rectangles of any size in plane strain, integrated exactly.
 ///
 /// With the Lamé constants λ, μ, sides h_x, h_y and A = ∫N_ξ N_ξ, B = ∫N_η N_η, C = ∫N_ξ N_η over
-/// the reference square, K_xx = (λ + 2μ) (h_y/h_x) A + μ (h_x/h_y) B, K_yy with A and B exchanged,
-/// K_xy = λ C + μ Cᵀ.
+/// the reference square: K_xx = (λ + 2μ) (h_y/h_x) A + μ (h_x/h_y) B, K_yy with A and B
+/// interchanged, K_xy = λ C + μ Cᵀ.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RectangleStiffness {
     lambda: f64,

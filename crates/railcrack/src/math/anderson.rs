@@ -1,4 +1,4 @@
-//! Extrapolation of fixed-point iterations.
+//! Anderson acceleration of fixed-point iterations.
 
 use super::dot;
 
@@ -43,7 +43,7 @@ impl Anderson {
         self.last = Some((residual.to_vec(), image));
     }
 
-    /// Least squares by orthogonalising the newest differences first; directions that add nothing
+    /// Least squares by orthogonalising the newest differences first; linearly dependent directions
     /// are left out.
     fn weights(&self, residual: &[f64]) -> Vec<f64> {
         let m = self.residual_steps.len();

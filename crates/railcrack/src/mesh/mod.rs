@@ -1,4 +1,4 @@
-//! The background mesh of the finite-element engine: graded rectangles that do not know the cracks.
+//! The background mesh of the finite-element engine: graded rectangles, independent of the cracks.
 
 mod ordering;
 mod quad;
