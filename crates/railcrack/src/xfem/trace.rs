@@ -1,4 +1,4 @@
-//! What the enriched functions do at the faces.
+//! Jumps of the enriched functions across the faces.
 
 use super::basis::{CellBasis, Function};
 use super::border::{Entries, merge};

@@ -70,5 +70,5 @@ fn small_turns_of_slow_tips() {
 fn sharp_turns_of_slow_tips_are_told() {
     let (off, remarks) = misfit(0.5, 70.0, 1);
     println!("half an element behind 70°: {:.0} %", 100.0 * off);
-    assert!(remarks.iter().any(|remark| remark.contains("behind a turn of 70°")), "{remarks:?}");
+    assert!(remarks.iter().any(|remark| remark.contains("behind a kink of 70°")), "{remarks:?}");
 }
