@@ -1,5 +1,5 @@
-//! The interaction is that of dislocations in a half-plane: it comes from stresses in equilibrium
-//! that leave the surface free, with the Burgers vector and no force in the core.
+//! The interaction is that of dislocations in a half-plane: it derives from stresses in equilibrium
+//! that leave the surface traction-free, with the Burgers vector and no force in the core.
 
 use super::*;
 use crate::math::Stress;
@@ -25,7 +25,7 @@ struct Dislocation {
 /// Step of central differences over the distance from the dislocation: the error is about its
 /// square.
 const STEP: f64 = 1e-4;
-/// What that leaves of a stress, relative to 1/distance, with a margin for the higher derivatives
+/// Resulting error of a stress, relative to 1/distance, with a margin for the higher derivatives
 /// near the surface.
 const DIFFERENCE: f64 = 1e-6;
 
@@ -61,7 +61,7 @@ impl Dislocation {
     }
 
     /// Points on a circle about the core that stays below the surface, counter-clockwise, with the
-    /// outward normal and the length each stands for. The trapezoidal rule on a circle converges
+    /// outward normal and the weight of each. The trapezoidal rule on a circle converges
     /// exponentially.
     fn circuit(self) -> impl Iterator<Item = (Vec2, Vec2, f64)> {
         const NUMBER: usize = 128;
@@ -99,7 +99,7 @@ fn the_surface_is_free_of_traction() {
     }
 }
 
-/// The mixed derivatives agree, so that the rows are one Airy function and its stress is in
+/// The mixed derivatives agree, so that the rows derive from one Airy function and its stress is in
 /// equilibrium; the trace is harmonic, so that the strains are compatible: its mean over a circle
 /// is its value at the centre.
 #[test]
@@ -152,7 +152,7 @@ fn burgers_circuit() {
             let mean = POISSON * (stress.xx + stress.yy);
             let strain =
                 Stress { xx: stress.xx - mean, yy: stress.yy - mean, ..stress } * (1.0 / twice_shear);
-            // The trace comes from differences itself: a wider step for its own.
+            // The trace is itself computed by differences: a wider step for its derivatives.
             let h = 1e-2 * dislocation.distance(z);
             let slope = |d: Vec2| {
                 let difference = |k: f64| dislocation.trace(z + d * k) - dislocation.trace(z - d * k);

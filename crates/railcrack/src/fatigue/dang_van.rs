@@ -2,7 +2,8 @@
 
 use crate::math::{Stress, smallest_ball};
 
-/// No crack starts where τ(t) + a p_h(t) ≤ b at all times of the stabilised cycle.
+/// The criterion of crack initiation: no crack initiates where τ(t) + a p_h(t) ≤ b at all times of
+/// the stabilised cycle.
 ///
 /// Source: Dang Van, Griveau & Message 1989, EGF Publication 3, 479–496.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -45,7 +46,7 @@ impl DangVan {
             .reduce(|worst, here| if here.value > worst.value { here } else { worst })
     }
 
-    /// b less `value`, MPa: negative where a crack starts.
+    /// b less `value`, MPa: negative where a crack initiates.
     pub fn margin(&self, value: f64) -> f64 {
         self.limit - value
     }
@@ -77,7 +78,7 @@ mod tests {
         assert_eq!(worst.time, 0);
     }
 
-    /// Repeated tension 0 to S: the ball is centred at half of it, τ = S/4, p_h = S/3; so is
+    /// Repeated tension 0 to S: the ball is centred at half of it, τ = S/4, p_h = S/3; the same for
     /// out-of-plane tension.
     #[test]
     fn repeated_tension() {
@@ -91,7 +92,7 @@ mod tests {
         }
     }
 
-    /// Reversed shear ±T under a constant pressure P: τ = T, whatever shear is constant, less a P.
+    /// Reversed shear ±T under a constant pressure P: τ = T whatever the constant shear, less a P.
     #[test]
     fn reversed_shear_under_pressure() {
         let path = [-150.0, 150.0].map(|xy| Stress { xx: -90.0, yy: -90.0, zz: -90.0, xy: xy + 35.0 });
@@ -101,7 +102,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_for_no_path() {
+    fn an_empty_path_has_no_value() {
         assert_eq!(CRITERION.value(&[]), None);
     }
 }

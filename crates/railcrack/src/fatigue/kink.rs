@@ -91,7 +91,8 @@ impl KinkFunctions {
         Self { f11: series(&F11), f12: m * series(&F12), f21: m * series(&F21), f22: series(&F22) }
     }
 
-    /// k1 and k2 of the kink for the factors `sif` of the tip, in its units.
+    /// k1 and k2 of the virtual kink for the stress intensity factors `sif` of the tip, in the same
+    /// unit.
     pub fn kinked(&self, sif: Sif) -> Sif {
         Sif { k1: self.f11 * sif.k1 + self.f12 * sif.k2, k2: self.f21 * sif.k1 + self.f22 * sif.k2 }
     }

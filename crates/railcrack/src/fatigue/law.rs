@@ -1,4 +1,4 @@
-//! The growth law.
+//! Paris' law and the criteria of direction.
 
 use crate::math::MPA_SQRT_MM;
 use std::ops::RangeInclusive;
@@ -34,14 +34,14 @@ impl ParisLaw {
     }
 }
 
-/// What the direction of growth maximises over the kink angle.
+/// The quantity that the direction of growth maximises over the kink angle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum DirectionCriterion {
     /// The growth rate of the virtual kink, from the ranges of k1 and k2 (Hourlier & Pineau).
     #[default]
     MaxRate,
     /// The same with negative k1 counted as if a closed kink opened negatively: for comparison,
-    /// since it is not said in every description of the criterion that k1 is clipped.
+    /// since not every description of the criterion says that k1 is clipped.
     MaxRateUnclipped,
     /// The range of k1.
     MaxDeltaK1,
@@ -49,7 +49,7 @@ pub enum DirectionCriterion {
     MaxK1,
 }
 
-/// Kink angles that are searched, radians: the kink functions hold to about ±110°.
+/// Range of kink angles that is searched, radians: the kink functions are accurate to about ±110°.
 pub const KINK_ANGLES: RangeInclusive<f64> =
     -110.0 * std::f64::consts::PI / 180.0..=110.0 * std::f64::consts::PI / 180.0;
 

@@ -1,4 +1,4 @@
-//! Criteria on histories: where a crack starts, and rate and direction of growth under
+//! Fatigue criteria on histories: crack initiation, and rate and direction of growth under
 //! non-proportional mixed mode.
 
 mod dang_van;

@@ -1,4 +1,4 @@
-//! The stabilised cycle out of the columns of the last passage.
+//! The stabilised cycle from the columns of the last passage.
 
 use super::eigenstress::Columns;
 use super::grid::Grid;

@@ -1,4 +1,4 @@
-//! The stress that a plastic strain leaves in the half-plane: the elastic redistribution, exact in
+//! Residual stress of a plastic strain in the half-plane: the elastic redistribution, exact in
 //! every layer.
 
 use super::fourier::{Fourier, Signals};
@@ -13,24 +13,23 @@ pub(super) type Columns = [Vec<f64>; 3];
 /// Linear elasticity of the half-plane y ≤ 0 with a free surface under plastic strains that are
 /// constant across each layer.
 ///
-/// With the strain e = (ε_xx + ν ε_zz, ε_yy + ν ε_zz, ε_xy) that acts in the plane, Airy's function
-/// of the wave e^(ikx) solves (∂² − k²)² φ = −E′ (∂² e_xx − k² e_yy − 2 i k ∂ e_xy); see [`Wave`].
-/// Stresses are averages over layers: the operator is then symmetric, like the energy that it comes
-/// from.
+/// With the in-plane strain e = (ε_xx + ν ε_zz, ε_yy + ν ε_zz, ε_xy), Airy's function of the wave
+/// e^(ikx) solves (∂² − k²)² φ = −E′ (∂² e_xx − k² e_yy − 2 i k ∂ e_xy); see [`Wave`]. Stresses are
+/// averages over layers: the operator is then symmetric, like the energy from which it derives.
 ///
 /// Waves have a period L, the rail has none. Let the strain be U(y) far upstream and U + D far
-/// downstream. U is carried exactly. To the rest, a ramp that rises by D over one period is added,
-/// which makes it periodic, and the stress of such a ramp in the endless half-plane is subtracted.
-/// The ramp, and the mean over the period, are what is left of the waves that are longer than it:
-/// the stress σ(k) of a wave has a kink at k = 0, and the sum over waves becomes the integral up to
-/// L⁻⁴ if the kink is represented by its value at Δk/6, Δk = 2π/L (Euler and Maclaurin). With K the
-/// response to that wave, as far as it is linear in k,
+/// downstream. U is treated exactly. To the rest, a ramp that rises by D over one period is added,
+/// which makes it periodic, and the stress of such a ramp in the infinite half-plane is subtracted.
+/// The ramp, and the mean over the period, represent the waves longer than the period: the stress
+/// σ(k) of a wave has a kink at k = 0, and the sum over waves becomes the integral up to L⁻⁴ if the
+/// kink is represented by its value at Δk/6, Δk = 2π/L (Euler and Maclaurin). With K the response
+/// to that wave, as far as it is linear in k,
 ///
 ///   σ_xx = −E′ mean + (K_xx + E′)(q − D x/L) + E′ D_xx x/L + …,
 ///
 /// q the mean of the strain less the step of height D at x = 0, and −Im K D/(L Δk/6) for stresses
 /// that are odd in k. Together they are in equilibrium like the wave itself. `docs/shakedown.md`
-/// shows what remains of the period.
+/// shows the remaining effect of the period.
 pub(super) struct Eigenstress {
     plane_strain_modulus: f64,
     poisson: f64,
@@ -47,7 +46,7 @@ pub(super) struct Eigenstress {
 
 /// The wave that represents all waves longer than the period, over Δk.
 const LONG_WAVE: f64 = 1.0 / 6.0;
-/// Only what is linear in k counts: it is taken from two waves that are longer still, by this
+/// Only the part linear in k counts: it is taken from two waves that are longer still, by this
 /// factor and twice it, …
 const NEAR: f64 = 0.01;
 /// … over Δk.
@@ -128,8 +127,8 @@ impl Eigenstress {
         }
     }
 
-    /// The largest force per mm² that is missing on a layer or on the surface for equilibrium, MPa:
-    /// the sum over waves, of which none can cancel another, between neighbouring columns.
+    /// The largest out-of-balance force per mm² on a layer or on the surface, MPa: the sum over
+    /// waves, of which none can cancel another, between neighbouring columns.
     pub(super) fn imbalance(&mut self, strain: &Columns, upstream: &[[f64; 3]]) -> f64 {
         let layers = self.layers.count();
         let gain: Vec<Strains> =
@@ -182,7 +181,7 @@ impl Eigenstress {
         }
     }
 
-    /// The mean over the period, −E′ e_xx, taken out of the signals.
+    /// The mean over the period, −E′ e_xx, removed from the signals.
     fn take_mean(&mut self) -> Vec<Strains> {
         let layers = self.layers.count();
         let lanes = layers + layers.div_ceil(2);
@@ -199,8 +198,8 @@ impl Eigenstress {
         mean
     }
 
-    /// What the waves that are longer than the period give, with the strain that enters put in and
-    /// the ramp taken out.
+    /// The contribution of the waves longer than the period, with the strain that enters added and
+    /// the ramp subtracted.
     fn long_waves(&mut self, mean: &[Strains], gain: &[Strains], entering: &[Strains]) -> Vec<LongWaves> {
         let modulus = self.plane_strain_modulus;
         let less_step: Vec<f64> = mean.iter().zip(gain).map(|(mean, gain)| mean.xx - gain.xx).collect();
@@ -219,8 +218,8 @@ impl Eigenstress {
         (0..mean.len()).map(of_layer).collect()
     }
 
-    /// Of long wave `which`, over −E′ and by layer: the σ_xx of the strain `less_step` beyond that
-    /// of a filled layer, σ_xx of `gain`, and what is odd in k of σ_xy and σ_xx of `gain`, over κ
+    /// For long wave `which`, over −E′ and by layer: the σ_xx of the strain `less_step` beyond that
+    /// of a filled layer, σ_xx of `gain`, and the parts odd in k of σ_xy and σ_xx of `gain`, over κ
     /// L.
     ///
     /// e_yy has no part in it: its stresses begin with k².
@@ -260,8 +259,8 @@ impl Eigenstress {
     }
 }
 
-/// Stresses in a layer, MPa, that the waves longer than the period make: σ_xx in the first column
-/// and its rise over a period, σ_xy.
+/// Stresses in a layer, MPa, due to the waves longer than the period: σ_xx in the first column and
+/// its rise over a period, σ_xy.
 #[derive(Debug, Clone, Copy)]
 struct LongWaves {
     xx: f64,

@@ -6,16 +6,16 @@ use super::strain::PlasticStrain;
 use crate::field::HertzField;
 use crate::math::{Stress, Vec2};
 
-/// What repeated passages end in.
+/// The asymptotic response to repeated passages.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RailState {
     /// The rail never yields.
     Elastic,
-    /// It yields in the first passages and is elastic in all later ones.
+    /// The rail yields in the first passages and is elastic in all later ones.
     ElasticShakedown,
-    /// Every passage yields, and takes back what it does: plastic strain alternates.
+    /// Every passage yields in both directions: plastic strain alternates.
     PlasticShakedown,
-    /// Passages still changed the rail when there were no more of them.
+    /// The last of the allowed passages still changed the rail.
     NotStabilised,
 }
 
@@ -34,10 +34,10 @@ impl RailState {
 /// Way to the stabilised plastic state.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Method {
-    /// Each passage starts from the state that the one before left.
+    /// Each passage starts from the state left by the one before.
     PassByPass,
     /// Upstream := downstream in every iteration. An elastic-shakedown state is not unique: this
-    /// one is admissible, and need not be the one that passages lead to.
+    /// one is admissible, and need not be the one to which passages lead.
     Direct,
 }
 
@@ -51,7 +51,7 @@ impl Method {
     }
 }
 
-/// One passage, or the one computation of [`Method::Direct`].
+/// One passage, or the single computation of [`Method::Direct`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PassRecord {
     /// From 1.
@@ -65,14 +65,14 @@ pub struct PassRecord {
     pub strain_change: f64,
     /// Largest equivalent plastic strain after the passage, √(2/3) |ε_p|.
     pub largest_strain: f64,
-    /// Largest plastic path of the passage, √(2/3) ∫ |dε_p|.
+    /// Largest accumulated plastic strain of the passage, √(2/3) ∫ |dε_p|.
     pub plastic_path: f64,
-    /// Largest magnitude of σ_xx or σ_zz that the passages so far have left, that of manufacturing
-    /// not included, MPa.
+    /// Largest magnitude of σ_xx or σ_zz left by the passages so far, without the initial residual
+    /// stress, MPa.
     pub left_stress: f64,
 }
 
-/// What one layer keeps.
+/// Residual stress and plastic strain of one layer.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LayerState {
     /// Depth of its middle, mm.
@@ -81,7 +81,7 @@ pub struct LayerState {
     pub stress: Stress,
     /// Plastic strain.
     pub strain: PlasticStrain,
-    /// Plastic path per passage, √(2/3) ∫ |dε_p|, in the stabilised state.
+    /// Accumulated plastic strain per passage, √(2/3) ∫ |dε_p|, in the stabilised state.
     pub plastic_per_pass: f64,
 }
 
@@ -100,7 +100,7 @@ pub struct DepthRange {
 pub struct Cycle {
     /// Abscissae of the columns from the centre of the contact, mm, upstream first.
     pub abscissae: Vec<f64>,
-    /// Stress of wheel, plastic strain and manufacturing, MPa: of column i and layer j at
+    /// Stress of wheel, plastic strain and manufacturing, MPa: that of column i and layer j at
     /// i · layers + j.
     pub stress: Vec<Stress>,
     /// Plastic strain, likewise.
@@ -131,13 +131,13 @@ pub struct StabilisedRail {
     pub passes: Vec<PassRecord>,
     /// The layers of the rail.
     pub layers: Layers,
-    /// What each layer keeps, from the surface down.
+    /// Residual stress and plastic strain of each layer, from the surface down.
     pub profile: Vec<LayerState>,
     /// Depths between which plastic strain alternates, in plastic shakedown.
     pub alternating: Option<DepthRange>,
     /// The last passage.
     pub cycle: Cycle,
-    /// What it holds.
+    /// How well the state satisfies yield condition, periodicity and equilibrium.
     pub admissibility: Admissibility,
 }
 
@@ -157,8 +157,8 @@ impl StabilisedRail {
         self.profile.iter().map(difference).fold(0.0, f64::max)
     }
 
-    /// The residual stress at `depth` (mm), MPa: linear between the middles of the layers, constant
-    /// beyond them.
+    /// The residual stress at `depth` (mm), MPa: linear between the midplanes of the layers,
+    /// constant beyond them.
     pub fn residual_stress(&self, depth: f64) -> Stress {
         let next = self.profile.partition_point(|layer| layer.depth < depth);
         match (next.checked_sub(1).map(|i| self.profile[i]), self.profile.get(next)) {
@@ -181,8 +181,8 @@ impl StabilisedRail {
         path
     }
 
-    /// The same at the running surface: the stress of the wheel there, and what the uppermost layer
-    /// keeps. `rail` is what was computed.
+    /// The same at the running surface: the stress of the wheel there, and the residual stress of
+    /// the uppermost layer. `rail` is the rail that was computed.
     pub fn surface_path(&self, rail: &RolledRail) -> Vec<Stress> {
         let field = HertzField::new(&rail.contact, rail.steel.poisson());
         let Some(top) = self.profile.first() else { return Vec::new() };

@@ -45,7 +45,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn coordinates_and_back() {
+    fn deviator_coordinates_are_inverted() {
         let strain = PlasticStrain { xx: 1e-3, yy: -3e-3, zz: 2e-3, xy: 5e-4 };
         let back = PlasticStrain::from_deviator(strain.deviator());
         for (a, b) in [(strain.xx, back.xx), (strain.yy, back.yy), (strain.zz, back.zz), (strain.xy, back.xy)]
