@@ -1,10 +1,9 @@
-//! The inner loop of everything that is done with a sparse factor: a tile of numbers times rows of
-//! columns side by side.
+//! The inner kernel of the sparse solver: a tile of numbers times rows of columns side by side.
 //!
-//! Columns are lanes of vector registers: row r of a panel holds entry r of [`LANES`] columns. What
-//! happens in one lane is a fixed sequence of operations, whatever is in the others, so that the
-//! bits of a column do not depend on those beside it. Products are fused with sums where the code
-//! says so and nowhere else, and rounded once: the bits do not depend on the vector unit either.
+//! Columns are lanes of vector registers: row r of a panel holds entry r of [`LANES`] columns. The
+//! operations in one lane are a fixed sequence, independent of the other lanes, so that the bits of
+//! a column do not depend on those beside it. Products are fused with sums where the code says so
+//! and nowhere else, and rounded once: the bits do not depend on the vector unit either.
 
 use pulp::Simd;
 

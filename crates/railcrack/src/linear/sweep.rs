@@ -10,7 +10,7 @@ use pulp::{Arch, Simd, WithSimd};
 pub(super) struct Panel<'a> {
     factor: &'a SparseFactor,
     supernodes: &'a [usize],
-    /// The first row in the panel of each supernode of the factor that takes part.
+    /// The first row in the panel of each participating supernode of the factor.
     offset: Vec<usize>,
     rows: Vec<Row>,
 }
@@ -25,8 +25,8 @@ impl<'a> Panel<'a> {
         panel
     }
 
-    /// Keeps the first rows, `kept` of them, and goes on with zeros over `supernodes` in
-    /// elimination order, which hold every ancestor of each that has no row among those kept: for
+    /// Keeps the first `kept` rows, and continues with zeros over `supernodes` in elimination
+    /// order, which contain every ancestor of each that has no row among those kept: for
     /// [`Panel::backward`] over these alone.
     pub(super) fn go_on(&mut self, kept: usize, supernodes: &'a [usize]) {
         let mut next = kept;
@@ -72,7 +72,7 @@ impl<'a> Panel<'a> {
         Arch::new().dispatch(Forward(self));
     }
 
-    /// L⁻ᵀ of every lane, for the supernodes that take part.
+    /// L⁻ᵀ of every lane, for the participating supernodes.
     pub(super) fn backward(&mut self) {
         Arch::new().dispatch(Backward(self));
     }

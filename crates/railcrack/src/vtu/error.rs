@@ -1,4 +1,4 @@
-//! What can be wrong with a grid and its files.
+//! Errors of grids and their files.
 
 use std::path::{Path, PathBuf};
 use thiserror::Error;
@@ -38,14 +38,14 @@ pub enum GridError {
         /// Number of points or cells.
         entries: usize,
     },
-    /// Data with another number of components than asked for.
+    /// Data with another number of components than required.
     #[error("`{name}` has {found} components: must be {accepted}")]
     Components {
         /// The data.
         name: String,
         /// Its number of components.
         found: usize,
-        /// What is accepted.
+        /// The accepted numbers of components.
         accepted: &'static str,
     },
     /// Two arrays of one name.
@@ -72,7 +72,7 @@ pub enum VtuError {
     /// The system refuses.
     #[error("cannot {action} {}: {reason}", path.display())]
     Io {
-        /// What was tried.
+        /// The attempted action.
         action: &'static str,
         /// The file.
         path: PathBuf,
@@ -84,7 +84,7 @@ pub enum VtuError {
     Grid {
         /// The file.
         path: PathBuf,
-        /// What does not fit.
+        /// The inconsistency.
         reason: GridError,
     },
     /// The file does not hold what the format asks for.
@@ -94,7 +94,7 @@ pub enum VtuError {
         path: PathBuf,
         /// Element or array.
         part: String,
-        /// What is wrong with it.
+        /// The fault.
         reason: String,
     },
     /// The file is of a kind that is not read.
@@ -104,14 +104,14 @@ pub enum VtuError {
         path: PathBuf,
         /// Element, attribute or array.
         part: String,
-        /// What it is.
+        /// The value found.
         found: String,
-        /// What is read, and how to write it.
+        /// The values that are read, or how to write the file instead.
         accepted: &'static str,
     },
 }
 
-/// What is wrong with a part of a file, before the name of the file is known.
+/// The fault of a part of a file, before the name of the file is known.
 #[derive(Debug)]
 pub(super) enum Fault {
     Malformed { part: String, reason: String },

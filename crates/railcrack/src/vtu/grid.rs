@@ -3,7 +3,7 @@
 use super::{Array, GridError};
 use crate::math::Vec2;
 
-/// The shape of a cell and the order of its nodes: corners counter-clockwise, then the middles of
+/// The shape of a cell and the order of its nodes: corners counter-clockwise, then the midpoints of
 /// the sides, the first between the first and the second corner, then the centre.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CellShape {
@@ -70,8 +70,8 @@ impl CellShape {
         }
     }
 
-    /// The shape of a cell of this number in files with `nodes` nodes; none where there is no such
-    /// shape here.
+    /// The shape of a cell of this VTK type with `nodes` nodes in a file; none where there is no
+    /// such shape here.
     pub(super) fn of_vtk(vtk_type: u8, nodes: usize) -> Option<Self> {
         let shape = match vtk_type {
             VTK_VERTEX => Self::Vertex,
@@ -146,7 +146,7 @@ impl UnstructuredGrid {
 
     /// Checks that cells and data fit the points.
     ///
-    /// Errors: a cell with too few nodes or with a point that is not there; data of the wrong
+    /// Errors: a cell with too few nodes or with a point that does not exist; data of the wrong
     /// length or with the name of other data.
     pub fn check(&self) -> Result<(), GridError> {
         for (i, block) in self.cells.iter().enumerate() {
