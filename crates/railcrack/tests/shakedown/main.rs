@@ -1,5 +1,5 @@
-//! The stabilised plastic state of a rolled rail against theory, against independent computations
-//! and against itself.
+//! The stabilised plastic state of a rolled rail against theory and independent computations, and
+//! its consistency.
 
 mod brute_force;
 mod direct;
@@ -33,7 +33,7 @@ pub fn rail(peak_pressure: f64, friction: f64, modulus: f64) -> RolledRail {
     }
 }
 
-/// What passages lead to at default settings.
+/// The state after repeated passages at default settings.
 pub fn stabilised(rail: &RolledRail) -> StabilisedRail {
     stabilise(rail, &Stabilisation::default(), |_| ()).unwrap()
 }

@@ -53,11 +53,17 @@ fn kink_functions_from_a_real_kink() {
 fn largest_opening_of_a_kink_in_shear() {
     let k1 = |degrees| infinitesimal(SHEAR, degrees, default_elements()).k1;
     close(k1(-76.6), 1.2316, Absolute(SHORT_KINK), "default elements");
-    // The top of the parabola through three angles; the curvature there is 1e-4 per square degree.
+    // The vertex of the parabola through three angles; the curvature there is 1e-4 per square
+    // degree.
     let (left, middle, right) = (k1(-86.6), k1(-76.6), k1(-66.6));
     let top = -76.6 + 5.0 * (left - right) / (left - 2.0 * middle + right);
-    close(top, -76.6, Absolute(1.0), "the third derivative moves the parabola's top by half a degree");
-    assert!(k1(76.6) < -1.0, "the other way the kink closes: {}", k1(76.6));
+    close(
+        top,
+        -76.6,
+        Absolute(1.0),
+        "the third derivative shifts the vertex of the parabola by half a degree",
+    );
+    assert!(k1(76.6) < -1.0, "a kink to the other side closes: {}", k1(76.6));
 }
 
 /// Kinks of a third of the crack, one of which rises to a tip 0.5 mm below the surface: second
@@ -70,7 +76,7 @@ fn finer_meshes() {
         let fine = at(320);
         let scale = largest(fine.iter().copied());
         let error = |elements| largest(at(elements).iter().zip(&fine).map(|(k, fine)| k - fine)) / scale;
-        close(error(default_elements()), 0.0, Absolute(allowed), "the flap above a rising kink is thin");
+        close(error(default_elements()), 0.0, Absolute(allowed), "the ligament above a rising kink is thin");
         close(order(error(20), error(40)), 2.0, Absolute(0.2), "order of convergence");
         close(order(error(40), error(80)), 2.0, Absolute(0.2), "order of convergence");
     }

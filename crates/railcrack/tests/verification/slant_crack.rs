@@ -1,4 +1,4 @@
-//! Slant cracks so deep that the surface is not felt: the closed forms of the wide plate.
+//! Slant cracks far from the surface: the closed forms of the infinite plate.
 
 use crate::common::{Of, body, buried_crack, close, default_elements, open_sifs, steel};
 use railcrack::body::CrackedBody;
