@@ -2,7 +2,7 @@
 
 const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-/// What each letter stands for; [`NONE`] for the others.
+/// The value of each letter; [`NONE`] for other characters.
 const VALUES: [u8; 256] = {
     let mut values = [NONE; 256];
     let mut value = 0;
@@ -70,7 +70,7 @@ pub fn decode(text: &[u8], most: usize) -> Result<Vec<u8>, usize> {
     Ok(bytes)
 }
 
-/// The 24 bits of the next four letters, where these are nothing else.
+/// The 24 bits of the next four letters, unless there are other characters among them.
 fn whole_group(text: &[u8]) -> Option<u32> {
     let [a, b, c, d] = text.first_chunk::<4>()?.map(|letter| u32::from(VALUES[usize::from(letter)]));
     (a | b | c | d < u32::from(NONE)).then_some(a << 18 | b << 12 | c << 6 | d)
@@ -104,13 +104,13 @@ mod tests {
     }
 
     #[test]
-    fn every_byte_survives() {
+    fn every_byte_survives_the_round_trip() {
         let bytes: Vec<u8> = (0..=255).rev().cycle().take(1000).collect();
         assert_eq!(decode(encoded(&bytes).as_bytes(), usize::MAX).unwrap(), bytes);
     }
 
     #[test]
-    fn parts_encoded_one_by_one_are_read_in_one_go() {
+    fn separately_encoded_parts_are_read_as_one() {
         let text = format!(" {}\n  {} ", encoded(b"head"), encoded(b"body"));
         assert_eq!(decode(text.as_bytes(), usize::MAX).unwrap(), b"headbody");
         assert_eq!(decode(text.as_bytes(), 5).unwrap(), b"headb");

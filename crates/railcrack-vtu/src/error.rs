@@ -10,7 +10,7 @@ pub enum VtuError {
     /// The system refuses.
     #[error("cannot {action} {}: {reason}", path.display())]
     Io {
-        /// What was tried.
+        /// The attempted action.
         action: &'static str,
         /// The file.
         path: PathBuf,
@@ -22,7 +22,7 @@ pub enum VtuError {
     Grid {
         /// The file.
         path: PathBuf,
-        /// What does not fit.
+        /// The inconsistency.
         reason: GridError,
     },
     /// The file does not hold what the format asks for.
@@ -32,7 +32,7 @@ pub enum VtuError {
         path: PathBuf,
         /// Element or array.
         part: String,
-        /// What is wrong with it.
+        /// The fault.
         reason: String,
     },
     /// The file is of a kind that is not read.
@@ -42,14 +42,14 @@ pub enum VtuError {
         path: PathBuf,
         /// Element, attribute or array.
         part: String,
-        /// What it is.
+        /// The value found.
         found: String,
-        /// What is read, and how to write it.
+        /// The values that are read, or how to write the file instead.
         accepted: &'static str,
     },
 }
 
-/// What is wrong with a part of a file, before the name of the file is known.
+/// The fault of a part of a file, before the name of the file is known.
 #[derive(Debug)]
 pub(super) enum Fault {
     Malformed { part: String, reason: String },

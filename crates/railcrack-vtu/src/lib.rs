@@ -1,4 +1,5 @@
-//! Fields on a mesh in the XML format of VTK: unstructured grids (`.vtu`) and collections of them (`.pvd`).
+//! Fields on a mesh in the XML format of VTK: unstructured grids (`.vtu`) and collections of them
+//! (`.pvd`).
 //!
 //! Source: *VTK File Formats*, chapter of *The VTK User's Guide* (Kitware), "XML File Formats".
 

@@ -49,8 +49,8 @@ impl NumberType {
         }
     }
 
-    /// The numbers that `bytes` hold; bytes beyond the last whole number are left out. Whole numbers beyond 2⁵³ lose
-    /// digits: no index or count of a grid is as large.
+    /// The numbers in `bytes`; bytes beyond the last whole number are ignored. Integers beyond 2⁵³
+    /// lose digits: no index or count of a grid is as large.
     pub(super) fn decode(self, bytes: &[u8], order: ByteOrder) -> Vec<f64> {
         macro_rules! numbers {
             ($number:ty) => {{

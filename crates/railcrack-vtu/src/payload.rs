@@ -1,4 +1,4 @@
-//! The numbers of an array, in each way in which files hold them.
+//! Encodings of the numbers of an array in a file.
 
 use super::base64;
 use super::error::Fault;
@@ -6,7 +6,7 @@ use super::numbers::{ByteOrder, NumberType};
 use miniz_oxide::inflate::decompress_to_vec_zlib_with_limit;
 use std::borrow::Cow;
 
-/// What the head of a file says of all its binary arrays.
+/// The declarations in the head of a file that hold for all its binary arrays.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Encoding {
     pub order: ByteOrder,
@@ -74,7 +74,8 @@ impl Payload<'_> {
         }
     }
 
-    /// Numbers of blocks, bytes of a whole and of the last block, compressed bytes of each block; then the blocks.
+    /// Number of blocks, bytes of a full and of the last block, compressed bytes of each block;
+    /// then the blocks.
     fn inflated(self, part: &str, most: usize, encoding: Encoding) -> Result<Vec<u8>, Fault> {
         const FIXED: usize = 3;
         let blocks = self.counts(part, 1, encoding)?[0];
@@ -126,7 +127,8 @@ fn too_large(part: &str) -> Fault {
     Fault::malformed(part, "a count in its header is larger than any file")
 }
 
-/// `value` as an index or a count; none where it is no whole number that a number of this precision can hold.
+/// `value` as an index or a count; none where it is not an integer that a number of this precision
+/// can represent.
 pub(super) fn index(value: f64) -> Option<usize> {
     const LARGEST: f64 = (1u64 << f64::MANTISSA_DIGITS) as f64;
     (value.fract() == 0.0 && (0.0..LARGEST).contains(&value)).then_some(value as usize)

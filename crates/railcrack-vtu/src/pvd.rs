@@ -8,7 +8,7 @@ use std::path::Path;
 /// A grid of a collection.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Snapshot {
-    /// Time, or whatever orders the grids: a step, x_c/a.
+    /// Time, or any other parameter that orders the grids: a growth step, x_c/a.
     pub time: f64,
     /// The file of the grid, relative to the folder of the collection, with `/`.
     pub file: String,

@@ -10,13 +10,14 @@ use railcrack::mesh::{Array, CellBlock, GridError, UnstructuredGrid};
 use roxmltree::{Document, Node};
 use std::path::Path;
 
-/// Reads the grid in the file `path`: ours, and those of other programs. Numbers may be decimal, in base64 or appended
-/// (raw or in base64), of any type and byte order, compressed by zlib or not; cells those of [`CellShape`]; arrays of
-/// texts are left out. Values of data are given as they stand, whether finite or not: see [`Array::finite`].
+/// Reads the grid in the file `path`: files of this library and of other programs. Numbers may be
+/// decimal, in base64 or appended (raw or in base64), of any type and byte order, compressed by
+/// zlib or not; cells are those of [`CellShape`]; arrays of strings are ignored. Values of data are
+/// returned as they are, finite or not: see [`Array::finite`].
 ///
-/// Errors: the system refuses; not such a file, or one of several pieces, with cells that have no [`CellShape`] or with
-/// another compression; an array that ends early, is too long or holds no numbers; a point off the plane z = 0; a
-/// cell with a point that is not there.
+/// Errors: the system refuses; not such a file, or one of several pieces, with cells that have no
+/// [`CellShape`] or with another compression; an array that ends early, is too long or holds no
+/// numbers; a point off the plane z = 0; a cell with a point that does not exist.
 pub fn read_vtu(path: &Path) -> Result<UnstructuredGrid, VtuError> {
     let bytes = std::fs::read(path).map_err(|reason| VtuError::Io {
         action: "read",
@@ -26,14 +27,14 @@ pub fn read_vtu(path: &Path) -> Result<UnstructuredGrid, VtuError> {
     read_vtu_bytes(&bytes, path)
 }
 
-/// [`read_vtu`] of what stands in a file; `path` is what messages call it.
+/// [`read_vtu`] of the contents of a file; messages call it `path`.
 ///
 /// Errors: those of [`read_vtu`] but the system's.
 pub fn read_vtu_bytes(bytes: &[u8], path: &Path) -> Result<UnstructuredGrid, VtuError> {
     grid_of(bytes).map_err(|fault| fault.of(path))
 }
 
-/// What stands in `<AppendedData>`, from its first byte on.
+/// The contents of `<AppendedData>`, from its first byte on.
 #[derive(Debug, Clone, Copy)]
 struct Appended<'a> {
     bytes: &'a [u8],
@@ -126,7 +127,7 @@ fn encoding(root: Node) -> Result<Encoding, Fault> {
     Ok(Encoding { order, header, compression })
 }
 
-/// What all arrays of a file have in common.
+/// The properties shared by all arrays of a file.
 struct File<'a> {
     encoding: Encoding,
     appended: Option<Appended<'a>>,

@@ -7,9 +7,11 @@ use railcrack::mesh::{Array, GridError, SYMMETRIC_TENSOR, UnstructuredGrid};
 use std::fs;
 use std::path::Path;
 
-/// Writes `grid` to the file `path` as [`vtu_text`]. The file is written beside and moved into place.
+/// Writes `grid` to the file `path` as [`vtu_text`]. The file is written beside its target and
+/// moved into place.
 ///
-/// Errors: the parts of the grid do not fit together; a number that is not finite; the system refuses.
+/// Errors: the parts of the grid do not fit together; a number that is not finite; the system
+/// refuses.
 pub fn write_vtu(path: &Path, grid: &UnstructuredGrid) -> Result<(), VtuError> {
     let text = vtu_text(grid).map_err(|reason| VtuError::Grid { path: path.to_path_buf(), reason })?;
     put(path, &text)
@@ -24,8 +26,8 @@ pub(super) fn put(path: &Path, text: &[u8]) -> Result<(), VtuError> {
     fs::rename(&name, path).map_err(refused)
 }
 
-/// The file of `grid`: numbers in base64, little endian, with headers of 64 bits, not compressed. The points get z = 0. It is
-/// ASCII but for the names of arrays.
+/// The file of `grid`: numbers in base64, little endian, with headers of 64 bits, not compressed.
+/// The points get z = 0. The text is ASCII except for the names of arrays.
 ///
 /// Errors: the parts of the grid do not fit together; a number that is not finite.
 pub fn vtu_text(grid: &UnstructuredGrid) -> Result<Vec<u8>, GridError> {
@@ -87,12 +89,13 @@ fn cell_arrays(text: &mut Vec<u8>, grid: &UnstructuredGrid) {
 fn real_array(text: &mut Vec<u8>, array: &Array) {
     let bytes: Vec<u8> = array.values.iter().flat_map(|value| value.to_le_bytes()).collect();
     let mut attributes = format!("type=\"Float64\" Name=\"{}\"", escaped(&array.name));
-    // Of one component where the attribute is left out; with it, some readers give a table of one column.
+    // One component is the default of the attribute; with it, some readers give a table of one
+    // column.
     if array.components > 1 {
         attributes.push_str(&format!(" NumberOfComponents=\"{}\"", array.components));
     }
     if array.components == SYMMETRIC_TENSOR.len() {
-        // Programs that show the file name the components by these.
+        // Programs that display the file label the components with these names.
         for (i, name) in SYMMETRIC_TENSOR.iter().enumerate() {
             attributes.push_str(&format!(" ComponentName{i}=\"{name}\""));
         }

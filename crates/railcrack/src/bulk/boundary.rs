@@ -1,17 +1,18 @@
-//! What the meshed rail ends at.
+//! Boundary conditions of the meshed rail.
 
 use crate::mesh::QuadMesh;
 
-/// What the bottom of a block stands on.
+/// The support of the bottom of a block.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum BottomSupport {
     /// No displacement.
     Clamped,
-    /// No vertical displacement. If nothing else holds the block along x, the node nearest to the middle of the bottom does.
+    /// No vertical displacement. If nothing else restrains the block along x, the node nearest to
+    /// the middle of the bottom is held.
     Rollers,
 }
 
-/// What holds the left and right side of a block.
+/// The support of the left and right sides of a block.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum SideSupport {
     /// No traction.
@@ -22,16 +23,16 @@ pub enum SideSupport {
     Clamped,
 }
 
-/// What the meshed rail ends at; its top is always free.
+/// The boundary of the meshed rail; its top is always free.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Boundary {
     /// A half-plane: the mesh ends far away, where it is held on all sides but the top.
     HalfPlane,
     /// A block.
     Block {
-        /// What it stands on.
+        /// Support of the bottom.
         bottom: BottomSupport,
-        /// What holds its sides.
+        /// Support of the sides.
         sides: SideSupport,
     },
 }
@@ -63,7 +64,7 @@ impl Boundary {
         }
     }
 
-    /// Freedom along x and y of every node: a corner is held by both of its sides.
+    /// The freedom of every node along x and y: a corner is held by both of its sides.
     pub(super) fn nodes(self, mesh: &QuadMesh) -> Vec<[Freedom; 2]> {
         let last = 2 * mesh.columns();
         let mut nodes = vec![[Free, Free]; mesh.node_count()];
@@ -95,7 +96,7 @@ mod tests {
 
     const COLUMNS: usize = 5;
 
-    /// Freedom at the left side, its corner with the bottom, and the bottom.
+    /// Freedom at the left side, at its corner with the bottom, and at the bottom.
     fn around(boundary: Boundary) -> [[Freedom; 2]; 3] {
         let lines = |n: usize| (0..=n).map(|i| i as f64).collect();
         let mesh = QuadMesh::new(lines(COLUMNS), lines(2)).unwrap();
@@ -123,7 +124,7 @@ mod tests {
     }
 
     #[test]
-    fn supports_hold_what_their_names_say() {
+    fn supports_restrain_the_components_in_their_names() {
         use BottomSupport as Bottom;
         use SideSupport as Side;
         let block = |bottom, sides| around(Boundary::Block { bottom, sides });

@@ -1,4 +1,4 @@
-//! The field that takes away what a field of the half-plane does at the ends of the mesh.
+//! Cancellation of a half-plane field at the boundary of the mesh.
 
 use super::boundary::Freedom;
 use super::rail::{BulkError, BulkRail};
@@ -6,7 +6,8 @@ use super::stiffness::RectangleStiffness;
 use crate::math::{Stress, Vec2, gauss_legendre};
 use crate::mesh::{Edge, NODES};
 
-/// A field that is in equilibrium without body forces in the half-plane, under loads on the surface that the rail carries too.
+/// A field in equilibrium without body forces in the half-plane, under surface loads that the rail
+/// carries too.
 pub trait ElasticField {
     /// Stress (MPa) at a point (mm).
     fn stress(&self, point: Vec2) -> Stress;
@@ -14,20 +15,22 @@ pub trait ElasticField {
     /// Displacement (mm) at a point (mm), up to a rigid motion.
     fn displacement(&self, point: Vec2) -> Vec2;
 
-    /// Distance (mm) from a point to where the field is not analytic: how fine tractions near it must be integrated.
+    /// Distance (mm) from a point to the nearest singularity of the field: it sets how finely
+    /// tractions near the point are integrated.
     fn smooth_within(&self, point: Vec2) -> f64;
 }
 
-/// Points of the rule on a piece of a side that is not longer than its distance to where the tractions are not analytic: its error
-/// falls like 5.8^(−2n), so 1e-12.
+/// Gauss points on a part of a side that is not longer than its distance to the singularities of
+/// the tractions: the error falls like 5.8^(−2n), so 1e-12.
 const GAUSS_POINTS: usize = 8;
 
 /// Most halvings of a side of an element: pieces of 1e-9 of it carry nothing.
 const HALVINGS: u32 = 30;
 
 impl BulkRail {
-    /// The displacements (mm, node by node) of the fields that cancel each of `fields` at the ends of the mesh: opposite
-    /// displacements where it is held, opposite tractions where it is free, nothing on the top.
+    /// The displacements (mm, node by node) that cancel each of `fields` at the boundary of the
+    /// mesh: opposite displacements where it is held, opposite tractions where it is free, nothing
+    /// on the top.
     ///
     /// Errors: none but those of the linear algebra.
     pub fn cancel(&self, fields: &[&dyn ElasticField]) -> Result<Vec<Vec<Vec2>>, BulkError> {
@@ -43,7 +46,8 @@ impl BulkRail {
         Ok(fields.iter().zip(columns.chunks(order.max(1))).map(at_nodes).collect())
     }
 
-    /// Forces (N/mm) on the free unknowns: the opposite tractions, and what the held nodes do to their neighbours.
+    /// Forces (N/mm) on the free unknowns: the opposite tractions, and the forces that the
+    /// prescribed displacements of the held nodes exert.
     fn forces(&self, field: &dyn ElasticField) -> Vec<f64> {
         let mesh = self.mesh();
         let mut forces = vec![0.0; self.factor().order()];
@@ -82,7 +86,8 @@ impl BulkRail {
         forces
     }
 
-    /// ∫ N σ·n ds (N/mm) over an outer side of an element, for its three nodes in the order of [`Edge::nodes`].
+    /// ∫ N σ·n ds (N/mm) over an outer side of an element, for its three nodes in the order of
+    /// [`Edge::nodes`].
     pub(super) fn tractions(
         &self,
         e: usize,
@@ -93,7 +98,7 @@ impl BulkRail {
         let corners = self.mesh().element(e).corners();
         let [first, second, _] = end.nodes();
         let (from, along) = (corners[first], corners[second] - corners[first]);
-        // The sides run counter-clockwise: outwards is to the right.
+        // The sides run counter-clockwise: the outward normal points to the right.
         let normal = -along.left().normalised();
         let mut sums = [Vec2::default(); 3];
         let mut pending = vec![(0.0, 1.0, 0)];

@@ -1,4 +1,4 @@
-//! What the ends of a block do to the stress under the wheel.
+//! Effect of the ends of a block on the stress under the wheel.
 
 use super::boundary::Boundary;
 use super::cancel::ElasticField;
@@ -10,12 +10,14 @@ use crate::math::{Stress, Vec2, chebyshev};
 use std::ops::RangeInclusive;
 use std::sync::Arc;
 
-/// The field that, added to that of the half-plane under the wheel, gives the field of the block: it takes the tractions of the
-/// half-plane from the free ends of the block and its displacements from the held ones.
+/// The field that, added to that of the half-plane under the wheel, gives the field of the block:
+/// it removes the tractions of the half-plane from the free ends of the block and its displacements
+/// from the held ones.
 ///
-/// The ends are away from the wheel, so the field is smooth, and coarse elements do. It depends on the wheel position x_c like its data on
-/// the ends, which are analytic in x_c: it is solved at Chebyshev points and interpolated between them, to [`BlockCorrection::TOLERANCE`].
-/// Nothing is solved per wheel position.
+/// The ends are far from the wheel, so the field is smooth and coarse elements suffice. It depends
+/// on the wheel position x_c through its data on the ends, which are analytic in x_c: it is solved
+/// at Chebyshev points and interpolated between them, to [`BlockCorrection::TOLERANCE`]. Nothing is
+/// solved per wheel position.
 #[derive(Debug, Clone)]
 pub struct BlockCorrection {
     rail: Arc<BulkRail>,
@@ -25,7 +27,7 @@ pub struct BlockCorrection {
     displacements: Vec<Vec<Vec2>>,
 }
 
-/// The field of the half-plane with the wheel at one place.
+/// The field of the half-plane for one wheel position.
 struct Under {
     stress: HertzField,
     displacement: HertzDisplacement,
@@ -49,7 +51,8 @@ impl ElasticField for Under {
 }
 
 impl BlockCorrection {
-    /// Error of the interpolation between wheel positions, relative to the largest value of the correction: far below that of the mesh.
+    /// Error of the interpolation between wheel positions, relative to the largest value of the
+    /// correction: far below that of the mesh.
     pub const TOLERANCE: f64 = 1e-8;
 
     /// Most positions that are solved.
@@ -57,8 +60,8 @@ impl BlockCorrection {
 
     /// The correction of `rail` for a wheel whose `contact` is centred anywhere in `range` (mm).
     ///
-    /// Errors: a half-plane; a range that is empty or not finite; a contact that leaves the block or comes so close to one of its sides
-    /// that the field is no longer smooth.
+    /// Errors: a half-plane; a range that is empty or not finite; a contact that leaves the block
+    /// or comes so close to one of its sides that the field is no longer smooth.
     pub fn new(
         rail: &Arc<BulkRail>,
         contact: &HertzianContact,
@@ -85,7 +88,7 @@ impl BlockCorrection {
         Ok(Self { rail: Arc::clone(rail), range, positions, displacements })
     }
 
-    /// Wheel positions at which the correction was solved, mm.
+    /// Wheel positions for which the correction was solved, mm.
     pub fn positions(&self) -> &[f64] {
         &self.positions
     }
@@ -126,8 +129,10 @@ fn positions_needed(
     let lines = rail.mesh().x_lines();
     let (left, right) = (lines[0], lines[lines.len() - 1]);
     let (from, to) = (range.start() - contact.half_width, range.end() + contact.half_width);
-    // As seen from a place on the ends of the block, the potential has its branch points where an edge of the contact would meet that place
-    // or its mirror image above the surface: a top corner is the first of the sides, and the bottom lies at its depth beside the range.
+    // As seen from a point on the ends of the block, the potential has its branch points where an
+    // edge of the contact would coincide with that point or its mirror image above the surface: a
+    // top corner is the nearest such point on the sides, and the bottom lies at its depth beside
+    // the range.
     let half = 0.5 * (range.end() - range.start());
     let depth = -rail.mesh().y_lines()[0];
     let needed = |gap: f64| {
@@ -141,7 +146,7 @@ fn positions_needed(
     if from >= left && to <= right && count <= most {
         return Ok(count.ceil() as usize);
     }
-    // The gap that would do, by bisection: the wider it is, the fewer positions.
+    // The smallest sufficient gap, by bisection: the wider the gap, the fewer the positions.
     let (mut narrow, mut wide) = (0.0, half);
     for _ in 0..50 {
         let middle = 0.5 * (narrow + wide);
@@ -184,7 +189,8 @@ impl CorrectionAtPoints {
         WheelAt { points: self, weights: chebyshev::weights(&self.positions, inside) }
     }
 
-    /// The stress (MPa) of the correction at point `k` (from 0) for the wheel at `xc` (mm): [`WheelAt::stress`] for one point.
+    /// The stress (MPa) of the correction at point `k` (from 0) for the wheel at `xc` (mm):
+    /// [`WheelAt::stress`] for one point.
     ///
     /// Errors: a position outside of the range.
     pub fn stress(&self, k: usize, xc: f64) -> Result<Stress, BulkError> {
@@ -192,7 +198,7 @@ impl CorrectionAtPoints {
     }
 }
 
-/// The correction at fixed points with the wheel at one place.
+/// The correction at fixed points for one wheel position.
 #[derive(Debug, Clone)]
 pub struct WheelAt<'a> {
     points: &'a CorrectionAtPoints,
@@ -200,7 +206,8 @@ pub struct WheelAt<'a> {
 }
 
 impl WheelAt<'_> {
-    /// The stress (MPa) of the correction at point `k` (from 0, in the order of [`BlockCorrection::at`]).
+    /// The stress (MPa) of the correction at point `k` (from 0, in the order of
+    /// [`BlockCorrection::at`]).
     pub fn stress(&self, k: usize) -> Stress {
         let count = self.weights.len();
         let stresses = &self.points.stresses[k * count..(k + 1) * count];

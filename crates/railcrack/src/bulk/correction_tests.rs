@@ -1,4 +1,5 @@
-//! The corrected block under the wheel: equilibrium, interpolation between wheel positions, and a whole finite-element solution.
+//! The corrected block under the wheel: equilibrium, interpolation between wheel positions, and
+//! comparison with a full finite-element solution.
 
 use super::patch_tests::{CONTACT, block, boundaries, steel};
 use super::{
@@ -52,8 +53,8 @@ fn the_clamped_bottom_carries_the_wheel() {
         let displacements = rail.cancel(&[&field]).unwrap().remove(0);
         let rule = gauss_legendre(8);
         let stiffness = RectangleStiffness::new(&steel());
-        // The reaction is the force inside of the elements on the nodes of the bottom, less the forces applied there, and the
-        // traction of the half-plane.
+        // The reaction is the internal force of the elements on the nodes of the bottom, less the
+        // forces applied there, plus the traction of the half-plane.
         let mut reaction = Vec2::default();
         for e in 0..mesh.columns() {
             let element = mesh.element(e);
@@ -103,7 +104,8 @@ fn cuts_through_the_block_are_in_equilibrium_and_free_sides_without_traction_in_
     };
     let errors = [8, 16, 32, 64].map(errors);
     println!("cut and sides: {errors:?}");
-    // Third order inside, second beside the ends, where Gauss points are extrapolated from.
+    // Third order inside, second beside the ends, where the stress is extrapolated from Gauss
+    // points.
     for (k, (order, last)) in [(2.5, 1e-6), (2.0, 2e-4)].into_iter().enumerate() {
         let measured = (errors[0][k] / errors[3][k]).log2() / 3.0;
         assert!(measured > order && errors[3][k] < last, "{k}: {errors:?}, order {measured}");
@@ -111,8 +113,8 @@ fn cuts_through_the_block_are_in_equilibrium_and_free_sides_without_traction_in_
 }
 
 #[test]
-fn positions_in_between_are_as_good_as_solved_ones() {
-    // The promise, relative to the largest stress of the correction.
+fn interpolated_positions_are_as_accurate_as_solved_ones() {
+    // The documented tolerance, relative to the largest stress of the correction.
     const TOLERANCE: f64 = BlockCorrection::TOLERANCE;
     let points: Vec<Vec2> =
         [(0.0, 0.0), (5.0, -3.0), (-40.0, -20.0), (100.0, -90.0), (140.0, -5.0), (-120.0, -160.0)]
@@ -146,7 +148,8 @@ fn positions_in_between_are_as_good_as_solved_ones() {
     }
 }
 
-/// Spacing of lines: `fine` within `window` of `middle`, growing outwards by `ratio` up to `coarsest` (all mm).
+/// Spacing of lines: `fine` within `window` of `middle`, growing outwards by `ratio` up to
+/// `coarsest` (all mm).
 #[derive(Clone, Copy)]
 struct Grading {
     middle: f64,
@@ -176,7 +179,7 @@ impl Grading {
         left.into_iter().chain([self.middle]).chain(right).collect()
     }
 
-    /// The block of 300 × 172 mm, graded alike in width and depth.
+    /// The block of 300 × 172 mm, with the same grading in width and depth.
     fn block(self) -> QuadMesh {
         let mut y = Self { middle: 0.0, ..self }.lines(-172.0, 172.0);
         y.retain(|y| *y <= 0.0);
@@ -185,9 +188,10 @@ impl Grading {
 }
 
 #[test]
-fn agrees_with_a_whole_solution_of_the_block() {
-    // The wheel on the block itself: elements of a/9 under it, nothing of the half-plane's closed form.
-    // Of p0: what elements of a/9 leave at the edges of the contact, and the coarse ones of the correction at the clamped corners.
+fn agrees_with_a_full_solution_of_the_block() {
+    // The wheel on the block itself: elements of a/9 under it, nothing of the half-plane's closed
+    // form. Relative to p0: the error of elements of a/9 at the edges of the contact, and of the
+    // coarse ones of the correction at the clamped corners.
     const TOLERANCE: f64 = 2e-4;
     let xc = 27.0;
     let a = CONTACT.half_width;
@@ -207,7 +211,7 @@ fn agrees_with_a_whole_solution_of_the_block() {
             let [left, _, right] = nodes.map(|node| mesh.node_position(node).x);
             let phi = |x: f64| ((x - xc) / a).clamp(-1.0, 1.0).asin();
             for (t, weight) in gauss_legendre(12) {
-                // x = x_c + a sin φ takes the roots of the pressure away.
+                // x = x_c + a sin φ removes the square roots of the pressure.
                 let angle = phi(left) + t * (phi(right) - phi(left));
                 let s = (xc + a * angle.sin() - left) / (right - left);
                 let force = wheel() * (2.0 / PI * angle.cos().powi(2) * weight * (phi(right) - phi(left)));
@@ -244,8 +248,9 @@ fn agrees_with_a_whole_solution_of_the_block() {
 
 #[test]
 #[ignore = "extra: prints how the correction at a crack converges with the coarsest elements of the mesh"]
-fn coarse_elements_do_away_from_the_cracks() {
-    // Of p0, at a crack of 8 mm, with the grading of an ordinary mesh: far below what a crack feels.
+fn coarse_elements_suffice_away_from_the_cracks() {
+    // Relative to p0, at a crack of 8 mm, with the grading of an ordinary mesh: far below what
+    // affects a crack.
     const TOLERANCE: f64 = 1e-4;
     let points: Vec<Vec2> = (0..=8).map(|i| Vec2::new(0.7, -0.7) * f64::from(i)).collect();
     for boundary in blocks() {
@@ -271,7 +276,7 @@ fn coarse_elements_do_away_from_the_cracks() {
 }
 
 #[test]
-fn refuses_what_it_cannot_correct() {
+fn refuses_inadmissible_rails_and_contacts() {
     let rail = BulkRail::new(block(4), &steel(), CLAMPED).unwrap();
     let refused = |range| BlockCorrection::new(&Arc::new(rail.clone()), &CONTACT, range).unwrap_err();
     assert!(matches!(refused(0.0..=145.0), BulkError::OffTheBlock { .. }));

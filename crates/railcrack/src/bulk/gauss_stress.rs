@@ -6,14 +6,16 @@ use crate::material::IsotropicElastic;
 use crate::math::{Stress, Vec2};
 use crate::mesh::shape_functions;
 
-/// Gives the stress at fixed points of a mesh from nodal displacements, prepared for many fields.
+/// Stress recovery at fixed points of a mesh from nodal displacements, prepared for many fields.
 ///
-/// The stress is computed at the 2 × 2 Gauss points of the elements, where that of 8-node rectangles converges faster than elsewhere
-/// (Barlow, Int. J. Numer. Meth. Engng 10, 1976). On a grid these points lie on lines, along which cubic polynomials interpolate from
-/// the nearest four by four, and extrapolate to the surface.
+/// The stress is computed at the 2 × 2 Gauss points of the elements, where that of 8-node
+/// rectangles is superconvergent (Barlow, Int. J. Numer. Meth. Engng 10, 1976). On a grid these
+/// points lie on lines, along which cubic polynomials interpolate from the nearest four by four,
+/// and extrapolate to the surface.
 #[derive(Debug, Clone)]
 pub struct StressAtPoints {
-    /// Displacement gradients: per point the nodes that take part, with the weights of ∂/∂x and ∂/∂y.
+    /// Displacement gradients: for each point the contributing nodes, with the weights of ∂/∂x and
+    /// ∂/∂y.
     slopes: Vec<Vec<(usize, Vec2)>>,
     steel: IsotropicElastic,
 }

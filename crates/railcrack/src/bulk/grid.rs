@@ -1,6 +1,6 @@
 //! Interpolation along the lines of Gauss points of a grid.
 
-/// The two Gauss points of each cell between neighbouring `lines`: increasing.
+/// The two Gauss points of each cell between neighbouring `lines`, increasing.
 pub(crate) fn gauss_lines(lines: &[f64]) -> Vec<f64> {
     let at = 1.0 / 3f64.sqrt();
     let pair = |cell: &[f64]| {
@@ -10,8 +10,8 @@ pub(crate) fn gauss_lines(lines: &[f64]) -> Vec<f64> {
     lines.windows(2).flat_map(pair).collect()
 }
 
-/// Weights of Lagrange's polynomial through the four points of `at` nearest to `x` (all, if there are fewer), and the index of the
-/// first.
+/// Weights of the Lagrange polynomial through the four points of `at` nearest to `x` (all, if there
+/// are fewer), and the index of the first.
 pub(super) fn lagrange(at: &[f64], x: f64) -> (usize, Vec<f64>) {
     let count = at.len().min(4);
     let above = at.partition_point(|&point| point <= x);
@@ -29,7 +29,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn cubics_are_met_inside_and_beyond_the_ends() {
+    fn cubics_are_reproduced_inside_and_beyond_the_ends() {
         let at = gauss_lines(&[0.0, 1.0, 1.5, 4.0]);
         let cubic = |x: f64| 1.0 - x + 0.5 * x * x - 0.2 * x * x * x;
         for x in [0.0, 0.1, 0.9, 1.0, 1.7, 3.9, 4.0] {

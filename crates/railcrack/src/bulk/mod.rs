@@ -1,5 +1,5 @@
-//! The rail without cracks in finite elements: what holds it, its stiffness and factor, and what its ends do to the stress under
-//! the wheel.
+//! Finite elements of the uncracked rail: supports, stiffness and its factor, and the effect of the
+//! ends on the stress under the wheel.
 
 mod boundary;
 mod cancel;

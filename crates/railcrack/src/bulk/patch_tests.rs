@@ -1,4 +1,5 @@
-//! Fields whose opposite is the answer: polynomials, and the half-plane under a wheel beside the block.
+//! Patch tests: polynomial fields, and the half-plane under a wheel beside the block, are
+//! cancelled.
 
 use super::{BottomSupport, Boundary, BulkRail, ElasticField, SideSupport, StressAtPoints};
 use crate::field::{HertzDisplacement, HertzField};
@@ -33,7 +34,8 @@ pub(super) fn block(columns: usize) -> QuadMesh {
     QuadMesh::new(lines(-150.0, 150.0, columns), lines(-172.0, 0.0, columns / 2)).unwrap()
 }
 
-/// σ_xx = tension + bending y + 2 shear x, σ_xy = −2 shear y: no tractions on the surface, displacements of second degree.
+/// σ_xx = tension + bending y + 2 shear x, σ_xy = −2 shear y: no tractions on the surface,
+/// quadratic displacements.
 struct Quadratic {
     tension: f64,
     bending: f64,
@@ -72,7 +74,7 @@ fn some_points() -> Vec<Vec2> {
 }
 
 #[test]
-fn fields_of_second_degree_are_cancelled_exactly() {
+fn quadratic_fields_are_cancelled_exactly() {
     // Round-off of the factor, whose condition number is of the order of 1e5.
     const TOLERANCE: f64 = 1e-9;
     let field = Quadratic { tension: 100.0, bending: 3.0, shear: -0.7 };
@@ -133,7 +135,8 @@ fn a_wheel_beside_the_block_is_cancelled_with_the_order_of_the_elements() {
             [near_ends, near_cracks]
         };
         let errors = [8, 16, 32, 64].map(errors);
-        // Quadratic elements: third order at Gauss points inside, less beside the ends, where the field is cubically extrapolated.
+        // Quadratic elements: third order at Gauss points inside, less beside the ends, where the
+        // stress is extrapolated by cubics.
         for (k, (place, order, last)) in [("ends", 1.9, 3e-3), ("cracks", 2.6, 2e-5)].into_iter().enumerate()
         {
             let errors = errors.map(|e| e[k]);

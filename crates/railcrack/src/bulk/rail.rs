@@ -42,13 +42,13 @@ pub enum BulkError {
         left: f64,
         /// Right side, mm.
         right: f64,
-        /// What must remain between contact and side, mm.
+        /// Smallest gap between contact and side, mm.
         gap: f64,
     },
-    /// A wheel position that the correction was not made for.
+    /// A wheel position outside of the range of the correction.
     #[error("wheel at {position} mm: the correction was made for {from} to {to} mm")]
     Position {
-        /// What was asked for, mm.
+        /// The requested position, mm.
         position: f64,
         /// First position, mm.
         from: f64,
@@ -68,13 +68,14 @@ pub enum BulkError {
     Stiffness(#[from] LinearError),
 }
 
-/// The rail without cracks: a mesh of 8-node rectangles, supports, and the factor of the stiffness of the free unknowns.
+/// The uncracked rail: a mesh of 8-node rectangles, supports, and the factor of the stiffness of
+/// the free unknowns.
 #[derive(Debug, Clone)]
 pub struct BulkRail {
     mesh: QuadMesh,
     steel: IsotropicElastic,
     boundary: Boundary,
-    /// Along x and y of each node; none where it is held.
+    /// Unknowns along x and y of each node; none where it is held.
     unknowns: Vec<[Option<usize>; 2]>,
     factor: SparseFactor,
 }
@@ -107,7 +108,8 @@ impl ElementSum for RailStiffness<'_> {
 }
 
 impl BulkRail {
-    /// Assembles and factors the rail on `mesh`, whose top is the running surface, ending at `boundary`.
+    /// Assembles and factors the rail on `mesh`, whose top is the running surface, with the
+    /// supports of `boundary`.
     ///
     /// Errors: a top that is not at y = 0; a stiffness that cannot be factored.
     pub fn new(mesh: QuadMesh, steel: &IsotropicElastic, boundary: Boundary) -> Result<Self, BulkError> {
@@ -141,7 +143,7 @@ impl BulkRail {
         &self.steel
     }
 
-    /// What the mesh ends at.
+    /// The boundary of the mesh.
     pub fn boundary(&self) -> Boundary {
         self.boundary
     }
@@ -171,7 +173,8 @@ impl BulkRail {
         &self.factor
     }
 
-    /// Puts displacements (mm) of the free unknowns and those of the `held` ones at the nodes together: node by node.
+    /// Merges the displacements (mm) of the free unknowns with those of the `held` ones, node by
+    /// node.
     pub fn at_nodes(&self, free: &[f64], held: impl Fn(Vec2) -> Vec2) -> Vec<Vec2> {
         let node = |(node, [x, y]): (usize, &[Option<usize>; 2])| match (x, y) {
             (Some(x), Some(y)) => Vec2::new(free[*x], free[*y]),

@@ -6,8 +6,9 @@ use crate::mesh::{NODES, shape_functions};
 
 /// Stiffness of 8-node rectangles of any size in plane strain, integrated exactly.
 ///
-/// With the Lamé constants λ, μ, sides h_x, h_y and A = ∫N_ξ N_ξ, B = ∫N_η N_η, C = ∫N_ξ N_η over the reference square,
-/// K_xx = (λ + 2μ) (h_y/h_x) A + μ (h_x/h_y) B, K_yy with A and B exchanged, K_xy = λ C + μ Cᵀ.
+/// With the Lamé constants λ, μ, sides h_x, h_y and A = ∫N_ξ N_ξ, B = ∫N_η N_η, C = ∫N_ξ N_η over
+/// the reference square: K_xx = (λ + 2μ) (h_y/h_x) A + μ (h_x/h_y) B, K_yy with A and B
+/// interchanged, K_xy = λ C + μ Cᵀ.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RectangleStiffness {
     lambda: f64,
@@ -39,8 +40,8 @@ impl RectangleStiffness {
         stiffness
     }
 
-    /// The stiffness (N/mm per mm of thickness, 16 × 16) of a rectangle of width and height `size` (mm); unknown 2i is u_x, 2i + 1 u_y of
-    /// node i.
+    /// The stiffness (N/mm per mm of thickness, 16 × 16) of a rectangle of width and height `size`
+    /// (mm); unknown 2i is u_x, 2i + 1 u_y of node i.
     pub fn matrix(&self, size: Vec2) -> Matrix {
         let (wide, high) = (size.x / size.y, size.y / size.x);
         let (lambda, mu) = (self.lambda, self.mu);

@@ -1,4 +1,4 @@
-//! The elastic energy of jumps that are linear in g between the nodes.
+//! Elastic energy of jumps that are linear in g between the nodes.
 
 use super::integrals::{Rules, pair_integral};
 use super::junctions::Ties;
@@ -8,11 +8,12 @@ use crate::crack::Walk;
 use crate::math::Matrix;
 use rayon::prelude::*;
 
-/// A: the energy ½ wᵀ A w of the jumps w (slip and opening, mm) at the points of `faces`, N/mm per mm, for E′ = `modulus` MPa. The ends of
-/// `elements` are nodes that follow these points by `ties`.
+/// A: the energy ½ wᵀ A w of the jumps w (slip and opening, mm) at the points of `faces`, N/mm per
+/// mm, for E′ = `modulus` MPa. The ends of `elements` are nodes that follow these points by `ties`.
 ///
-/// A_jk = E′/(8π) ∬ φ_j′ E(z, z′) φ_k′ dg dg′ with the hat functions φ: weakly singular because jumps are continuous
-/// and dislocations on the surface do nothing, so that the mouth needs no care.
+/// A_jk = E′/(8π) ∬ φ_j′ E(z, z′) φ_k′ dg dg′ with the hat functions φ: weakly singular because
+/// jumps are continuous and dislocations on the surface have no effect, so that the mouth needs no
+/// condition.
 pub(super) fn stiffness(
     walks: &[Walk],
     elements: &[FaceElement],
@@ -54,7 +55,7 @@ fn element_integral(walks: &[Walk], a: &FaceElement, b: &FaceElement, rules: &Ru
     sum.map(|e| e * slopes)
 }
 
-/// The face points that the change of the jump along `element` depends on, with their factors.
+/// The face points on which the derivative of the jump along `element` depends, with their factors.
 fn slope(element: &FaceElement, ties: &Ties) -> Vec<(usize, f64)> {
     let mut slope: Vec<(usize, f64)> = Vec::new();
     for (node, sign) in element.ends.iter().zip([-1.0, 1.0]) {
@@ -79,7 +80,8 @@ fn scatter(global: &mut Matrix, a: &[(usize, f64)], b: &[(usize, f64)], block: I
     }
 }
 
-/// Rotates x and y components to slip and opening at each face point, and symmetrises to round-off.
+/// Rotates x and y components to slip and opening at each face point, and symmetrises the round-off
+/// away.
 fn in_face_frames(global: &Matrix, faces: &FaceMesh, scale: f64) -> Matrix {
     let points = faces.points.len();
     let mut local = Matrix::zeros(2 * points, 2 * points);

@@ -13,13 +13,15 @@ use thiserror::Error;
 /// Cracks that the dislocation engine cannot resolve.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum DislocationError {
-    /// The energy of the jumps is not positive definite: elements far too coarse for the geometry.
+    /// The energy of the jumps is not positive definite: the elements are far too coarse for the
+    /// geometry.
     #[error("the cracks cannot be resolved by dislocations: {0}")]
     Unresolved(#[from] LinearError),
 }
 
-/// Cracks in the half-plane y ≤ 0 by a Galerkin method for the displacement jump: continuous, linear in √r between
-/// nodes (so that the tip behaviour is in the space), with the closed-form interaction of dislocations.
+/// Cracks in the half-plane y ≤ 0 by a Galerkin method for the displacement jump: continuous,
+/// linear in √r between nodes (so that the tip asymptotics lie in the space), with the closed-form
+/// interaction of dislocations.
 #[derive(Debug, Clone)]
 pub struct DislocationBody {
     faces: FaceMesh,
@@ -132,8 +134,8 @@ pub struct DislocationEngine {
     pub resolution: FaceResolution,
 }
 
-/// Distance that is resolved, over the length of the shortest crack: elements there follow the distance, but below this
-/// the stress between the faces says nothing about a real crack.
+/// Resolved distance, over the length of the shortest crack: elements follow the distance to a
+/// neighbour, but below this the stress between the faces is meaningless for a real crack.
 const RESOLVED: f64 = 0.005;
 
 impl BodyEngine for DislocationEngine {

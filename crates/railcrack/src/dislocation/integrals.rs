@@ -13,8 +13,9 @@ impl Rules {
         Self([gauss_legendre(2), gauss_legendre(3), gauss_legendre(4), gauss_legendre(6)])
     }
 
-    /// The rule for pieces whose distance is `ratio` times the longer one: error below about 1e-6 of the integral,
-    /// from the convergence ρ^(−2n) of Gauss quadrature with the singularity at that distance.
+    /// The rule for pieces at a distance of `ratio` times the longer one: error below about 1e-6 of
+    /// the integral, from the convergence ρ^(−2n) of Gauss quadrature with the singularity at that
+    /// distance.
     fn at(&self, ratio: f64) -> &[(f64, f64)] {
         if ratio > 8.0 {
             &self.0[0]
@@ -47,7 +48,8 @@ fn distance(a: &Piece, b: &Piece) -> f64 {
     let (p, q) = (midpoint(a), midpoint(b));
     let reach = 0.5 * ((a.ends.1 - a.ends.0).length() + (b.ends.1 - b.ends.0).length());
     let centres = (p - q).length();
-    // Far apart, the bound through the midpoints does; close by, the ends are nearer to the truth.
+    // Far apart, the bound through the midpoints suffices; close by, the distance between the ends
+    // is the sharper bound.
     if centres > 4.0 * reach { centres - reach } else { end_distance(a, b).min(image_distance(a, b)) }
 }
 
@@ -65,8 +67,8 @@ fn midpoint(a: &Piece) -> Vec2 {
     (a.ends.0 + a.ends.1) * 0.5
 }
 
-/// Halvings before a pair that touches in a corner is integrated as it is: what is left is 4^(−depth/2) of the whole
-/// times a logarithm.
+/// Halvings before a pair that touches at a corner is integrated as it is: the remaining error is
+/// 4^(−depth/2) of the whole times a logarithm.
 const DEPTH: usize = 20;
 
 fn subdivided(
@@ -127,8 +129,9 @@ fn samples<'a>(
 
 /// ∬ log|s − s′| dg dg′ on one straight segment.
 ///
-/// No tip: s − s′ = g − g′. One tip: |s − s′| = |g′ − g| |g′ + g|. Two tips: s − s′ = L sin((g + g′)/2) sin((g − g′)/2), where the
-/// logarithms of the zeros at g = g′, at g = g′ = 0 and at g = g′ = π are split off. Those are integrated exactly.
+/// No tip: s − s′ = g − g′. One tip: |s − s′| = |g′ − g| |g′ + g|. Two tips: s − s′ = L
+/// sin((g + g′)/2) sin((g − g′)/2), where the logarithms of the zeros at g = g′, at g = g′ = 0 and
+/// at g = g′ = π are split off and integrated exactly.
 fn log_integral(walk: &Walk, a: (f64, f64), b: (f64, f64), rules: &Rules) -> f64 {
     let mirrored = (-b.1, -b.0);
     match (walk.has_tip(End::First), walk.has_tip(End::Last)) {

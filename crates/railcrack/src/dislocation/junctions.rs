@@ -1,21 +1,23 @@
-//! Where cracks meet: no Burgers vector is left over.
+//! Junctions of cracks: compatibility of the jumps of their arms.
 //!
-//! With the jumps w_k of the arms that end at a junction, those walked towards it counted positive and those walked away from
-//! it negative (σ_k = ±1), the displacement is single-valued around the junction if Σ σ_k w_k = 0: only then is the energy
-//! finite. n arms have n laws of contact but n − 1 free jumps at the junction, so no set of face points at the junction itself can be dual to
-//! them. The last face point of each arm lies at the edge of a small core instead, and the jump in the core follows from
-//! these: constant up to a tenth of its radius, from there linear to p_k = w_k − σ_k (Σ σ_j w_j)/n at the junction, the nearest jumps that
-//! leave nothing over.
+//! With the jumps w_k of the arms that end at a junction, those walked towards it counted positive
+//! and those walked away from it negative (σ_k = ±1), the displacement is single-valued around the
+//! junction if Σ σ_k w_k = 0: only then is the energy finite. n arms have n contact conditions but
+//! n − 1 free jumps at the junction, so no set of face points at the junction itself can be dual to
+//! them. Instead the last face point of each arm lies at the edge of a small core, and the jump in
+//! the core follows from these: constant down to a tenth of its radius, from there linear to
+//! p_k = w_k − σ_k (Σ σ_j w_j)/n at the junction, the nearest jumps without a net Burgers vector.
 
 use crate::body::{FaceElement, FaceMesh, FaceSample, MeshPoint};
 use crate::crack::{CrackNetwork, End, Walk};
 
-/// Part of the radius of a core over which the jumps of the arms are brought together. The law of the faces at the edge of the
-/// core sees a sixth of this of the tractions of the other arms.
+/// Fraction of the radius of a core over which the jumps of the arms are made compatible. The
+/// contact conditions at the edge of the core contain a sixth of this of the tractions of the other
+/// arms.
 const INNER: f64 = 0.1;
-/// Radius of a core over the regular element there, at most.
+/// Largest radius of a core, over the regular element there.
 const CORE: f64 = 0.03;
-/// Radius of a core over the distance to the next vertex, at most.
+/// Largest radius of a core, over the distance to the next vertex.
 const VERTEX_SHARE: f64 = 0.2;
 
 /// An arm of a junction: one crack on one side of it.
@@ -25,7 +27,7 @@ pub(super) struct Arm {
     pub crack: usize,
     /// Index of the junction among the points of the crack, from 0.
     pub vertex: usize,
-    /// Whether the walk of the crack goes towards the junction.
+    /// Whether the walk of the crack goes towards the junction or away from it.
     pub way: Way,
 }
 
@@ -47,7 +49,7 @@ impl Way {
     }
 }
 
-/// A junction with the neighbourhood in which jumps follow from those at its edge.
+/// A junction with its core, in which the jumps follow from those at its edge.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Core {
     /// Arc length from the junction to the last face point of each arm, mm.
@@ -102,10 +104,11 @@ pub(super) fn cores(
     network.junction_points().iter().map(core).collect()
 }
 
-/// Nodal jumps of a mesh that knows no junctions in terms of free ones.
+/// Nodal jumps of a mesh without compatibility at junctions, in terms of the free ones.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Ties {
-    /// For each node the face points that it follows, with their factors, which act on jumps in the common frame.
+    /// For each node the face points that it follows, with their factors, which act on jumps in the
+    /// common frame.
     follows: Vec<Vec<(usize, f64)>>,
     /// For each node the face point of its own arm.
     own: Vec<usize>,
@@ -117,8 +120,8 @@ impl Ties {
         &self.follows[node]
     }
 
-    /// The ties of `cores` between the nodes of `elements`, which are the points of `faces`; and the points that are left, to
-    /// which the others hand on their tractions.
+    /// The ties of `cores` between the nodes of `elements`, which are the points of `faces`; and
+    /// the points that remain free, which take over the tractions of the others.
     pub fn new(
         cores: &[Core],
         walks: &[Walk],
@@ -158,7 +161,8 @@ impl Ties {
     }
 
     fn reduced(&self, mut points: Vec<MeshPoint>, faces: &FaceMesh) -> FaceMesh {
-        // The length of a point is that of its own arm: what arms lend each other has other directions.
+        // The length of a point is that on its own arm: the shares from other arms have other
+        // directions.
         for (&own, point) in self.own.iter().zip(&faces.points) {
             points[own].weight += point.weight;
         }
@@ -173,7 +177,7 @@ impl Ties {
                     }
                 }
             }
-            // A sample has two shares: more of them make another sample at the same place.
+            // A sample has two shares: further ones make another sample at the same place.
             for pair in shares.chunks(2) {
                 let shares = [pair[0], pair.get(1).copied().unwrap_or((0, 0.0))];
                 samples.push(FaceSample { shares, ..*sample });
@@ -183,7 +187,8 @@ impl Ties {
     }
 }
 
-/// The nodes of one arm in a core: at its edge, where the jump begins to change, and at the junction.
+/// The nodes of one arm in a core: at its edge, where the jump begins to change, and at the
+/// junction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct ArmNodes {
     edge: usize,

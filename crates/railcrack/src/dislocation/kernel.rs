@@ -2,17 +2,20 @@
 
 use crate::math::Vec2;
 
-/// The 2 × 2 interaction of unit dislocations: `[xx, xy, yx, yy]`, first index the Burgers vector at z.
+/// The 2 × 2 interaction of unit dislocations: `[xx, xy, yx, yy]`, first index the Burgers vector
+/// at z.
 pub type Interaction = [f64; 4];
 
-/// Energy of interaction of unit dislocations at `z` and `z0` (mm), in units of E′/(8π) per mm² of Burgers vectors.
+/// Energy of interaction of unit dislocations at `z` and `z0` (mm), in units of E′/(8π) per mm² of
+/// Burgers vectors.
 ///
-/// With the Kolosov–Muskhelishvili potentials φ0 = γ log(z − z0), ψ0 = γ̄ log(z − z0) − γ z̄0/(z − z0) of a
-/// dislocation (b_x + i b_y = 8π i γ/E′) and their images φ1 = −(z φ̄0′ + ψ̄0), ψ1 = −(φ̄0 + z φ1′) that free
-/// y = 0 of traction, the resultant force over a line from the surface to z is F = φ + z φ̄′ + ψ̄ = γ P + γ̄ Q,
+/// With the Kolosov–Muskhelishvili potentials φ0 = γ log(z − z0), ψ0 = γ̄ log(z − z0) − γ
+/// z̄0/(z − z0) of a dislocation (b_x + i b_y = 8π i γ/E′) and their images φ1 = −(z φ̄0′ + ψ̄0),
+/// ψ1 = −(φ̄0 + z φ1′) that make y = 0 traction-free, the resultant force over a line from the
+/// surface to z is F = φ + z φ̄′ + ψ̄ = γ P + γ̄ Q,
 /// P = log(|z−z0|²/|z−z̄0|²) − 4 y y0/(z̄−z0)²,  Q = (z−z0)/(z̄−z̄0) − (z−z0)/(z−z̄0) − 2 i y/(z̄−z0).
-/// It vanishes with z or z0 on the surface. Moving a second dislocation b′ in from the surface costs
-/// b′_x Im F − b′_y Re F. (Muskhelishvili 1953, §§ 41, 90–93.)
+/// It vanishes with z or z0 on the surface. Moving a second dislocation b′ in from the surface
+/// costs b′_x Im F − b′_y Re F. (Muskhelishvili 1953, §§ 41, 90–93.)
 #[inline]
 pub fn interaction(z: Vec2, z0: Vec2) -> Interaction {
     let (dx, dy) = (z.x - z0.x, z.y - z0.y);
@@ -29,8 +32,8 @@ pub fn interaction(z: Vec2, z0: Vec2) -> Interaction {
     pair
 }
 
-/// The share of the free surface in [`interaction`]: all but −log|z−z0|² and (z−z0)/(z̄−z̄0); smooth where z meets z0
-/// below the surface.
+/// Contribution of the free surface to [`interaction`]: all but −log|z−z0|² and (z−z0)/(z̄−z̄0);
+/// smooth at z = z0 below the surface.
 #[inline]
 pub fn image_interaction(z: Vec2, z0: Vec2) -> Interaction {
     // m = z̄ − z0.
@@ -48,8 +51,8 @@ pub fn image_interaction(z: Vec2, z0: Vec2) -> Interaction {
     [qx - px, py + qy, qy - py, -(px + qx)]
 }
 
-/// −log|z−z0|² and (z−z0)/(z̄−z̄0) when both lie on one straight line of direction `tangent`: the second is constant.
-/// Returns it as an [`Interaction`] without the logarithm.
+/// −log|z−z0|² and (z−z0)/(z̄−z̄0) when both lie on one straight line of direction `tangent`: the
+/// second is constant. Returns it as an [`Interaction`] without the logarithm.
 pub fn collinear_constant(tangent: Vec2) -> Interaction {
     let (ex, ey) = (tangent.x * tangent.x - tangent.y * tangent.y, 2.0 * tangent.x * tangent.y);
     [ex, ey, ey, -ex]

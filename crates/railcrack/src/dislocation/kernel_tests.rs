@@ -1,5 +1,5 @@
-//! The interaction is that of dislocations in a half-plane: it comes from stresses in equilibrium that leave the surface
-//! free, with the Burgers vector and no force in the core.
+//! The interaction is that of dislocations in a half-plane: it derives from stresses in equilibrium
+//! that leave the surface traction-free, with the Burgers vector and no force in the core.
 
 use super::*;
 use crate::math::Stress;
@@ -8,8 +8,8 @@ use std::f64::consts::{PI, TAU};
 const POINTS: [Vec2; 4] =
     [Vec2::new(0.3, -0.7), Vec2::new(-1.2, -0.4), Vec2::new(0.9, -2.0), Vec2::new(0.1, -0.05)];
 
-/// Gradient of the Airy function at z of the unit Burgers vector number `burgers` at z0: row x of the interaction is
-/// Φ_y, row y is −Φ_x.
+/// Gradient of the Airy function at z of the unit Burgers vector number `burgers` at z0: row x of
+/// the interaction is Φ_y, row y is −Φ_x.
 fn airy_gradient(z: Vec2, z0: Vec2, burgers: usize) -> Vec2 {
     let e = interaction(z, z0);
     Vec2::new(-e[2 + burgers], e[burgers])
@@ -22,9 +22,11 @@ struct Dislocation {
     burgers: usize,
 }
 
-/// Step of central differences over the distance from the dislocation: the error is about its square.
+/// Step of central differences over the distance from the dislocation: the error is about its
+/// square.
 const STEP: f64 = 1e-4;
-/// What that leaves of a stress, relative to 1/distance, with a margin for the higher derivatives near the surface.
+/// Resulting error of a stress, relative to 1/distance, with a margin for the higher derivatives
+/// near the surface.
 const DIFFERENCE: f64 = 1e-6;
 
 impl Dislocation {
@@ -58,8 +60,9 @@ impl Dislocation {
         stress.xx + stress.yy
     }
 
-    /// Points on a circle about the core that stays below the surface, counter-clockwise, with the outward normal and the
-    /// length each stands for. The trapezoidal rule on a circle converges exponentially.
+    /// Points on a circle about the core that stays below the surface, counter-clockwise, with the
+    /// outward normal and the weight of each. The trapezoidal rule on a circle converges
+    /// exponentially.
     fn circuit(self) -> impl Iterator<Item = (Vec2, Vec2, f64)> {
         const NUMBER: usize = 128;
         let radius = 0.5 * self.z0.y.abs();
@@ -96,8 +99,9 @@ fn the_surface_is_free_of_traction() {
     }
 }
 
-/// The mixed derivatives agree, so that the rows are one Airy function and its stress is in equilibrium; the trace is
-/// harmonic, so that the strains are compatible: its mean over a circle is its value at the centre.
+/// The mixed derivatives agree, so that the rows derive from one Airy function and its stress is in
+/// equilibrium; the trace is harmonic, so that the strains are compatible: its mean over a circle
+/// is its value at the centre.
 #[test]
 fn equilibrium_and_compatibility() {
     for dislocation in Dislocation::all() {
@@ -133,8 +137,8 @@ fn no_force_and_no_moment_in_the_core() {
 
 /// The displacement gains b around the core, counter-clockwise.
 ///
-/// By Cesàro, ∮ du = ∮ ε·ds − e_z × (z − z0) dω, with the rotation from the trace T of the stress: E′ ω_x = −T_y,
-/// E′ ω_y = T_x.
+/// By Cesàro, ∮ du = ∮ ε·ds − e_z × (z − z0) dω, with the rotation from the trace T of the stress:
+/// E′ ω_x = −T_y, E′ ω_y = T_x.
 #[test]
 fn burgers_circuit() {
     const POISSON: f64 = 0.3;
@@ -148,7 +152,7 @@ fn burgers_circuit() {
             let mean = POISSON * (stress.xx + stress.yy);
             let strain =
                 Stress { xx: stress.xx - mean, yy: stress.yy - mean, ..stress } * (1.0 / twice_shear);
-            // The trace comes from differences itself: a wider step for its own.
+            // The trace is itself computed by differences: a wider step for its derivatives.
             let h = 1e-2 * dislocation.distance(z);
             let slope = |d: Vec2| {
                 let difference = |k: f64| dislocation.trace(z + d * k) - dislocation.trace(z - d * k);

@@ -1,4 +1,4 @@
-//! The semi-analytic engine: continuous distributions of edge dislocations in a half-plane.
+//! The semi-analytical engine: continuous distributions of edge dislocations in a half-plane.
 
 mod assembly;
 mod engine;

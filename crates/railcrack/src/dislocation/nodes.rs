@@ -7,13 +7,14 @@ use crate::math::{Vec2, quantiles};
 /// How finely the faces are resolved.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct FaceResolution {
-    /// Elements along a straight crack, at least 4; mouth, kinks and close neighbours add their own.
+    /// Elements along a straight crack, at least 4; mouth, kinks and close neighbours add further
+    /// ones.
     pub elements: usize,
 }
 
 impl FaceResolution {
-    /// The default for `cracks` cracks: 48 elements each give K to 0.4 % of its peak; networks share 180, but at least 20
-    /// each, which gives 0.8 % in the network of nine.
+    /// Default for `cracks` cracks: 48 elements each give K to 0.4 % of its peak; networks share
+    /// 180, but at least 20 each, which gives 0.8 % in the network of nine.
     pub fn for_cracks(cracks: usize) -> Self {
         Self { elements: (180 / cracks.max(1)).clamp(20, 48) }
     }
@@ -36,7 +37,7 @@ fn base_density(walk: &Walk, resolution: FaceResolution) -> f64 {
     resolution.elements.max(4) as f64 / (end - start)
 }
 
-/// A place with nodes of its own, which are shorter around it.
+/// A place of a walk with nodes of its own, around which elements are shorter.
 struct Place {
     /// Arc length, mm.
     s: f64,
@@ -46,10 +47,11 @@ struct Place {
     nodes: Vec<f64>,
 }
 
-/// Nodes in g, ends included: evenly spaced in g, closer at kinks, where the jump has a corner singularity, at junctions, and
-/// where `clearance` (mm, distance at a point to the nearest other crack) is small. A kink that matters lies
-/// inside a short element, so that every node has one tangent. Where there is a core at a point of the crack
-/// (`core_at`, by the index of the point), its edge, its inner edge and the junction on each side are nodes.
+/// Nodes in g, ends included: evenly spaced in g, denser at kinks, where the jump has a corner
+/// singularity, at junctions, and where `clearance` (mm, distance of a point to the nearest other
+/// crack) is small. A kink that is not slight lies inside a short element, so that every node has
+/// one tangent. Where there is a core at a point of the crack (`core_at`, by the index of the
+/// point), its edge, its inner edge and the junction on each side are nodes.
 pub(super) fn nodes<'a>(
     walk: &Walk,
     resolution: FaceResolution,
@@ -98,7 +100,8 @@ pub(super) fn nodes<'a>(
     nodes
 }
 
-/// The element across the kink at point `i`, where elements away from it are `element` (mm) long; none at a slight kink.
+/// The element across the kink at point `i`, where elements away from it are `element` (mm) long;
+/// none at a slight kink.
 fn kink_place(walk: &Walk, i: usize, element: f64) -> Option<Place> {
     let angle = walk.turn(i);
     (angle > SMALL_KINK).then(|| {
@@ -122,18 +125,20 @@ fn core_place(walk: &Walk, g: f64, i: usize, core: &Core) -> Place {
     Place { s, element: core.radius, nodes }
 }
 
-/// Kinks below this angle (radians) are smooth for the jump: their corner exponent is within 1e-3 of one.
+/// Kinks below this angle (radians) are smooth for the jump: their corner exponent is within 1e-3
+/// of one.
 const SMALL_KINK: f64 = 0.05;
-/// The element across a kink is this over the angle (radians), times the regular element.
+/// Length of the element across a kink: this over the angle (radians), times the regular element.
 const KINK_ELEMENT: f64 = 0.03;
 /// Growth of elements away from a kink or a junction: length per distance.
 const GRADING: f64 = 0.5;
-/// Element at the mouth, over the length of the crack, at the default resolution. The edge of the wheel contact passes over the mouth, and the stress
-/// there varies over its distance from the surface; mouths without this grading cost 1 % of the peak K.
+/// Element at the mouth, over the length of the crack, at the default resolution. The edge of the
+/// wheel contact passes over the mouth, and the stress there varies over its distance from the
+/// surface; without this grading the error is 1 % of the peak K.
 const MOUTH_ELEMENT: f64 = 0.0017;
 /// Growth of elements away from the mouth: length per distance.
 const MOUTH_GRADING: f64 = 0.085;
-/// Elements are shorter than this times the distance to another crack.
+/// Largest length of an element over the distance to another crack.
 const NEIGHBOUR_SHARE: f64 = 1.0;
-/// Elements, at least, on the segment that ends at a tip, at the default resolution.
+/// Least number of elements on the segment that ends at a tip, at the default resolution.
 const TIP_ELEMENTS: f64 = 17.0;

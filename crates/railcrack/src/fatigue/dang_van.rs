@@ -2,7 +2,8 @@
 
 use crate::math::{Stress, smallest_ball};
 
-/// No crack starts where τ(t) + a p_h(t) ≤ b at all times of the stabilised cycle.
+/// The criterion of crack initiation: no crack initiates where τ(t) + a p_h(t) ≤ b at all times of
+/// the stabilised cycle.
 ///
 /// Source: Dang Van, Griveau & Message 1989, EGF Publication 3, 479–496.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,8 +28,9 @@ pub struct DangVanValue {
 }
 
 impl DangVan {
-    /// max over time of τ + a p_h on a cycle of stresses `path` (MPa, in any order, residual stress included); s* is the
-    /// centre of the smallest ball (Frobenius norm) around the deviators. None for an empty path.
+    /// max over time of τ + a p_h on a cycle of stresses `path` (MPa, in any order, residual stress
+    /// included); s* is the centre of the smallest ball (Frobenius norm) around the deviators. None
+    /// for an empty path.
     pub fn value(&self, path: &[Stress]) -> Option<DangVanValue> {
         let deviators: Vec<[f64; 3]> = path.iter().map(|stress| stress.deviator()).collect();
         let centre = smallest_ball(&deviators).centre;
@@ -44,13 +46,14 @@ impl DangVan {
             .reduce(|worst, here| if here.value > worst.value { here } else { worst })
     }
 
-    /// b less `value`, MPa: negative where a crack starts.
+    /// b less `value`, MPa: negative where a crack initiates.
     pub fn margin(&self, value: f64) -> f64 {
         self.limit - value
     }
 }
 
-/// Half the difference of the extreme principal values of a deviator in the coordinates of [`Stress::deviator`].
+/// Half the difference of the extreme principal values of a deviator in the coordinates of
+/// [`Stress::deviator`].
 fn largest_shear([difference, out, shear]: [f64; 3]) -> f64 {
     let zz = (2.0 / 3.0_f64).sqrt() * out;
     let in_plane = difference.hypot(shear) / std::f64::consts::SQRT_2;
@@ -75,7 +78,8 @@ mod tests {
         assert_eq!(worst.time, 0);
     }
 
-    /// Repeated tension 0 to S: the ball is centred at half of it, τ = S/4, p_h = S/3; so is out-of-plane tension.
+    /// Repeated tension 0 to S: the ball is centred at half of it, τ = S/4, p_h = S/3; the same for
+    /// out-of-plane tension.
     #[test]
     fn repeated_tension() {
         for path in [
@@ -88,7 +92,7 @@ mod tests {
         }
     }
 
-    /// Reversed shear ±T under a constant pressure P: τ = T, whatever shear is constant, less a P.
+    /// Reversed shear ±T under a constant pressure P: τ = T whatever the constant shear, less a P.
     #[test]
     fn reversed_shear_under_pressure() {
         let path = [-150.0, 150.0].map(|xy| Stress { xx: -90.0, yy: -90.0, zz: -90.0, xy: xy + 35.0 });
@@ -98,7 +102,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_for_no_path() {
+    fn an_empty_path_has_no_value() {
         assert_eq!(CRITERION.value(&[]), None);
     }
 }

@@ -1,18 +1,20 @@
-//! The direction of growth under a non-proportional passage.
+//! Direction of growth under a non-proportional passage.
 
 use super::hull::convex_hull;
 use super::{DirectionCriterion, KINK_ANGLES, KinkFunctions, ParisLaw};
 use crate::fracture::{Sif, SifHistory};
 
-/// The criterion of Hourlier & Pineau: the crack turns by the angle β at which the virtual kink does most over the
-/// passage, from the ranges of k1(β, t), clipped at zero (a closed kink does not open negatively), and k2(β, t).
+/// The criterion of Hourlier & Pineau: the crack kinks by the angle β that maximises the growth
+/// rate of the virtual kink over the passage, from the ranges of k1(β, t), clipped at zero (a
+/// closed kink does not open negatively), and k2(β, t).
 ///
-/// Source: Hourlier & Pineau 1982, Fatigue Eng. Mater. Struct. 5, 287–302; Trollé et al. 2014, section 4.
+/// Source: Hourlier & Pineau 1982, Fatigue Eng. Mater. Struct. 5, 287–302; Trollé et al. 2014,
+/// section 4.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HourlierPineau {
-    /// The growth law that weighs the two modes.
+    /// The growth law that weights the two modes.
     pub law: ParisLaw,
-    /// What is maximised.
+    /// The quantity that is maximised.
     pub criterion: DirectionCriterion,
 }
 
@@ -31,24 +33,26 @@ pub struct Kink {
     pub rival: Option<Rival>,
 }
 
-/// Another local maximum of the criterion, at least 15° from the chosen one. An end of the searched range is none.
+/// A secondary maximum of the criterion, at least 15° from the chosen one. An end of the searched
+/// range is none.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rival {
     /// β, radians.
     pub angle: f64,
-    /// Its value over the best one: of the growth rate (without threshold) for [`DirectionCriterion::MaxRate`], of
-    /// Δk1 or of k1 for the others.
+    /// Its value over the largest one: of the growth rate (without threshold) for
+    /// [`DirectionCriterion::MaxRate`], of Δk1 or of k1 for the others.
     pub ratio: f64,
 }
 
-/// Grid of the first search, radians: the kink functions change by 2 % over it.
+/// Step of the coarse search, radians: the kink functions change by 2 % over it.
 const GRID_STEP: f64 = std::f64::consts::PI / 180.0;
-/// A rival is at least this far from the best direction, radians.
+/// Least distance of a secondary maximum from the chosen direction, radians.
 pub(crate) const RIVAL_DISTANCE: f64 = 15.0 * std::f64::consts::PI / 180.0;
-/// Maxima whose criteria differ by less, relatively, are ties: round-off of the history must not choose between them.
+/// Maxima whose criteria differ by less, relatively, are ties: round-off of the history must not
+/// decide between them.
 const TIE: f64 = 1e-9;
-/// Angles closer than this (radians) count as equally far from straight ahead: the resolution of a maximum in double
-/// precision.
+/// Angles closer than this (radians) count as equally far from straight ahead: the resolution of a
+/// maximum in double precision.
 const SAME_ANGLE: f64 = 1e-6;
 
 #[derive(Debug, Clone, Copy)]
@@ -58,12 +62,13 @@ struct Maximum {
 }
 
 impl HourlierPineau {
-    /// The kink for one passage of `history`. None where nothing would drive a kink: no samples, all zero, never
-    /// open in any direction for a criterion on k1, or samples that are not finite.
+    /// The kink for one passage of `history`. None where nothing drives a kink: no samples, all
+    /// zero, never open in any direction for a criterion on k1, or samples that are not finite.
     ///
-    /// β is searched in [`KINK_ANGLES`] on a grid of 1°; every local maximum is refined by golden section, and an
-    /// end of the range can be chosen. Ties go to the smaller |β|, then to the positive (counter-clockwise) one; apart
-    /// from the latter, a history with K_II reversed gives exactly the opposite angle.
+    /// β is searched in [`KINK_ANGLES`] on a grid of 1°; every local maximum is refined by golden
+    /// section, and an end of the range can be chosen. Ties go to the smaller |β|, then to the
+    /// positive (counter-clockwise) one; apart from this last rule, a history with K_II reversed
+    /// gives exactly the opposite angle.
     pub fn kink(&self, history: &SifHistory) -> Option<Kink> {
         if !history.samples.iter().all(|k| k.k1.is_finite() && k.k2.is_finite()) {
             return None;
@@ -92,7 +97,8 @@ impl HourlierPineau {
         })
     }
 
-    /// The criterion at `angle`. The rate grows with ΔK_eq, which stands for it: no threshold flattens the search.
+    /// The criterion at `angle`. The rate is represented by ΔK_eq, with which it grows: no
+    /// threshold flattens the search.
     fn value(&self, extremes: &[Sif], angle: f64) -> f64 {
         let ranges = KinkRanges::of(extremes, angle);
         match self.criterion {
@@ -147,8 +153,8 @@ fn preferred(a: Maximum, b: Maximum) -> Maximum {
     if a.angle > b.angle { a } else { b }
 }
 
-/// The maximum of a function with one maximum in [from, to]. Symmetric: the mirrored function gives the mirrored
-/// angle to the last bit.
+/// The maximum of a unimodal function in [from, to]. Symmetric: the mirrored function gives the
+/// mirrored angle to the last bit.
 fn golden_section(mut from: f64, mut to: f64, value: impl Fn(f64) -> f64) -> Maximum {
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
     // 2° · 0.618^36 = 1e-9 rad: below it the top of a smooth maximum is flat in double precision.
@@ -168,16 +174,18 @@ fn golden_section(mut from: f64, mut to: f64, value: impl Fn(f64) -> f64) -> Max
     Maximum { angle, value: value(angle) }
 }
 
-/// The maximum at `rough` found more precisely where the function is smooth there: the top of the parabola through
-/// three points. Comparing values leaves an angle uncertain by the square root of round-off, about 1e-8; the parabola by
-/// about 1e-11, so that equal histories up to round-off give equal angles up to little more.
+/// The maximum at `rough`, refined where the function is smooth there: the vertex of the parabola
+/// through three points. Comparing values leaves an angle uncertain by the square root of
+/// round-off, about 1e-8; the parabola by about 1e-11, so that histories that differ by round-off
+/// give angles that differ by little more.
 fn vertex(rough: Maximum, (from, to): (f64, f64), value: impl Fn(f64) -> f64) -> Maximum {
     const SPACING: f64 = 2e-4;
     let at = |step: f64| value(rough.angle + step * SPACING);
     let curvature = |left: f64, middle: f64, right: f64| left - 2.0 * middle + right;
     let [far_left, left, middle, right, far_right] = [-2.0, -1.0, 0.0, 1.0, 2.0].map(at);
     let (near, wide) = (curvature(left, middle, right), 0.25 * curvature(far_left, middle, far_right));
-    // At a corner of the function the second difference is the jump of the slope: it halves with twice the spacing.
+    // At a corner of the function the second difference is the jump of the slope: it halves with
+    // twice the spacing.
     let smooth = near < 0.0 && (wide - near).abs() < 0.2 * near.abs();
     let angle = rough.angle + 0.5 * SPACING * (left - right) / near;
     if !smooth || (angle - rough.angle).abs() > SPACING || angle < from || angle > to {
@@ -186,7 +194,7 @@ fn vertex(rough: Maximum, (from, to): (f64, f64), value: impl Fn(f64) -> f64) ->
     Maximum { angle, value: value(angle).max(rough.value) }
 }
 
-/// Ranges of k1 and k2 at one angle over the passage. They follow from the largest and smallest value of linear
+/// Ranges of k1 and k2 at one angle over the passage. They follow from the extremes of linear
 /// functions of (K_I, K_II), so the corners of the convex hull of the samples suffice.
 #[derive(Debug, Clone, Copy)]
 struct KinkRanges {

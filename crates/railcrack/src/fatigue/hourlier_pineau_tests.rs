@@ -1,4 +1,4 @@
-//! Directions that theory knows, ties, mirrors, and the reduction to corners.
+//! Kink angles known from theory, ties, mirrored histories, and the reduction to hull corners.
 
 use super::*;
 
@@ -36,7 +36,7 @@ fn pure_mode_one_goes_straight_ahead() {
 }
 
 #[test]
-fn pulsating_mode_two_turns_to_the_side_where_it_opens() {
+fn pulsating_mode_two_kinks_to_the_side_on_which_it_opens() {
     // K_II > 0 opens at −76.6°, with k1 = 1.2316 K_II.
     for (k2, sign) in [(100.0, -1.0), (-100.0, 1.0)] {
         for criterion in [DirectionCriterion::MaxDeltaK1, DirectionCriterion::MaxK1] {
@@ -59,7 +59,8 @@ fn alternating_mode_two_is_a_tie_that_goes_to_the_positive_angle() {
 
 #[test]
 fn clipping_makes_alternating_mode_two_coplanar() {
-    // Clipped, Δk1 at ±76.6° is 1.2316 K_II, but w Δk2² straight ahead is 0.772 · (2 K_II)²: co-planar wins.
+    // Clipped, Δk1 at ±76.6° is 1.2316 K_II, but w Δk2² straight ahead is 0.772 · (2 K_II)²:
+    // co-planar growth prevails.
     let kink = with(DirectionCriterion::MaxRate).kink(&history([(0.0, 100.0), (0.0, -100.0)])).unwrap();
     assert!(kink.angle.abs() < 1e-6, "{kink:?}");
     assert!((kink.delta_k2 - 200.0).abs() < 1e-6 && kink.delta_k1 < 1e-3, "{kink:?}");
@@ -67,8 +68,8 @@ fn clipping_makes_alternating_mode_two_coplanar() {
 
 #[test]
 fn counting_negative_k1_makes_alternating_mode_two_branch() {
-    // Unclipped, Δk1 at ±76.6° is 2 · 1.2316 K_II, more than √0.772 · 2 K_II straight ahead. Without weight of mode II the kink is
-    // where k1 is largest; with it a little off.
+    // Unclipped, Δk1 at ±76.6° is 2 · 1.2316 K_II, more than √0.772 · 2 K_II straight ahead.
+    // Without the weight of mode II the kink is where k1 is largest; with it slightly off.
     let alternating = history([(0.0, 100.0), (0.0, -100.0)]);
     let rule = with(DirectionCriterion::MaxRateUnclipped);
     let mode_1 = HourlierPineau { law: ParisLaw { mode_2_weight: 0.0, ..rule.law }, ..rule };
@@ -86,7 +87,7 @@ fn chosen_angle_is_the_best_of_a_fine_scan() {
         let rule = with(criterion);
         let history = passage(2000);
         let kink = rule.kink(&history).unwrap();
-        // All samples, no hull: the reduction to corners must not change anything.
+        // All samples, no hull: the reduction to corners must not change the result.
         let value = |beta: f64| rule.value(&history.samples, beta);
         let scan = (-11000..=11000).map(|i| (0.01 * f64::from(i)).to_radians());
         let best = scan.max_by(|a, b| value(*a).total_cmp(&value(*b))).unwrap();
@@ -98,7 +99,7 @@ fn chosen_angle_is_the_best_of_a_fine_scan() {
 }
 
 #[test]
-fn rival_is_another_local_maximum() {
+fn the_secondary_maximum_is_another_local_maximum() {
     let rule = with(DirectionCriterion::MaxRate);
     // Opening under positive K_II, then reversed shear while closed.
     let samples = history([(0.0, 0.0), (60.0, 100.0), (0.0, -80.0)]).samples;
@@ -115,7 +116,7 @@ fn rival_is_another_local_maximum() {
 }
 
 #[test]
-fn end_of_the_searched_range_is_no_rival() {
+fn an_end_of_the_searched_range_is_no_secondary_maximum() {
     // The criterion still rises at an end of the range, without a maximum there.
     let rising = history([(0.0, 0.0), (60.0, 100.0), (0.0, -50.0)]);
     let rule = with(DirectionCriterion::MaxRate);
@@ -139,7 +140,7 @@ fn mirrored_history_gives_the_opposite_angle_to_the_bit() {
 }
 
 #[test]
-fn histories_without_drive_give_no_kink() {
+fn histories_without_driving_force_give_no_kink() {
     for criterion in ALL {
         assert_eq!(with(criterion).kink(&SifHistory::default()), None);
         assert_eq!(with(criterion).kink(&history([(0.0, 0.0), (0.0, 0.0)])), None);

@@ -19,13 +19,13 @@ pub struct Initiation {
     pub by_depth: Vec<DepthValue>,
     /// At the surface: the first depth.
     pub surface: DepthValue,
-    /// The largest maximum below the surface; none where the value falls all the way.
+    /// The largest maximum below the surface; none where the value decreases all the way down.
     pub subsurface: Option<DepthValue>,
 }
 
 impl Initiation {
-    /// `criterion` at depths (mm, increasing, the surface first), each with the stress path of its cycle (MPa). None without a
-    /// path.
+    /// `criterion` at depths (mm, increasing, the surface first), each with the stress path of its
+    /// cycle (MPa). None without a path.
     pub fn by_depth(
         criterion: &DangVan,
         paths: impl IntoIterator<Item = (f64, Vec<Stress>)>,
@@ -45,7 +45,7 @@ impl Initiation {
         Some(Self { surface, subsurface, by_depth })
     }
 
-    /// The larger of both maxima: where a crack starts first.
+    /// The larger of both maxima: where a crack initiates first.
     pub fn critical(&self) -> DepthValue {
         match self.subsurface {
             Some(below) if below.worst.value > self.surface.worst.value => below,

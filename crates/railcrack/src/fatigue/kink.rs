@@ -22,7 +22,8 @@ const PI4: f64 = PI2 * PI2;
 const PI5: f64 = PI4 * PI;
 const PI6: f64 = PI3 * PI3;
 
-// Coefficients of m⁰, m², … m²⁰ (F11, F22) and m, m³, … m¹⁹ (F12, F21): Amestoy & Leblond 1992, appendix.
+// Coefficients of m⁰, m², … m²⁰ (F11, F22) and m, m³, … m¹⁹ (F12, F21): Amestoy & Leblond 1992,
+// appendix.
 const F11: [f64; 11] = [
     1.0,
     -3.0 * PI2 / 8.0,
@@ -77,11 +78,12 @@ const F22: [f64; 11] = [
 impl KinkFunctions {
     /// The functions at the kink `angle` (radians, counter-clockwise positive from straight ahead).
     ///
-    /// Series in m = angle/π to m²⁰ for an infinitesimal kink. Largest error of any of the four, measured against
-    /// the kinked crack solved by conformal mapping: 1e-10 at 45°, 3e-8 at 70°, 5e-6 at 90°, 3e-4 at 110°.
+    /// Series in m = angle/π to m²⁰ for an infinitesimal kink. Largest error of any of the four,
+    /// measured against the kinked crack solved by conformal mapping: 1e-10 at 45°, 3e-8 at 70°,
+    /// 5e-6 at 90°, 3e-4 at 110°.
     ///
-    /// Source: Amestoy & Leblond 1992, Int. J. Solids Struct. 29, 465–501; Leblond 1999, Int. J. Solids
-    /// Struct. 36, 79–103.
+    /// Source: Amestoy & Leblond 1992, Int. J. Solids Struct. 29, 465–501; Leblond 1999, Int. J.
+    /// Solids Struct. 36, 79–103.
     pub fn at(angle: f64) -> Self {
         let m = angle / PI;
         let m2 = m * m;
@@ -89,7 +91,8 @@ impl KinkFunctions {
         Self { f11: series(&F11), f12: m * series(&F12), f21: m * series(&F21), f22: series(&F22) }
     }
 
-    /// k1 and k2 of the kink for the factors `sif` of the tip, in its units.
+    /// k1 and k2 of the virtual kink for the stress intensity factors `sif` of the tip, in the same
+    /// unit.
     pub fn kinked(&self, sif: Sif) -> Sif {
         Sif { k1: self.f11 * sif.k1 + self.f12 * sif.k2, k2: self.f21 * sif.k1 + self.f22 * sif.k2 }
     }

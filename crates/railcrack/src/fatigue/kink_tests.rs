@@ -45,18 +45,18 @@ impl Div for Complex {
     }
 }
 
-/// k1 − i k2 of an infinitesimal kink for K_I − i K_II = `far`, from the equation it satisfies exactly.
+/// k1 − i k2 of an infinitesimal kink for K_I − i K_II = `far`, from its exact integral equation.
 ///
-/// ω(ζ) = −(ζ+1)^(1−m) (ζ−1)^(1+m) maps the upper half-plane onto the plane cut along the negative axis and a
-/// kink at β = mπ; its knee is at ζ = ±1, its tip at ζ = −m. On the real axis ω/conj ω′ = κ R with
-/// R = (ζ²−1) / (2 (ζ+m)), κ = e^(2iβ) on the kink and 1 elsewhere. Traction-free faces,
-/// φ + κ R conj φ′ + conj ψ = const, leave for u = φ′(ζ)
+/// ω(ζ) = −(ζ+1)^(1−m) (ζ−1)^(1+m) maps the upper half-plane onto the plane cut along the negative
+/// axis and a kink at β = mπ; its corner is at ζ = ±1, its tip at ζ = −m. On the real axis ω/conj
+/// ω′ = κ R with R = (ζ²−1) / (2 (ζ+m)), κ = e^(2iβ) on the kink and 1 elsewhere. Traction-free
+/// faces, φ + κ R conj φ′ + conj ψ = const, give for u = φ′(ζ)
 ///
 /// u(ζ) = C − (κ−1)/(2πi) ∫ R(t) conj u(t̄) / (t−ζ)² dt,  C = −i (K_I − i K_II)/√(2π),
 ///
-/// with t on any path from −1 to 1 below the tip: here the lower half of the unit circle, with ζ on the upper
-/// half. Then k1 − i k2 = i √(2π) u(−m) e^(−iβ) / B, B² = (1−m)^(−m) (1+m)^m.
-/// `steps` points each way, condensed exponentially at both ends, integrate by the trapezoidal rule.
+/// with t on any path from −1 to 1 below the tip: here the lower half of the unit circle, with ζ on
+/// the upper half. Then k1 − i k2 = i √(2π) u(−m) e^(−iβ) / B, B² = (1−m)^(−m) (1+m)^m. `steps`
+/// points each way, condensed exponentially at both ends, integrate by the trapezoidal rule.
 fn mapped_kink(beta: f64, far: Complex, steps: i32) -> Complex {
     let m = beta / PI;
     let jump = c((2.0 * beta).cos() - 1.0, (2.0 * beta).sin()) / c(0.0, 2.0 * PI);
@@ -102,7 +102,8 @@ fn mapped_kink(beta: f64, far: Complex, steps: i32) -> Complex {
     c(0.0, (2.0 * PI).sqrt() / b) * at_tip * c(beta.cos(), -beta.sin())
 }
 
-/// Gaussian elimination with row pivoting of n rows with n + 1 columns, the last the right-hand side.
+/// Gaussian elimination with row pivoting of n rows with n + 1 columns, the last the right-hand
+/// side.
 fn solved(mut a: Vec<Vec<f64>>) -> Vec<f64> {
     let n = a.len();
     for k in 0..n {
@@ -136,7 +137,8 @@ fn largest_difference(a: KinkFunctions, b: KinkFunctions) -> f64 {
 
 #[test]
 fn series_equals_the_mapped_kink() {
-    // (degrees, tolerance): twice the measured error of the series, which its last printed digits set.
+    // (degrees, tolerance): twice the measured error of the series, which is set by the last
+    // printed digits.
     let cases = [
         (15.0, 1e-12),
         (-15.0, 1e-12),
@@ -151,7 +153,7 @@ fn series_equals_the_mapped_kink() {
         let exact = mapped_functions(angle, 100);
         let error = largest_difference(KinkFunctions::at(angle), exact);
         assert!(error < tolerance, "{degrees} degrees: {error:e}");
-        // The reference itself, against a coarser rule: a hundredth of the tolerance at most.
+        // The reference itself against a coarser rule: at most a hundredth of the tolerance.
         let reference = largest_difference(exact, mapped_functions(angle, 70));
         assert!(reference < 0.01 * tolerance, "{degrees} degrees: reference moves by {reference:e}");
     }
@@ -170,7 +172,8 @@ fn small_kinks_mirrored_kinks_and_no_kink() {
     assert_eq!(KinkFunctions::at(0.0), KinkFunctions { f11: 1.0, f12: 0.0, f21: 0.0, f22: 1.0 });
     let small = 1e-4;
     let f = KinkFunctions::at(small);
-    // First order (Cotterell & Rice 1980): k1 = K_I − 3/2 β K_II, k2 = K_II + 1/2 β K_I; the rest is of order β².
+    // First order (Cotterell & Rice 1980): k1 = K_I − 3/2 β K_II, k2 = K_II + 1/2 β K_I; the
+    // remainder is of order β².
     const SECOND_ORDER: f64 = 1e-7;
     assert!((f.f12 + 1.5 * small).abs() < SECOND_ORDER && (f.f21 - 0.5 * small).abs() < SECOND_ORDER);
     for degrees in [3.0, 40.0, 110.0_f64] {

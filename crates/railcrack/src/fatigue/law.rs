@@ -1,4 +1,4 @@
-//! The growth law.
+//! Paris' law and the criteria of direction.
 
 use crate::math::MPA_SQRT_MM;
 use std::ops::RangeInclusive;
@@ -20,27 +20,28 @@ impl ParisLaw {
     /// Rail steel as in Trollé et al. 2014, eqs 30 and 31, read in mm per cycle.
     pub const RAIL_STEEL: Self = Self { c: 2e-9, m: 3.33, mode_2_weight: 0.772, threshold: 0.0 };
 
-    /// ΔK_eq = √(ΔK_I² + w ΔK_II²) of the ranges `delta_ki` and `delta_kii`, in their unit (eq. 31).
+    /// ΔK_eq = √(ΔK_I² + w ΔK_II²) of the ranges `delta_ki` and `delta_kii`, in their unit
+    /// (eq. 31).
     pub fn equivalent_range(&self, delta_ki: f64, delta_kii: f64) -> f64 {
         (delta_ki * delta_ki + self.mode_2_weight * delta_kii * delta_kii).sqrt()
     }
 
-    /// da/dN in mm per cycle for the ranges `delta_ki` and `delta_kii` in MPa √mm (eq. 30); zero at or below the
-    /// threshold.
+    /// da/dN in mm per cycle for the ranges `delta_ki` and `delta_kii` in MPa √mm (eq. 30); zero at
+    /// or below the threshold.
     pub fn rate(&self, delta_ki: f64, delta_kii: f64) -> f64 {
         let range = self.equivalent_range(delta_ki, delta_kii) / MPA_SQRT_MM;
         if range > self.threshold { self.c * range.powf(self.m) } else { 0.0 }
     }
 }
 
-/// What the direction of growth maximises over the kink angle.
+/// The quantity that the direction of growth maximises over the kink angle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum DirectionCriterion {
     /// The growth rate of the virtual kink, from the ranges of k1 and k2 (Hourlier & Pineau).
     #[default]
     MaxRate,
-    /// The same with negative k1 counted as if a closed kink opened negatively: for comparison, since it is not said in
-    /// every description of the criterion that k1 is clipped.
+    /// The same with negative k1 counted as if a closed kink opened negatively: for comparison,
+    /// since not every description of the criterion says that k1 is clipped.
     MaxRateUnclipped,
     /// The range of k1.
     MaxDeltaK1,
@@ -48,7 +49,7 @@ pub enum DirectionCriterion {
     MaxK1,
 }
 
-/// Kink angles that are searched, radians: the kink functions hold to about ±110°.
+/// Range of kink angles that is searched, radians: the kink functions are accurate to about ±110°.
 pub const KINK_ANGLES: RangeInclusive<f64> =
     -110.0 * std::f64::consts::PI / 180.0..=110.0 * std::f64::consts::PI / 180.0;
 

@@ -1,4 +1,5 @@
-//! Criteria on histories: where a crack starts, and rate and direction of growth under non-proportional mixed mode.
+//! Fatigue criteria on histories: crack initiation, and rate and direction of growth under
+//! non-proportional mixed mode.
 
 mod dang_van;
 mod hourlier_pineau;

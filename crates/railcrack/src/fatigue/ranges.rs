@@ -2,7 +2,7 @@
 
 use crate::fracture::SifHistory;
 
-/// What one passage does to the actual tip, MPa √mm.
+/// SIF ranges of the actual tip over one passage, MPa √mm.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct SifRanges {
     /// Largest K_I.

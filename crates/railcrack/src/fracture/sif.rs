@@ -2,7 +2,8 @@
 
 use std::ops::{Add, Mul};
 
-/// Stress intensity factors of a tip, MPa √mm. K_II > 0 means τ12 > 0 ahead of the tip: the + face moves along +x1.
+/// Stress intensity factors of a tip, MPa √mm. K_II > 0 means τ12 > 0 ahead of the tip: the + face
+/// moves along +x1.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Sif {
     /// K_I.
@@ -25,8 +26,8 @@ impl Mul<f64> for Sif {
     }
 }
 
-/// The stress intensity factors of one tip through a passage: all accepted substeps in order, both unloaded ends
-/// included.
+/// The stress intensity factors of one tip through a passage: all accepted substeps in order, both
+/// unloaded ends included.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct SifHistory {
     /// The samples in the order of events.

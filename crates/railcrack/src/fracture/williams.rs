@@ -1,11 +1,12 @@
-//! Williams' fields around a tip with traction-free straight faces.
+//! Williams' asymptotic fields at a tip with straight, traction-free crack faces.
 
 use super::Sif;
 use crate::material::IsotropicElastic;
 use crate::math::{Stress, Vec2};
 use num_complex::Complex64;
 
-/// A displacement with its gradient and stress, components in the tip frame (x1 ahead, x2 to its left).
+/// A displacement with its gradient and stress, components in the tip frame (x1 ahead, x2 to its
+/// left).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TipField {
     /// Displacement u, mm.
@@ -18,7 +19,7 @@ pub struct TipField {
     pub stress: Stress,
 }
 
-/// The fields φ = A z^λ, ψ = (Ā − λ A) z^λ with λ = ±1/2 of Kolosov's potentials, both traction-free on θ = ±π:
+/// Kolosov's potentials φ = A z^λ, ψ = (Ā − λ A) z^λ with λ = ±1/2, both traction-free on θ = ±π:
 ///
 /// 2 G (u1 + i u2) = κ φ − z conj φ′ − conj ψ
 #[derive(Debug, Clone, Copy)]
@@ -30,7 +31,7 @@ pub struct WilliamsField {
     kolosov: f64,
 }
 
-/// z, z^λ and the first two derivatives of it at a point z = r e^{iθ}.
+/// z, z^λ and its first two derivatives at a point z = r e^{iθ}.
 #[derive(Debug, Clone, Copy)]
 pub struct TipPowers {
     z: Complex64,
@@ -40,16 +41,18 @@ pub struct TipPowers {
 }
 
 impl WilliamsField {
-    /// The field of a tip with the stress intensity factors `k` (MPa √mm): λ = 1/2, A = (K_I − i K_II)/√(2π)
-    /// (Williams 1957, in the form of Muskhelishvili's potentials).
+    /// The field of a tip with the stress intensity factors `k` (MPa √mm): λ = 1/2, A = (K_I − i
+    /// K_II)/√(2π) (Williams 1957, in the form of Muskhelishvili's potentials).
     pub fn of(k: Sif, steel: &IsotropicElastic) -> Self {
         Self::new(0.5, Complex64::new(k.k1, -k.k2) / std::f64::consts::TAU.sqrt(), steel)
     }
 
-    /// −∂/∂x1 of [`WilliamsField::of`], its change as the tip advances: λ = −1/2, displacements like r^(−1/2).
+    /// −∂/∂x1 of [`WilliamsField::of`], its change as the tip advances: λ = −1/2, displacements
+    /// like r^(−1/2).
     ///
-    /// It is the dual field of the stress intensity factors: with u a field of K around the tip, the integral over a small
-    /// circle ∮ (t(u)·v − t(v)·u) ds = (2/E′) (K_I k_I + K_II k_II) (Betti; equal to the interaction integral).
+    /// It is the dual field of the stress intensity factors: with u a field of K around the tip,
+    /// the integral over a small circle ∮ (t(u)·v − t(v)·u) ds = (2/E′) (K_I k_I + K_II k_II)
+    /// (Betti; equal to the interaction integral).
     pub fn dual(k: Sif, steel: &IsotropicElastic) -> Self {
         Self::new(-0.5, Complex64::new(-k.k1, k.k2) * 0.5 / std::f64::consts::TAU.sqrt(), steel)
     }
@@ -64,13 +67,14 @@ impl WilliamsField {
         }
     }
 
-    /// The field at distance `r` (mm, positive) and angle `theta` (radians from x1). The angle may leave (−π, π]: the field
-    /// is continued, so that the jump can follow a crack that is kinked behind the tip.
+    /// The field at the distance `r` (mm, positive) and the angle `theta` (radians from x1). The
+    /// angle may leave (−π, π]: the field is continued, so that the jump can follow a crack that
+    /// kinks behind the tip.
     pub fn at(&self, r: f64, theta: f64, poisson: f64) -> TipField {
         self.of_powers(&self.powers(r, theta), poisson)
     }
 
-    /// What all fields of this one's λ have in common at a point, as for [`WilliamsField::at`].
+    /// The powers of z that all fields with this λ share at a point, as for [`WilliamsField::at`].
     pub fn powers(&self, r: f64, theta: f64) -> TipPowers {
         let l = self.exponent;
         let z = Complex64::from_polar(r, theta);
@@ -165,7 +169,7 @@ mod tests {
 
     /// Betti on circles of two radii.
     #[test]
-    fn the_dual_field_measures_the_intensity_factors() {
+    fn the_dual_field_extracts_the_intensity_factors() {
         const POINTS: usize = 2000;
         for r in [0.2, 1.7] {
             for (k, wanted) in MODES.into_iter().zip([[1.0, 0.0], [0.0, 1.0]]) {

@@ -1,11 +1,12 @@
-//! A triangular factorisation to which unknowns are added one by one.
+//! Triangular factorisation of a matrix that grows by bordering.
 
 use super::LinearError;
 use crate::math::inlined::{axpy, dot};
 use pulp::{Arch, Simd, WithSimd};
 
-/// The triangular factors of a square matrix of some unknowns, without exchange of rows: a further unknown costs as much as a solution, and the last ones
-/// are taken away for nothing. For matrices whose leading blocks are well conditioned.
+/// The triangular factors of a square matrix of some unknowns, without row interchanges: bordering
+/// by a further unknown costs as much as a solution, and the last unknowns are removed at no cost.
+/// For matrices whose leading blocks are well conditioned.
 #[derive(Debug, Clone, Default)]
 pub struct BorderedFactor {
     lower: Triangle,
@@ -14,7 +15,8 @@ pub struct BorderedFactor {
     pivots: Vec<f64>,
 }
 
-/// What is beside a diagonal: rows of L left of it, or columns of U above it, one after the other.
+/// The off-diagonal lines: rows of L left of the diagonal, or columns of U above it, one after the
+/// other.
 #[derive(Debug, Clone, Default)]
 struct Triangle {
     entries: Vec<f64>,
@@ -49,9 +51,11 @@ impl BorderedFactor {
         }
     }
 
-    /// Adds an unknown: its `row` of the matrix as far as the former unknowns, its `column`, and its `diagonal` entry.
+    /// Adds an unknown: its `row` of the matrix up to the previous unknowns, its `column`, and its
+    /// `diagonal` entry.
     ///
-    /// Errors, which leave the factor as it was: another length; a pivot below 1e-10 of the largest of the new entries.
+    /// Errors, which leave the factor as it was: another length; a pivot below 1e-10 of the largest
+    /// of the new entries.
     pub fn push(&mut self, row: &[f64], column: &[f64], diagonal: f64) -> Result<(), LinearError> {
         let order = self.order();
         for (quantity, given) in [
@@ -87,7 +91,7 @@ impl BorderedFactor {
     }
 }
 
-/// Makes the lines beyond the last pivot, of the matrix, those of its factors; their product.
+/// Replaces the lines of the matrix beyond the last pivot by those of its factors; their product.
 struct Border<'a>(&'a mut BorderedFactor);
 
 impl WithSimd for Border<'_> {

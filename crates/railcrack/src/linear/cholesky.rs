@@ -6,33 +6,38 @@ use super::structure::Structure;
 use super::{ElementSum, LinearError};
 use std::sync::Arc;
 
-/// The structure of the factor P K Pᵀ = L Lᵀ of all matrices whose elements couple the same unknowns, with the unknowns in a given order.
+/// The structure of the factor P K Pᵀ = L Lᵀ of all matrices whose elements couple the same
+/// unknowns, with the unknowns in a given order.
 #[derive(Debug)]
 pub struct SparseCholesky {
     structure: Arc<Structure>,
 }
 
 impl SparseCholesky {
-    /// Analyses `matrix` for the elimination order `order`: every unknown once. A good order decides the size of the
-    /// factor ([`crate::mesh::QuadMesh::nested_dissection`]).
+    /// Analyses `matrix` for the elimination order `order`, which contains every unknown once. The
+    /// order decides the size of the factor ([`crate::mesh::QuadMesh::nested_dissection`]).
     ///
-    /// Errors: an order that is not one of the unknowns; an element with an unknown that is not there.
+    /// Errors: an order that is not one of the unknowns; an element with an unknown that is not
+    /// there.
     pub fn analyse(matrix: &impl ElementSum, order: Vec<usize>) -> Result<Self, LinearError> {
         Ok(Self { structure: Arc::new(Structure::new(matrix, order)?) })
     }
 
-    /// Factors `matrix`, whose elements must couple no other unknowns than those analysed, front by front: branches of the elimination tree in
-    /// parallel, and towards its root the blocks of a front. The bits do not depend on the number of threads.
+    /// Factors `matrix`, whose elements must couple no other unknowns than those analysed, front by
+    /// front: branches of the elimination tree in parallel, and towards its root the blocks of a
+    /// front. The bits do not depend on the number of threads.
     ///
-    /// Errors: another number of unknowns, or entries outside of the structure; an element whose matrix has another size than its unknowns; a
-    /// matrix that is not positive definite (the unknown is named).
+    /// Errors: another number of unknowns, or entries outside of the structure; an element whose
+    /// matrix does not have the size of its unknowns; a matrix that is not positive definite (the
+    /// unknown is named).
     pub fn factor(&self, matrix: &impl ElementSum) -> Result<SparseFactor, LinearError> {
         let tiles = eliminated(&self.structure, matrix)?;
         Ok(SparseFactor { structure: Arc::clone(&self.structure), tiles })
     }
 }
 
-/// A Cholesky factor P K Pᵀ = L Lᵀ. Columns of L with the same rows below them form supernodes, dense blocks.
+/// A Cholesky factor P K Pᵀ = L Lᵀ. Columns of L with the same rows below them form supernodes,
+/// which are dense blocks.
 #[derive(Debug, Clone)]
 pub struct SparseFactor {
     pub(super) structure: Arc<Structure>,
@@ -40,8 +45,9 @@ pub struct SparseFactor {
     tiles: Vec<Tile>,
 }
 
-/// [`ROWS`] entries of a column. The tiles of a supernode stand column by column: first the blocks of the triangle, block b with the columns up to
-/// its own, then the blocks below. Rows that pad the last block are zero; on the diagonal stands 1 / L_ii.
+/// [`ROWS`] entries of a column. The tiles of a supernode are stored column by column: first the
+/// blocks of the triangle, block b with the columns up to its own, then the blocks below. Rows that
+/// pad the last block are zero; the diagonal contains 1 / L_ii.
 pub(super) type Tile = [f64; ROWS];
 
 impl SparseFactor {
@@ -56,7 +62,7 @@ impl SparseFactor {
         self.structure.unknowns()
     }
 
-    /// Entries of L, the zeros included that make supernodes dense.
+    /// Entries of L, including the zeros that make supernodes dense.
     pub fn entries(&self) -> usize {
         self.structure.supernodes.iter().map(|s| s.entries()).sum()
     }

@@ -9,13 +9,14 @@ use faer::prelude::{Reborrow, ReborrowMut};
 use faer::{Accum, Mat, MatMut, MatRef, Par, Spec};
 use rayon::prelude::*;
 
-/// Columns that are eliminated together, and rows of the rest that are updated together by one thread: their sums do not depend on who does
-/// them.
+/// Columns that are eliminated together, and rows of the remainder that one thread updates
+/// together: their sums do not depend on the thread.
 const BLOCK: usize = 192;
 /// Rows of a product that one thread computes.
 const STRIP: usize = 32;
 
-/// Makes the lower triangle of a symmetric matrix that of its Cholesky factor, on this thread. Where a pivot is not positive, its place is the error.
+/// Replaces the lower triangle of a symmetric matrix by that of its Cholesky factor, on this
+/// thread. The error is the place of a pivot that is not positive.
 pub(super) fn factor_in_place(matrix: MatMut<'_, f64>) -> Result<(), usize> {
     let scratch = llt::factor::cholesky_in_place_scratch::<f64>(matrix.nrows(), Par::Seq, Spec::default());
     let mut buffer = MemBuffer::new(scratch);
@@ -25,9 +26,10 @@ pub(super) fn factor_in_place(matrix: MatMut<'_, f64>) -> Result<(), usize> {
         .map_err(|llt::factor::LltError::NonPositivePivot { index }| index)
 }
 
-/// Eliminates the first `columns` unknowns of a symmetric matrix (order × order), of which row j holds column j from the diagonal on: its first rows
-/// become columns of L, what remains of the others stands in their place. The bits do not depend on the number of threads. Where a pivot is not positive,
-/// its place is the error.
+/// Eliminates the first `columns` unknowns of a symmetric matrix (order × order), of which row j
+/// holds column j from the diagonal on: its first rows become columns of L, the others their Schur
+/// complement. The bits do not depend on the number of threads. The error is the place of a pivot
+/// that is not positive.
 pub(super) fn eliminate(matrix: &mut [f64], order: usize, columns: usize) -> Result<(), usize> {
     // Symmetric: rows are columns.
     let mut matrix = MatMut::from_column_major_slice_mut(matrix, order, order);
@@ -54,8 +56,8 @@ pub(super) fn eliminate(matrix: &mut [f64], order: usize, columns: usize) -> Res
     Ok(())
 }
 
-/// The scalar products R Rᵀ of the rows of R with each other, exactly symmetric. Where rows with leading zeros stand beside each other, these are
-/// skipped.
+/// The scalar products R Rᵀ of the rows of R with each other, exactly symmetric. The leading zeros
+/// that neighbouring rows share are skipped.
 pub fn products_of_rows(rows: &Matrix) -> Matrix {
     let (count, length) = (rows.rows(), rows.columns());
     let all = MatRef::from_row_major_slice(rows.entries(), count, length);
@@ -123,13 +125,14 @@ pub fn add_product(factor: f64, a: &Matrix, b: &Matrix, sum: &mut Matrix) -> Res
     Ok(())
 }
 
-/// The triangular factors of a square matrix of a few unknowns, by Gaussian elimination with partial pivoting. Below some dozens of unknowns a
-/// call of the blocked factorisation costs more than this.
+/// The triangular factors of a square matrix of a few unknowns, by Gaussian elimination with
+/// partial pivoting. Below some dozens of unknowns a call of the blocked factorisation costs more
+/// than this.
 #[derive(Debug, Clone)]
 pub struct SmallFactor {
     /// U on and above the diagonal, L below, whose diagonal is one.
     entries: Matrix,
-    /// The row with which row k was exchanged before its elimination.
+    /// The row with which row k was interchanged before its elimination.
     exchanges: Vec<usize>,
 }
 
@@ -325,7 +328,7 @@ mod tests {
     #[test]
     fn small_systems_by_residual() {
         for order in [0, 1, 2, 7, 30] {
-            // Nothing on the diagonal: without exchanges of rows the first pivot is zero.
+            // A zero diagonal: without row interchanges the first pivot is zero.
             let entry =
                 |i: usize, j: usize| if i == j { 0.0 } else { ((5 * i * i + 3 * j) % 11) as f64 - 4.0 };
             let large = |i: usize, j: usize| 40.0 * f64::from(i == (j + 1) % order);
@@ -378,7 +381,7 @@ mod tests {
     }
 
     #[test]
-    fn refuses_what_has_no_inverse() {
+    fn refuses_singular_matrices() {
         let indefinite = Matrix::from_fn(2, 2, |i, j| if i == j { 1.0 } else { 2.0 });
         assert_eq!(spd_inverse(&indefinite), Err(LinearError::NotPositiveDefinite { order: 2, pivot: 1 }));
         for order in [3, SMALL + 1] {

@@ -1,10 +1,10 @@
-//! Sparse symmetric matrices, as sums of the matrices of elements.
+//! Sparse symmetric matrices as sums of element matrices.
 
 use super::LinearError;
 use crate::math::Matrix;
 
-/// A sparse symmetric matrix that is a sum of small dense ones, as a stiffness is that of its elements. It is never put together: elements go into
-/// the fronts of a factor one by one.
+/// A sparse symmetric matrix that is a sum of small dense ones, like a stiffness matrix. It is
+/// never assembled: elements are added to the fronts of a factor one by one.
 pub trait ElementSum: Sync {
     /// Number of unknowns.
     fn order(&self) -> usize;
@@ -12,14 +12,16 @@ pub trait ElementSum: Sync {
     /// Number of elements.
     fn count(&self) -> usize;
 
-    /// The unknowns of an element, from 0, each at most once; `None` is one that is held: it has no row and no column.
+    /// The unknowns of an element, from 0, each at most once; `None` is a held one, without row and
+    /// column.
     fn unknowns(&self, element: usize) -> Vec<Option<usize>>;
 
     /// The matrix of an element, n × n with its n unknowns. Only the lower triangle is read.
     fn matrix(&self, element: usize) -> Matrix;
 }
 
-/// The places of the entries of a sparse symmetric matrix: the lower triangle, column by column, the diagonal always among them.
+/// The sparsity pattern of a symmetric matrix: the lower triangle, column by column, the diagonal
+/// always included.
 #[derive(Debug)]
 pub(super) struct Pattern {
     /// Column j has its rows at `starts[j]..starts[j + 1]`.
@@ -31,7 +33,7 @@ pub(super) struct Pattern {
 impl Pattern {
     /// The pattern of `matrix`.
     ///
-    /// Errors: an unknown that is not there; too many entries for their indices.
+    /// Errors: an unknown that does not exist; too many entries for their indices.
     pub(super) fn new(matrix: &impl ElementSum) -> Result<Self, LinearError> {
         let order = matrix.order();
         let too_large = |_| LinearError::TooLarge { order };

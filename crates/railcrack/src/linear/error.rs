@@ -1,4 +1,4 @@
-//! What can be wrong with a matrix.
+//! Errors of factorisations and solutions.
 
 use thiserror::Error;
 
@@ -10,7 +10,8 @@ pub enum LinearError {
     NotPositiveDefinite {
         /// Order of the matrix.
         order: usize,
-        /// Index of the pivot, from 0: of a sparse matrix the unknown, whatever the order of elimination.
+        /// Index of the pivot, from 0: the unknown of a sparse matrix, whatever the order of
+        /// elimination.
         pivot: usize,
     },
     /// A matrix without inverse.
@@ -22,7 +23,7 @@ pub enum LinearError {
     /// An unknown that is not there.
     #[error("unknown {unknown}: there are {order}, numbered from 0")]
     NoSuchUnknown {
-        /// What was given.
+        /// The given value.
         unknown: usize,
         /// Order of the matrix.
         order: usize,
@@ -38,7 +39,7 @@ pub enum LinearError {
     /// Not as many numbers as unknowns.
     #[error("{quantity}: {given} given, {expected} expected")]
     WrongLength {
-        /// What was counted.
+        /// The quantity that was counted.
         quantity: &'static str,
         /// How many there were.
         given: usize,

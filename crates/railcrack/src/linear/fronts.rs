@@ -1,6 +1,7 @@
-//! The numbers of a sparse Cholesky factor, from the leaves of the elimination tree to its root: the multifrontal method (Duff and Reid 1983; Liu
-//! 1992). The front of a supernode is the dense matrix of its columns and the rows below them; what its elimination leaves of it is added to
-//! the front of its parent.
+//! The multifrontal factorisation, from the leaves of the elimination tree to its root (Duff and
+//! Reid 1983; Liu 1992). The front of a supernode is the dense matrix of its columns and the rows
+//! below them; the Schur complement that its elimination leaves is added to the front of its
+//! parent.
 
 use super::cholesky::Tile;
 use super::dense::eliminate;
@@ -11,13 +12,13 @@ use crate::math::axpy;
 use rayon::prelude::*;
 use std::collections::HashMap;
 
-/// A branch of the tree that one thread eliminates has at most this share of all operations.
+/// Largest share of all operations in a branch of the tree that one thread eliminates.
 const BRANCH_SHARE: f64 = 1.0 / 24.0;
 
 /// L in tiles, supernode by supernode.
 ///
-/// Errors: another number of unknowns; an element that does not fit its unknowns or the structure; a matrix that is not positive definite (the
-/// unknown is named).
+/// Errors: another number of unknowns; an element that does not fit its unknowns or the structure;
+/// a matrix that is not positive definite (the unknown is named).
 pub(super) fn eliminated(structure: &Structure, matrix: &impl ElementSum) -> Result<Vec<Tile>, LinearError> {
     let elements = ElementsBySupernode::new(structure, matrix)?;
     let fronts = Fronts { structure, matrix, elements, children: children(structure) };
@@ -38,10 +39,10 @@ pub(super) fn eliminated(structure: &Structure, matrix: &impl ElementSum) -> Res
     }
 }
 
-/// A supernode, and where its tiles go.
+/// A supernode, and the storage of its tiles.
 type Place<'a> = (usize, &'a mut [Tile]);
 
-/// The places that are still to be given away.
+/// The storage that is still to be handed out.
 struct Places<'a>(Vec<Option<&'a mut [Tile]>>);
 
 impl<'a> Places<'a> {
@@ -54,19 +55,20 @@ impl<'a> Places<'a> {
         Self(structure.supernodes.iter().map(place).collect())
     }
 
-    /// Those of `supernodes`, each of which is given away once.
+    /// The storage of `supernodes`, each of which is handed out once.
     fn take(&mut self, supernodes: &[usize]) -> Vec<Place<'a>> {
         supernodes.iter().map(|&s| (s, self.0[s].take().unwrap_or_default())).collect()
     }
 }
 
-/// Why elimination ended at a place.
+/// The reason why elimination ended at a place.
 struct Failure {
     place: usize,
     reason: LinearError,
 }
 
-/// Branches that are eliminated independently of each other, and the trunk that they grow from; supernodes in elimination order.
+/// Branches that are eliminated independently of each other, and the trunk on which they grow;
+/// supernodes in elimination order.
 fn branches(structure: &Structure) -> (Vec<Vec<usize>>, Vec<usize>) {
     let count = structure.supernodes.len();
     let mut work: Vec<f64> = structure
@@ -111,7 +113,8 @@ fn children(structure: &Structure) -> Vec<Vec<usize>> {
     children
 }
 
-/// The elements that begin in the front of each supernode: where the first of their unknowns is eliminated.
+/// The elements that begin in the front of each supernode: where the first of their unknowns is
+/// eliminated.
 struct ElementsBySupernode {
     /// Supernode s has its elements at `starts[s]..starts[s + 1]`.
     starts: Vec<usize>,
@@ -154,7 +157,8 @@ impl ElementsBySupernode {
     }
 }
 
-/// What is left of the fronts of some supernodes, where their parents wait for it: the lower triangle, column by column.
+/// Schur complements of the fronts of some supernodes that their parents have not yet assembled:
+/// the lower triangle, column by column.
 type Remainders = HashMap<usize, Vec<f64>>;
 
 struct Fronts<'a, M> {
@@ -165,7 +169,8 @@ struct Fronts<'a, M> {
 }
 
 impl<M: ElementSum> Fronts<'_, M> {
-    /// Eliminates supernodes, given what those before have left, by supernode; with what all of these have left for others.
+    /// Eliminates supernodes, given the Schur complements of previous ones, by supernode; returns
+    /// those that remain for others.
     fn branch(&self, places: Vec<Place>, mut left: Remainders) -> (Option<Failure>, Remainders) {
         let mut front = Vec::new();
         for (s, place) in places {
@@ -219,7 +224,7 @@ impl<M: ElementSum> Fronts<'_, M> {
         Ok(())
     }
 
-    /// Where an unknown stands in the front of a supernode.
+    /// The position of an unknown in the front of a supernode.
     fn place_of(&self, node: &Supernode, unknown: usize) -> Result<usize, LinearError> {
         let below = self.structure.rows_below(node);
         let place = self.structure.place_of(unknown)?;
@@ -230,7 +235,7 @@ impl<M: ElementSum> Fronts<'_, M> {
         if there { Ok(at) } else { Err(outside) }
     }
 
-    /// Adds what the children of a supernode have left to its front.
+    /// Adds the Schur complements of the children of a supernode to its front.
     fn add_remainders(&self, s: usize, left: &mut Remainders, front: &mut [f64]) {
         let node = &self.structure.supernodes[s];
         let below = self.structure.rows_below(node);
@@ -252,13 +257,14 @@ impl<M: ElementSum> Fronts<'_, M> {
 /// Adds values to a column, at increasing places.
 fn add_at(at: &[usize], values: &[f64], column: &mut [f64]) {
     match at {
-        // Side by side, as most are.
+        // Contiguous, as most are.
         &[first, .., last] if last - first == at.len() - 1 => axpy(1.0, values, &mut column[first..=last]),
         _ => at.iter().zip(values).for_each(|(&i, value)| column[i] += value),
     }
 }
 
-/// Where a row, a place in the elimination order, stands in the front of a supernode with the rows `below` it.
+/// The position of a row, a place in the elimination order, in the front of a supernode with the
+/// rows `below` it.
 fn place_in(node: &Supernode, below: &[u32], row: usize) -> usize {
     if row < node.start + node.columns {
         row - node.start
@@ -267,7 +273,7 @@ fn place_in(node: &Supernode, below: &[u32], row: usize) -> usize {
     }
 }
 
-/// What a front is after the elimination of its first columns.
+/// The Schur complement in a front after the elimination of its first columns.
 fn remainder(front: &[f64], size: usize, columns: usize) -> Vec<f64> {
     let below = size - columns;
     let mut remainder = Vec::with_capacity(below * (below + 1) / 2);

@@ -1,4 +1,4 @@
-//! Scalar products of half-solved columns.
+//! Gram matrices: scalar products of half-solved columns.
 
 use super::lanes::{LANES, Row, add_outer};
 use super::reach::ReachedPanel;
@@ -6,16 +6,19 @@ use pulp::{Arch, Simd, WithSimd};
 use rayon::prelude::*;
 use std::sync::Arc;
 
-/// Panels whose products with all others one thread computes together: enough to fetch the others seldom, few enough to keep all threads busy.
+/// Panels whose products with all others one thread computes together: enough to load the others
+/// seldom, few enough to keep all threads busy.
 const STRIP: usize = 3;
 /// Rows of panels that are multiplied at once: those of two panels fit into the fastest cache.
 const DEPTH: usize = 96;
 
-/// The products of the columns of one panel with those of another: row r holds those of its column r.
+/// The products of the columns of one panel with those of another: row r holds those of its column
+/// r.
 type Block = [Row; LANES];
 
-/// W_iᵀ W_j = b_iᵀ K⁻¹ b_j of every column i of the panels from `first` on with all columns j up to itself, row by row. Each is the same bits in any
-/// company and on any number of threads.
+/// W_iᵀ W_j = b_iᵀ K⁻¹ b_j of every column i of the panels from `first` on with all columns j up to
+/// itself, row by row. Each is the same bits whichever others are computed, on any number of
+/// threads.
 pub fn gram(panels: &[Arc<ReachedPanel>], first: usize) -> Vec<Vec<f64>> {
     let numbers: Vec<usize> = (first..panels.len()).collect();
     let strips = numbers.par_chunks(STRIP).map(|strip| {

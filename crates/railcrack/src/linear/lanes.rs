@@ -1,15 +1,17 @@
-//! The inner loop of everything that is done with a sparse factor: a tile of numbers times rows of columns side by side.
+//! The inner kernel of the sparse solver: a tile of numbers times rows of columns side by side.
 //!
-//! Columns are lanes of vector registers: row r of a panel holds entry r of [`LANES`] columns. What happens in one lane is a
-//! fixed sequence of operations, whatever is in the others, so that the bits of a column do not depend on those beside it. Products are
-//! fused with sums where the code says so and nowhere else, and rounded once: the bits do not depend on the vector unit either.
+//! Columns are lanes of vector registers: row r of a panel holds entry r of [`LANES`] columns. The
+//! operations in one lane are a fixed sequence, independent of the other lanes, so that the bits of
+//! a column do not depend on those beside it. Products are fused with sums where the code says so
+//! and nowhere else, and rounded once: the bits do not depend on the vector unit either.
 
 use pulp::Simd;
 
 /// Columns of a panel.
 pub(super) const LANES: usize = 16;
 
-/// Rows of a tile: [`ROWS`] × 2 vectors of sums fill the registers of AVX2 and hide the latency of the sums.
+/// Rows of a tile: [`ROWS`] × 2 vectors of sums fill the registers of AVX2 and hide the latency of
+/// the sums.
 pub(super) const ROWS: usize = 6;
 
 /// One row of a panel, aligned to a cache line.
@@ -74,7 +76,8 @@ fn add_products<'a, S: Simd, const R: usize>(
     }
 }
 
-/// sums[k] += Σ_r tile[k][r] y[r]: the transpose of a tile of at most [`ROWS`] columns, rows in their order.
+/// sums[k] += Σ_r tile[k][r] y[r]: the transpose of a tile of at most [`ROWS`] columns, rows in
+/// their order.
 #[inline(always)]
 pub(super) fn add_transposed_tile<S: Simd>(simd: S, tile: &[[f64; ROWS]], y: &[Row; ROWS], sums: &mut Sums) {
     let mut square = [[0.0; ROWS]; ROWS];

@@ -1,7 +1,7 @@
 //! Linear algebra, dense and sparse; the only module that names faer.
 //!
-//! Results are the same bits whatever the number of threads: what runs in parallel are blocks and columns that do not know of each other, cut in
-//! the same places for any number.
+//! Results are the same bits whatever the number of threads: parallel tasks are blocks and columns
+//! independent of each other, divided in the same places for any number.
 
 mod bordered;
 mod cholesky;

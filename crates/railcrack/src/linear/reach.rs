@@ -1,4 +1,5 @@
-//! Solutions with a sparse factor: whole ones, and halves of them over the reach of sparse right-hand sides.
+//! Solutions with a sparse factor: full solutions, and forward substitutions restricted to the
+//! reach of sparse right-hand sides.
 
 use super::LinearError;
 use super::cholesky::SparseFactor;
@@ -13,16 +14,17 @@ pub struct SparseColumn {
     pub entries: Vec<(usize, f64)>,
 }
 
-/// W = L⁻¹ P b of up to [`PANEL_COLUMNS`] columns side by side, kept where one of them is not zero: on the supernodes between those of their b and
-/// the root of the elimination tree.
+/// W = L⁻¹ P b of up to [`PANEL_COLUMNS`] columns side by side, stored where one of them is not
+/// zero: on the supernodes between those of their b and the root of the elimination tree.
 ///
-/// The bits of a column depend on the factor and on its b alone. It is of use with the factor that made it and with none other.
+/// The bits of a column depend on the factor and on its b alone. It is valid with the factor that
+/// made it and with no other.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ReachedPanel {
     columns: usize,
     /// Supernodes, increasing.
     supernodes: Vec<u32>,
-    /// Where each has its rows; one more at the end.
+    /// The first row of each; one more at the end.
     starts: Vec<u32>,
     rows: Vec<Row>,
 }
@@ -56,10 +58,11 @@ impl ReachedPanel {
 }
 
 impl SparseFactor {
-    /// W = L⁻¹ P b of every column, so that W_iᵀ W_j = b_iᵀ K⁻¹ b_j: panels of [`PANEL_COLUMNS`] columns that follow each other. Columns that begin
-    /// near each other in the elimination tree should stand beside each other.
+    /// W = L⁻¹ P b of every column, so that W_iᵀ W_j = b_iᵀ K⁻¹ b_j: successive panels of
+    /// [`PANEL_COLUMNS`] columns. Columns that begin near each other in the elimination tree should
+    /// be neighbours.
     ///
-    /// Errors: an unknown that is not there.
+    /// Errors: an unknown that does not exist.
     pub fn forward(&self, columns: &[SparseColumn]) -> Result<Vec<ReachedPanel>, LinearError> {
         columns.par_chunks(PANEL_COLUMNS).map(|columns| self.forward_panel(columns)).collect()
     }
@@ -97,8 +100,9 @@ impl SparseFactor {
         Ok((0..reached.len()).filter(|&s| reached[s]).collect())
     }
 
-    /// Solves K x = b for right-hand sides b one after the other in `columns` (a multiple of `order` entries), which become
-    /// the solutions. The bits of a solution depend on its own right-hand side alone.
+    /// Solves K x = b for right-hand sides b one after the other in `columns` (a multiple of
+    /// `order` entries), which become the solutions. The bits of a solution depend on its own
+    /// right-hand side alone.
     ///
     /// Errors: another length.
     pub fn solve(&self, columns: &mut [f64]) -> Result<(), LinearError> {
@@ -106,10 +110,11 @@ impl SparseFactor {
         self.solve_over(&all, &[], columns)
     }
 
-    /// [`SparseFactor::solve`] for some unknowns alone: at the `wanted` ones the solutions are the same, elsewhere they are not complete. The work is that on
-    /// the paths from these and from the entries of the right-hand sides to the root of the elimination tree.
+    /// [`SparseFactor::solve`] for some unknowns alone: at the `wanted` ones the solutions are the
+    /// same, elsewhere they are incomplete. The work is that on the paths from these and from the
+    /// entries of the right-hand sides to the root of the elimination tree.
     ///
-    /// Errors: another length; an unknown that is not there.
+    /// Errors: another length; an unknown that does not exist.
     pub fn solve_for(
         &self,
         wanted: impl IntoIterator<Item = usize>,
@@ -121,7 +126,8 @@ impl SparseFactor {
         self.solve_over(&trunk, &branches, columns)
     }
 
-    /// Those of `supernodes`, which hold every ancestor of each, that are not in the `trunk`, as branches of the elimination tree that grow from it.
+    /// Those of `supernodes`, which contain every ancestor of each, that are not in the `trunk`, as
+    /// branches of the elimination tree that grow from it.
     fn branches(&self, trunk: &[usize], supernodes: &[usize]) -> Vec<Vec<usize>> {
         let in_trunk = |s: usize| trunk.binary_search(&s).is_ok();
         let mut branch_of = vec![0; self.structure.supernodes.len()];
@@ -140,8 +146,9 @@ impl SparseFactor {
         branches
     }
 
-    /// Solves for the unknowns of some supernodes in elimination order: of the `trunk`, which holds every ancestor of each, and of `branches` that grow
-    /// from it, where the right-hand sides are zero. What a branch takes serves the next one.
+    /// Solves for the unknowns of some supernodes in elimination order: those of the `trunk`, which
+    /// contains every ancestor of each, and those of `branches` that grow from it, where the
+    /// right-hand sides are zero. The storage of a branch is reused for the next one.
     fn solve_over(
         &self,
         trunk: &[usize],
@@ -178,7 +185,7 @@ impl SparseFactor {
         supernodes.iter().flat_map(|&s| self.structure.supernodes[s].places())
     }
 
-    /// Writes what a panel has at `supernodes` to the columns in its lanes.
+    /// Writes the rows of a panel at `supernodes` to the columns in its lanes.
     fn write(&self, panel: &Panel, supernodes: &[usize], columns: &mut [f64]) {
         for (lane, column) in columns.chunks_mut(self.order()).enumerate() {
             self.places(supernodes)

@@ -1,4 +1,4 @@
-//! The sparse factor by residual, against dense algebra, and bit for bit in changing company.
+//! The sparse factor: residuals, dense algebra, and bits that do not depend on the other columns.
 
 use super::{
     ElementSum, LinearError, PANEL_COLUMNS, ReachedPanel, SparseCholesky, SparseColumn, SparseFactor, gram,
@@ -7,7 +7,7 @@ use super::{
 use crate::math::Matrix;
 use std::sync::Arc;
 
-/// Numbers in (−1, 1) that look like chance.
+/// Pseudo-random numbers in (−1, 1).
 struct Chance(u64);
 
 impl Chance {
@@ -71,7 +71,8 @@ impl Elements {
     }
 }
 
-/// Two unknowns at each node of `columns` × `rows` squares with random symmetric positive definite blocks.
+/// Two unknowns at each node of `columns` × `rows` squares with random symmetric positive definite
+/// blocks.
 struct Grid {
     columns: usize,
     rows: usize,
@@ -152,7 +153,8 @@ impl Grid {
     }
 }
 
-/// Round-off of a few thousand operations on numbers of order 1, times the condition of the matrices (below 1e4).
+/// Round-off of a few thousand operations on numbers of order 1, times the condition number of the
+/// matrices (below 1e4).
 const ROUND_OFF: f64 = 1e-10;
 
 fn full(order: usize, column: &SparseColumn) -> Vec<f64> {
@@ -165,7 +167,7 @@ fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).fold(0.0, |worst, (x, y)| (x - y).abs().max(worst))
 }
 
-/// Half solutions of `columns` in their panels.
+/// Half-solved `columns` in their panels.
 fn panels(factor: &SparseFactor, columns: &[SparseColumn]) -> Vec<Arc<ReachedPanel>> {
     factor.forward(columns).unwrap().into_iter().map(Arc::new).collect()
 }
@@ -192,7 +194,7 @@ fn solutions_by_residual() {
 }
 
 #[test]
-fn agrees_with_dense_algebra() {
+fn products_agree_with_dense_algebra() {
     let grid = Grid::new(6, 5);
     let (matrix, factor) = grid.factored(8);
     let inverse = spd_inverse(&matrix.dense()).unwrap();
@@ -210,13 +212,13 @@ fn agrees_with_dense_algebra() {
 }
 
 #[test]
-fn panels_hold_what_is_reached_alone() {
+fn panels_store_only_the_reach_of_their_columns() {
     let grid = Grid::new(30, 30);
     let (matrix, factor) = grid.factored(3);
     let column = &grid.local_columns(1)[0];
     let alone = factor.forward(std::slice::from_ref(column)).unwrap().remove(0);
     assert!(2 * alone.rows() < grid.order(), "{} of {}", alone.rows(), grid.order());
-    // All the same, its square is the energy of the whole solution.
+    // Still, its square is the energy of the full solution.
     let right = full(grid.order(), column);
     let mut solution = right.clone();
     factor.solve(&mut solution).unwrap();
@@ -226,7 +228,7 @@ fn panels_hold_what_is_reached_alone() {
 }
 
 #[test]
-fn the_bits_do_not_depend_on_the_company() {
+fn the_bits_do_not_depend_on_the_other_columns() {
     let grid = Grid::new(30, 21);
     let (_, factor) = grid.factored(11);
     let columns = grid.local_columns(130);
@@ -255,7 +257,7 @@ fn the_bits_do_not_depend_on_the_company() {
 }
 
 #[test]
-fn wanted_unknowns_are_those_of_the_whole_solution() {
+fn wanted_unknowns_agree_with_the_full_solution() {
     let grid = Grid::new(30, 30);
     let (_, factor) = grid.factored(3);
     let right: Vec<f64> = grid.local_columns(3).iter().flat_map(|b| full(grid.order(), b)).collect();
@@ -306,7 +308,7 @@ fn one_analysis_serves_every_matrix_of_the_same_elements() {
 }
 
 #[test]
-fn what_is_not_positive_definite_names_the_unknown() {
+fn an_indefinite_matrix_names_the_unknown() {
     let grid = Grid::new(8, 8);
     let mut matrix = grid.matrix(4);
     let analysed = SparseCholesky::analyse(&matrix, grid.elimination_order()).unwrap();
@@ -321,7 +323,8 @@ fn what_is_not_positive_definite_names_the_unknown() {
 
 #[test]
 fn held_unknowns_and_gaps_between_elements() {
-    // Unknown 2 of the first element is held; the second has one unknown alone; unknown 3 comes after both.
+    // Unknown 2 of the first element is held; the second has one unknown alone; unknown 3 comes
+    // after both.
     let spring = Matrix::from_fn(2, 2, |i, j| if i == j { 3.0 } else { -1.0 });
     let springs = [vec![Some(0), Some(2)], vec![Some(2), Some(1)], vec![None, Some(1)], vec![Some(3), None]];
     let matrix =

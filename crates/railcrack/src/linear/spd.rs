@@ -1,4 +1,4 @@
-//! Dense Cholesky factors, of which the leading rows may serve again.
+//! Dense Cholesky factors whose leading rows can be reused.
 
 use super::LinearError;
 use super::dense::factor_in_place;
@@ -12,8 +12,8 @@ use std::sync::Arc;
 
 /// The Cholesky factor K = L Lᵀ of a symmetric positive definite matrix.
 ///
-/// It is made in blocks of rows from the first on. A row of L depends on the rows of K up to its own alone, so that a matrix with the same leading
-/// rows takes their blocks over, which are shared.
+/// It is made in blocks of rows from the first on. A row of L depends only on the rows of K up to
+/// its own, so that a matrix with the same leading rows takes over their blocks, which are shared.
 #[derive(Debug, Clone)]
 pub struct SpdFactor {
     order: usize,
@@ -24,25 +24,27 @@ pub struct SpdFactor {
 #[derive(Debug)]
 struct Block {
     start: usize,
-    /// (start + w) × w: the rows stand beside each other, as products with them read them, with nothing of meaning above the diagonal.
+    /// (start + w) × w: the rows are stored side by side, as products with them read them; the
+    /// entries above the diagonal are meaningless.
     rows: Matrix,
 }
 
 /// Rows of a block.
 const BLOCK: usize = 96;
-/// Rows that one thread solves together: their sums do not depend on who does them.
+/// Rows that one thread solves together: their sums do not depend on the thread.
 const TOGETHER: usize = 48;
 
 impl SpdFactor {
-    /// Factors a matrix of `order` unknowns: `fill(i, row)` adds the entries (i, 0) to (i, i) to the i + 1 zeros of `row`. The bits do not
-    /// depend on the number of threads.
+    /// Factors a matrix of `order` unknowns: `fill(i, row)` adds the entries (i, 0) to (i, i) to
+    /// the i + 1 zeros of `row`. The bits do not depend on the number of threads.
     ///
     /// Errors: a matrix that is not positive definite (the unknown is named).
     pub fn new(order: usize, fill: impl Fn(usize, &mut [f64]) + Sync) -> Result<Self, LinearError> {
         Self { order: 0, blocks: Vec::new() }.changed(0, order, fill)
     }
 
-    /// [`SpdFactor::new`] of a matrix whose rows before `unchanged` are those of this one. The bits are the same as without them.
+    /// [`SpdFactor::new`] of a matrix whose rows before `unchanged` are those of this one. The bits
+    /// are those of a factorisation from scratch.
     pub fn changed(
         mut self,
         unchanged: usize,
@@ -62,12 +64,14 @@ impl SpdFactor {
         Ok(self)
     }
 
-    /// How many rows [`SpdFactor::changed`] takes over from this one, and does not ask for, where those before `unchanged` are the same.
+    /// Number of rows that [`SpdFactor::changed`] takes over from this factor, without asking for
+    /// them, if those before `unchanged` are the same.
     pub fn kept(&self, unchanged: usize) -> usize {
         unchanged.min(self.order) / BLOCK * BLOCK
     }
 
-    /// The rows of the matrix from `first` on in blocks, what is there of L applied to them.
+    /// The rows of the matrix from `first` on in blocks, with the existing part of L applied to
+    /// them.
     fn rows_from(&self, first: usize, fill: impl Fn(usize, &mut [f64]) + Sync) -> Vec<Matrix> {
         let starts = (first..self.order).step_by(BLOCK);
         let width = |start: usize| BLOCK.min(self.order - start);
@@ -85,8 +89,8 @@ impl SpdFactor {
         blocks
     }
 
-    /// The block of L at `start` from its `rows` of the matrix, to which the first `applied` blocks are applied, or the place among them without
-    /// a positive pivot.
+    /// The block of L at `start` from its `rows` of the matrix, to which the first `applied` blocks
+    /// are applied, or the place among them of a pivot that is not positive.
     fn block(&self, start: usize, applied: usize, mut rows: Matrix) -> Result<Block, usize> {
         let (width, stride) = (rows.rows(), rows.columns());
         rows.entries_mut().par_chunks_mut(TOGETHER * stride).for_each(|rows| {
@@ -105,8 +109,8 @@ impl SpdFactor {
         Ok(Block { start, rows: rows.transposed() })
     }
 
-    /// L⁻¹ Bᵀ as rows, one for each row of `right` (r × order), so that their scalar products are B K⁻¹ Bᵀ. Where rows with leading zeros stand
-    /// beside each other, these are skipped.
+    /// L⁻¹ Bᵀ as rows, one for each row of `right` (r × order), so that their scalar products are B
+    /// K⁻¹ Bᵀ. The leading zeros that neighbouring rows share are skipped.
     ///
     /// Errors: rows of another length.
     pub fn half_solve_rows(&self, mut right: Matrix) -> Result<Matrix, LinearError> {
@@ -143,8 +147,9 @@ impl SpdFactor {
     }
 }
 
-/// Right-hand sides as rows of `stride` entries, of which those before `first` are zero: what the `blocks` have rows for becomes that of L⁻¹ b. All
-/// blocks before them are applied already, or have nothing but zeros to be applied to.
+/// Forward substitution, L⁻¹ b, of right-hand sides as rows of `stride` entries, of which those
+/// before `first` are zero, for the unknowns of `blocks`. All previous blocks are applied already,
+/// or multiply zeros only.
 fn forward(blocks: &[Arc<Block>], rows: &mut [f64], stride: usize, first: usize) {
     let mut all = MatMut::from_row_major_slice_mut(rows, rows.len() / stride, stride);
     for block in blocks {
@@ -188,14 +193,14 @@ mod tests {
         row.iter_mut().enumerate().for_each(|(j, value)| *value += entry(i, j));
     }
 
-    /// Right-hand sides in two groups, of which some begin with zeros.
+    /// Right-hand sides in two groups, some of which begin with zeros.
     fn right() -> Matrix {
         let value = |i: usize, j: usize| if j < 9 * i { 0.0 } else { ((i + 2 * j) as f64).sin() };
         Matrix::from_fn(TOGETHER + 5, ORDER, value)
     }
 
     #[test]
-    fn halves_and_solutions_are_those_of_the_inverse() {
+    fn substitutions_agree_with_the_inverse() {
         let factor = SpdFactor::new(ORDER, fill).unwrap();
         let inverse = spd_inverse(&Matrix::from_fn(ORDER, ORDER, entry)).unwrap();
         let right = right();
@@ -217,7 +222,7 @@ mod tests {
     }
 
     #[test]
-    fn leading_rows_serve_again_bit_for_bit() {
+    fn leading_rows_are_reused_bit_for_bit() {
         let right = right();
         let halves = |factor: &SpdFactor| factor.half_solve_rows(right.clone()).unwrap();
         let changed_from = BLOCK + 7;
@@ -230,7 +235,7 @@ mod tests {
         let afresh = halves(&SpdFactor::new(ORDER, other).unwrap());
         let unchanged = SpdFactor::new(ORDER - 60, fill).unwrap();
         assert_ne!(halves(&SpdFactor::new(ORDER, fill).unwrap()), afresh);
-        // Rows that are said to be unchanged are not asked for again.
+        // Rows that are declared unchanged are not requested again.
         let guarded = |i: usize, row: &mut [f64]| {
             assert!(i >= BLOCK, "row {i}");
             other(i, row);

@@ -1,4 +1,4 @@
-//! The shape of a sparse Cholesky factor: supernodes and their tree.
+//! The structure of a sparse Cholesky factor: supernodes and their tree.
 
 use super::elements::Pattern;
 use super::lanes::ROWS;
@@ -12,7 +12,8 @@ use faer::sparse::linalg::cholesky::{
 use faer::{Side, sparse::linalg::cholesky::supernodal::SymbolicSupernodalCholesky};
 use std::ops::Range;
 
-/// The shape of L in P K Pᵀ = L Lᵀ. Columns with the same rows below them form supernodes, dense blocks.
+/// The structure of L in P K Pᵀ = L Lᵀ. Columns with the same rows below them form supernodes,
+/// which are dense blocks.
 #[derive(Debug)]
 pub(super) struct Structure {
     /// Elimination order: the unknown at each place.
@@ -58,12 +59,13 @@ impl Supernode {
         self.columns.div_ceil(ROWS)
     }
 
-    /// Rows of a panel that it takes, the padding included.
+    /// Number of rows that it takes in a panel, including the padding.
     pub(super) fn panel_rows(&self) -> usize {
         self.blocks() * ROWS
     }
 
-    /// Where block `b` of the triangle begins, counted from its first tile: all blocks before it have 6, 12, 18, … columns.
+    /// The first tile of block `b` of the triangle, counted from the first tile of the supernode:
+    /// all previous blocks have 6, 12, 18, … columns.
     pub(super) fn triangle(&self, b: usize) -> usize {
         ROWS * b * (b + 1) / 2
     }
@@ -73,14 +75,15 @@ impl Supernode {
         self.triangle(self.blocks()) + self.below.div_ceil(ROWS) * self.columns
     }
 
-    /// Entries of L, the zeros included that make it dense.
+    /// Entries of L, including the zeros that make it dense.
     pub(super) fn entries(&self) -> usize {
         self.columns * (self.columns + 1) / 2 + self.columns * self.below
     }
 }
 
 impl Structure {
-    /// Errors: an order that is not one of the unknowns; an element with an unknown that is not there.
+    /// Errors: an order that is not one of the unknowns; an element with an unknown that does not
+    /// exist.
     pub(super) fn new(matrix: &impl ElementSum, order: Vec<usize>) -> Result<Self, LinearError> {
         let (order, place) = places(&order, matrix.order())?;
         let pattern = Pattern::new(matrix)?;
@@ -156,7 +159,7 @@ impl Structure {
         &self.pattern[s.pattern..s.pattern + s.below]
     }
 
-    /// The supernode next on the way to the root of the elimination tree.
+    /// The next supernode on the path to the root of the elimination tree.
     pub(super) fn parent(&self, s: usize) -> Option<usize> {
         self.rows_below(&self.supernodes[s]).first().map(|&row| self.supernode_at(row as usize))
     }
@@ -168,7 +171,7 @@ impl Structure {
     }
 }
 
-/// An elimination order, which must name each unknown once, and the place of each unknown in it.
+/// An elimination order, which must contain each unknown once, and the place of each unknown in it.
 fn places(order: &[usize], unknowns: usize) -> Result<(Vec<u32>, Vec<u32>), LinearError> {
     if order.len() != unknowns {
         return Err(LinearError::WrongLength {

@@ -5,17 +5,19 @@ use super::lanes::{ROWS, Row, add_row, add_tile, add_transposed_tile, scaled_dif
 use super::structure::Supernode;
 use pulp::{Arch, Simd, WithSimd};
 
-/// Some supernodes of a factor, in elimination order, with every ancestor of each, and a panel over their rows.
+/// Some supernodes of a factor, in elimination order, with every ancestor of each, and a panel over
+/// their rows.
 pub(super) struct Panel<'a> {
     factor: &'a SparseFactor,
     supernodes: &'a [usize],
-    /// The first row in the panel of each supernode of the factor that takes part.
+    /// The first row in the panel of each participating supernode of the factor.
     offset: Vec<usize>,
     rows: Vec<Row>,
 }
 
 impl<'a> Panel<'a> {
-    /// The zero panel over `supernodes`, which must be in elimination order and hold every ancestor of each.
+    /// The zero panel over `supernodes`, which must be in elimination order and hold every ancestor
+    /// of each.
     pub(super) fn new(factor: &'a SparseFactor, supernodes: &'a [usize]) -> Self {
         let offset = vec![0; factor.structure.supernodes.len()];
         let mut panel = Self { factor, supernodes, offset, rows: Vec::new() };
@@ -23,8 +25,9 @@ impl<'a> Panel<'a> {
         panel
     }
 
-    /// Keeps the first rows, `kept` of them, and goes on with zeros over `supernodes` in elimination order, which hold every ancestor of each that has no
-    /// row among those kept: for [`Panel::backward`] over these alone.
+    /// Keeps the first `kept` rows, and continues with zeros over `supernodes` in elimination
+    /// order, which contain every ancestor of each that has no row among those kept: for
+    /// [`Panel::backward`] over these alone.
     pub(super) fn go_on(&mut self, kept: usize, supernodes: &'a [usize]) {
         let mut next = kept;
         for &s in supernodes {
@@ -69,7 +72,7 @@ impl<'a> Panel<'a> {
         Arch::new().dispatch(Forward(self));
     }
 
-    /// L⁻ᵀ of every lane, for the supernodes that take part.
+    /// L⁻ᵀ of every lane, for the participating supernodes.
     pub(super) fn backward(&mut self) {
         Arch::new().dispatch(Backward(self));
     }
@@ -150,7 +153,8 @@ impl WithSimd for Backward<'_, '_> {
     }
 }
 
-/// x of block `b`: x_k = (x_k − Σ_{i>k} L_ik x_i) / L_kk, with the rows below the supernode in `below`.
+/// x of block `b`: x_k = (x_k − Σ_{i>k} L_ik x_i) / L_kk, with the rows below the supernode in
+/// `below`.
 #[inline(always)]
 fn backward_block<S: Simd>(
     simd: S,

@@ -3,19 +3,19 @@
 use crate::math::Stress;
 use thiserror::Error;
 
-/// A material that cannot exist.
+/// An inadmissible elastic constant.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum MaterialError {
     /// Young's modulus.
     #[error("Young's modulus {value} MPa: must be positive and finite")]
     YoungModulus {
-        /// What was given, MPa.
+        /// The given value, MPa.
         value: f64,
     },
     /// Poisson's ratio.
     #[error("Poisson's ratio {value}: must lie in (-1, 0.5)")]
     PoissonRatio {
-        /// What was given.
+        /// The given value.
         value: f64,
     },
 }

@@ -2,25 +2,26 @@
 
 use thiserror::Error;
 
-/// A plastic material that cannot exist.
+/// An inadmissible parameter of the hardening law.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum HardeningError {
     /// Yield stress.
     #[error("yield stress {value} MPa: must be positive and finite")]
     YieldStress {
-        /// What was given, MPa.
+        /// The given value, MPa.
         value: f64,
     },
     /// Hardening modulus.
     #[error("hardening modulus {value} MPa: must be positive and finite")]
     Modulus {
-        /// What was given, MPa.
+        /// The given value, MPa.
         value: f64,
     },
 }
 
-/// The von Mises criterion with linear kinematic hardening (Prager 1956): |s − X| ≤ √(2/3) σ_y in the Frobenius norm,
-/// with the deviator s and the back stress X = (2/3) C ε_p; plastic flow follows the normal.
+/// The von Mises criterion with linear kinematic hardening (Prager 1956): |s − X| ≤ √(2/3) σ_y in
+/// the Frobenius norm, with the stress deviator s and the backstress X = (2/3) C ε_p; the flow rule
+/// is associated.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct KinematicHardening {
     yield_stress: f64,
@@ -28,7 +29,8 @@ pub struct KinematicHardening {
 }
 
 impl KinematicHardening {
-    /// Yield stress in tension `yield_stress` and hardening modulus C `modulus`, MPa, both positive.
+    /// Yield stress in tension `yield_stress` and hardening modulus C `modulus`, MPa, both
+    /// positive.
     pub fn new(yield_stress: f64, modulus: f64) -> Result<Self, HardeningError> {
         if !(yield_stress > 0.0 && yield_stress.is_finite()) {
             return Err(HardeningError::YieldStress { value: yield_stress });
@@ -54,7 +56,7 @@ impl KinematicHardening {
         self.yield_stress / 3f64.sqrt()
     }
 
-    /// √(2/3) σ_y = √2 k, MPa: the radius of the yield surface in the space of deviators.
+    /// √(2/3) σ_y = √2 k, MPa: the radius of the yield surface in deviatoric stress space.
     pub fn yield_radius(&self) -> f64 {
         (2.0 / 3.0_f64).sqrt() * self.yield_stress
     }

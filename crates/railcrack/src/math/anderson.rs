@@ -1,9 +1,9 @@
-//! Extrapolation of fixed-point iterations.
+//! Anderson acceleration of fixed-point iterations.
 
 use super::dot;
 
-/// Anderson acceleration (Anderson 1965; Walker & Ni 2011, type II): the combination of the last iterates whose
-/// residuals cancel best.
+/// Anderson acceleration (Anderson 1965; Walker & Ni 2011, type II): the combination of the last
+/// iterates whose residuals cancel best.
 pub(crate) struct Anderson {
     depth: usize,
     /// Differences of residuals and of iterates + residuals between consecutive iterations.
@@ -43,7 +43,8 @@ impl Anderson {
         self.last = Some((residual.to_vec(), image));
     }
 
-    /// Least squares by orthogonalising the newest differences first; directions that add nothing are left out.
+    /// Least squares by orthogonalising the newest differences first; linearly dependent directions
+    /// are left out.
     fn weights(&self, residual: &[f64]) -> Vec<f64> {
         let m = self.residual_steps.len();
         let mut basis: Vec<Vec<f64>> = Vec::new();

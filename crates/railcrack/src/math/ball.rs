@@ -9,18 +9,22 @@ pub struct Ball {
     pub radius: f64,
 }
 
-/// Points outside by less, relative to the radius squared, count as inside: round-off of a circumscribed ball.
+/// Points that lie outside by less than this, relative to the radius squared, count as inside:
+/// round-off of a circumscribed ball.
 const INSIDE: f64 = 1e-13;
 /// Flatter simplices (squared height over squared edges) have no usable circumscribed ball.
 const FLAT: f64 = 1e-14;
-/// Every pivot enlarges the ball, so the loop ends by itself; this bounds it for coordinates that are not numbers.
+/// Every pivot enlarges the ball, so the loop terminates; this bounds it for coordinates that are
+/// NaN.
 const PIVOTS: usize = 1000;
 
 /// The smallest ball that contains all `points`; radius 0 at the origin for none.
 ///
-/// Farthest points are added one by one to a short list, whose smallest ball Welzl's recursion gives exactly.
+/// The farthest points are added one by one to a short list, whose smallest ball Welzl's recursion
+/// gives exactly.
 ///
-/// Source: Welzl 1991, Smallest enclosing disks; Gärtner 1999, Fast and robust smallest enclosing balls (pivoting).
+/// Source: Welzl 1991, Smallest enclosing disks; Gärtner 1999, Fast and robust smallest enclosing
+/// balls (pivoting).
 pub fn smallest_ball(points: &[[f64; 3]]) -> Ball {
     let Some(&first) = points.first() else { return Ball { centre: [0.0; 3], radius: 0.0 } };
     let mut pivots = vec![first];
@@ -64,10 +68,11 @@ fn ball_with(points: &[[f64; 3]], boundary: &mut Vec<[f64; 3]>) -> Ball {
     ball
 }
 
-/// The smallest ball with up to four points on its surface; radius −1 for none. A point that lies in the plane of the
-/// others, as far as can be computed, is left out.
+/// The smallest ball with up to four points on its surface; radius −1 for none. A point that lies
+/// in the plane of the others to working precision is left out.
 ///
-/// centre = p0 + Σ λ_i q_i in the orthogonalised edges q_i, from (c − p0)·(p_i − p0) = |p_i − p0|²/2.
+/// centre = p0 + Σ λ_i q_i in the orthogonalised edges q_i, from
+/// (c − p0)·(p_i − p0) = |p_i − p0|²/2.
 fn circumscribed(boundary: &[[f64; 3]]) -> Ball {
     let Some((&origin, others)) = boundary.split_first() else {
         return Ball { centre: [0.0; 3], radius: -1.0 };
@@ -133,8 +138,8 @@ mod tests {
 
     #[test]
     fn smallest_by_its_optimality() {
-        // The centre of the smallest ball is a convex combination of the points on it: no direction brings all of
-        // them nearer. Pseudo-random points, some repeated, some on a line.
+        // The centre of the smallest ball is a convex combination of the points on its surface: no
+        // direction brings all of them nearer. Pseudo-random points, some repeated, some collinear.
         let mut seed = 1_u64;
         let mut next = || {
             seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);

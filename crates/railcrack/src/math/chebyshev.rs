@@ -3,14 +3,15 @@
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
-/// The roots of the Chebyshev polynomial of degree `count`, moved to `range`, in increasing order.
+/// The roots of the Chebyshev polynomial of degree `count`, mapped to `range`, in increasing order.
 pub(crate) fn points(range: &RangeInclusive<f64>, count: usize) -> Vec<f64> {
     let (middle, half) = (0.5 * (range.start() + range.end()), 0.5 * (range.end() - range.start()));
     (0..count).map(|j| middle - half * (PI * (j as f64 + 0.5) / count as f64).cos()).collect()
 }
 
-/// The weights with which values at [`points`] give the value of their polynomial at `at` (second barycentric formula with
-/// weights (−1)^j sin((2j + 1) π / 2n); Berrut & Trefethen, SIAM Review 46, 2004).
+/// The weights with which the values at [`points`] give the value of their interpolating polynomial
+/// at `at` (second barycentric formula with weights (−1)^j sin((2j + 1) π / 2n); Berrut &
+/// Trefethen, SIAM Review 46, 2004).
 pub(crate) fn weights(points: &[f64], at: f64) -> Vec<f64> {
     if let Some(hit) = points.iter().position(|&point| point == at) {
         return (0..points.len()).map(|j| f64::from(j == hit)).collect();
@@ -25,18 +26,20 @@ pub(crate) fn weights(points: &[f64], at: f64) -> Vec<f64> {
     terms.into_iter().map(|term| term / sum).collect()
 }
 
-/// How fast the interpolation of a function on a range converges, n points leaving an error like e^(−rate n): the function is analytic but
-/// for branch points on the real axis at the distance `beyond` from the ends of the range, and others at the distance `beside`
-/// from the axis (both in half-lengths of the range). The rate is ln ρ of the largest ellipse between them, with half-axes
+/// Convergence rate of the interpolation on a range, where n points leave an error of the order of
+/// e^(−rate n). The function is analytic except for branch points on the real axis at the distance
+/// `beyond` from the ends of the range, and others at the distance `beside` from the axis (both in
+/// half-lengths of the range). The rate is ln ρ of the largest ellipse between them, with half-axes
 /// (ρ ± 1/ρ)/2 (Trefethen, Approximation Theory and Approximation Practice, theorem 8.2).
 pub(crate) fn rate(beyond: f64, beside: f64) -> f64 {
     let real = (beyond + (beyond * (beyond + 2.0)).sqrt()).ln_1p();
     real.min(beside.asinh())
 }
 
-/// How many points leave an error of `tolerance` relative to the size of the function. Infinite for a rate of zero.
+/// Number of points for an error of `tolerance` relative to the size of the function; infinite for
+/// a rate of zero.
 pub(crate) fn count(rate: f64, tolerance: f64) -> f64 {
-    // The constant of the theorem, 2 / (ρ − 1), is 2/rate where that matters.
+    // The constant of the theorem, 2 / (ρ − 1), is 2/rate for the small rates at which it matters.
     ((1.0 / tolerance).ln() + (2.0 / rate).ln().max(0.0)) / rate + 2.0
 }
 
@@ -45,7 +48,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn interpolates_a_logarithm_and_a_root_as_well_as_foreseen() {
+    fn interpolates_a_logarithm_and_a_root_within_the_predicted_error() {
         const TOLERANCE: f64 = 1e-8;
         for gap in [0.05, 0.5, 3.0, 40.0] {
             let range = -3.0..=5.0;
@@ -65,7 +68,7 @@ mod tests {
     }
 
     #[test]
-    fn poles_beside_the_range_count_too() {
+    fn poles_beside_the_range_lower_the_rate() {
         const TOLERANCE: f64 = 1e-8;
         for beside in [0.3, 1.0, 5.0] {
             let n = count(rate(10.0, beside / 4.0), TOLERANCE).ceil() as usize;

@@ -1,9 +1,10 @@
-//! Loops over vectors, compiled for the widest vector unit of the machine. Sums have a fixed order and no product is
-//! fused with a sum, so that results are the same bits on every machine.
+//! Vector kernels, compiled for the widest vector unit of the machine. Sums have a fixed order and
+//! no product is fused with a sum, so that results are the same bits on every machine.
 
 use pulp::{Arch, Simd, WithSimd};
 
-/// Partial sums of a scalar product: as many as the widest vector unit needs to hide the latency of one sum.
+/// Partial sums of a scalar product: as many as the widest vector unit needs to hide the latency of
+/// an addition.
 const SUMS: usize = 8;
 
 /// Scalar product.
@@ -16,10 +17,10 @@ pub(crate) fn axpy(a: f64, x: &[f64], y: &mut [f64]) {
     Arch::new().dispatch(Axpy { a, x, y });
 }
 
-/// Rows that are added in one pass over the sum.
+/// Rows added in one pass over the sum.
 const ROWS: usize = 4;
 
-/// y += Σ weights_i rows(i) to each of `ys`, with weights of its own; every row is read once.
+/// y += Σ weights_i rows(i) for each of `ys`, each with its own weights; every row is read once.
 pub(crate) fn add_rows_to_each<'m>(
     weights: &[impl AsRef<[f64]>],
     rows: impl Fn(usize) -> &'m [f64],
@@ -87,7 +88,8 @@ impl<W: AsRef<[f64]>, Y: AsMut<[f64]>> WithSimd for AddRows<'_, W, Y> {
     }
 }
 
-/// The same loops to be part of a larger one that is compiled for the vector unit: short vectors are not worth a call.
+/// The same kernels for inlining into a larger loop that is compiled for the vector unit: short
+/// vectors do not repay a call.
 pub(crate) mod inlined {
     use super::SUMS;
 

@@ -1,4 +1,4 @@
-//! A dense matrix, row-major.
+//! Dense matrices, stored row by row.
 
 use super::dot;
 use std::ops::{Index, IndexMut};
@@ -41,7 +41,7 @@ impl Matrix {
         &self.entries[i * self.columns..(i + 1) * self.columns]
     }
 
-    /// Row i, to write.
+    /// Row i, mutable.
     pub fn row_mut(&mut self, i: usize) -> &mut [f64] {
         &mut self.entries[i * self.columns..(i + 1) * self.columns]
     }
@@ -51,7 +51,7 @@ impl Matrix {
         &self.entries
     }
 
-    /// All entries, row by row, to write.
+    /// All entries, row by row, mutable.
     pub(crate) fn entries_mut(&mut self) -> &mut [f64] {
         &mut self.entries
     }
@@ -62,7 +62,7 @@ impl Matrix {
         (read, write)
     }
 
-    /// Two different rows, to write.
+    /// Two different rows, both mutable.
     pub(crate) fn row_pair_mut(&mut self, one: usize, other: usize) -> (&mut [f64], &mut [f64]) {
         let columns = self.columns;
         let (before, after) = self.entries.split_at_mut(one.max(other) * columns);

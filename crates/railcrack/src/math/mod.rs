@@ -1,4 +1,5 @@
-//! Vectors, plane-strain stress tensors, dense matrices, quadrature rules, exact orientation, enclosing balls.
+//! Vectors, plane-strain stress tensors, dense matrices, quadrature rules, exact orientation,
+//! enclosing balls.
 
 mod anderson;
 mod ball;

@@ -1,8 +1,8 @@
-//! Exact sidedness.
+//! Exact orientation and intersection predicates.
 
 use super::Vec2;
 
-/// On which side of a directed line a point lies.
+/// The side of a directed line on which a point lies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Orientation {
     /// To the left, counter-clockwise.

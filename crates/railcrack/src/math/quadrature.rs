@@ -1,6 +1,7 @@
 //! Quadrature rules.
 
-/// The `n`-point Gauss–Legendre rule on [0, 1]: (point, weight), exact for polynomials of degree 2n − 1.
+/// The `n`-point Gauss–Legendre rule on [0, 1]: (point, weight), exact for polynomials of degree
+/// 2n − 1.
 ///
 /// Points by Newton's method on the Legendre recurrence (Abramowitz & Stegun, 25.4.29).
 pub fn gauss_legendre(n: usize) -> Vec<(f64, f64)> {

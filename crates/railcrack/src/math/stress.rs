@@ -17,7 +17,8 @@ pub struct Stress {
 }
 
 impl Stress {
-    /// This stress, given in axes of which the first points along the unit vector `first`, in x and y.
+    /// This stress, whose components refer to axes with the first along the unit vector `first`, in
+    /// components along x and y.
     pub fn rotated(self, first: Vec2) -> Self {
         let (c, s) = (first.x, first.y);
         let shear = 2.0 * c * s * self.xy;

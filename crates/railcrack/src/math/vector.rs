@@ -28,7 +28,8 @@ impl Vec2 {
         self.x * other.x + self.y * other.y
     }
 
-    /// The out-of-plane component of the vector product; positive when `other` lies counter-clockwise.
+    /// The out-of-plane component of the vector product; positive when `other` lies
+    /// counter-clockwise.
     pub fn cross(self, other: Self) -> f64 {
         self.x * other.y - self.y * other.x
     }
@@ -38,7 +39,7 @@ impl Vec2 {
         self.x.hypot(self.y)
     }
 
-    /// This vector turned by +90°: x2 for a given x1.
+    /// This vector rotated by +90°: x2 for a given x1.
     pub fn left(self) -> Self {
         Self::new(-self.y, self.x)
     }

@@ -40,7 +40,7 @@ impl Array {
         self.values.chunks_exact(self.components.max(1))
     }
 
-    /// The entries as vectors of the plane; a third component is left out.
+    /// The entries as plane vectors; a third component is ignored.
     ///
     /// Errors: not 2 or 3 components; a value that is not finite.
     pub fn to_vectors(&self) -> Result<Vec<Vec2>, GridError> {
@@ -51,8 +51,8 @@ impl Array {
         Ok(self.entries().map(|v| Vec2::new(v[0], v[1])).collect())
     }
 
-    /// The entries as plane-strain tensors: 4 components XX, YY, ZZ, XY, or the 6 of VTK, of which the shear out of the
-    /// plane is left out.
+    /// The entries as plane-strain tensors: 4 components XX, YY, ZZ, XY, or the 6 of VTK, of which
+    /// the out-of-plane shears are ignored.
     ///
     /// Errors: not 4 or 6 components; a value that is not finite.
     pub fn to_stresses(&self) -> Result<Vec<Stress>, GridError> {

@@ -1,4 +1,4 @@
-//! The order in which the nodes of a grid are best eliminated.
+//! Nested dissection: the elimination order of the nodes of a grid.
 
 use super::QuadMesh;
 use std::ops::RangeInclusive;
@@ -9,15 +9,17 @@ struct Part {
     rows: RangeInclusive<usize>,
 }
 
-/// A part of so few elements along both directions is not cut further: below it a separator costs what it saves.
+/// A part with so few elements along both directions is not divided further: below this size a
+/// separator costs as much as it saves.
 const LEAF_ELEMENTS: usize = 2;
 
 impl QuadMesh {
-    /// The nodes in the order of nested dissection: the mesh is cut in two along one grid line, the nodes of both parts come
-    /// first, part by part and each ordered in the same way, the nodes on the line last. Eliminated in this order, the nodes of a part
-    /// fill in only among themselves and on the lines around it. The direction with more elements is cut.
+    /// The nodes in nested-dissection order: a grid line divides the mesh in two; the nodes of
+    /// either part come first, each part ordered in the same way, and the nodes on the line come
+    /// last. Eliminated in this order, the nodes of a part fill in only among themselves and on the
+    /// lines around the part. The direction with more elements is divided.
     ///
-    /// Every node once (George, SIAM J. Numer. Anal. 10, 1973).
+    /// Every node occurs once (George, SIAM J. Numer. Anal. 10, 1973).
     pub fn nested_dissection(&self) -> Vec<usize> {
         let mut order = Vec::with_capacity(self.node_count());
         self.dissect(Part { columns: 0..=2 * self.columns(), rows: 0..=2 * self.rows() }, &mut order);
@@ -57,7 +59,7 @@ fn elements(range: &RangeInclusive<usize>) -> usize {
     range.end().div_ceil(2) - range.start() / 2
 }
 
-/// The even lattice index (a grid line) in the middle of a range that is worth cutting.
+/// The even lattice index (a grid line) in the middle of a range that is worth dividing.
 fn line_inside(range: &RangeInclusive<usize>) -> Option<usize> {
     (elements(range) > LEAF_ELEMENTS).then(|| 2 * ((range.start() + range.end() + 2) / 4))
 }
@@ -105,7 +107,8 @@ mod tests {
 
     #[test]
     fn fills_in_like_n_squared_log_n() {
-        // From 20 to 40 elements: 4 log 40 / log 20 = 4.9 by theory, eightfold row by row.
+        // From 20 to 40 elements: 4 log 40 / log 20 = 4.9 in theory, eightfold for an order row by
+        // row.
         let entries = |n| {
             let mesh = grid(n, n);
             let row_by_row: Vec<usize> = (0..mesh.node_count()).collect();

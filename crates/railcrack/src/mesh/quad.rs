@@ -1,4 +1,4 @@
-//! Rectangles between two sets of grid lines, with eight nodes each.
+//! A grid of eight-node rectangles between two sets of grid lines.
 
 use super::shape::{Edge, NODES};
 use crate::math::Vec2;
@@ -27,11 +27,13 @@ pub enum MeshError {
     },
 }
 
-/// A mesh of rectangles: every pair of neighbouring grid lines along x and y bounds one element.
+/// A mesh of rectangles: each pair of neighbouring grid lines along x and along y bounds one
+/// element.
 ///
-/// Elements are numbered row by row from the lower left, `e = row × columns + column`. Nodes lie on the lattice that also
-/// has the middles between the lines, without the middles of the elements: lattice point (c, r) is a node unless c and r
-/// are both odd; nodes are numbered lattice row by lattice row.
+/// Elements are numbered row by row from the lower left, `e = row × columns + column`. Nodes lie on
+/// the lattice of the grid lines and the midlines between them, except at the centres of the
+/// elements: lattice point (c, r) is a node unless c and r are both odd. Nodes are numbered lattice
+/// row by lattice row.
 #[derive(Debug, Clone, PartialEq)]
 pub struct QuadMesh {
     x: Vec<f64>,
@@ -71,7 +73,8 @@ impl Element {
 }
 
 impl QuadMesh {
-    /// The mesh between the grid lines at the abscissae `x` and the ordinates `y` (mm), both increasing.
+    /// The mesh between the grid lines at the abscissae `x` and the ordinates `y` (mm), both
+    /// increasing.
     pub fn new(x: Vec<f64>, y: Vec<f64>) -> Result<Self, MeshError> {
         for (axis, lines) in [('x', &x), ('y', &y)] {
             if lines.len() < 2 {
@@ -121,7 +124,8 @@ impl QuadMesh {
         (e % self.columns(), e / self.columns())
     }
 
-    /// The node at lattice point (c, r), `c` from 0 to 2 columns, `r` from 0 to 2 rows, not both odd.
+    /// The node at lattice point (c, r), `c` from 0 to 2 columns, `r` from 0 to 2 rows, not both
+    /// odd.
     pub fn node_at(&self, c: usize, r: usize) -> usize {
         let columns = self.columns();
         let before = (r / 2) * (3 * columns + 2);
@@ -159,7 +163,8 @@ impl QuadMesh {
     /// The elements that share a node, in increasing order.
     pub fn elements_of(&self, node: usize) -> Vec<usize> {
         let (c, r) = self.lattice_point(node);
-        // A lattice index on a line touches the cells on both sides, one between lines only its own.
+        // A lattice index on a grid line touches the cells on both sides, one between lines only
+        // its own.
         let span = |i: usize, cells: usize| {
             let first = if i.is_multiple_of(2) { (i / 2).saturating_sub(1) } else { i / 2 };
             first..(i / 2 + 1).min(cells)
@@ -171,7 +176,7 @@ impl QuadMesh {
             .collect()
     }
 
-    /// The element beyond a side of `e`; none at the outer boundary.
+    /// The element across a side of `e`; none at the outer boundary.
     pub fn neighbour(&self, e: usize, side: Edge) -> Option<usize> {
         let (column, row) = self.grid_place(e);
         let (columns, rows) = (self.columns(), self.rows());
@@ -183,7 +188,8 @@ impl QuadMesh {
         }
     }
 
-    /// Columns and rows of the elements whose closure meets the box between `lower` and `upper` (mm).
+    /// Columns and rows of the elements whose closure meets the box between `lower` and `upper`
+    /// (mm).
     pub fn places_meeting(
         &self,
         lower: Vec2,
@@ -197,7 +203,8 @@ impl QuadMesh {
         (range(&self.x, lower.x, upper.x), range(&self.y, lower.y, upper.y))
     }
 
-    /// The element that holds `point` (mm): of several that touch it, the one to the upper right. None outside.
+    /// The element that contains `point` (mm): of several that touch it, the one to the upper
+    /// right. None outside of the mesh.
     pub fn locate(&self, point: Vec2) -> Option<usize> {
         let find = |lines: &[f64], at: f64| {
             let cells = lines.len() - 1;

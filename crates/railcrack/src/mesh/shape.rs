@@ -1,13 +1,13 @@
 //! Shape functions of the 8-node (serendipity) rectangle.
 
-/// Nodes of an element: corners 0 to 3 counter-clockwise from the lower left, then the middles of the bottom, right,
-/// top and left side.
+/// Nodes of an element: corners 0 to 3 counter-clockwise from the lower left, then the midpoints of
+/// the bottom, right, top and left side.
 pub const NODES: usize = 8;
 
 /// Reference coordinates of the four corners.
 pub const CORNERS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
 
-/// A side of an element, in the order of its middle nodes 4 to 7.
+/// A side of an element, in the order of its midside nodes 4 to 7.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Edge {
     /// y smallest.
@@ -24,14 +24,15 @@ impl Edge {
     /// The four sides.
     pub const ALL: [Self; 4] = [Self::Bottom, Self::Right, Self::Top, Self::Left];
 
-    /// The three nodes on the side: its two corners and its middle.
+    /// The three nodes on the side: its two corners and its midside node.
     pub fn nodes(self) -> [usize; 3] {
         let i = self as usize;
         [i, (i + 1) % 4, 4 + i]
     }
 }
 
-/// Values, ∂/∂ξ and ∂/∂η of the eight shape functions at (ξ, η) in [−1, 1]² (Zienkiewicz & Taylor, serendipity family).
+/// Values, ∂/∂ξ and ∂/∂η of the eight shape functions at (ξ, η) in [−1, 1]² (Zienkiewicz & Taylor,
+/// serendipity family).
 pub fn shape_functions(xi: f64, eta: f64) -> [[f64; 3]; NODES] {
     let mut values = [[0.0; 3]; NODES];
     for (value, [a, b]) in values.iter_mut().zip(CORNERS) {
@@ -57,7 +58,7 @@ mod tests {
     const MIDDLES: [[f64; 2]; 4] = [[0.0, -1.0], [1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]];
 
     #[test]
-    fn one_at_the_own_node_and_zero_at_the_others() {
+    fn are_one_at_their_own_node_and_zero_at_the_others() {
         for (i, [xi, eta]) in CORNERS.into_iter().chain(MIDDLES).enumerate() {
             for (j, value) in shape_functions(xi, eta).into_iter().enumerate() {
                 assert_eq!(value[0], f64::from(i == j), "function {j} at node {i}");
@@ -66,7 +67,7 @@ mod tests {
     }
 
     #[test]
-    fn slopes_are_those_of_the_values() {
+    fn derivatives_are_those_of_the_values() {
         const STEP: f64 = 1e-6;
         let (xi, eta) = (0.3, -0.7);
         let at = shape_functions(xi, eta);

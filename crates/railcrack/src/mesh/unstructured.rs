@@ -3,8 +3,8 @@
 use super::{Array, GridError};
 use crate::math::Vec2;
 
-/// The shape of a cell and the order of its nodes: corners counter-clockwise, then the middles of the sides, the first
-/// between the first and the second corner, then the centre.
+/// The shape of a cell and the order of its nodes: corners counter-clockwise, then the midpoints of
+/// the sides, the first between the first and the second corner, then the centre.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CellShape {
     /// 1 node.
@@ -103,8 +103,8 @@ impl UnstructuredGrid {
 
     /// Checks that cells and data fit the points.
     ///
-    /// Errors: a cell with too few nodes or with a point that is not there; data of the wrong length or with the name
-    /// of other data.
+    /// Errors: a cell with too few nodes or with a point that does not exist; data of the wrong
+    /// length or with the name of other data.
     pub fn check(&self) -> Result<(), GridError> {
         for (i, block) in self.cells.iter().enumerate() {
             let nodes = block.shape.nodes();

@@ -7,11 +7,12 @@ use crate::math::{Stress, Vec2, gauss_legendre};
 use crate::mesh::{Element, NODES, shape_functions};
 use rayon::prelude::*;
 
-/// The residual stress σ = 𝕂ε(u) − 𝕂ε_p that a plastic stress leaves in the uncracked rail, where u solves
-/// ∫ 𝕂ε(u) : ε(v) = ∫ 𝕂ε_p : ε(v) for every displacement v that the supports allow.
+/// The residual stress σ = 𝕂ε(u) − 𝕂ε_p due to a plastic stress in the uncracked rail, where u
+/// solves ∫ 𝕂ε(u) : ε(v) = ∫ 𝕂ε_p : ε(v) for every admissible displacement v.
 ///
-/// The plastic stress is taken at the nodes of the mesh and interpolated by its shape functions. The stress is computed at the 2 × 2
-/// Gauss points of the elements, where what the two terms have in common cancels, and is bilinear between them.
+/// The plastic stress is evaluated at the nodes of the mesh and interpolated by its shape
+/// functions. The stress is computed at the 2 × 2 Gauss points of the elements, where the common
+/// part of the two terms cancels, and is bilinear between them.
 ///
 /// Source: Trollé et al. 2014, section 2.4 and eq. (28).
 #[derive(Debug, Clone, PartialEq)]
@@ -21,11 +22,11 @@ pub struct BalancedStress {
     along_y: Vec<f64>,
     /// `stresses[row * along_x.len() + column]`, MPa.
     stresses: Vec<Stress>,
-    /// Lines of nodes that can be seen in `residual.csv`: corners of the elements, downwards, mm.
+    /// Depths for `residual.csv`: corners of the elements, downwards, mm.
     depths: Vec<f64>,
 }
 
-/// What the mesh of the rail makes of a plastic stress, over a part of the rail.
+/// Accuracy of a plastic stress as represented on the mesh of the rail, over a part of the rail.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ProjectionLoss {
     /// L2 norm of the field on the part, √∫ p:p dA, MPa mm.
@@ -131,8 +132,8 @@ fn generalised_forces(rail: &BulkRail, nodal: &[Stress]) -> Vec<f64> {
     forces
 }
 
-/// What the interpolation on the mesh of `rail` loses of `plastic`, over the elements whose middle lies within `half_width` of `centre`
-/// and above `depth` (mm).
+/// The part of `plastic` lost by interpolation on the mesh of `rail`, over the elements whose
+/// centre lies within `half_width` of `centre` and above `depth` (mm).
 pub fn projection_loss(rail: &BulkRail, plastic: &PlasticField, part: RailPart) -> ProjectionLoss {
     let mesh = rail.mesh();
     let nodal = at_nodes(rail, |point| plastic.plastic_stress(point));
@@ -172,10 +173,10 @@ pub struct RailPart {
     pub depth: f64,
 }
 
-/// The interval of `lines` in which `x` lies, or the nearest one, and where in it.
+/// The interval of `lines` that contains `x`, or the nearest one, and the local coordinate.
 fn between(lines: &[f64], x: f64) -> (usize, f64) {
     let i = lines.partition_point(|&line| line <= x).clamp(1, lines.len() - 1) - 1;
-    // Beyond the first and the last line as far as an element goes.
+    // Extrapolates beyond the first and the last line as far as the element extends.
     let t = (x - lines[i]) / (lines[i + 1] - lines[i]);
     (i, t.clamp(-1.0, 2.0))
 }

@@ -26,7 +26,7 @@ const FREE_IN_THE_PLANE: Boundary =
 /// 𝕂ε_p, MPa.
 fn elastic_stress_of(strain: Stress) -> Stress {
     let in_plane = steel().plane_strain_stress(strain.xx, strain.yy, 2.0 * strain.xy);
-    // The strain out of the plane adds λ tr, and 2 μ of its own.
+    // The out-of-plane strain adds λ tr, and 2 μ of its own.
     let (mu, nu) = (steel().shear_modulus(), POISSON);
     let lambda = 2.0 * mu * nu / (1.0 - 2.0 * nu);
     let add = lambda * strain.zz;
@@ -38,14 +38,14 @@ fn largest_difference(one: Stress, other: Stress) -> f64 {
     [d.xx, d.yy, d.zz, d.xy].into_iter().fold(0.0, |m: f64, v| m.max(v.abs()))
 }
 
-/// A uniform plastic strain as plastic flow leaves it (without change of volume), and one that is not.
+/// A uniform plastic strain of incompressible flow, and one that changes the volume.
 const STRAINS: [Stress; 2] = [
     Stress { xx: 1e-3, yy: -1.4e-3, zz: 0.4e-3, xy: 0.0 },
     Stress { xx: 0.7e-3, yy: 0.2e-3, zz: -0.3e-3, xy: 0.0 },
 ];
 
 #[test]
-fn held_along_x_and_free_along_y_a_plastic_strain_presses() {
+fn a_plastic_strain_held_along_x_and_free_along_y_gives_the_opposite_stress() {
     // σ_xx = −E′ (ε_xx + ν ε_zz), σ_yy = 0: opposite in sign to the plastic stress.
     for strain in STRAINS {
         let balanced = BalancedStress::new(&rail(HELD_ALONG_X), |_| elastic_stress_of(strain)).unwrap();
@@ -61,7 +61,7 @@ fn held_along_x_and_free_along_y_a_plastic_strain_presses() {
 }
 
 #[test]
-fn free_in_the_plane_it_leaves_only_the_stress_out_of_it() {
+fn a_plastic_strain_free_in_the_plane_leaves_only_out_of_plane_stress() {
     for strain in STRAINS {
         let balanced = BalancedStress::new(&rail(FREE_IN_THE_PLANE), |_| elastic_stress_of(strain)).unwrap();
         let want = Stress { zz: -steel().young() * strain.zz, ..Stress::ZERO };
@@ -73,7 +73,7 @@ fn free_in_the_plane_it_leaves_only_the_stress_out_of_it() {
 }
 
 #[test]
-fn layers_balance_as_in_closed_form_and_better_on_finer_meshes() {
+fn layers_converge_to_the_closed_form() {
     // A profile with kinks: σ_xx = −σ_p,xx where nothing moves along x.
     let rows = vec![(0.0, 25.0, 10.0), (1.1, -110.0, 0.0), (2.7, 50.0, -20.0), (6.3, 0.0, 0.0)];
     let profile = DepthProfile::new(rows).unwrap();
@@ -103,7 +103,8 @@ fn layers_balance_as_in_closed_form_and_better_on_finer_meshes() {
     };
     let errors = [error(2), error(4), error(8)];
     assert!(errors[2] < 0.1, "mean error in MPa: {errors:?}"); // a thousandth of the largest stress
-    // Elements with a kink are wrong to the first order, and they cover a part of the depth that is of first order itself.
+    // Elements with a kink have first-order errors, and they cover a part of the depth that is
+    // itself of first order.
     let order = (errors[0] / errors[2]).log2() / 2.0;
     assert!(order > 1.7, "order {order}, {errors:?}");
 }
@@ -129,7 +130,8 @@ fn losses_vanish_for_linear_fields() {
     assert!(loss.norm > 0.0 && (loss.norm_ratio - 1.0).abs() < 1e-12 && loss.difference < 1e-7, "{loss:?}"); // reference coordinates to 1e-12
 }
 
-/// Triangles on rings around (0, `y`): a disc of radius 2 mm that has grown, in a ring that has not.
+/// Triangles on rings around (0, `y`): a disc of radius 2 mm that has grown, in a ring that has
+/// not.
 fn grown_disc(y: f64, plastic: Stress) -> PlasticField {
     let (rings, around, radius) = (40, 48, 2.0);
     let centre = Vec2::new(0.0, y);
@@ -176,12 +178,13 @@ fn grown_disc(y: f64, plastic: Stress) -> PlasticField {
     PlasticField::from_grid(&grid).unwrap()
 }
 
-/// Share of the stress inside: elements of a quarter of the radius, cells that smear the edge over a tenth of it, and (2/20)² for the
-/// surface and the ends of the mesh.
+/// Fraction of the stress inside: elements of a quarter of the radius, cells that smear the edge
+/// over a tenth of it, and (2/20)² for the surface and the ends of the mesh.
 const DISC: f64 = 0.04;
 
-/// A disc that would grow by e in the plane is held back by its surroundings: −μ e/(1 − ν) inside in all directions of the plane, and outside
-/// radially −, around + μ e/(1 − ν) (a/r)² (Eshelby 1957, for a cylinder).
+/// A disc with the free in-plane expansion e is restrained by its surroundings: −μ e/(1 − ν) inside
+/// in all directions of the plane; outside, radially −, around + μ e/(1 − ν) (a/r)² (Eshelby 1957,
+/// for a cylinder).
 #[test]
 fn a_field_on_foreign_triangles_balances_like_eshelbys_cylinder() {
     let growth = 1e-3;

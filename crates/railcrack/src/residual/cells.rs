@@ -1,4 +1,4 @@
-//! A mesh from anywhere: plane cells, and which of them holds a point.
+//! Point location and shape functions on a mesh of plane cells from any source.
 
 use super::error::PlasticFieldError;
 use super::shape::{PlaneShape, Shapes};
@@ -30,9 +30,10 @@ struct Buckets {
     cells: Vec<Vec<usize>>,
 }
 
-/// Reference coordinates this far outside still count as in the cell: gaps between cells that their writer rounded.
+/// Reference coordinates this far outside still count as inside the cell: gaps between cells whose
+/// coordinates were rounded when written.
 const INSIDE: f64 = 1e-6;
-/// Newton steps to the reference coordinates; straight cells need three.
+/// Newton iterations for the reference coordinates; straight cells need three.
 const NEWTON_STEPS: usize = 20;
 
 impl CellMesh {
@@ -62,7 +63,7 @@ impl CellMesh {
         (self.buckets.lower, self.buckets.upper)
     }
 
-    /// The cell that holds `point` and the shape functions there; none outside.
+    /// The cell that contains `point` and the shape functions there; none outside.
     pub fn locate(&self, point: Vec2) -> Option<(usize, Shapes)> {
         self.buckets.near(point).iter().find_map(|&cell| {
             let at = self.reference(cell, point)?;
@@ -70,7 +71,7 @@ impl CellMesh {
         })
     }
 
-    /// Integration points of a cell, mm: the shape functions there and the weight, mm².
+    /// Integration points of a cell: the shape functions there and the weight, mm².
     pub fn quadrature(&self, cell: usize) -> impl Iterator<Item = (Shapes, f64)> {
         let shape = self.cells[cell].shape;
         shape.rule().into_iter().map(move |(at, weight)| {
@@ -78,7 +79,7 @@ impl CellMesh {
         })
     }
 
-    /// The centroid of a cell, mm: where linear fields have their mean.
+    /// The centroid of a cell, mm, where linear fields equal their mean.
     pub fn centroid(&self, cell: usize) -> Vec2 {
         let nodes = &self.cells[cell].nodes;
         let (mut sum, mut area) = (Vec2::default(), 0.0);
@@ -145,7 +146,7 @@ impl Jacobian {
         self.along_xi.x * self.along_eta.y - self.along_xi.y * self.along_eta.x
     }
 
-    /// The step in (ξ, η) that moves by `step`.
+    /// The step in (ξ, η) that corresponds to `step`.
     fn solve(&self, step: Vec2) -> Option<Vec2> {
         let determinant = self.determinant();
         let scaled = Vec2::new(
@@ -169,7 +170,7 @@ impl Buckets {
         let mut buckets = Self { lower, upper, columns, rows, cells: vec![Vec::new(); columns * rows] };
         for (index, cell) in cells.iter().enumerate() {
             let (from, to) = bounds(cell.nodes.iter().map(|&node| points[node]));
-            // Curved sides reach beyond their nodes by less than a quarter of the extent.
+            // Curved sides extend beyond their nodes by less than a quarter of the extent.
             let margin = (to - from) * if cell.nodes.len() > cell.shape.corners() { 0.25 } else { INSIDE };
             let (first, last) = (buckets.place(from - margin), buckets.place(to + margin));
             for row in first.1..=last.1 {

@@ -1,4 +1,4 @@
-//! What can be wrong with a plastic stress from elsewhere.
+//! Errors of a given plastic stress.
 
 use thiserror::Error;
 
@@ -19,7 +19,7 @@ pub enum PlasticFieldError {
     /// An array that holds no stress.
     #[error("{reason}")]
     Array {
-        /// What is wrong with it.
+        /// The fault.
         reason: String,
     },
     /// No triangle and no quadrilateral.
@@ -30,7 +30,7 @@ pub enum PlasticFieldError {
     Cell {
         /// Its number, from 0.
         cell: usize,
-        /// What it is.
+        /// The type found.
         found: String,
     },
     /// A cell that is folded, or has no area.
@@ -58,7 +58,7 @@ pub enum PlasticFieldError {
     TooLarge {
         /// Largest component, MPa.
         largest: f64,
-        /// What is accepted, MPa.
+        /// The largest accepted value, MPa.
         limit: f64,
     },
 }

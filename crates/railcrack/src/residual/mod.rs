@@ -1,7 +1,8 @@
-//! Plastic stress from elsewhere: taken from its mesh to that of the rail and balanced there.
+//! Plastic stress from any source: projected onto the mesh of the rail and balanced there.
 //!
-//! A plastic stress 𝕂ε_p is not a residual stress: cut out of the rail, a piece with it would change its shape. What the rail makes of
-//! it, σ = 𝕂(ε − ε_p) in equilibrium, is the residual stress, of opposite sign for a layer along the rail.
+//! A plastic stress 𝕂ε_p is not a residual stress: a piece with it, cut out of the rail, would
+//! change its shape. The residual stress is the resulting σ = 𝕂(ε − ε_p) in equilibrium, of
+//! opposite sign for a layer along the rail.
 
 mod balance;
 mod cells;

@@ -1,4 +1,4 @@
-//! Plastic stress on a mesh from anywhere, at any point of the rail.
+//! Plastic stress given on a mesh, at any point of the rail.
 
 use super::cells::{CellMesh, PlaneCell};
 use super::error::PlasticFieldError;
@@ -11,18 +11,18 @@ use crate::mesh::{CellShape, UnstructuredGrid};
 /// Name of the array that holds the plastic stress 𝕂ε_p, MPa.
 pub const PLASTIC_STRESS_ARRAY: &str = "plastic_stress_mpa";
 
-/// No plastic stress of steel is larger than this, MPa: beyond, a unit is wrong.
+/// Largest plausible plastic stress of steel, MPa: a larger one shows a wrong unit.
 const LARGEST: f64 = 1e5;
-/// Meshes may stand out above y = 0 by this share of their height: rounding of their writer.
+/// Fraction of its height by which a mesh may exceed y = 0: rounding when it was written.
 const ABOVE: f64 = 1e-3;
 
-/// Plastic stress below this share of the largest has no depth of its own.
+/// Plastic stress below this fraction of the largest does not count for the plastic depth.
 const NOTHING: f64 = 1e-3;
 
 /// The plastic stress 𝕂ε_p = 2 G ε_p (MPa) at the nodes of its own mesh; still to be balanced.
 ///
-/// Beyond the left and the right end of the mesh it goes on as at the end: a rail is rolled along its whole length. Below and
-/// in holes of the mesh it is zero.
+/// Beyond the left and the right end of the mesh it continues as at the end: a rail is rolled along
+/// its whole length. Below and in holes of the mesh it is zero.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlasticField {
     mesh: CellMesh,
@@ -35,17 +35,19 @@ pub struct PlasticField {
 pub struct RecoveryLoss {
     /// Of the field as given, cell by cell.
     pub norm: f64,
-    /// Of what values at nodes make of it, over that of the field.
+    /// Norm of the field recovered from nodal values, over that of the given field.
     pub norm_ratio: f64,
     /// Of the difference, over that of the field.
     pub difference: f64,
 }
 
 impl PlasticField {
-    /// Takes the array [`PLASTIC_STRESS_ARRAY`] of a grid: on points as it stands; on cells as their means, from which
-    /// values at the nodes follow by least squares. Points and lines among the cells are left out.
+    /// Reads the array [`PLASTIC_STRESS_ARRAY`] of a grid: point data as they are, cell data as
+    /// means, from which nodal values follow by least squares. Points and lines among the cells are
+    /// ignored.
     ///
-    /// Errors: no such array, or one that holds no stress; no plane cells, or folded ones; a mesh above the running surface.
+    /// Errors: no such array, or one that holds no stress; no plane cells, or folded ones; a mesh
+    /// above the running surface.
     pub fn from_grid(grid: &UnstructuredGrid) -> Result<Self, PlasticFieldError> {
         let (on_points, on_cells) =
             (grid.point_array(PLASTIC_STRESS_ARRAY), grid.cell_array(PLASTIC_STRESS_ARRAY));
@@ -89,7 +91,7 @@ impl PlasticField {
             depths.insert(0, 0.0);
         }
         if depths.len() == 1 {
-            // One row alone is a value at the surface, and nothing below.
+            // A single row is a value at the surface, with zero below.
             depths.push(f64::EPSILON);
         }
         let points =
@@ -126,7 +128,8 @@ impl PlasticField {
         (lower.x, upper.x, -lower.y)
     }
 
-    /// Depth of its lowest node with a plastic stress worth the name, mm; none where there is none at all.
+    /// Depth of the lowest node with significant plastic stress, mm; none without any plastic
+    /// stress.
     pub fn plastic_depth(&self) -> Option<f64> {
         let largest = self.nodal.iter().map(|stress| stress.squared()).fold(0.0, f64::max);
         let counts = |stress: &Stress| stress.squared() > NOTHING * NOTHING * largest;
@@ -134,7 +137,7 @@ impl PlasticField {
         stressed.map(|(point, _)| -point.y).reduce(f64::max)
     }
 
-    /// What was lost on the way from cells to nodes; none where values were given at nodes.
+    /// Loss of the recovery from cells to nodes; none where values were given at nodes.
     pub fn recovery_loss(&self) -> Option<RecoveryLoss> {
         let cells = self.cells.as_ref()?;
         let (mut given, mut recovered, mut difference) = (0.0, 0.0, 0.0);

@@ -6,7 +6,8 @@ fn linear(p: Vec2) -> Stress {
     Stress { xx: 30.0 + 2.0 * p.x - 5.0 * p.y, yy: -4.0 + p.y, zz: 1.0 - p.x, xy: 0.3 * p.x - p.y }
 }
 
-/// Uneven squares from x = −6 to 6 mm and down to 5 mm, cut into triangles where `shape` says so.
+/// Uneven squares from x = −6 to 6 mm and down to 5 mm, divided into triangles where `shape` says
+/// so.
 fn uneven(shape: CellShape) -> UnstructuredGrid {
     let (columns, rows) = (6, 5);
     let place = |i: usize, j: usize| {
@@ -27,7 +28,7 @@ fn uneven(shape: CellShape) -> UnstructuredGrid {
     UnstructuredGrid { points, cells: vec![CellBlock { shape, connectivity }], ..UnstructuredGrid::default() }
 }
 
-/// The field of values at nodes or in the middles of cells.
+/// The field given by values at nodes or at the centroids of cells.
 fn field(mut grid: UnstructuredGrid, value: impl Fn(Vec2) -> Stress, on_cells: bool) -> PlasticField {
     if on_cells {
         let middles =
@@ -41,7 +42,7 @@ fn field(mut grid: UnstructuredGrid, value: impl Fn(Vec2) -> Stress, on_cells: b
     PlasticField::from_grid(&grid).unwrap()
 }
 
-/// Of a polygon: where linear fields have their mean.
+/// Centroid of a polygon, where linear fields equal their mean.
 fn centroid(corners: Vec<Vec2>) -> Vec2 {
     let (mut area, mut sum) = (0.0, Vec2::default());
     for i in 0..corners.len() {
@@ -63,7 +64,7 @@ fn distance(one: Stress, other: Stress) -> f64 {
 }
 
 #[test]
-fn linear_fields_are_met_exactly() {
+fn linear_fields_are_reproduced_exactly() {
     for shape in [CellShape::Triangle, CellShape::Quad] {
         for on_cells in [false, true] {
             let field = field(uneven(shape), linear, on_cells);
@@ -108,7 +109,7 @@ fn smooth_fields_on_cells_converge_with_the_second_order() {
 
 #[test]
 fn the_loss_is_that_of_the_norms() {
-    // Layers of a profile in one column of cells: what a steady state writes.
+    // Layers of a profile in one column of cells, as written for a steady state.
     let depths = [0.0, 0.5, 1.0, 2.0, 4.0, 20.0];
     let values = [-80.0, -120.0, -40.0, 10.0, 0.0];
     let points = depths.iter().flat_map(|&d| [Vec2::new(-100.0, -d), Vec2::new(100.0, -d)]).collect();
@@ -145,7 +146,7 @@ fn the_loss_is_that_of_the_norms() {
 }
 
 #[test]
-fn beyond_its_ends_a_field_goes_on_and_below_it_is_zero() {
+fn a_field_continues_beyond_its_ends_and_is_zero_below() {
     let field = field(uneven(CellShape::Quad), linear, false);
     for y in [-0.1, -3.0, -4.9] {
         let far = field.plastic_stress(Vec2::new(1000.0, y));
@@ -156,7 +157,8 @@ fn beyond_its_ends_a_field_goes_on_and_below_it_is_zero() {
 
 #[test]
 fn quadratic_cells_are_read() {
-    // One curved quadrilateral with eight nodes: a linear field is met wherever the map goes.
+    // One curved quadrilateral with eight nodes: a linear field is reproduced wherever the map
+    // leads.
     let points: Vec<Vec2> = [
         (0.0, -4.0),
         (4.0, -4.0),
@@ -182,7 +184,7 @@ fn quadratic_cells_are_read() {
 }
 
 #[test]
-fn what_is_no_plastic_stress_is_named() {
+fn inadmissible_fields_are_refused_by_name() {
     let refused = |grid: &UnstructuredGrid| PlasticField::from_grid(grid).unwrap_err();
     let mut grid = uneven(CellShape::Quad);
     let count = grid.points.len();

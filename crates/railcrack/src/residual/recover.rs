@@ -3,21 +3,25 @@
 use super::cells::CellMesh;
 use crate::math::{Stress, Vec2};
 
-/// Rounds of neighbours by which a patch is extended until the centroids of its cells spread in every direction.
+/// Layers of neighbours by which a patch is extended until the centroids of its cells spread in
+/// every direction.
 const EXTENSIONS: usize = 3;
-/// Spread (variance) in a direction, over that in the widest, below which the centroids say nothing about it.
+/// Spread (variance) in a direction, over that in the widest, below which the centroids do not
+/// determine the gradient in it.
 const SPREAD: f64 = 1e-6;
 
-/// Rounds, each of which adds what the means over the cells still lack: two make up for most of the flattening, and more would
-/// overshoot where cells are too coarse for the field.
+/// Rounds, each of which adds the remaining defect of the cell means: two compensate most of the
+/// flattening, and more would overshoot where cells are too coarse for the field.
 const ROUNDS: usize = 2;
 
-/// Values at the nodes of `mesh` from `values`, the means over its cells: of each node the linear function that fits those of the
-/// cells around it best, at the node; then the same of what the means of the result lack. Linear fields are met exactly, at the borders
-/// too; the rounds restore peaks that fits flatten. Points without a cell get zero.
+/// Nodal values of `mesh` from `values`, the means over its cells: at each node the least-squares
+/// linear fit to the cells around it; then the same for the defect of the resulting means. Linear
+/// fields are reproduced exactly, at the boundary too; the rounds restore peaks that the fits
+/// flatten. Points without a cell get zero.
 ///
-/// A least-squares fit of the shape functions to one point per cell has no unique answer on quadrilaterals: there are fewer cells
-/// than nodes. Source: Zienkiewicz & Zhu 1992, Int. J. Numer. Meth. Engng 33, 1331–1364 (recovery on patches).
+/// A least-squares fit of the shape functions to one point per cell is not unique on
+/// quadrilaterals: there are fewer cells than nodes. Source: Zienkiewicz & Zhu 1992, Int. J. Numer.
+/// Meth. Engng 33, 1331–1364 (recovery on patches).
 pub(super) fn nodes_from_cells(mesh: &CellMesh, values: &[Stress]) -> Vec<Stress> {
     let patches = patches(mesh);
     let mut nodal = vec![Stress::ZERO; mesh.points.len()];
@@ -33,7 +37,7 @@ pub(super) fn nodes_from_cells(mesh: &CellMesh, values: &[Stress]) -> Vec<Stress
     nodal
 }
 
-/// The mean over a cell of what values at nodes make of it.
+/// The mean over a cell of the field interpolated from nodal values.
 fn mean(mesh: &CellMesh, cell: usize, nodal: &[Stress]) -> Stress {
     let nodes = &mesh.cells[cell].nodes;
     let (mut sum, mut area) = (Stress::ZERO, 0.0);
@@ -44,7 +48,7 @@ fn mean(mesh: &CellMesh, cell: usize, nodal: &[Stress]) -> Stress {
     sum * (1.0 / area)
 }
 
-/// Of each node the cells whose values are fitted there, with their weights.
+/// For each node the cells whose values are fitted there, with their weights.
 fn patches(mesh: &CellMesh) -> Vec<Vec<(usize, f64)>> {
     let centroids: Vec<Vec2> = (0..mesh.cells.len()).map(|cell| mesh.centroid(cell)).collect();
     let mut around: Vec<Vec<usize>> = vec![Vec::new(); mesh.points.len()];
@@ -66,7 +70,8 @@ fn patches(mesh: &CellMesh) -> Vec<Vec<(usize, f64)>> {
         }
         let here = mesh.points[node];
         let fit = |patch: &[usize]| Fit::new(patch.iter().map(|&cell| centroids[cell]), here);
-        // The smallest patch that says the most: a strip of cells never tells about its other direction.
+        // The smallest patch with the most directions: a strip of cells never determines the
+        // gradient across it.
         let (mut best, mut patch) = (cells.clone(), cells.clone());
         let mut directions = fit(&best).directions();
         for _ in 0..EXTENSIONS {

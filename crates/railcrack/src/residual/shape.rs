@@ -3,8 +3,8 @@
 use crate::math::Vec2;
 use crate::mesh::{CORNERS, shape_functions};
 
-/// A cell of the plane: corners in turn, then the middles of the sides, the first between the first and the second corner, then
-/// the centre.
+/// A plane cell: corners in order, then the midpoints of the sides, the first between the first and
+/// the second corner, then the centre.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PlaneShape {
     /// 3 corners.
@@ -22,7 +22,8 @@ pub enum PlaneShape {
 /// Most nodes of a cell.
 pub(super) const MOST_NODES: usize = 9;
 
-/// Values, ∂/∂ξ and ∂/∂η of the shape functions of a cell; as many as it has nodes count.
+/// Values, ∂/∂ξ and ∂/∂η of the shape functions of a cell; only as many entries as it has nodes
+/// count.
 pub(super) type Shapes = [[f64; 3]; MOST_NODES];
 
 impl PlaneShape {
@@ -53,7 +54,8 @@ impl PlaneShape {
         CORNERS.iter().map(|[x, y]| (Vec2::new(at * x, at * y), 1.0)).collect()
     }
 
-    /// The shape functions at `at`: (ξ, η) in the triangle 0 ≤ ξ, η, ξ + η ≤ 1 or in the square [−1, 1]².
+    /// The shape functions at `at`: (ξ, η) in the triangle 0 ≤ ξ, η, ξ + η ≤ 1 or in the square
+    /// [−1, 1]².
     ///
     /// Source: Zienkiewicz & Taylor, The Finite Element Method, standard isoparametric families.
     pub(super) fn functions(self, at: Vec2) -> Shapes {
@@ -133,7 +135,7 @@ mod tests {
     }
 
     #[test]
-    fn one_at_the_own_node_and_slopes_are_slopes() {
+    fn functions_are_one_at_their_own_node_and_derivatives_are_consistent() {
         for shape in SHAPES {
             for (i, node) in nodes(shape).into_iter().enumerate() {
                 for (j, value) in shape.functions(node)[..count(shape)].iter().enumerate() {

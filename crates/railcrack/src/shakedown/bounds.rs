@@ -1,4 +1,4 @@
-//! What pressure the rail bears without yielding, and without yielding for ever.
+//! First yield and shakedown limits of the rail under the wheel.
 
 use crate::field::HertzField;
 use crate::load::HertzianContact;
@@ -9,7 +9,7 @@ use crate::math::{Stress, Vec2, smallest_ball};
 pub struct FirstYield {
     /// p0 / k, with the yield stress in shear k = σ_y / √3 (von Mises).
     pub ratio: f64,
-    /// Where: abscissa from the centre of the contact over its half-width.
+    /// Abscissa from the centre of the contact over its half-width.
     pub x_over_a: f64,
     /// Where: depth over the half-width of the contact.
     pub depth_over_a: f64,
@@ -20,16 +20,16 @@ pub struct FirstYield {
 pub struct ShakedownLimit {
     /// p0 / k, with the yield stress in shear k = σ_y / √3 (von Mises).
     pub ratio: f64,
-    /// Depth that decides, over the half-width of the contact.
+    /// Critical depth, over the half-width of the contact.
     pub depth_over_a: f64,
 }
 
-/// What one depth bears.
+/// First yield and shakedown limit at one depth.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DepthBounds {
     /// Depth over the half-width of the contact.
     pub depth_over_a: f64,
-    /// p0 / k at which it first yields; infinite where nothing is stressed.
+    /// p0 / k at first yield there; infinite where there is no stress.
     pub first_yield: f64,
     /// p0 / k up to which it can shake down elastically.
     pub shakedown: f64,
@@ -37,17 +37,22 @@ pub struct DepthBounds {
 
 /// Depths searched, over a: the stress path shrinks with depth beyond the maximum, near 0.5 to 0.8.
 const DEEPEST: f64 = 2.0;
-/// Number of intervals of the first search in depth; the maximum is refined between its neighbours.
+/// Number of intervals of the coarse search in depth; the maximum is refined between its
+/// neighbours.
 const DEPTH_INTERVALS: u32 = 80;
-/// Intervals of the stress path under each half of the contact, and on each side of it. The coordinate is that of confocal
-/// ellipses, dense at the edges, where the surface stress has a kink. Doubling them moves the limits by less than 1e-4.
+/// Intervals of the stress path under each half of the contact, and on each side of it. The
+/// coordinate is that of confocal ellipses, dense at the edges, where the surface stress has a
+/// kink. Doubling them changes the limits by less than 1e-4.
 const PATH_INTERVALS: i32 = 100;
-/// Length of the path on each side: x/a = cosh 3 = 10. Beyond, the path runs straight to zero, which is added.
+/// Length of the path on each side: x/a = cosh 3 = 10. Beyond, the path runs straight to zero,
+/// which is added.
 const PATH_END: f64 = 3.0;
 
-/// p0/k at first yield: 1 / max √J2 over the half-plane, for p0 = 1. `friction` is μ of the wheel, `poisson` ν.
+/// p0/k at first yield: 1 / max √J2 over the half-plane, for p0 = 1. `friction` is the wheel–rail
+/// friction coefficient μ, `poisson` ν.
 ///
-/// Source of the condition: von Mises; values in Johnson, Contact Mechanics, 4.4 and 7.1 (by Tresca).
+/// Source of the condition: von Mises; values in Johnson, Contact Mechanics, 4.4 and 7.1 (by
+/// Tresca).
 pub fn first_yield_ratio(friction: f64, poisson: f64) -> FirstYield {
     let field = unit_contact(friction, poisson);
     let path = path_abscissae();
@@ -60,12 +65,14 @@ pub fn first_yield_ratio(friction: f64, poisson: f64) -> FirstYield {
     FirstYield { ratio: 1.0 / top, x_over_a: x, depth_over_a }
 }
 
-/// p0/k at the limit of elastic shakedown for kinematic hardening: at every depth the deviatoric stress path of the
-/// elastic passage must fit into the yield surface, a ball of radius √2 k (Frobenius norm), wherever its centre; so
-/// p0/k = √2 / max over depth of the radius of the smallest ball around the path, for p0 = 1. `friction` is μ of the
-/// wheel, `poisson` ν.
+/// p0/k at the limit of elastic shakedown for kinematic hardening: at every depth the deviatoric
+/// stress path of the elastic passage must fit into the yield surface, a ball of radius √2 k
+/// (Frobenius norm) with any centre; so p0/k = √2 / max over depth of the radius of the smallest
+/// ball around the path, for p0 = 1. `friction` is the wheel–rail friction coefficient μ, `poisson`
+/// ν.
 ///
-/// Source: Melan 1938, Prager 1956 (the theorem); Ponter, Hearle & Johnson 1985, J. Mech. Phys. Solids 33, 339–362.
+/// Source: Melan 1938, Prager 1956 (the theorem); Ponter, Hearle & Johnson 1985, J. Mech. Phys.
+/// Solids 33, 339–362.
 pub fn shakedown_limit_ratio(friction: f64, poisson: f64) -> ShakedownLimit {
     let field = unit_contact(friction, poisson);
     let path = path_abscissae();
@@ -74,8 +81,8 @@ pub fn shakedown_limit_ratio(friction: f64, poisson: f64) -> ShakedownLimit {
     ShakedownLimit { ratio: std::f64::consts::SQRT_2 / largest, depth_over_a }
 }
 
-/// First yield and limit of elastic shakedown at each of `depths_over_a`, as [`first_yield_ratio`] and
-/// [`shakedown_limit_ratio`] find them at the depth that decides.
+/// First yield and limit of elastic shakedown at each of `depths_over_a`, as [`first_yield_ratio`]
+/// and [`shakedown_limit_ratio`] find them at the critical depth.
 pub fn bounds_by_depth(friction: f64, poisson: f64, depths_over_a: &[f64]) -> Vec<DepthBounds> {
     let field = unit_contact(friction, poisson);
     let path = path_abscissae();
@@ -91,7 +98,7 @@ pub fn bounds_by_depth(friction: f64, poisson: f64, depths_over_a: &[f64]) -> Ve
     depths_over_a.iter().map(at).collect()
 }
 
-/// First yield and limit of elastic shakedown at one friction.
+/// First yield and limit of elastic shakedown for one friction coefficient.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MapPoint {
     /// |μ| of the wheel.
@@ -102,7 +109,8 @@ pub struct MapPoint {
     pub shakedown: f64,
 }
 
-/// The shakedown map: `points` frictions evenly spaced from 0 to `most` (Johnson, Contact Mechanics, fig. 9.7).
+/// The shakedown map: `points` friction coefficients evenly spaced from 0 to `most` (Johnson,
+/// Contact Mechanics, fig. 9.7).
 pub fn shakedown_map(most: f64, points: usize, poisson: f64) -> Vec<MapPoint> {
     let last = points.saturating_sub(1).max(1) as f64;
     let at = |i: usize| {
@@ -113,8 +121,9 @@ pub fn shakedown_map(most: f64, points: usize, poisson: f64) -> Vec<MapPoint> {
     (0..points).map(at).collect()
 }
 
-/// Depth and value of the largest √(3/2) |s + s0| over σ_y of the elastic passage of `contact`, s0 the deviator of the
-/// initial stress at a depth (mm): the rail yields where it exceeds 1. Searched down to `DEEPEST` half-widths.
+/// Depth and value of the largest √(3/2) |s + s0| over σ_y of the elastic passage of `contact`, s0
+/// the deviator of the initial stress at a depth (mm): the rail yields where it exceeds 1. Searched
+/// down to `DEEPEST` half-widths.
 pub(super) fn utilisation(
     contact: &HertzianContact,
     poisson: f64,
@@ -163,8 +172,8 @@ pub(super) fn path_abscissae() -> Vec<f64> {
     inside.chain(outside.flat_map(|x| [x, -x])).collect()
 }
 
-/// The depth/a in [0, DEEPEST] at which `value` is largest, and its value: a grid, the surface included, and golden
-/// section beside its best depth.
+/// The depth/a in [0, DEEPEST] at which `value` is largest, and its value: a grid, the surface
+/// included, and golden section around its best depth.
 fn maximum_over_depth(value: impl Fn(f64) -> f64) -> (f64, f64) {
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
     // 2 · DEEPEST / DEPTH_INTERVALS · 0.618^20 = 3e-6 a: the value is then flat to 1e-11.

@@ -1,4 +1,4 @@
-//! The stabilised cycle out of the columns of the last passage.
+//! The stabilised cycle from the columns of the last passage.
 
 use super::eigenstress::Columns;
 use super::grid::Grid;
@@ -15,8 +15,8 @@ pub(super) fn zeros(grid: &Grid) -> Columns {
     [vec![0.0; size], vec![0.0; size], vec![0.0; size]]
 }
 
-/// The residual stress of a rail in which `strain` depends on depth alone: σ_xx = −E′ (ε_xx + ν ε_zz),
-/// σ_zz = −E′ (ε_zz + ν ε_xx), σ_yy = σ_xy = 0.
+/// The residual stress of a rail in which `strain` depends on depth alone: σ_xx = −E′ (ε_xx + ν
+/// ε_zz), σ_zz = −E′ (ε_zz + ν ε_xx), σ_yy = σ_xy = 0.
 pub(super) fn layer_stress(steel: &IsotropicElastic, strain: PlasticStrain) -> Stress {
     let (modulus, poisson) = (steel.plane_strain_modulus(), steel.poisson());
     Stress {

@@ -1,30 +1,35 @@
-//! The stress that a plastic strain leaves in the half-plane: the elastic redistribution, exact in every layer.
+//! Residual stress of a plastic strain in the half-plane: the elastic redistribution, exact in
+//! every layer.
 
 use super::fourier::{Fourier, Signals};
 use super::layers::Layers;
 use super::wave::{Complex, LayerFactors, Strains, Wave};
 use crate::material::IsotropicElastic;
 
-/// Fields on columns (evenly spaced abscissae) and layers: component c of column i and layer j is at `[c][i · layers + j]`.
+/// Fields on columns (evenly spaced abscissae) and layers: component c of column i and layer j is
+/// at `[c][i · layers + j]`.
 pub(super) type Columns = [Vec<f64>; 3];
 
-/// Linear elasticity of the half-plane y ≤ 0 with a free surface under plastic strains that are constant across each layer.
+/// Linear elasticity of the half-plane y ≤ 0 with a free surface under plastic strains that are
+/// constant across each layer.
 ///
-/// With the strain e = (ε_xx + ν ε_zz, ε_yy + ν ε_zz, ε_xy) that acts in the plane, Airy's function of the wave e^(ikx) solves
-/// (∂² − k²)² φ = −E′ (∂² e_xx − k² e_yy − 2 i k ∂ e_xy); see [`Wave`]. Stresses are averages over layers: the operator
-/// is then symmetric, like the energy that it comes from.
+/// With the in-plane strain e = (ε_xx + ν ε_zz, ε_yy + ν ε_zz, ε_xy), Airy's function of the wave
+/// e^(ikx) solves (∂² − k²)² φ = −E′ (∂² e_xx − k² e_yy − 2 i k ∂ e_xy); see [`Wave`]. Stresses are
+/// averages over layers: the operator is then symmetric, like the energy from which it derives.
 ///
-/// Waves have a period L, the rail has none. Let the strain be U(y) far upstream and U + D far downstream. U is carried
-/// exactly. To the rest, a ramp that rises by D over one period is added, which makes it periodic, and the stress of such a
-/// ramp in the endless half-plane is subtracted. The ramp, and the mean over the period, are what is left of the waves that
-/// are longer than it: the stress σ(k) of a wave has a kink at k = 0, and the sum over waves becomes the integral up to
-/// L⁻⁴ if the kink is represented by its value at Δk/6, Δk = 2π/L (Euler and Maclaurin). With K the response to that wave,
-/// as far as it is linear in k,
+/// Waves have a period L, the rail has none. Let the strain be U(y) far upstream and U + D far
+/// downstream. U is treated exactly. To the rest, a ramp that rises by D over one period is added,
+/// which makes it periodic, and the stress of such a ramp in the infinite half-plane is subtracted.
+/// The ramp, and the mean over the period, represent the waves longer than the period: the stress
+/// σ(k) of a wave has a kink at k = 0, and the sum over waves becomes the integral up to L⁻⁴ if the
+/// kink is represented by its value at Δk/6, Δk = 2π/L (Euler and Maclaurin). With K the response
+/// to that wave, as far as it is linear in k,
 ///
 ///   σ_xx = −E′ mean + (K_xx + E′)(q − D x/L) + E′ D_xx x/L + …,
 ///
-/// q the mean of the strain less the step of height D at x = 0, and −Im K D/(L Δk/6) for stresses that are odd in k.
-/// Together they are in equilibrium like the wave itself. `docs/shakedown.md` shows what remains of the period.
+/// q the mean of the strain less the step of height D at x = 0, and −Im K D/(L Δk/6) for stresses
+/// that are odd in k. Together they are in equilibrium like the wave itself. `docs/shakedown.md`
+/// shows the remaining effect of the period.
 pub(super) struct Eigenstress {
     plane_strain_modulus: f64,
     poisson: f64,
@@ -41,13 +46,15 @@ pub(super) struct Eigenstress {
 
 /// The wave that represents all waves longer than the period, over Δk.
 const LONG_WAVE: f64 = 1.0 / 6.0;
-/// Only what is linear in k counts: it is taken from two waves that are longer still, by this factor and twice it, …
+/// Only the part linear in k counts: it is taken from two waves that are longer still, by this
+/// factor and twice it, …
 const NEAR: f64 = 0.01;
 /// … over Δk.
 const LONG_WAVES: [f64; 2] = [NEAR * LONG_WAVE, 2.0 * NEAR * LONG_WAVE];
 
 impl Eigenstress {
-    /// `columns` (a power of two) abscissae at `spacing` (mm); `layers` of the rail; its elasticity `steel`.
+    /// `columns` (a power of two) abscissae at `spacing` (mm); `layers` of the rail; its elasticity
+    /// `steel`.
     pub(super) fn new(steel: &IsotropicElastic, columns: usize, spacing: f64, layers: Layers) -> Self {
         let period = columns as f64 * spacing;
         let unit = 2.0 * std::f64::consts::PI / period;
@@ -72,9 +79,9 @@ impl Eigenstress {
         }
     }
 
-    /// σ_xx, σ_yy and σ_xy, MPa, averaged over the layers, into `stress`, of the plastic strain `strain` (coordinates
-    /// of [`super::PlasticStrain::deviator`]) in the layers, which enters as `upstream` in the last column and leaves by the
-    /// first.
+    /// σ_xx, σ_yy and σ_xy, MPa, averaged over the layers, into `stress`, of the plastic strain
+    /// `strain` (coordinates of [`super::PlasticStrain::deviator`]) in the layers, which enters as
+    /// `upstream` in the last column and leaves by the first.
     pub(super) fn stress(&mut self, strain: &Columns, upstream: &[[f64; 3]], stress: &mut Columns) {
         let layers = self.layers.count();
         let gain: Vec<Strains> =
@@ -120,8 +127,8 @@ impl Eigenstress {
         }
     }
 
-    /// The largest force per mm² that is missing on a layer or on the surface for equilibrium, MPa: the sum over waves, of
-    /// which none can cancel another, between neighbouring columns.
+    /// The largest out-of-balance force per mm² on a layer or on the surface, MPa: the sum over
+    /// waves, of which none can cancel another, between neighbouring columns.
     pub(super) fn imbalance(&mut self, strain: &Columns, upstream: &[[f64; 3]]) -> f64 {
         let layers = self.layers.count();
         let gain: Vec<Strains> =
@@ -158,8 +165,9 @@ impl Eigenstress {
         let (plus, minus) = (k * lanes, (self.columns - k) * lanes);
         self.take_wave(k);
         let signals = &mut self.signals;
-        // −E′/N: the inverse transform is not yet divided by N. The shortest wave, which is its own mirror image, has no
-        // imaginary part; `combine` drops it because it writes that wave twice.
+        // −E′/N: the inverse transform is not yet divided by N. The shortest wave, which is its own
+        // mirror image, has no imaginary part; `combine` drops it because it writes that wave
+        // twice.
         let scale = -self.plane_strain_modulus / self.columns as f64;
         for j in 0..layers {
             let [xx, yy, xy] = self.wave.stresses[j].map(|s| s * scale);
@@ -173,7 +181,7 @@ impl Eigenstress {
         }
     }
 
-    /// The mean over the period, −E′ e_xx, taken out of the signals.
+    /// The mean over the period, −E′ e_xx, removed from the signals.
     fn take_mean(&mut self) -> Vec<Strains> {
         let layers = self.layers.count();
         let lanes = layers + layers.div_ceil(2);
@@ -190,7 +198,8 @@ impl Eigenstress {
         mean
     }
 
-    /// What the waves that are longer than the period give, with the strain that enters put in and the ramp taken out.
+    /// The contribution of the waves longer than the period, with the strain that enters added and
+    /// the ramp subtracted.
     fn long_waves(&mut self, mean: &[Strains], gain: &[Strains], entering: &[Strains]) -> Vec<LongWaves> {
         let modulus = self.plane_strain_modulus;
         let less_step: Vec<f64> = mean.iter().zip(gain).map(|(mean, gain)| mean.xx - gain.xx).collect();
@@ -209,8 +218,9 @@ impl Eigenstress {
         (0..mean.len()).map(of_layer).collect()
     }
 
-    /// Of long wave `which`, over −E′ and by layer: the σ_xx of the strain `less_step` beyond that of a filled layer, σ_xx
-    /// of `gain`, and what is odd in k of σ_xy and σ_xx of `gain`, over κ L.
+    /// For long wave `which`, over −E′ and by layer: the σ_xx of the strain `less_step` beyond that
+    /// of a filled layer, σ_xx of `gain`, and the parts odd in k of σ_xy and σ_xx of `gain`, over κ
+    /// L.
     ///
     /// e_yy has no part in it: its stresses begin with k².
     fn long_wave(&mut self, which: usize, less_step: &[f64], gain: &[Strains]) -> Vec<[f64; 4]> {
@@ -249,8 +259,8 @@ impl Eigenstress {
     }
 }
 
-/// Stresses in a layer, MPa, that the waves longer than the period make: σ_xx in the first column and its rise over a
-/// period, σ_xy.
+/// Stresses in a layer, MPa, due to the waves longer than the period: σ_xx in the first column and
+/// its rise over a period, σ_xy.
 #[derive(Debug, Clone, Copy)]
 struct LongWaves {
     xx: f64,

@@ -1,4 +1,4 @@
-//! The redistribution against what linear elasticity must hold.
+//! The elastic redistribution: reciprocity, energy, closed forms and the effect of the period.
 
 use super::*;
 
@@ -39,7 +39,8 @@ fn stress(columns: usize, strain: &Columns) -> Columns {
     stress
 }
 
-/// ∫ σ : ε of the strain `of` in the stress of the strain `by`, with σ_zz = ν (σ_xx + σ_yy) − E ε_zz.
+/// ∫ σ : ε of the strain `of` in the stress of the strain `by`, with σ_zz = ν (σ_xx + σ_yy) − E
+/// ε_zz.
 fn work(of: &Columns, by: &Columns, columns: usize) -> f64 {
     let [xx, yy, xy] = stress(columns, by);
     let layers = layers();
@@ -57,7 +58,8 @@ fn work(of: &Columns, by: &Columns, columns: usize) -> f64 {
 
 const DIRECTIONS: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
-/// Betti: each strain does the same work on the stress of the other; and on its own stress a negative one (the energy).
+/// Betti: each strain does the same work on the stress of the other; on its own stress the work is
+/// negative (the energy).
 #[test]
 fn reciprocal_and_dissipative() {
     let columns = 128;
@@ -72,7 +74,8 @@ fn reciprocal_and_dissipative() {
     }
 }
 
-/// A strain that fills a layer from end to end: −E′ (ε_xx + ν ε_zz), and nothing else.
+/// A strain that fills a layer from end to end: −E′ (ε_xx + ν ε_zz) along the rail, and no other
+/// stress.
 #[test]
 fn filled_layers() {
     let columns = 64;
@@ -91,8 +94,8 @@ fn filled_layers() {
     assert!(stress[1].iter().chain(&stress[2]).all(|s| s.abs() < 1e-9));
 }
 
-/// A strain that enters as nothing and leaves as a constant: behind the step the stress tends to that of filled layers,
-/// ahead of it to zero, and the period matters with its fourth power.
+/// A strain that enters as zero and leaves as a constant: behind the step the stress tends to that
+/// of filled layers, ahead of it to zero, and the period has an effect of its fourth power.
 #[test]
 fn step_in_an_endless_rail() {
     let step = |columns: usize| {

@@ -18,12 +18,12 @@ pub enum ShakedownError {
     Contact {
         /// Which quantity.
         quantity: &'static str,
-        /// What was given.
+        /// The given value.
         value: f64,
-        /// What is accepted.
+        /// The accepted values.
         accepted: &'static str,
     },
-    /// A stress of manufacturing that the steel cannot carry.
+    /// An initial residual stress that the steel cannot carry.
     #[error(
         "initial residual stress: {utilisation} of the yield stress at depth {depth} mm; must be at most 1, or the rail yields without a wheel"
     )]
@@ -33,7 +33,7 @@ pub enum ShakedownError {
         /// mm.
         depth: f64,
     },
-    /// A plastic zone that reaches deeper with every attempt.
+    /// A plastic zone that extends deeper with every attempt.
     #[error(
         "the plastic zone reaches below {depth} mm: the initial residual stress and the wheel make the whole rail yield"
     )]
@@ -43,7 +43,7 @@ pub enum ShakedownError {
     },
     /// A passage whose plastic strain did not settle.
     #[error(
-        "passage {pass} not converged: after {iterations} redistributions the plastic strain still changes by {change:.2e} of the yield strain, allowed are {tolerance:.1e}"
+        "passage {pass} not converged: after {iterations} redistributions the plastic strain still changes by {change:.2e} of the yield strain, the tolerance is {tolerance:.1e}"
     )]
     NotConverged {
         /// Which passage, from 1.

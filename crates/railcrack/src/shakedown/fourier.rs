@@ -4,10 +4,11 @@ use pulp::{Arch, Simd, WithSimd};
 
 /// The transform X_k = Σ_n x_n e^(−2π i k n / N) of signals of length N, a power of two.
 ///
-/// Signals lie side by side: sample n of all of them is contiguous, so that one butterfly serves them all.
+/// Signals are stored side by side: sample n of all of them is contiguous, so that one butterfly
+/// serves them all.
 ///
-/// Source: Stockham's self-sorting form of radix four (Cooley & Tukey 1965; Van Loan 1992, Computational Frameworks for
-/// the Fast Fourier Transform, 1.7).
+/// Source: Stockham's self-sorting form of radix four (Cooley & Tukey 1965; Van Loan 1992,
+/// Computational Frameworks for the Fast Fourier Transform, 1.7).
 #[derive(Debug, Clone)]
 pub(super) struct Fourier {
     length: usize,
@@ -45,7 +46,8 @@ impl Fourier {
         self.stages(signals);
     }
 
-    /// The inverse of [`Fourier::forward`] times N: the same with real and imaginary parts exchanged.
+    /// The inverse of [`Fourier::forward`] times N: the same with real and imaginary parts
+    /// interchanged.
     pub(super) fn backward(&self, signals: &mut Signals) {
         let exchange = |s: &mut Signals| {
             std::mem::swap(&mut s.re, &mut s.im);
@@ -80,7 +82,7 @@ impl Fourier {
     }
 }
 
-/// Where a butterfly reads: blocks `part`, `part + parts`, `part + 2 parts`, ….
+/// The input of a butterfly: blocks `part`, `part + parts`, `part + 2 parts`, ….
 struct Part<'a> {
     re: &'a [f64],
     im: &'a [f64],

@@ -5,18 +5,18 @@ use super::rail::RolledRail;
 use super::{bounds, error::ShakedownError};
 use crate::math::Vec2;
 
-/// How finely stress and strain around the contact are resolved.
+/// Resolution of stress and strain around the contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Resolution {
-    /// Columns, and layers where the rail may yield, per half-width of the contact: a power of two, so that both edges
-    /// of the contact are columns.
+    /// Columns, and layers where the rail may yield, per half-width of the contact: a power of two,
+    /// so that both edges of the contact are columns.
     pub per_half_width: u32,
-    /// The period of the waves, in half-widths of the contact, at least; see `docs/shakedown.md`.
+    /// Least period of the waves, in half-widths of the contact; see `docs/shakedown.md`.
     pub period: u32,
 }
 
 impl Default for Resolution {
-    /// What is measured in `docs/shakedown.md`: within 2 % of the largest residual stress.
+    /// The resolution measured in `docs/shakedown.md`: within 2 % of the largest residual stress.
     fn default() -> Self {
         Self { per_half_width: 32, period: 16 }
     }
@@ -34,24 +34,27 @@ pub(super) struct Grid {
     pub fine_depth: f64,
 }
 
-/// Beyond this p0/k the plastic zone is deeper than ten half-widths: no elastic half-plane carries such a load, and the pressure is
-/// no longer Hertz's long before.
+/// Beyond this p0/k the plastic zone is deeper than ten half-widths: no elastic half-plane carries
+/// such a load, and the pressure ceases to be Hertzian long before.
 const HEAVIEST: f64 = 20.0;
-/// The plastic zone reaches deeper than first yield does, because the yielded part sheds its load: by so much, and …
+/// The plastic zone extends deeper than first yield, because the yielded part sheds its load: by so
+/// much, and …
 const SPREAD: f64 = 1.35;
 /// … so much over a.
 const SPREAD_OVER_A: f64 = 0.1;
-/// The period over the depth of the even layers, at least.
+/// Least period over the depth of the even layers.
 const PERIOD_OVER_DEPTH: f64 = 4.5;
-/// Depth of all layers over that of the even ones: flow in the lower ones tells that there should be more even ones.
+/// Depth of all layers over that of the even ones: flow in the lower ones shows that more even ones
+/// are needed.
 const MARGIN: f64 = 1.15;
-/// Depth over a from which on layers and columns double: deeper zones are larger in all directions.
+/// Depth over a beyond which layers and columns double: deeper zones are larger in all directions.
 const COARSER_BEYOND: f64 = 4.0;
-/// Half-widths on each side of the contact in which there may be flow and the extrapolation works.
+/// Half-widths on each side of the contact in which flow is admitted and the extrapolation acts.
 pub(super) const WINDOW: f64 = 3.0;
 
 impl Grid {
-    /// For `rail`: even layers down to where its elastic passage yields and somewhat deeper.
+    /// The grid for `rail`: even layers down to where its elastic passage yields and somewhat
+    /// deeper.
     pub(super) fn of(rail: &RolledRail, resolution: Resolution) -> Result<Self, ShakedownError> {
         Self::check_load(rail)?;
         let a = rail.contact.half_width;
@@ -59,7 +62,7 @@ impl Grid {
         Ok(Self::down_to(rail, resolution, SPREAD * depth + SPREAD_OVER_A * a))
     }
 
-    /// Whether the load of `rail` is one that a half-plane can carry.
+    /// Whether a half-plane can carry the load of `rail`.
     pub(super) fn check_load(rail: &RolledRail) -> Result<(), ShakedownError> {
         let ratio = rail.pressure_ratio();
         let accepted = ratio > 0.0 && ratio <= HEAVIEST;
@@ -92,7 +95,8 @@ impl Grid {
 
 /// The greatest depth (mm) at which the elastic passage reaches the yield stress; 0 for none.
 fn yield_depth(rail: &RolledRail) -> f64 {
-    // Steps of the search over a, and how far: beyond a depth d the stress of the wheel is at most p0 a/d.
+    // Step of the search over a, and its end: beyond a depth d the stress of the wheel is at most
+    // p0 a/d.
     const STEP: f64 = 0.05;
     let a = rail.contact.half_width;
     let field = rail.forward_field();

@@ -11,12 +11,13 @@ pub struct Layers {
 const GROWTH: f64 = 1.2;
 /// The same at the surface, …
 const SURFACE_GROWTH: f64 = 2.0;
-/// … where layers begin with the even thickness over two to this power. Under friction the stress at the edges of the
-/// contact varies with the root of the depth.
+/// … where layers begin with the even thickness over two to this power. Under friction the stress
+/// at the edges of the contact varies with the square root of the depth.
 const SURFACE_LAYERS: i32 = 5;
 
 impl Layers {
-    /// Layers of `thickness` (mm) down to `fine_depth` (mm), thinner ones at the surface, growing below to `depth` (mm).
+    /// Layers of `thickness` (mm) down to `fine_depth` (mm), thinner ones at the surface, growing
+    /// below down to `depth` (mm).
     pub(super) fn graded(thickness: f64, fine_depth: f64, depth: f64) -> Self {
         let mut interfaces = vec![0.0];
         // 2⁻⁵, 2⁻⁵, 2⁻⁴, …, 2⁻¹ of the thickness make up one layer.

@@ -1,4 +1,5 @@
-//! Plasticity under repeated passages: the stabilised state of a rolled rail, and what it bears without.
+//! Plasticity under repeated passages: the stabilised state of a rolled rail, and its shakedown
+//! limits.
 
 mod bounds;
 mod cycle;

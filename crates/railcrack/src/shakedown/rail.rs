@@ -25,7 +25,7 @@ pub struct RolledRail {
     pub contact: HertzianContact,
     /// Where the wheel runs to.
     pub travel: Travel,
-    /// Balanced stress of manufacturing, present before the first passage.
+    /// Balanced residual stress of manufacturing, present before the first passage.
     pub initial: Option<DepthProfile>,
 }
 
@@ -35,8 +35,8 @@ impl RolledRail {
         self.contact.peak_pressure / self.hardening.shear_yield_stress()
     }
 
-    /// The same rail with a wheel that runs towards +x: mirrored where it runs towards −x, which turns the sign of the
-    /// friction (and of what it leads to: shears).
+    /// The contact of the same rail with a wheel that runs towards +x: mirrored where it runs
+    /// towards −x, which reverses the sign of the friction (and of the resulting shears).
     pub(super) fn forward_contact(&self) -> HertzianContact {
         match self.travel {
             Travel::Forward => self.contact,

@@ -19,9 +19,10 @@ pub struct Stabilisation {
     pub method: Method,
     /// Columns and layers.
     pub resolution: Resolution,
-    /// Passages after which the rail counts as not stabilised.
+    /// Number of passages after which the rail counts as not stabilised.
     pub max_passes: usize,
-    /// Change of the residual stress by a passage, over the largest that passages have left, at which it has stabilised.
+    /// Change of the residual stress by a passage, over the largest that passages have left, at
+    /// which it counts as stabilised.
     pub pass_tolerance: f64,
 }
 
@@ -31,37 +32,42 @@ impl Default for Stabilisation {
             method: Method::PassByPass,
             resolution: Resolution::default(),
             max_passes: 500,
-            // Passages change the stress by ever smaller amounts, two to ten of them by half: what is still to come is some
-            // thousandths.
+            // Passages change the stress by ever smaller amounts, which halve within two to ten
+            // passages: the remaining change is some thousandths.
             pass_tolerance: 5e-4,
         }
     }
 }
 
-/// The iteration within a passage ends at this change of the plastic strain, times 2 G over R: some MPa/1000.
+/// Change of the plastic strain at which the iteration within a passage ends, times 2 G over R:
+/// some MPa/1000.
 const TOLERANCE: f64 = 1e-5;
-/// The same for the direct method, whose plastic strain drifts by as much in each iteration while it leaves the stress alone.
+/// The same for the direct method, whose plastic strain drifts by as much in each iteration without
+/// any change of the stress.
 const DIRECT_TOLERANCE: f64 = 2e-4;
-/// Change of the plastic strain by a passage, over the yield strain, above which it has not stabilised whatever the stress:
-/// a shear along the rail leaves no residual stress, and may go on.
+/// Change of the plastic strain by a passage, over the yield strain, above which the rail has not
+/// stabilised whatever the stress: a shear along the rail leaves no residual stress, and may
+/// continue.
 const STRAIN_TOLERANCE: f64 = 1e-2;
-/// Redistributions after which a passage has failed; the softest steels (C = E/10⁴) take some hundreds.
+/// Number of redistributions after which a passage has failed; the softest steels (C = E/10⁴) take
+/// some hundreds.
 const MOST_ITERATIONS: usize = 3000;
-/// Times that the even layers are extended downwards because there is flow below them.
+/// Number of times that the even layers are extended downwards because there is flow below them.
 const EXTENSIONS: usize = 8;
-/// A layer alternates if its plastic path in a passage is this many times what it keeps of it: of one that settles the two are
-/// equal; …
+/// A layer alternates if its plastic path in a passage is this many times the plastic strain that
+/// it retains: in one that settles the two are equal; …
 const ALTERNATING: f64 = 4.0;
-/// … and if the path is at least this share of the longest: shorter ones, in single layers at the surface, come and go with the
-/// columns.
+/// … and if the path is at least this fraction of the longest: shorter ones, in single layers at
+/// the surface, come and go with the number of columns.
 const ALTERNATING_SHARE: f64 = 1e-2;
 
-/// The state that repeated passages over `rail` end in. `watch` is told of every
-/// passage, and again from the first one on where the plastic zone turns out to need more layers.
+/// The state to which repeated passages over `rail` lead. `watch` is told of every passage, and
+/// again from the first one on where the plastic zone turns out to need more layers.
 ///
-/// Errors: a load or contact outside of what the model is made for; a passage that does not converge.
+/// Errors: a load or contact outside of the range of the model; a passage that does not converge.
 ///
-/// Source: Dang Van & Maitournam 1993, J. Mech. Phys. Solids 41, 1691–1710 (steady flow under moving loads).
+/// Source: Dang Van & Maitournam 1993, J. Mech. Phys. Solids 41, 1691–1710 (steady flow under
+/// moving loads).
 pub fn stabilise(
     rail: &RolledRail,
     settings: &Stabilisation,
@@ -82,7 +88,7 @@ pub fn stabilise(
 
 /// Whether [`stabilise`] can take `rail`.
 ///
-/// Errors: a load, contact or stress of manufacturing outside of what the model is made for.
+/// Errors: a load, contact or initial residual stress outside of the range of the model.
 pub fn check_rail(rail: &RolledRail) -> Result<(), ShakedownError> {
     Grid::check_load(rail)?;
     let contact = &rail.contact;
@@ -167,7 +173,8 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// All passages; returns the greatest depth with plastic strain, mm. Ends early where that is below the even layers.
+    /// All passages; returns the greatest depth with plastic strain, mm. Ends early where this lies
+    /// below the even layers.
     fn all_passes(&mut self, watch: &mut impl FnMut(&PassRecord)) -> Result<f64, ShakedownError> {
         let yield_strain = self.rail.hardening.yield_stress() / self.rail.steel.young();
         let most = match self.settings.method {
@@ -214,7 +221,8 @@ impl<'a> Run<'a> {
         Ok(record)
     }
 
-    /// The plastic strain of the next passage, from those before it: their last change times how much it has shrunk.
+    /// Predictor of the plastic strain of the next passage from the previous ones: their last
+    /// change times the ratio of the last two.
     fn guess(&self) -> Columns {
         let Some(last) = &self.last else { return cycle::zeros(self.grid) };
         let mut guess = last.strain.clone();
@@ -310,9 +318,10 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Linear kinematic hardening without bound cannot ratchet, and where a constant back stress and residual stress exist with which the
-    /// passage is elastic, it is so in the end (Melan 1938); both are known at every depth without layers. So once
-    /// the passages repeat, the loads alone tell the states apart, without error of the mesh.
+    /// Unlimited linear kinematic hardening cannot ratchet, and where a constant backstress and
+    /// residual stress exist with which the passage is elastic, it becomes elastic in the end
+    /// (Melan 1938); both are known at every depth without layers. So once the passages repeat, the
+    /// loads alone distinguish the states, without discretisation error.
     fn state(&self) -> RailState {
         let rail = self.rail;
         let initial = |depth: f64| rail.initial_stress(depth).deviator();
@@ -331,7 +340,8 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Where plastic strain alternates: by the layers, and where the zone is thinner than these by the elastic paths.
+    /// Where plastic strain alternates: according to the layers, and where the zone is thinner than
+    /// these, according to the elastic paths.
     fn alternating(&self, passage: &SteadyPassage) -> DepthRange {
         let layers = self.entering.len();
         let (came, leaving) = (&passage.entering, first_column(&passage.strain, layers));

@@ -6,16 +6,16 @@ use super::strain::PlasticStrain;
 use crate::field::HertzField;
 use crate::math::{Stress, Vec2};
 
-/// What repeated passages end in.
+/// The asymptotic response to repeated passages.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RailState {
     /// The rail never yields.
     Elastic,
-    /// It yields in the first passages and is elastic in all later ones.
+    /// The rail yields in the first passages and is elastic in all later ones.
     ElasticShakedown,
-    /// Every passage yields, and takes back what it does: plastic strain alternates.
+    /// Every passage yields in both directions: plastic strain alternates.
     PlasticShakedown,
-    /// Passages still changed the rail when there were no more of them.
+    /// The last of the allowed passages still changed the rail.
     NotStabilised,
 }
 
@@ -34,10 +34,10 @@ impl RailState {
 /// Way to the stabilised plastic state.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Method {
-    /// Each passage starts from the state that the one before left.
+    /// Each passage starts from the state left by the one before.
     PassByPass,
-    /// Upstream := downstream in every iteration. An elastic-shakedown state is not unique: this one is admissible, and
-    /// need not be the one that passages lead to.
+    /// Upstream := downstream in every iteration. An elastic-shakedown state is not unique: this
+    /// one is admissible, and need not be the one to which passages lead.
     Direct,
 }
 
@@ -51,26 +51,28 @@ impl Method {
     }
 }
 
-/// One passage, or the one computation of [`Method::Direct`].
+/// One passage, or the single computation of [`Method::Direct`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PassRecord {
     /// From 1.
     pub pass: usize,
     /// Elastic redistributions.
     pub iterations: usize,
-    /// Largest change of σ_xx or σ_zz of the residual stress from before the passage to after it, MPa.
+    /// Largest change of σ_xx or σ_zz of the residual stress from before the passage to after it,
+    /// MPa.
     pub stress_change: f64,
     /// Largest change of the plastic strain from before the passage to after it, √(2/3) |Δε_p|.
     pub strain_change: f64,
     /// Largest equivalent plastic strain after the passage, √(2/3) |ε_p|.
     pub largest_strain: f64,
-    /// Largest plastic path of the passage, √(2/3) ∫ |dε_p|.
+    /// Largest accumulated plastic strain of the passage, √(2/3) ∫ |dε_p|.
     pub plastic_path: f64,
-    /// Largest magnitude of σ_xx or σ_zz that the passages so far have left, that of manufacturing not included, MPa.
+    /// Largest magnitude of σ_xx or σ_zz left by the passages so far, without the initial residual
+    /// stress, MPa.
     pub left_stress: f64,
 }
 
-/// What one layer keeps.
+/// Residual stress and plastic strain of one layer.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LayerState {
     /// Depth of its middle, mm.
@@ -79,7 +81,7 @@ pub struct LayerState {
     pub stress: Stress,
     /// Plastic strain.
     pub strain: PlasticStrain,
-    /// Plastic path per passage, √(2/3) ∫ |dε_p|, in the stabilised state.
+    /// Accumulated plastic strain per passage, √(2/3) ∫ |dε_p|, in the stabilised state.
     pub plastic_per_pass: f64,
 }
 
@@ -92,13 +94,14 @@ pub struct DepthRange {
     pub to: f64,
 }
 
-/// Stress and plastic strain around the load in the last passage, in the order of travel: a rail point meets the columns one
-/// after the other.
+/// Stress and plastic strain around the load in the last passage, in the order of travel: a rail
+/// point meets the columns one after the other.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cycle {
     /// Abscissae of the columns from the centre of the contact, mm, upstream first.
     pub abscissae: Vec<f64>,
-    /// Stress of wheel, plastic strain and manufacturing, MPa: of column i and layer j at i · layers + j.
+    /// Stress of wheel, plastic strain and manufacturing, MPa: that of column i and layer j at
+    /// i · layers + j.
     pub stress: Vec<Stress>,
     /// Plastic strain, likewise.
     pub strain: Vec<PlasticStrain>,
@@ -107,9 +110,11 @@ pub struct Cycle {
 /// How well a state holds what a stabilised state must.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Admissibility {
-    /// Largest |s − X| − R over the whole cycle, over R: at most round-off and tolerance for an admissible state.
+    /// Largest |s − X| − R over the whole cycle, over R: at most round-off and tolerance for an
+    /// admissible state.
     pub overshoot: f64,
-    /// Largest difference of the plastic strain downstream and upstream, √(2/3) |Δε_p|: zero for a state that repeats.
+    /// Largest difference of the plastic strain downstream and upstream, √(2/3) |Δε_p|: zero for a
+    /// state that repeats.
     pub drift: f64,
     /// Largest imbalance of a layer between two columns, over R.
     pub imbalance: f64,
@@ -126,13 +131,13 @@ pub struct StabilisedRail {
     pub passes: Vec<PassRecord>,
     /// The layers of the rail.
     pub layers: Layers,
-    /// What each layer keeps, from the surface down.
+    /// Residual stress and plastic strain of each layer, from the surface down.
     pub profile: Vec<LayerState>,
     /// Depths between which plastic strain alternates, in plastic shakedown.
     pub alternating: Option<DepthRange>,
     /// The last passage.
     pub cycle: Cycle,
-    /// What it holds.
+    /// How well the state satisfies yield condition, periodicity and equilibrium.
     pub admissibility: Admissibility,
 }
 
@@ -142,7 +147,8 @@ impl StabilisedRail {
         self.passes.iter().map(|pass| pass.iterations).sum()
     }
 
-    /// The largest difference of σ_xx or σ_zz of the residual stress from `other`, MPa, at the depths of this one.
+    /// The largest difference of σ_xx or σ_zz of the residual stress from `other`, MPa, at the
+    /// depths of this one.
     pub fn stress_difference(&self, other: &Self) -> f64 {
         let difference = |layer: &LayerState| {
             let there = other.residual_stress(layer.depth);
@@ -151,7 +157,8 @@ impl StabilisedRail {
         self.profile.iter().map(difference).fold(0.0, f64::max)
     }
 
-    /// The residual stress at `depth` (mm), MPa: linear between the middles of the layers, constant beyond them.
+    /// The residual stress at `depth` (mm), MPa: linear between the midplanes of the layers,
+    /// constant beyond them.
     pub fn residual_stress(&self, depth: f64) -> Stress {
         let next = self.profile.partition_point(|layer| layer.depth < depth);
         match (next.checked_sub(1).map(|i| self.profile[i]), self.profile.get(next)) {
@@ -165,7 +172,8 @@ impl StabilisedRail {
         }
     }
 
-    /// The stress path of layer `j` over the stabilised cycle, MPa: in the order of travel, then the unloaded state.
+    /// The stress path of layer `j` over the stabilised cycle, MPa: in the order of travel, then
+    /// the unloaded state.
     pub fn stress_path(&self, j: usize) -> Vec<Stress> {
         let layers = self.profile.len();
         let mut path: Vec<Stress> = self.cycle.stress.iter().skip(j).step_by(layers).copied().collect();
@@ -173,8 +181,8 @@ impl StabilisedRail {
         path
     }
 
-    /// The same at the running surface: the stress of the wheel there, and what the uppermost layer keeps. `rail` is what was
-    /// computed.
+    /// The same at the running surface: the stress of the wheel there, and the residual stress of
+    /// the uppermost layer. `rail` is the rail that was computed.
     pub fn surface_path(&self, rail: &RolledRail) -> Vec<Stress> {
         let field = HertzField::new(&rail.contact, rail.steel.poisson());
         let Some(top) = self.profile.first() else { return Vec::new() };

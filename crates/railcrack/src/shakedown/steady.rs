@@ -5,7 +5,8 @@ use super::streamline::FlowLaw;
 use crate::math::Anderson;
 use std::ops::Range;
 
-/// The steady state of one passage: stress and plastic strain around the load, which do not change as it moves on.
+/// The steady state of one passage: stress and plastic strain around the load, which do not change
+/// in its frame.
 #[derive(Debug, Clone)]
 pub(super) struct SteadyPassage {
     /// Plastic strain, coordinates of a deviator.
@@ -16,11 +17,12 @@ pub(super) struct SteadyPassage {
     pub path: Vec<f64>,
     /// Elastic redistributions that it took.
     pub iterations: usize,
-    /// Largest change of the plastic strain in the last of them, times 2 G over the radius of the yield surface.
+    /// Largest change of the plastic strain in the last of them, times 2 G over the radius of the
+    /// yield surface.
     pub change: f64,
 }
 
-/// How the strain that enters follows from the one that leaves.
+/// The relation between the plastic strain that enters and the one that leaves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Upstream {
     /// It is given.
@@ -29,13 +31,13 @@ pub(super) enum Upstream {
     Downstream,
 }
 
-/// What does not change from passage to passage.
+/// The data that do not change from passage to passage.
 pub(super) struct SteadyProblem {
     pub eigenstress: Eigenstress,
     pub law: FlowLaw,
-    /// Deviators of the stress of wheel and initial state, MPa.
+    /// Stress deviators of wheel and initial residual stress, MPa.
     pub background: Columns,
-    /// Columns around the contact, in which the extrapolation works; what is outside of them follows.
+    /// Columns around the contact, in which the extrapolation acts; the values outside follow.
     pub window: Range<usize>,
     /// 2 G over the radius of the yield surface.
     pub strain_scale: f64,
@@ -45,12 +47,13 @@ pub(super) struct SteadyProblem {
     pub max_iterations: usize,
 }
 
-/// Iterates that Anderson's extrapolation combines: 4 to 10 take about the same number of redistributions.
+/// Number of iterates that Anderson's extrapolation combines: 4 to 10 take about the same number of
+/// redistributions.
 const DEPTH: usize = 6;
 
 impl SteadyProblem {
-    /// Iterates redistribution and flow from `start` until the plastic strain repeats, or `max_iterations`; `entering`
-    /// is the plastic strain upstream, by layer.
+    /// Alternates redistribution and return mapping from `start` until the plastic strain repeats,
+    /// or `max_iterations`; `entering` is the plastic strain upstream, by layer.
     pub(super) fn solve(
         &mut self,
         start: Columns,
@@ -92,7 +95,8 @@ impl SteadyProblem {
             for (c, values) in next.chunks_exact(window.len()).enumerate() {
                 strain[c][window.clone()].copy_from_slice(values);
                 strain[c][window.end..].copy_from_slice(&image[c][window.end..]);
-                // Downstream of the window the extrapolated strain goes on as the image does.
+                // Downstream of the window the extrapolated strain continues as its image under the
+                // iteration does.
                 for at in (0..window.start).rev() {
                     strain[c][at] = strain[c][at + layers] + (image[c][at] - image[c][at + layers]);
                 }
@@ -106,7 +110,7 @@ pub(super) fn first_column(strain: &Columns, layers: usize) -> Vec<[f64; 3]> {
     (0..layers).map(|j| [0, 1, 2].map(|c| strain[c][j])).collect()
 }
 
-/// Largest Frobenius norm of a − b; NaN where there is one.
+/// Largest Frobenius norm of a − b; NaN if either contains one.
 fn largest_difference(a: &Columns, b: &Columns) -> f64 {
     let mut largest = 0.0_f64;
     for at in 0..a[0].len() {

@@ -14,8 +14,8 @@ pub struct PlasticStrain {
 }
 
 impl PlasticStrain {
-    /// From the coordinates of [`crate::math::Stress::deviator`], whose Euclidean norm is the Frobenius norm:
-    /// ((ε_xx − ε_yy)/√2, √(3/2) ε_zz, √2 ε_xy).
+    /// From the coordinates of [`crate::math::Stress::deviator`], whose Euclidean norm is the
+    /// Frobenius norm: ((ε_xx − ε_yy)/√2, √(3/2) ε_zz, √2 ε_xy).
     pub fn from_deviator([difference, out, shear]: [f64; 3]) -> Self {
         const ROOT_2: f64 = std::f64::consts::SQRT_2;
         let zz = (2.0 / 3.0_f64).sqrt() * out;
@@ -45,7 +45,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn coordinates_and_back() {
+    fn deviator_coordinates_are_inverted() {
         let strain = PlasticStrain { xx: 1e-3, yy: -3e-3, zz: 2e-3, xy: 5e-4 };
         let back = PlasticStrain::from_deviator(strain.deviator());
         for (a, b) in [(strain.xx, back.xx), (strain.yy, back.yy), (strain.zz, back.zz), (strain.xy, back.xy)]

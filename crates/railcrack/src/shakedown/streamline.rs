@@ -5,13 +5,14 @@ use crate::material::{IsotropicElastic, KinematicHardening};
 use pulp::{Arch, Simd, WithSimd};
 use std::ops::Range;
 
-/// The law of the material along horizontal streamlines.
+/// Integration of the constitutive law along horizontal streamlines.
 ///
-/// In the frame of the load a particle meets the stresses of its layer one after the other, d/dt = −V ∂/∂x. With
-/// B = s + H ε_p of the iterate before, which is what the redistribution leaves alone if H is the stiffness with which
-/// the surroundings answer, the plastic strain is such that ξ = B − (H + 2 C/3) ε_p stays in the yield ball: the return along
-/// the normal (Wilkins 1964; Simo & Hughes 1998, Computational Inelasticity, 3.3). At the fixed point B − H ε_p is the
-/// deviator s itself, whatever H.
+/// In the frame of the load a material point meets the stresses of its layer one after the other,
+/// d/dt = −V ∂/∂x. With B = s + H ε_p of the previous iterate, which the redistribution leaves
+/// unchanged if H is the stiffness of the response of the surroundings, the plastic strain is such
+/// that ξ = B − (H + 2 C/3) ε_p stays in the yield ball: return mapping along the normal (Wilkins
+/// 1964; Simo & Hughes 1998, Computational Inelasticity, 3.3). At the fixed point B − H ε_p is the
+/// stress deviator s itself, whatever H.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct FlowLaw {
     radius: f64,
@@ -19,17 +20,19 @@ pub(super) struct FlowLaw {
     stiffness: f64,
     /// H + 2 C/3, MPa.
     modulus: f64,
-    /// Deviator from σ_xx + σ_yy and from ε_zz: √(3/2) (2 ν − 1)/3 and −2 E/3.
+    /// Factors of the stress deviator from σ_xx + σ_yy and from ε_zz: √(3/2) (2 ν − 1)/3 and −2
+    /// E/3.
     out_of_trace: f64,
     out_of_strain: f64,
 }
 
-/// H over 2 G. The redistribution has stiffnesses from 0 (a shear that the surroundings follow) to 2 G (none do): half of it
-/// is the constant for which the worse of the two ends converges best.
+/// H over 2 G. The redistribution has stiffnesses from 0 (a shear that the surroundings follow) to
+/// 2 G (which they do not follow at all): half of it is the constant for which the worse of the two
+/// limits converges best.
 const STIFFNESS: f64 = 0.5;
 
-/// Parts of a step between columns in which there is plastic flow; the path is straight in between. See `docs/shakedown.md`
-/// for what they and the columns change.
+/// Substeps of the interval between columns in which there is plastic flow; the path is straight in
+/// between. See `docs/shakedown.md` for the effect of substeps and columns.
 const PARTS: usize = 4;
 
 impl FlowLaw {
@@ -44,9 +47,9 @@ impl FlowLaw {
         }
     }
 
-    /// From the plastic strain `old`, its residual `stress` and the deviators `background` of all other stress: the
-    /// plastic strain `new` of particles that enter with `upstream` at the last column. Returns the length of the plastic
-    /// path √(2/3) ∫ |dε_p| of each layer.
+    /// From the plastic strain `old`, its residual `stress` and the deviators `background` of all
+    /// other stress: the plastic strain `new` of material points that enter with `upstream` at the
+    /// last column. Returns the accumulated plastic strain √(2/3) ∫ |dε_p| of each layer.
     pub(super) fn follow(
         &self,
         stress: &Columns,
@@ -92,7 +95,8 @@ impl FlowLaw {
         path
     }
 
-    /// Flow on the straight path of the driver; returns the length of the plastic path.
+    /// Plastic flow on the straight path of the driving variable B; returns the accumulated plastic
+    /// strain.
     fn flow(&self, from: [f64; 3], to: [f64; 3], strain: &mut [f64; 3]) -> f64 {
         let mut path = 0.0;
         for part in 1..=PARTS {

@@ -1,4 +1,4 @@
-//! One wave of plastic strain along the rail, and its stress.
+//! Residual stress of one wave of plastic strain along the rail.
 
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -56,7 +56,7 @@ impl Mul<f64> for Complex {
     }
 }
 
-/// The strain that acts in the plane: (ε_xx + ν ε_zz, ε_yy + ν ε_zz, ε_xy).
+/// The in-plane strain: (ε_xx + ν ε_zz, ε_yy + ν ε_zz, ε_xy).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Strains {
     pub xx: f64,
@@ -64,25 +64,26 @@ pub(super) struct Strains {
     pub xy: f64,
 }
 
-/// What a layer of thickness h does to a wave of wave number κ; τ = κ h.
+/// Transfer factors of a layer of thickness h for a wave of wave number κ; τ = κ h.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LayerFactors {
     /// τ, and e^(−τ).
     thickness: f64,
     decay: f64,
-    /// ∫_0^τ e^(−t) dt and ∫_0^τ t e^(−t) dt: a source in the layer, felt at its border.
+    /// ∫_0^τ e^(−t) dt and ∫_0^τ t e^(−t) dt: effect at its border of a source in the layer.
     source: [f64; 2],
-    /// The same over τ: a source at the border, felt in the layer.
+    /// The same over τ: effect in the layer of a source at its border.
     mean: [f64; 2],
-    /// (1/τ) ∫∫ e^(−|t − t'|) and (1/τ) ∫∫ |t − t'| e^(−|t − t'|): a source in the layer, felt in it.
+    /// (1/τ) ∫∫ e^(−|t − t'|) and (1/τ) ∫∫ |t − t'| e^(−|t − t'|): effect in the layer of a source
+    /// in it.
     own: [f64; 2],
     /// κ d and e^(−κ d), d the depth of the upper border.
     depth: f64,
     depth_decay: f64,
 }
 
-/// Below this τ the closed forms of `source[1]` and `own` cancel; the first left-out term of the series is τ⁵/840 of
-/// them.
+/// Below this τ the closed forms of `source[1]` and `own` suffer from cancellation; the first
+/// neglected term of the series is τ⁵/840 of them.
 const THIN: f64 = 1e-2;
 
 impl LayerFactors {
@@ -114,7 +115,8 @@ impl LayerFactors {
     }
 }
 
-/// What the sources on one side do at a border: ∫ z e^(−t), ∫ t z e^(−t), ∫ w e^(−t), t = κ |y − y′|.
+/// Effect at a border of the sources on one side: ∫ z e^(−t), ∫ t z e^(−t), ∫ w e^(−t),
+/// t = κ |y − y′|.
 #[derive(Clone, Copy, Default)]
 struct Far {
     z0: Complex,
@@ -153,19 +155,20 @@ impl Far {
 
 /// One wave e^(iκx) through all layers.
 ///
-/// Green's function of (∂² − κ²)² is (1 + t) e^(−t) / 4κ³, t = κ|y − y′|. With w = e_xx + e_yy and z = e_xx − e_yy ± 2 i e_xy (+ for
-/// sources below), the endless plane has
+/// Green's function of (∂² − κ²)² is (1 + t) e^(−t) / 4κ³, t = κ|y − y′|. With w = e_xx + e_yy and
+/// z = e_xx − e_yy ± 2 i e_xy (+ for sources below), the infinite plane has
 ///
 ///   4 σ_xx/−E′ = 4 e_xx + ∫ ((t − 2) z − w) e^(−t) κ dy′,  4 σ_yy/−E′ = ∫ (w − t z) e^(−t) κ dy′,
 ///   4 σ_xy/−E′ = ± i ∫ ((t − 1) z − w) e^(−t) κ dy′,
 ///
-/// and φ = (A + B κ y) e^(κy) frees the surface of it. Sums over the sources above and below run from border to border.
+/// and φ = (A + B κ y) e^(κy) removes the tractions on the surface. Sums over the sources above and
+/// below are carried from border to border.
 pub(super) struct Wave {
     /// e_xx, e_yy, e_xy of each layer.
     pub strains: Vec<[Complex; 3]>,
     /// σ_xx, σ_yy, σ_xy over −E′, means over each layer.
     pub stresses: Vec<[Complex; 3]>,
-    /// What the sources below do at the upper border of each layer, and last below all.
+    /// Effect of the sources below at the upper border of each layer, and last below all of them.
     borders: Vec<Far>,
 }
 
@@ -210,7 +213,8 @@ impl Wave {
 }
 
 impl Wave {
-    /// Tractions (σ_yy, σ_xy) over −E′ at the upper border of each layer, and below the last, of the last balance.
+    /// Tractions (σ_yy, σ_xy) over −E′ at the upper border of each layer, and below the last, of
+    /// the last balance.
     fn tractions(&self, layers: &[LayerFactors]) -> Vec<[Complex; 2]> {
         let image = Image::of(self.borders[0]);
         let mut above = Far::default();
@@ -235,7 +239,8 @@ impl Wave {
         tractions
     }
 
-    /// The largest force over −E′ per wave length/2π that is missing on a layer, or on the surface, after a balance.
+    /// The largest out-of-balance force over −E′ per wave length/2π on a layer, or on the surface,
+    /// after a balance.
     pub(super) fn imbalance(&self, layers: &[LayerFactors]) -> f64 {
         let borders = self.tractions(layers);
         let mut largest = borders[0][0].size().max(borders[0][1].size());
@@ -249,7 +254,7 @@ impl Wave {
     }
 }
 
-/// The share of the free surface: φ = (A + B κ y) e^(κy), in the unit −E′/4κ².
+/// Contribution of the free surface: φ = (A + B κ y) e^(κy), in the unit −E′/4κ².
 #[derive(Clone, Copy)]
 struct Image {
     a: Complex,
@@ -257,7 +262,7 @@ struct Image {
 }
 
 impl Image {
-    /// That which frees the surface of the stress of the sources below it.
+    /// The one that removes the surface tractions of the sources below it.
     fn of(below: Far) -> Self {
         let Far { z0, z1, w0 } = below;
         Self { a: w0 - z1, b: z1 * 2.0 - z0 - w0 * 2.0 }
@@ -302,7 +307,8 @@ mod tests {
         (wave, layers)
     }
 
-    /// Each layer is in equilibrium between the tractions on its borders, and the surface is free: to round-off.
+    /// Each layer is in equilibrium between the tractions on its borders, and the surface is
+    /// traction-free: to round-off.
     #[test]
     fn every_layer_is_in_equilibrium() {
         for wave_number in [0.01, 0.3, 2.0, 30.0] {
@@ -313,7 +319,7 @@ mod tests {
         }
     }
 
-    /// Series and closed forms meet.
+    /// Series and closed forms agree.
     #[test]
     fn thin_layers() {
         let (below, above) =

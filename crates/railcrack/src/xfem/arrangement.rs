@@ -4,14 +4,14 @@ use crate::math::{Orientation, Vec2, orientation};
 use crate::mesh::{Edge, Element};
 use std::collections::HashMap;
 
-/// A line that cuts the whole element, through two points.
+/// A line through two points that cuts the whole element.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct CutLine {
     pub from: Vec2,
     pub to: Vec2,
 }
 
-/// What an edge of a cell lies on.
+/// The line on which an edge of a cell lies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Border {
     /// A side of the element.
@@ -20,15 +20,16 @@ pub(super) enum Border {
     Line(usize),
 }
 
-/// A convex cell, counter-clockwise; `borders[k]` is what the edge from vertex k to the next one lies on.
+/// A convex cell, counter-clockwise; `borders[k]` is the line of the edge from vertex k to the next
+/// one.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Cell {
     pub vertices: Vec<usize>,
     pub borders: Vec<Border>,
 }
 
-/// The cells of an element: an arrangement of whole lines, so that each inner edge lies between exactly two cells that
-/// have both its ends in common.
+/// The cells of an element: an arrangement of whole lines, so that each inner edge lies between
+/// exactly two cells that share both its ends.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Arrangement {
     pub vertices: Vec<Vec2>,
@@ -45,11 +46,11 @@ impl Arrangement {
 
     /// The element cut by `lines`.
     ///
-    /// Sides of points are decided exactly; a point made by a line lies on it by construction, so that round-off in its
-    /// coordinates cannot contradict the order of the cells.
+    /// Orientations are decided exactly; a point constructed on a line lies on it by construction,
+    /// so that round-off in its coordinates cannot contradict the order of the cells.
     pub(super) fn new(element: &Element, lines: &[CutLine]) -> Self {
         let mut cut = Self::whole(element);
-        // What each vertex lies on.
+        // The lines through each vertex.
         let mut on: Vec<Vec<Border>> = vec![Vec::new(); 4];
         for (index, line) in lines.iter().enumerate() {
             let label = Border::Line(index);
@@ -95,7 +96,8 @@ impl Arrangement {
                         Orientation::Left => halves[0].push(a, border),
                         Orientation::Right => halves[1].push(a, border),
                         Orientation::On => {
-                            // The cell leaves the line on the side of b, and the other half closes along the line.
+                            // The cell leaves the line on the side of b, and the other half closes
+                            // along the line.
                             let (own, other) = if side[b] == Orientation::Left { (0, 1) } else { (1, 0) };
                             halves[own].push(a, border);
                             halves[other].push(a, label);
@@ -133,8 +135,9 @@ impl Ring {
     }
 }
 
-/// Where line `index` meets an edge of a cell that lies on `border`. On a side of the element the point depends on the side
-/// and the line alone, so that both elements at the side get the same bits.
+/// The intersection of line `index` with an edge of a cell that lies on `border`. On a side of the
+/// element the point depends on the side and the line alone, so that both elements at the side get
+/// the same bits.
 fn crossing(element: &Element, lines: &[CutLine], border: Border, index: usize, ends: (Vec2, Vec2)) -> Vec2 {
     let line = lines[index];
     match border {
@@ -218,7 +221,7 @@ mod tests {
     }
 
     #[test]
-    fn lines_through_corners_along_sides_and_slivers() {
+    fn lines_through_corners_along_sides_and_leaving_slivers() {
         let diagonal = Arrangement::new(&unit(), &[line(0.0, -1.0, 1.0, 0.0)]);
         assert_eq!(diagonal.cells.len(), 2);
         conforms(&diagonal);
@@ -230,7 +233,7 @@ mod tests {
     }
 
     #[test]
-    fn a_kink_is_a_vertex_exactly() {
+    fn a_kink_is_exactly_a_vertex() {
         let kink = Vec2::new(0.3, -0.37);
         let lines = [
             CutLine { from: Vec2::new(-0.2, 0.1), to: kink },

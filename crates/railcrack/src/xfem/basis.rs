@@ -8,7 +8,7 @@ use crate::material::IsotropicElastic;
 use crate::math::{Stress, Vec2};
 use crate::mesh::{Element, NODES, shape_functions};
 
-/// A displacement function at a point: its value and slopes, x and y components.
+/// A displacement function at a point: its value and derivatives, x and y components.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Function {
     pub value: Vec2,
@@ -23,7 +23,7 @@ impl Function {
     }
 }
 
-/// The unknowns that a function of a cell belongs to: the one of the mesh, and the enriched one.
+/// The unknowns to which a function of a cell belongs: the standard one and the enriched one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Target {
     pub standard: Option<usize>,
@@ -53,8 +53,9 @@ impl Elasticity {
     }
 }
 
-/// The functions that live in one cell: two per node of the element, of the mesh and, with the same values, of the part of
-/// its support; then two per node with the functions of a tip or kink.
+/// The functions on one cell: two standard ones per node of the element, and the same with the
+/// unknowns of the part of its support; then two per node with the enrichment functions of a tip or
+/// kink.
 pub(super) struct CellBasis<'a> {
     element: Element,
     tips: Vec<TipBasis<'a>>,
@@ -64,7 +65,7 @@ pub(super) struct CellBasis<'a> {
 struct TipBasis<'a> {
     path: &'a TipPath,
     nodes: [Option<usize>; NODES],
-    /// A point of the cell and its angle at the tip: the sheet of the cell.
+    /// A point of the cell and its angle at the tip, which select the sheet of the cell.
     sheet: (Vec2, f64),
     modes: [WilliamsField; 2],
 }

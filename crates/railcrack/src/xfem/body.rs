@@ -1,4 +1,4 @@
-//! The cracked rail by extended finite elements, reduced to its face points.
+//! The cracked rail in extended finite elements, condensed to its face points.
 
 use super::basis::Elasticity;
 use super::border::Border;
@@ -22,7 +22,7 @@ use std::sync::Arc;
 use std::time::Instant;
 use thiserror::Error;
 
-/// Cracks that the finite-element engine cannot represent.
+/// A network of cracks that the finite-element engine cannot represent.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum XfemError {
     /// A crack that leaves the mesh.
@@ -46,16 +46,18 @@ pub enum XfemError {
     Linear(#[from] LinearError),
 }
 
-/// Resolution around the tips and along the faces. Numbers without unit count elements at the tip.
+/// Resolution around the tips and along the faces. Numbers without a unit count elements at the
+/// tip.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct XfemSettings {
     /// Nodes within it carry √r functions.
     pub enrichment: EnrichmentRadius,
-    /// The weight of the domain of integration of the SIFs is 1 up to here.
+    /// Radius up to which the weight of the domain of integration of the SIFs is 1.
     pub domain_inner: f64,
     /// It falls to 0 here.
     pub domain_outer: f64,
-    /// Distance between face points away from mouth, tip and kinks, mm; the length of crack in an element where none.
+    /// Distance between face points away from mouth, tips and kinks, mm; `None`: the length of
+    /// crack in an element.
     pub interface_spacing: Option<f64>,
 }
 
@@ -118,7 +120,7 @@ impl XfemBody {
         Self::with_columns(background, network, settings, &mut ColumnStore::default())
     }
 
-    /// [`XfemBody::new`] with what was computed for other cracks on the same background.
+    /// [`XfemBody::new`] with the columns solved for other cracks on the same background.
     pub fn with_columns(
         background: &Arc<BulkRail>,
         network: &CrackNetwork,
@@ -176,7 +178,7 @@ impl XfemBody {
 }
 
 impl XfemBody {
-    /// Adds what the ends of a block do to the stress under the wheel.
+    /// Adds the effect of the ends of a block on the stress under the wheel.
     pub(super) fn add_ends(
         &mut self,
         correction: &BlockCorrection,
@@ -194,7 +196,7 @@ impl XfemBody {
     }
 }
 
-/// Everything about the cracks in the mesh that does not need its stiffness.
+/// The part of the cracked mesh that does not need its stiffness.
 pub(super) struct Discretisation {
     pub cuts: Cuts,
     /// Size of the elements at each tip, mm.
@@ -234,10 +236,11 @@ impl Discretisation {
     }
 }
 
-/// Difference between the length of a crack and that of its pieces in elements, over the length, that round-off explains.
+/// Relative difference between the length of a crack and that of its pieces in elements that
+/// round-off explains.
 const COVERAGE: f64 = 1e-8;
 
-/// Size (mm) of the elements at a point: the longest side of the one that holds it.
+/// Size (mm) of the elements at a point: the longest side of the element that contains it.
 fn element_size(mesh: &QuadMesh, at: Vec2) -> f64 {
     let size = mesh.element(mesh.locate(at).unwrap_or(0)).size();
     size.x.max(size.y)

@@ -1,4 +1,5 @@
-//! The border of the system: enriched unknowns against those of the mesh and one another.
+//! The border of the system: coupling of the enriched unknowns with the standard ones and with one
+//! another.
 
 use super::basis::{CellBasis, Elasticity, Function, Target};
 use super::cuts::{CellPlace, Cuts};
@@ -30,9 +31,10 @@ pub(super) struct CellStiffness {
 /// The border of the system, cells added up.
 #[derive(Debug, Clone)]
 pub(super) struct BorderEntries {
-    /// K_se: per enriched unknown, the entries of unknowns 2 node + axis of the mesh, held ones included.
+    /// K_se: per enriched unknown, the entries of the standard unknowns 2 node + axis, held ones
+    /// included.
     pub columns: Vec<Entries>,
-    /// K_ee: of row i the entries of the enriched unknowns j ≤ i; the diagonal is always there.
+    /// K_ee: for row i the entries of the enriched unknowns j ≤ i; the diagonal is always there.
     pub square: Vec<Entries>,
 }
 
@@ -42,7 +44,8 @@ impl Border {
         let cells: Vec<Vec<CellStiffness>> = space
             .elements
             .par_iter()
-            // One by one: the few around a tip, which lie side by side, take most of the time.
+            // One by one: the few columns around a tip, which are neighbours, take most of the
+            // time.
             .with_max_len(1)
             .map(|&e| element_stiffness(cuts, space, e, elasticity, &rules))
             .collect();
@@ -102,7 +105,7 @@ impl CellStiffness {
     }
 }
 
-/// Sorts by unknown and adds what belongs together, in the order in which it came.
+/// Sorts by unknown and adds the entries of each, in the order in which they came.
 pub(super) fn merge(entries: &mut Entries) {
     entries.sort_by_key(|entry| entry.0);
     entries.dedup_by(|next, kept| {
@@ -114,8 +117,9 @@ pub(super) fn merge(entries: &mut Entries) {
     });
 }
 
-/// The stiffness of the cells of an element in which enrichments live. Products of the shape functions alone are polynomials and are integrated
-/// as such, near a tip too: so what they come to does not change in any bit when a tip moves on.
+/// The stiffness of the enriched cells of an element. Products of the shape functions alone are
+/// polynomials and are integrated as such, near a tip too: so not a bit of them changes when a tip
+/// advances.
 fn element_stiffness(
     cuts: &Cuts,
     space: &Space,
@@ -195,7 +199,7 @@ mod tests {
     use crate::xfem::{MeshSettings, Outline, Window, XfemSettings};
 
     #[test]
-    fn a_tip_that_moves_on_changes_no_bit_behind_it() {
+    fn an_advancing_tip_changes_no_bit_behind_it() {
         let short = Crack::surface_breaking(0.0, 6.0, 0.3).unwrap();
         let long = short.extended(End::Last, 0.7, -0.05).unwrap();
         let [short, long] = [short, long].map(CrackNetwork::from);
@@ -213,7 +217,7 @@ mod tests {
         for (i, enrichment) in before.space.enrichments.iter().enumerate() {
             let Enrichment::Part { node, .. } = enrichment else { continue };
             let distance = (mesh.node_position(*node) - tip).length();
-            // Tip functions reach 2.5 elements and those that touch them.
+            // Tip enrichments extend over 2.5 elements and those that touch them.
             if distance > 2.0 * size {
                 behind += usize::from(distance < 3.5 * size);
                 assert_eq!(*enrichment, after.space.enrichments[i]);

@@ -1,24 +1,27 @@
-//! What the elimination of the border keeps from one growth step to the next.
+//! Columns and factor of the border that are reused from one growth step to the next.
 
 use super::border::Entries;
 use crate::linear::{LinearError, PANEL_COLUMNS, ReachedPanel, SparseColumn, SparseFactor, SpdFactor, gram};
 use std::sync::Arc;
 
-/// Half-solved columns L⁻¹ b of the border and scalar products of the last ones, and the factor of its Schur complement.
+/// Half-solved columns L⁻¹ b of the border, scalar products of the last ones, and the factor of
+/// their Schur complement.
 ///
-/// What the first columns came to is used again as long as these are the same bits; since it depends on nothing else, a run that begins in the
-/// middle finds the same bits without it. A clone shares all of it.
+/// The results for the leading columns are reused as long as these columns are the same bits; since
+/// the results depend on nothing else, a resumed run finds the same bits without them. A clone
+/// shares all of it.
 #[derive(Debug, Clone, Default)]
 pub struct ColumnStore {
     columns: Arc<[SparseColumn]>,
     panels: Vec<Arc<ReachedPanel>>,
-    /// b_iᵀ K⁻¹ b_j of the columns from `first_product` on with all up to their own: those before are in the factor.
+    /// b_iᵀ K⁻¹ b_j of the columns from `first_product` on with all up to their own: those before
+    /// them are in the factor.
     products: Vec<Arc<[f64]>>,
     first_product: usize,
     factored: Option<Factored>,
 }
 
-/// A factor, and what the rows of its matrix were made of: of each the column, and its row of K_ee.
+/// A factor, and the data of the rows of its matrix: for each row its column, and its row of K_ee.
 #[derive(Debug, Clone)]
 struct Factored {
     columns: Arc<[SparseColumn]>,
@@ -59,9 +62,10 @@ impl ColumnStore {
         !self.panels.is_empty() && self.factored.is_some()
     }
 
-    /// Eliminates a border of `columns` and rows `square` of K_ee; after those of the border, `columns` may have further ones.
-    /// `fill(i, row, products, square)` makes row i of the Schur complement as for [`SpdFactor::new`], from the products b_iᵀ K⁻¹ b_j and its row of K_ee.
-    /// Keeps what the next call may use and forgets the rest.
+    /// Eliminates a border of `columns` and rows `square` of K_ee; after those of the border,
+    /// `columns` may have further ones. `fill(i, row, products, square)` makes row i of the Schur
+    /// complement as for [`SpdFactor::new`], from the products b_iᵀ K⁻¹ b_j and its row of K_ee.
+    /// Keeps the data that the next call may reuse, and drops the rest.
     pub(super) fn eliminated(
         &mut self,
         rail: &SparseFactor,
@@ -89,7 +93,8 @@ impl ColumnStore {
         Ok(Eliminated { factor, further })
     }
 
-    /// Solves `columns`, of which the first ones are the `same` as before, and multiplies those from `needed` on with all up to their own.
+    /// Solves `columns`, of which the first ones are the `same` as before, and multiplies those
+    /// from `needed` on with all up to their own.
     fn solve(
         &mut self,
         rail: &SparseFactor,
@@ -99,7 +104,8 @@ impl ColumnStore {
     ) -> Result<(), LinearError> {
         let whole = |columns: usize| columns / PANEL_COLUMNS * PANEL_COLUMNS;
         let (kept, needed) = (whole(same), whole(needed.min(same)));
-        // What cannot be used again makes room first; where a solution fails, nothing is kept.
+        // Memory of columns that cannot be reused is freed first; where a solution fails, nothing
+        // is kept.
         let Self { mut panels, mut products, first_product, .. } = std::mem::take(self);
         panels.truncate(kept / PANEL_COLUMNS);
         products.truncate(kept.saturating_sub(first_product));
@@ -133,7 +139,7 @@ mod tests {
         BulkRail::new(mesh, &IsotropicElastic::new(210e3, 0.3).unwrap(), Boundary::HalfPlane).unwrap()
     }
 
-    /// Columns along the unknowns; from `changed` on others with another `seed`.
+    /// Columns along the unknowns, with another `seed` from `changed` on.
     fn columns(order: usize, changed: usize, seed: usize) -> Vec<SparseColumn> {
         let entry = |i: usize, k: usize| {
             let chance = if i < changed { 0 } else { seed };
@@ -166,12 +172,13 @@ mod tests {
     }
 
     #[test]
-    fn what_is_kept_cannot_show_wherever_the_change_begins() {
+    fn reuse_changes_no_bit_wherever_the_columns_begin_to_differ() {
         let rail = rail();
         let order = rail.factor().order();
         let mut kept = ColumnStore::default();
         let mut seen = Vec::new();
-        // Forwards, back to before what is kept in K_ee and in the columns, everything, and nothing.
+        // Changes farther on, changes before the kept part of K_ee and of the columns, changes of
+        // everything, and none.
         let changes =
             [(0, None), (250, None), (300, None), (BORDER, None), (320, Some(120)), (40, None), (310, None)];
         for (seed, (changed, in_square)) in changes.into_iter().chain([(0, None), (0, None)]).enumerate() {

@@ -14,7 +14,7 @@ use crate::linear::{
 use crate::math::Matrix;
 use std::sync::Arc;
 
-/// C and S, and what the unknowns under a load follow from.
+/// C and S, and the data from which the unknowns under a load follow.
 pub(super) struct Condensed {
     /// C.
     pub compliance: Matrix,
@@ -38,7 +38,8 @@ pub(super) struct System<'a> {
 /// How the unknowns are eliminated.
 #[derive(Debug, Clone)]
 pub(super) enum Elimination {
-    /// Those of the mesh by the one factor of the rail, then the enriched ones as a dense border.
+    /// The standard unknowns by the one factor of the rail, then the enriched ones as a dense
+    /// border.
     Border {
         /// K_se.
         coupling: Arc<Vec<Entries>>,
@@ -58,17 +59,21 @@ pub(super) enum Elimination {
     },
 }
 
-/// Share of the diagonal that is added to the condensed matrix: functions that the others repeat to round-off get no say.
+/// Fraction of the diagonal that is added to the condensed matrix: it suppresses functions that
+/// depend linearly on the others to round-off.
 const REDUNDANT: f64 = 1e-13;
 
-/// Up to this many enriched unknowns over the root of those of the mesh, these are a dense border, whose elimination grows like the third power of
-/// their number. Beyond, a factorisation of everything is faster: it grows like the 1.5th power of the unknowns of the mesh. By their numbers of
-/// operations both take the same time in a growth step at about eight; one crack stays below, nine are at eighteen.
+/// Largest ratio of the number of enriched unknowns to the root of that of the standard ones at
+/// which the enriched ones form a dense border, whose elimination grows with the third power of
+/// their number. Beyond, one factorisation of the whole system is faster: it grows with the 1.5th
+/// power of the number of standard unknowns. By operation counts both cost the same in a growth
+/// step at about eight; one crack stays below, nine are at eighteen.
 const DENSE: f64 = 8.0;
 
 impl System<'_> {
-    /// C = B S_ee⁻¹ Bᵀ with S_ee = K_ee − K_es K_ss⁻¹ K_se, as jumps at face points under nodal forces there, and S. What is chosen depends on
-    /// the cracks and the mesh alone, so that a resumed run finds the same bits.
+    /// C = B S_ee⁻¹ Bᵀ with the Schur complement S_ee = K_ee − K_es K_ss⁻¹ K_se, as jumps at face
+    /// points under nodal forces there, and S. The choice of elimination depends on the cracks and
+    /// the mesh alone, so that a resumed run finds the same bits.
     pub(super) fn condensed(&self, store: &mut ColumnStore) -> Result<Condensed, XfemError> {
         let mesh = self.rail.factor().order() as f64;
         if self.border.unknowns as f64 <= DENSE * mesh.sqrt() {
@@ -79,7 +84,7 @@ impl System<'_> {
         }
     }
 
-    /// Columns of unknowns 2 node + axis of the mesh, on its free unknowns.
+    /// Columns over the unknowns 2 node + axis of the mesh, restricted to its free unknowns.
     fn on_free_unknowns<'c>(&self, columns: impl Iterator<Item = &'c Entries>) -> Vec<SparseColumn> {
         let free = |&(unknown, value): &(usize, f64)| {
             self.rail.unknowns(unknown / 2)[unknown % 2].map(|free| (free, value))
@@ -160,7 +165,8 @@ impl System<'_> {
         Ok(self.at_face_points(compliance, &influence, elimination))
     }
 
-    /// The nested dissection of the mesh, where each node brings its enrichments along: they live on the elements around it, like its own functions.
+    /// The nested dissection of the mesh, in which each node is accompanied by its enrichments:
+    /// they have their support on the elements around it, like its own functions.
     fn order(&self) -> Vec<usize> {
         let mesh = self.rail.factor().order();
         let mut of_node: Vec<Vec<usize>> = vec![Vec::new(); self.rail.mesh().node_count()];
@@ -173,7 +179,7 @@ impl System<'_> {
         nodes.into_iter().flat_map(of).collect()
     }
 
-    /// C and S from ∫ λ ⟦w⟧ under tractions λ and K under these.
+    /// C and S from ∫ λ ⟦w⟧ under tractions λ and from K under these.
     fn at_face_points(
         &self,
         compliance: Matrix,
@@ -191,8 +197,8 @@ impl System<'_> {
 }
 
 impl Elimination {
-    /// The unknowns under each of some tractions Σ λ_j τ_j on the faces: `tractions` are the τ_j (MPa), along x and y. Those of the mesh are complete at the
-    /// `nodes` alone.
+    /// The unknowns under each of some tractions Σ λ_j τ_j on the faces: `tractions` are the τ_j
+    /// (MPa), along x and y. The standard unknowns are complete at the `nodes` alone.
     pub(super) fn unknowns(
         &self,
         rail: &BulkRail,
@@ -215,7 +221,8 @@ impl Elimination {
         Ok(Unknowns { standard: together, enriched })
     }
 
-    /// The enriched unknowns under each of some tractions, where they can be had without those of the mesh.
+    /// The enriched unknowns under each of some tractions, where they follow without the standard
+    /// ones.
     fn enriched(&self, tractions: &[Vec<f64>]) -> Result<Vec<Vec<f64>>, LinearError> {
         let Self::Border { factor, jumps, scale, .. } = self else {
             return Ok(vec![Vec::new(); tractions.len()]);
@@ -234,7 +241,8 @@ impl Elimination {
     }
 }
 
-/// Bᵀ τ of `unknowns` unknowns for each of some tractions τ, row by row, from B = `jumps` row by row.
+/// Bᵀ τ of `unknowns` unknowns for each of some tractions τ, row by row, from B = `jumps` row by
+/// row.
 fn under_tractions(jumps: &[Entries], tractions: &[Vec<f64>], unknowns: usize) -> Matrix {
     let mut right = Matrix::zeros(tractions.len(), unknowns);
     for (k, tractions) in tractions.iter().enumerate() {
@@ -248,13 +256,14 @@ fn under_tractions(jumps: &[Entries], tractions: &[Vec<f64>], unknowns: usize) -
 
 /// The unknowns under some loads.
 pub(super) struct Unknowns {
-    /// The free ones of the mesh, at the beginning of a row for each load.
+    /// The free standard unknowns, at the beginning of a row for each load.
     pub standard: Matrix,
     /// Those of the enrichments, for each load.
     pub enriched: Vec<Vec<f64>>,
 }
 
-/// What `enriched` unknowns do to the equations of those of the mesh: −K_se u_e, a row for each of some loads.
+/// Right-hand sides −K_se u_e of the standard unknowns from `enriched` unknowns, a row for each of
+/// some loads.
 fn pulls(rail: &BulkRail, coupling: &[Entries], enriched: &[Vec<f64>]) -> Matrix {
     let mut right = Matrix::zeros(enriched.len(), rail.factor().order());
     for (k, enriched) in enriched.iter().enumerate() {

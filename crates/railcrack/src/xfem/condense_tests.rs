@@ -1,4 +1,4 @@
-//! Both ways of eliminating the unknowns behind the faces.
+//! Agreement of the two condensations: dense border and one factorisation.
 
 use super::{Condensed, Elimination, System};
 use crate::crack::{Crack, CrackNetwork};
@@ -12,7 +12,7 @@ use crate::xfem::sif::{SifContext, SifDomain, SifFunctional};
 use crate::xfem::trace;
 use crate::xfem::{MeshSettings, RailEnd, XfemEngine, XfemSettings};
 
-/// A kinked crack, one that passes near it and one inside.
+/// A kinked crack, one that passes near it and a buried one.
 fn network() -> CrackNetwork {
     let kinked = Crack::surface_breaking(0.0, 6.0, 0.3).unwrap();
     let kinked = kinked.extended(crate::crack::End::Last, 2.0, -0.6).unwrap();
@@ -28,8 +28,8 @@ fn largest_difference(a: &Matrix, b: &Matrix) -> f64 {
 }
 
 #[test]
-fn a_dense_border_and_one_factor_give_the_same() {
-    // Measured 3e-9: functions that repeat others up to round-off amplify it.
+fn dense_border_and_one_factorisation_agree() {
+    // Measured 3e-9: functions that are linearly dependent to round-off amplify it.
     const ROUND_OFF: f64 = 5e-8;
     let steel = IsotropicElastic::new(210e3, 0.3).unwrap();
     let (network, settings) = (network(), XfemSettings::default());

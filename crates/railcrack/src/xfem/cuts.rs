@@ -7,12 +7,14 @@ use crate::math::{Orientation, Vec2, orientation};
 use crate::mesh::{Edge, Element, QuadMesh};
 use std::collections::BTreeMap;
 
-/// Pieces of a side or chords of an element that are shorter than this times the side do not count: what round-off leaves
-/// where a crack passes through a node. A piece this short carries 1e-24 of the energy of an element.
+/// Parts of a side and chords of an element that are shorter than this fraction of the side are
+/// ignored: round-off leaves them where a crack passes through a node. Such a part carries 1e-24 of
+/// the energy of an element.
 const NOTHING: f64 = 1e-12;
 
-/// Kinks above this angle (radians) stop the slip of the faces that meet there: jumps go like √r. Without these functions K of an increment
-/// of 2.4 elements that turns by 15° is 3 to 6 % off, with them 1 %; at 5° the difference is no longer seen.
+/// Kinks above this angle (radians) impede the slip of the faces that meet there: jumps go like √r.
+/// Without √r functions at the kink, K of an increment of 2.4 elements that kinks by 15° is 3 to 6
+/// % off, with them 1 %; at 5° the difference is no longer visible.
 pub(super) const SHARP_KINK: f64 = 0.1;
 
 /// One element with its cells.
@@ -20,7 +22,7 @@ pub(super) const SHARP_KINK: f64 = 0.1;
 pub(super) struct CutElement {
     pub element: Element,
     pub arrangement: Arrangement,
-    /// The region of each cell: cells are of one region when one gets from one to the other within the element without
+    /// The region of each cell: cells belong to one region when the element connects them without
     /// crossing a crack.
     pub region: Vec<usize>,
     /// Number of regions.
@@ -31,7 +33,8 @@ pub(super) struct CutElement {
     pub cracks: Vec<InnerCrack>,
 }
 
-/// The edge of a cell on a side of the element: from `from` to `to` (mm) along the side, increasing.
+/// The edge of a cell on a side of the element, from `from` to `to` (mm) along the side,
+/// increasing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct SidePiece {
     pub side: Edge,
@@ -86,7 +89,7 @@ pub(super) struct Cuts {
     pub tips: Vec<TipPath>,
     /// Points with √r functions: the tips, then the kinks.
     pub poles: Vec<TipPath>,
-    /// Elements that hold a piece of crack or a tip, and those asked for.
+    /// Elements that contain a part of a crack or a tip, and those that were asked for.
     pub elements: BTreeMap<usize, CutElement>,
     /// All pieces, crack by crack along the walk.
     pub pieces: Vec<CrackPiece>,
@@ -101,7 +104,7 @@ impl Cuts {
         let tips: Vec<TipPath> = network.tips().into_iter().map(tip).collect();
         let mut poles = tips.clone();
         for (crack, path) in paths.iter().enumerate() {
-            // Where another crack ends, faces are free to slide into it.
+            // Where another crack ends at this one, faces are free to slide into it.
             let joined = |i: usize| network.junction_points().iter().any(|j| j.position == path.points[i]);
             for i in (1..path.segments()).filter(|&i| path.turn(i) > SHARP_KINK && !joined(i)) {
                 poles.push(TipPath::before_kink(crack, path, i));
@@ -115,7 +118,7 @@ impl Cuts {
                 }
             }
         }
-        // A segment ends at a kink also in an element that the next one leaves at once.
+        // A segment ends at a kink also in an element that the next segment leaves at once.
         for (crack, path) in paths.iter().enumerate() {
             for i in 1..path.segments() {
                 for e in elements_at(mesh, path.points[i]) {
@@ -157,7 +160,7 @@ impl Cuts {
         cuts
     }
 
-    /// Makes sure that `element` is among the elements, in one piece if no crack cuts it.
+    /// Ensures that `element` is among the elements, undivided if no crack cuts it.
     pub(super) fn include(&mut self, mesh: &QuadMesh, element: usize) {
         self.elements.entry(element).or_insert_with(|| CutElement::whole(mesh.element(element)));
     }
@@ -202,7 +205,8 @@ impl Cuts {
         })
     }
 
-    /// Notes the part of a segment that lies exactly on the top or right side of an element, or of its neighbour there.
+    /// Records the part of a segment that lies exactly on the top or right side of an element, or
+    /// of its neighbour there.
     fn note_side(&mut self, mesh: &QuadMesh, e: usize, element: &Element, (crack, segment): (usize, usize)) {
         let (p, q) = self.paths[crack].segment(segment);
         let corners = element.corners();
@@ -249,7 +253,8 @@ impl Cuts {
                         continue;
                     }
                     let (p, q) = self.paths[crack.crack].segment(crack.segment);
-                    // The element above (beyond Top) is left of +x; the one beyond Right is right of +y.
+                    // The element above (beyond Top) is left of +x; the one beyond Right is right
+                    // of +y.
                     let forward = (q - p).dot(at(to) - at(from)) > 0.0;
                     let ends = if forward { (at(from), at(to)) } else { (at(to), at(from)) };
                     let beyond_is_plus = forward == (side == Edge::Top);
@@ -270,7 +275,8 @@ impl Cuts {
             .sort_by(|a, b| (a.crack, a.segment).cmp(&(b.crack, b.segment)).then(a.s.0.total_cmp(&b.s.0)));
     }
 
-    /// The cells of two neighbours that face each other across their common side, with the interval (mm along it).
+    /// The cells of two neighbours that face each other across their common side, with the interval
+    /// (mm along it).
     fn overlaps(
         &self,
         mesh: &QuadMesh,
@@ -313,7 +319,8 @@ impl Cuts {
         self.elements.get(&element).map_or(1, |cut| cut.regions)
     }
 
-    /// Pairs of regions of `e` and its neighbour across `side` (Top or Right) that are joined there.
+    /// Pairs of regions of `e` and its neighbour across `side` (Top or Right) that are connected
+    /// there.
     pub(super) fn joined(&self, mesh: &QuadMesh, e: usize, side: Edge) -> Vec<(usize, usize)> {
         let Some(other) = mesh.neighbour(e, side) else { return Vec::new() };
         let facing = if side == Edge::Top { Edge::Bottom } else { Edge::Left };
@@ -332,7 +339,7 @@ impl Cuts {
     }
 }
 
-/// The length of [from, to] that the cracks on a side cover; they do not overlap one another.
+/// The length of [from, to] covered by the cracks on a side, which do not overlap one another.
 fn covered(cracks: &[SideCrack], from: f64, to: f64) -> f64 {
     cracks.iter().map(|c| (c.to.min(to) - c.from.max(from)).max(0.0)).sum()
 }
@@ -342,7 +349,8 @@ impl CutElement {
         Self::new(element, Arrangement::whole(&element), |_, _, _| None)
     }
 
-    /// `crack` tells of an edge on a border from a to b whether it is crack: which segment, and whether it runs along it.
+    /// `crack` says whether an edge on a border from a to b belongs to a crack: to which segment,
+    /// and whether the crack runs in its direction.
     fn new(
         element: Element,
         arrangement: Arrangement,
@@ -367,7 +375,8 @@ impl CutElement {
                 let Some(&other) = inner.get(&(b, a)) else { continue };
                 match crack(border, ends.0, ends.1) {
                     None => join(&mut region, i, other),
-                    // The cell lies to the left of its edge: + when the crack runs the same way.
+                    // The cell lies to the left of its edge: the + face when the crack runs the
+                    // same way.
                     Some((crack, segment, true)) => {
                         cracks.push(InnerCrack { crack, segment, ends, plus: i, minus: other });
                     }
@@ -402,8 +411,9 @@ pub(super) fn along_side(side: Edge, point: Vec2) -> f64 {
     }
 }
 
-/// The common end of a segment and a line through another one, if the segment goes straight on from there up to round-off: a crack that
-/// continues another one from a junction. Two lines that differ by round-off cannot be ordered, so both are one.
+/// The common end of a segment and a line through another one, if the segment continues the line
+/// straight on from there up to round-off: a crack that continues another one from a junction. Two
+/// lines that differ by round-off cannot be ordered, so they are taken for one.
 fn continuation(line: CutLine, (from, to): (Vec2, Vec2)) -> Option<Vec2> {
     let (joint, other) = match [line.from, line.to] {
         ends if ends.contains(&from) => (from, to),

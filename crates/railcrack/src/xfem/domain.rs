@@ -6,24 +6,27 @@ use super::sif::SifDomain;
 use crate::crack::point_to_segment;
 use crate::math::Vec2;
 
-/// Smallest outer radius of a domain over the inner one: with that of 1.5 elements, more than an element lies between them. A smaller inner
-/// radius reaches into the elements at the tip and costs 0.9 % of K.
+/// Smallest ratio of the outer to the inner radius of a domain: with an inner radius of 1.5
+/// elements, more than an element lies between them. A smaller inner radius extends into the
+/// elements at the tip and costs 0.9 % of K.
 const SMALLEST: f64 = 2.0;
 
-/// Elements between a tip and its neighbour below which K is not to be trusted: both lie in one element then. Measured against fine elements
-/// of the other engine: within 0.1 % of the largest K down to 1.4 elements, 0.8 % at 0.6 of one, 6 % at 0.4.
+/// Distance, in elements, between a tip and its neighbour below which K is not to be trusted: both
+/// lie in one element then. Measured against fine elements of the other engine: within 0.1 % of the
+/// largest K down to 1.4 elements, 0.8 % at 0.6, 6 % at 0.4.
 const TRUSTED: f64 = 1.0;
 
-/// What lies next to a tip.
+/// The nearest neighbour of a tip.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Neighbour {
     Crack(usize),
     Surface,
 }
 
-/// The domain of tip `tip`, around which elements are `size` (mm) large: as `settings` say, but no farther than the nearest other crack or
-/// the running surface, down to [`SMALLEST`]. What lies in the smallest domain nevertheless takes part in it with its faces. The remark
-/// tells of a neighbour that is too near.
+/// The domain of tip `tip`, around which elements are `size` (mm) large: as in `settings`, but no
+/// farther than the nearest other crack or the running surface, down to [`SMALLEST`]. Neighbours
+/// inside the smallest domain contribute to its integral through their faces. The remark reports a
+/// neighbour that is too near.
 pub(super) fn domain_of(
     cuts: &Cuts,
     tip: usize,
@@ -54,19 +57,20 @@ pub(super) fn domain_of(
     (domain, remark)
 }
 
-/// Elements between a tip and the last sharp turn of its crack below which K is not to be trusted: the friction of the faces around the corner is
-/// not resolved. Measured against fine elements of the other engine, turns of 40° and 70° to either side: up to 15 % of the largest K at a quarter
-/// of an element, 8 % at one, 6 % at 1.6, 4 % at 2.4.
+/// Distance, in elements, between a tip and the last sharp kink of its crack below which K is not
+/// to be trusted: crack-face friction around the corner is not resolved. Measured against fine
+/// elements of the other engine, kinks of 40° and 70° to either side: up to 15 % of the largest K
+/// at a quarter of an element, 8 % at one, 6 % at 1.6, 4 % at 2.4.
 const TRUSTED_PART: f64 = 1.25;
 
-/// Tells of a last segment after a sharp turn that is shorter than elements of `size` (mm) resolve.
+/// A remark on a last segment after a sharp kink that elements of `size` (mm) do not resolve.
 pub(super) fn short_part(cuts: &Cuts, tip: usize, size: f64) -> Option<String> {
     let path = &cuts.tips[tip];
     let (from, to) = path.last_segment();
     let length = (to - from).length();
     let turn = path.last_turn().filter(|&turn| turn > SHARP_KINK && length < TRUSTED_PART * size)?;
     Some(format!(
-        "crack {}: its tip at ({:.3}, {:.3}) mm is {length:.3} mm behind a turn of {:.0}°, {:.2} of an element: its K under friction cannot be \
+        "crack {}: its tip at ({:.3}, {:.3}) mm is {length:.3} mm behind a kink of {:.0}°, {:.2} of an element: its K under friction cannot be \
          trusted; larger increments, or smaller elements (element_size_mm), resolve it",
         path.crack + 1,
         to.x,

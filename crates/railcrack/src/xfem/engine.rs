@@ -1,4 +1,4 @@
-//! The engine: one mesh and factor for all steps of a run.
+//! The finite-element engine: one mesh and one factor for all growth steps of a run.
 
 use super::body::{Discretisation, XfemBody, XfemError, XfemSettings};
 use super::columns::ColumnStore;
@@ -12,10 +12,10 @@ use std::ops::RangeInclusive;
 use std::sync::Arc;
 use std::time::Instant;
 
-/// What the rail of the finite-element engine ends at.
+/// The boundary of the rail in the finite-element engine.
 #[derive(Debug, Clone, PartialEq)]
 pub enum RailEnd {
-    /// Nothing but the running surface: held so far away that it is not felt.
+    /// The running surface only: the mesh is held so far away that this has no influence.
     HalfPlane {
         /// Abscissa of the middle of the mesh, mm.
         centre: f64,
@@ -24,9 +24,9 @@ pub enum RailEnd {
     Block {
         /// The block.
         outline: Outline,
-        /// What it stands on.
+        /// Support of the bottom.
         bottom: BottomSupport,
-        /// What holds its sides.
+        /// Support of the sides.
         sides: SideSupport,
         /// The wheel that rolls over it.
         contact: HertzianContact,
@@ -35,8 +35,8 @@ pub enum RailEnd {
     },
 }
 
-/// Half width and depth of the mesh of a half-plane, over the extent of the window. Held at this distance, the boundary
-/// changes K by about (l/R)² × 8: less than 1e-3.
+/// Half-width and depth of the mesh of a half-plane, over the extent of the window. A boundary held
+/// at this distance changes K by about (l/R)² × 8: less than 1e-3.
 const FAR: f64 = 150.0;
 /// Enlargements of the window that are tried.
 const ENLARGEMENTS: usize = 20;
@@ -61,7 +61,8 @@ impl RailEnd {
     }
 }
 
-/// Entries of the factor over n log2 n: nested dissection of a plane grid, measured from 20k to 60k unknowns.
+/// Entries of the factor over n log2 n: nested dissection of a plane grid, measured from 20k to 60k
+/// unknowns.
 const FACTOR_ENTRIES: f64 = 6.0;
 
 /// Size of a cracked rail in finite elements.
@@ -77,9 +78,9 @@ pub struct XfemSize {
     pub factor_entries: usize,
 }
 
-/// Extended finite elements for all steps of a run. The mesh is laid around the cracks of the first step with room for their
-/// growth, and is factored once; a crack that leaves the fine window has it enlarged in fixed steps. A clone shares the factor and what
-/// was solved with it.
+/// Extended finite elements for all growth steps of a run. The mesh is laid around the initial
+/// cracks with room for their growth, and is factored once; when a crack leaves the fine window,
+/// the window is enlarged in fixed steps. A clone shares the factor and the columns solved with it.
 #[derive(Debug, Clone)]
 pub struct XfemEngine {
     steel: IsotropicElastic,
@@ -91,12 +92,13 @@ pub struct XfemEngine {
     window: Window,
     background: Option<Arc<BulkRail>>,
     columns: ColumnStore,
-    /// Of a block: what its ends do, for all positions of the wheel.
+    /// Block only: the effect of its ends, for all positions of the wheel.
     correction: Option<Arc<BlockCorrection>>,
 }
 
 impl XfemEngine {
-    /// The engine for cracks that are `initial` at the beginning of the run, elements of one size at all of them.
+    /// The engine for the cracks `initial` at the beginning of the run, with elements of one size
+    /// at all of them.
     pub fn new(
         initial: &CrackNetwork,
         steel: IsotropicElastic,
@@ -126,21 +128,22 @@ impl XfemEngine {
         }
     }
 
-    /// This engine with a mesh that also resolves `layers`: before it has made one.
+    /// This engine with a mesh that also resolves `layers`; to be called before it has made one.
     pub fn resolving(self, layers: Layers) -> Self {
         let window = self.initial.resolving(layers);
         Self { initial: window.clone(), window, ..self }
     }
 
-    /// Everything on which mesh and factor of the rail depend for the cracks at the beginning; two rails with the same words are the
-    /// same bits.
+    /// All that mesh and factor of the rail depend on for the initial cracks, in words; two rails
+    /// with the same words are the same bits.
     pub fn rail_in_words(&self) -> String {
         let (outline, boundary) = (self.end.outline(&self.initial), self.end.boundary());
         // The shortest decimals that read back to the same bits.
         format!("{:?} {outline:?} {boundary:?} {:?}", self.steel, self.initial)
     }
 
-    /// Takes over mesh, factor and columns of `other`, where this engine has none yet and would make the same ones.
+    /// Takes over mesh, factor and columns of `other`, where this engine has none yet and would
+    /// make the same ones.
     pub fn take_over(&mut self, other: &Self) {
         if self.background.is_some()
             || other.window != self.initial
@@ -155,7 +158,7 @@ impl XfemEngine {
         }
     }
 
-    /// How large the system of `network` is, without factoring it.
+    /// Size of the system of `network`, without factoring it.
     pub fn size(&self, network: &CrackNetwork) -> Result<XfemSize, XfemError> {
         let mesh = self.window.mesh(self.end.outline(&self.window))?;
         // All but a few of the unknowns on the boundary are free.
@@ -169,7 +172,8 @@ impl XfemEngine {
         })
     }
 
-    /// The window that holds `network`, and the one before it in the sequence of enlargements, where there is one.
+    /// The window that holds `network`, and its predecessor in the sequence of enlargements, if
+    /// any.
     fn window_for(&self, network: &CrackNetwork) -> (Window, Option<Window>) {
         let mut window = self.initial.clone();
         let mut before = None;
@@ -183,7 +187,7 @@ impl XfemEngine {
         (window, before)
     }
 
-    /// The mesh for `network`, made and factored where it is not there yet.
+    /// The mesh for `network`, made and factored unless it exists already.
     pub fn background(&mut self, network: &CrackNetwork) -> Result<&Arc<BulkRail>, XfemError> {
         let (window, _) = self.window_for(network);
         if window != self.window || self.background.is_none() {
@@ -194,7 +198,7 @@ impl XfemEngine {
             self.window = window;
         }
         let rail = self.background.as_ref().expect("made above");
-        // Depends on the wheel too, and is therefore not taken over with every rail.
+        // The correction depends on the wheel too, and is therefore not taken over with every rail.
         if let (RailEnd::Block { contact, positions, .. }, None) = (&self.end, &self.correction) {
             self.correction = Some(Arc::new(BlockCorrection::new(rail, contact, positions.clone())?));
         }
@@ -211,7 +215,7 @@ impl XfemEngine {
         if let (RailEnd::Block { contact, .. }, Some(correction)) = (&self.end, &self.correction) {
             body.add_ends(correction, contact)?;
         }
-        // Told by the crack alone, so that a run that is taken up here says the same.
+        // Decided by the crack alone, so that a run resumed here reports the same.
         let (window, before) = self.window_for(network);
         if before.is_some_and(|before| before.was_left_by(network)) {
             body.remark(format!(
@@ -246,7 +250,7 @@ mod tests {
     use crate::crack::Crack;
 
     #[test]
-    fn what_is_forgotten_is_free_and_changes_no_body() {
+    fn forgetting_frees_memory_and_changes_no_body() {
         let network = CrackNetwork::from(Crack::surface_breaking(0.0, 4.0, 0.5).unwrap());
         let steel = IsotropicElastic::new(210e3, 0.3).unwrap();
         let (end, settings) = (RailEnd::HalfPlane { centre: 0.0 }, XfemSettings::default());

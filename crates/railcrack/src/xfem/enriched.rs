@@ -5,8 +5,8 @@ use crate::bulk::{BulkRail, RailStiffness};
 use crate::linear::ElementSum;
 use crate::math::Matrix;
 
-/// The stiffness of the free unknowns of the mesh and, after these, of the enriched ones: the elements of the mesh, the cells with enrichments, and what
-/// is added to the diagonal.
+/// The stiffness of the free standard unknowns followed by the enriched ones: the elements of the
+/// mesh, the enriched cells, and additions to the diagonal.
 pub(super) struct EnrichedStiffness<'a> {
     rail: &'a BulkRail,
     mesh: RailStiffness<'a>,
@@ -21,7 +21,7 @@ enum Part<'a> {
     Mesh(usize),
     /// A cell: what its functions add to that of the mesh.
     Cell(&'a CellStiffness),
-    /// What is added at an enriched unknown.
+    /// An addition to the diagonal at an enriched unknown.
     Added(usize),
 }
 

@@ -16,7 +16,7 @@ use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// What the unknowns of a body follow from.
+/// The data from which the unknowns of a body follow.
 #[derive(Debug, Clone)]
 pub(super) struct Inside {
     pub rail: Arc<BulkRail>,
@@ -27,18 +27,21 @@ pub(super) struct Inside {
     pub elimination: Elimination,
 }
 
-/// Distance (over the length of the longest crack) from the box of the cracks up to which fields are given.
+/// Distance from the bounding box of the cracks, over the length of the longest one, up to which
+/// fields are given.
 const MARGIN: f64 = 0.25;
 
 /// The displacements under one load.
 struct Displacements {
-    /// Displacement of the nodes of the mesh that the grid depends on, mm; of the others nothing of use.
+    /// Displacements of the nodes of the mesh on which the grid depends, mm; those of the others
+    /// are incomplete.
     nodes: Vec<Vec2>,
     enriched: Vec<f64>,
 }
 
 impl Inside {
-    /// The fields under `loads`, and under what the ends of a block do to the stress under the `wheel`.
+    /// The fields under `loads`, and under the effect of the ends of a block on the stress under
+    /// the `wheel`.
     pub(super) fn fields(
         &self,
         loads: &[FieldLoad],
@@ -48,7 +51,7 @@ impl Inside {
         self.fields_within(MARGIN * lengths.fold(0.0, f64::max), loads, wheel)
     }
 
-    /// [`Inside::fields`] up to `margin` (mm) from the box of the cracks.
+    /// [`Inside::fields`] up to `margin` (mm) from the bounding box of the cracks.
     pub(super) fn fields_within(
         &self,
         margin: f64,
@@ -120,7 +123,7 @@ impl Inside {
         field
     }
 
-    /// Displacement and stress at the `points` of a cell, by all its functions.
+    /// Displacement and stress at the `points` of a cell, from all its functions.
     fn in_cell(
         &self,
         place: CellPlace,
@@ -159,8 +162,9 @@ impl Inside {
     }
 }
 
-/// The stress (MPa) at the nodes of an element without enrichment: that at its 2 × 2 Gauss points, where it converges faster than
-/// elsewhere (Barlow, Int. J. Numer. Meth. Engng 10, 1976), continued bilinearly.
+/// The stress (MPa) at the nodes of an element without enrichment: that at its 2 × 2 Gauss points,
+/// where it is superconvergent (Barlow, Int. J. Numer. Meth. Engng 10, 1976), extrapolated
+/// bilinearly.
 fn nodal_stresses(element: &Element, nodes: &[Vec2], elasticity: &Elasticity) -> [Stress; NODES] {
     let gauss = 1.0 / 3.0f64.sqrt();
     let size = element.size();

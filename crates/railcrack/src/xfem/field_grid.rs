@@ -1,4 +1,4 @@
-//! The cells on which the field of a cracked body is given.
+//! The grid on which the field of a cracked body is given.
 
 use super::cuts::{CellPlace, CutElement, Cuts};
 use super::interface::Interface;
@@ -8,7 +8,7 @@ use crate::mesh::{NODES, QuadMesh};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// A grid and where its points come from.
+/// A grid and the origin of its points.
 pub(super) struct Layout {
     pub grid: FieldGrid,
     /// Elements that no crack and no enrichment touches.
@@ -19,13 +19,14 @@ pub(super) struct Layout {
     pub cells: Vec<(CellPlace, Range<usize>)>,
 }
 
-/// Share of the way to the middle of the cell at which the stress of a point at a tip or a kink is taken: it is infinite there.
+/// Fraction of the distance to the centre of the cell at which the stress of a point at a tip or a
+/// kink is evaluated: it is infinite there.
 const INSIDE: f64 = 0.1;
-/// A corner this near to a tip or a kink, over the element, is at it.
+/// A corner this near to a tip or a kink, relative to the element, is taken to lie at it.
 const AT_POLE: f64 = 1e-9;
 
 impl Layout {
-    /// The elements that meet the box of the cracks widened by `margin` (mm).
+    /// The elements that meet the bounding box of the cracks widened by `margin` (mm).
     pub(super) fn new(mesh: &QuadMesh, cuts: &Cuts, interface: &Interface, margin: f64) -> Self {
         let mut layout =
             Self { grid: FieldGrid::default(), whole: Vec::new(), nodes: BTreeMap::new(), cells: Vec::new() };

@@ -1,4 +1,4 @@
-//! The field behind the face points against the matrices at them, statics and the field of a tip.
+//! The field of the cracked body against jumps at face points, statics and the tip asymptotics.
 
 use crate::body::{CrackedBody, Face, FieldGrid, FieldLoad, PointField};
 use crate::crack::{Crack, CrackNetwork};
@@ -24,7 +24,8 @@ fn body(degrees: f64, element_size: f64) -> XfemBody {
     XfemBody::new(rail, &network, XfemSettings::default()).unwrap()
 }
 
-/// The cracked body with open faces under tension along the rail, up to `margin` (mm) from the crack.
+/// The cracked body with open faces under tension along the rail, up to `margin` (mm) from the
+/// crack.
 fn under_tension(body: &XfemBody, margin: f64) -> (Vec<f64>, FieldGrid, PointField) {
     let forces = body.faces().nodal_forces(|_| TENSION);
     let load = FieldLoad { forces: &forces, xc: 0.0 };
@@ -38,7 +39,8 @@ fn largest(s: Stress) -> f64 {
 
 #[test]
 fn points_on_both_faces_move_apart_by_the_jump() {
-    // Jumps at face points are means of the jump of the field over their neighbourhood; measured 4e-4 with these elements.
+    // Jumps at face points are means of the jump of the field over their neighbourhood; measured
+    // 4e-4 with these elements.
     const TOLERANCE: f64 = 1e-3;
     for degrees in [15.0, 60.0] {
         let body = body(degrees, 0.2);
@@ -62,7 +64,7 @@ fn points_on_both_faces_move_apart_by_the_jump() {
 }
 
 #[test]
-fn far_away_the_crack_is_not_felt() {
+fn the_disturbance_decays_like_a_dipole() {
     // A crack is a dipole: its stress falls like (l/r)². Measured 0.2 (l/r)² of the tension.
     const DIPOLE: f64 = 0.3;
     let body = body(15.0, 0.3);
@@ -80,8 +82,9 @@ fn far_away_the_crack_is_not_felt() {
 }
 
 #[test]
-fn open_faces_carry_nothing() {
-    // Stress is taken at the ends of cells, where that of quadratic elements is worst; measured 0.025 and 0.005.
+fn open_faces_are_free_of_traction() {
+    // Stress is evaluated at the corners of cells, where that of quadratic elements is least
+    // accurate; measured 0.025 and 0.005.
     const WORST: f64 = 0.04;
     const MEAN: f64 = 0.008;
     for degrees in [15.0f64, 60.0] {
@@ -90,7 +93,8 @@ fn open_faces_carry_nothing() {
         let normal = Vec2::unit(-degrees.to_radians()).left();
         let (mut squares, mut count) = (0.0, 0.0);
         for end in grid.lines.iter().flat_map(|line| line.ends) {
-            // A tenth of the crack at mouth and tip is left out: the corner of the flap and the infinite stress.
+            // A tenth of the crack at mouth and tip is left out: the corner at the mouth and the
+            // singular stress.
             if (0.1..=0.9).contains(&(grid.points[end].length() / LENGTH)) {
                 let left = (field.stress[end] + TENSION).traction(normal).length() / TENSION.xx;
                 assert!(left < WORST, "{degrees} degrees: {left} of the tension at {:?}", grid.points[end]);
@@ -104,8 +108,9 @@ fn open_faces_carry_nothing() {
 }
 
 #[test]
-fn ahead_of_the_tip_stress_goes_like_the_sif_over_the_root() {
-    // Next to the tip the total stress is that of Williams' field times 1 + b r; within half a millimetre of a crack of six.
+fn the_stress_ahead_of_the_tip_is_k_over_the_root_of_two_pi_r() {
+    // Next to the tip the total stress is that of Williams' field times 1 + b r; fitted within half
+    // a millimetre of a crack of six.
     const TOLERANCE: f64 = 0.01;
     const REACH: f64 = 0.5;
     const ANGLE: f64 = 0.5;

@@ -1,4 +1,4 @@
-//! Face points of the finite-element engine, and what the faces see of the enriched functions.
+//! Face points of the finite-element engine, and traces of the enriched functions on the faces.
 
 use super::cuts::{CrackPiece, Cuts, SHARP_KINK};
 use super::junctions::{junctions_on, leave_junctions};
@@ -7,7 +7,7 @@ use crate::crack::{CrackNetwork, End, Walk};
 use crate::math::{Matrix, Vec2, axpy, gauss_legendre, quantiles};
 use crate::mesh::QuadMesh;
 
-/// The face points of a network, with quadrature points that know the cells at both faces.
+/// The face points of a network, with quadrature points that refer to the cells at both faces.
 #[derive(Debug, Clone)]
 pub(super) struct Interface {
     pub faces: FaceMesh,
@@ -16,11 +16,12 @@ pub(super) struct Interface {
     walks: Vec<Walk>,
 }
 
-/// The face points at the ends of an element, and what each counts.
+/// The face points at the ends of an element, and their weights.
 type Shares = [(usize, f64); 2];
 
-/// A quadrature point of the faces. Jumps are ⟦w⟧ = Σ ψ_j w_j with ψ linear in g and zero at a tip; tractions are Σ λ_j τ_j with
-/// λ = ψ but for the element at a tip, where the traction stays what it is at its other end.
+/// A quadrature point of the faces. Jumps are ⟦w⟧ = Σ ψ_j w_j with ψ linear in g and zero at a tip;
+/// tractions are Σ λ_j τ_j with λ = ψ, except in the element at a tip, where the traction is
+/// constant at its value at the other end.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Station {
     /// Index of the piece of crack.
@@ -34,18 +35,20 @@ pub(super) struct Station {
     pub tractions: Shares,
 }
 
-/// Distance between face points, over the length of crack in an element: quadratic jumps carry two points per element, and
-/// with one, pressures do not alternate.
+/// Distance between face points, over the length of crack in an element: quadratic jumps support
+/// two points per element, and with one the pressures do not oscillate.
 const SPACING: f64 = 1.0;
-/// Step of √r next to a tip, over the root of the element's length of crack there: points at 0.16, 0.64, 1.44 of an element. With steps of a third
-/// K leaks out of a tip that is locked, by up to 3 % of its peak as the last of the crack lets go; with a quarter pressures alternate.
+/// Step of √r next to a tip, over the root of the length of crack in the element there: points at
+/// 0.16, 0.64, 1.44 of an element. With steps of a third K leaks out of a locked tip, by up to 3 %
+/// of its peak as the last part of the crack begins to slip; with a quarter pressures oscillate.
 const TIP_STEP: f64 = 0.4;
 /// Length of the element across a kink, over the regular one.
 const KINK_SPACING: f64 = 0.15;
 /// The same for kinks without √r functions.
 const SMALL_KINK_SPACING: f64 = 0.5;
-/// Distance of a small kink from the next one or the end of the crack, over the regular element, from which it has points of its own. Points
-/// that are closer than the jump has functions for carry pressures that alternate: at half an element from the tip K was off by 7 to 30 %.
+/// Distance of a small kink from the next one or the end of the crack, over the regular element,
+/// beyond which it has points of its own. Points that are denser than the jump functions carry
+/// oscillating pressures: at half an element from the tip K was off by 7 to 30 %.
 const KINK_ROOM: f64 = 3.0;
 /// Growth of the distance of face points away from a kink: length per distance.
 const KINK_GRADING: f64 = 0.5;
@@ -53,11 +56,12 @@ const KINK_GRADING: f64 = 0.5;
 const JUNCTION_SPACING: f64 = 0.5;
 /// Kinks below this angle (radians) are smooth for the jump.
 const SMALL_KINK: f64 = 0.05;
-/// Gauss points on each common piece of face element and cut element: jumps are of degree 5 in g, times ψ and ds/dg.
+/// Gauss points on each intersection of face element and cut element: jumps are of degree 5 in g,
+/// times ψ and ds/dg.
 const GAUSS: usize = 6;
 
 impl Interface {
-    /// `spacing` (mm) between face points, by the elements where there is none.
+    /// `spacing` (mm) between face points; that of the elements for `None`.
     pub(super) fn new(mesh: &QuadMesh, network: &CrackNetwork, cuts: &Cuts, spacing: Option<f64>) -> Self {
         let walks = network.walks();
         let joined: Vec<Vec<usize>> = (0..walks.len()).map(|crack| junctions_on(network, crack)).collect();
@@ -98,7 +102,7 @@ impl Interface {
         lines
     }
 
-    /// Visits what face elements and pieces of crack have in common, along the walks.
+    /// Visits the intersections of face elements and pieces of crack, along the walks.
     fn common_pieces<'a>(&'a self, cuts: &Cuts, mut visit: impl FnMut(CommonPiece<'a>)) {
         for (crack, walk) in self.walks.iter().enumerate() {
             let first = cuts.pieces.partition_point(|piece| piece.crack < crack);
@@ -147,18 +151,19 @@ impl Interface {
     }
 }
 
-/// What turns integrals over the faces into jumps at face points, and nodal forces there into tractions.
+/// Maps integrals over the faces to jumps at face points, and nodal forces there to tractions.
 #[derive(Debug, Clone)]
 pub(super) struct Duality {
-    /// The factors of the tridiagonal G: of each row the entry of the lower one, the pivot, and the entry beside it.
+    /// The factors of the tridiagonal G: per row the entry of the lower factor, the pivot, and the
+    /// entry beside it.
     bands: Vec<[f64; 3]>,
     /// x1 of each face point.
     tangents: Vec<Vec2>,
 }
 
 impl Duality {
-    /// G⁻¹ b in the frames of the faces: slip and opening at the face points from b_j = ∫ λ_j ⟦w⟧ ds along x and y. `b[j]` may be any
-    /// row of numbers.
+    /// G⁻¹ b in the frames of the faces: slip and opening at the face points from b_j = ∫ λ_j ⟦w⟧
+    /// ds along x and y. `b[j]` may be any row of numbers.
     pub(super) fn nodal_jumps(&self, mut b: Matrix) -> Matrix {
         let points = self.bands.len();
         for i in 1..points {
@@ -191,8 +196,8 @@ impl Duality {
         b
     }
 
-    /// The coefficients τ_j (x and y, MPa) of the tractions Σ λ_j τ_j that nodal `forces` (N/mm, in the frames of the faces) are: the
-    /// transpose of [`Duality::nodal_jumps`].
+    /// The coefficients τ_j (x and y, MPa) of the tractions Σ λ_j τ_j equivalent to nodal `forces`
+    /// (N/mm, in the frames of the faces): the transpose of [`Duality::nodal_jumps`].
     pub(super) fn tractions(&self, forces: &[f64]) -> Vec<f64> {
         let points = self.bands.len();
         let mut tractions = vec![0.0; 2 * points];
@@ -217,7 +222,7 @@ impl Duality {
     }
 }
 
-/// What a face element and a piece of crack have in common.
+/// The intersection of a face element and a piece of crack.
 struct CommonPiece<'a> {
     element: &'a FaceElement,
     /// Index of the piece.
@@ -256,17 +261,18 @@ fn shares(element: &FaceElement, g: f64) -> (Shares, Shares) {
     (jumps, tractions)
 }
 
-/// A place of a walk with nodes of its own, which are shorter around it.
+/// A place of a walk with nodes of its own, around which elements are shorter.
 struct Place {
     /// Arc length, mm.
     s: f64,
-    /// Length of an element there, mm; infinite where it is not shorter than elsewhere.
+    /// Length of an element there, mm; infinite where it is the regular one.
     element: f64,
     /// The nodes in g, in order.
     nodes: Vec<f64>,
 }
 
-/// The nodes of one walk in g, ends included; those at the points `joined`, where cracks meet, twice.
+/// The nodes of one walk in g, ends included; those at the points `joined`, where cracks meet,
+/// twice.
 fn nodes(mesh: &QuadMesh, walk: &Walk, joined: &[usize], spacing: Option<f64>) -> Vec<f64> {
     let (start, end) = walk.range();
     let vertices = walk.vertices();
@@ -301,9 +307,9 @@ fn nodes(mesh: &QuadMesh, walk: &Walk, joined: &[usize], spacing: Option<f64>) -
         if i == 0 || i == segments {
             return Some(Place { s, element: f64::INFINITY, nodes: vec![g] });
         }
-        // An element across each kink, so that every node has one tangent. Points crowd only where the jump has the functions to follow
-        // them.
-        // So a small kink has none where another one or an end is too near for the jump to follow: the element that is there runs across it.
+        // An element across each kink, so that every node has one tangent. Points are dense only
+        // where the jump functions can follow them. So a small kink has none where another one or
+        // an end is too near for this: the element there runs across it.
         let sharp = walk.turn(i) > SHARP_KINK;
         (sharp || (walk.turn(i) > SMALL_KINK && gap >= KINK_ROOM * chord(g))).then(|| {
             let spacing = if sharp { KINK_SPACING } else { SMALL_KINK_SPACING };
@@ -325,7 +331,7 @@ fn nodes(mesh: &QuadMesh, walk: &Walk, joined: &[usize], spacing: Option<f64>) -
     nodes
 }
 
-/// Length (mm) of crack in an element crossed through its middle.
+/// Length (mm) of crack in an element crossed through its centre.
 fn chord_at(mesh: &QuadMesh, point: Vec2, tangent: Vec2) -> f64 {
     let element = mesh.locate(point).unwrap_or(0);
     let size = mesh.element(element).size();

@@ -1,8 +1,9 @@
-//! Face points where cracks meet.
+//! Face points at junctions of cracks.
 //!
-//! The jumps of the arms of a junction are bound to each other there, since the displacement is one function around it: n arms have n
-//! laws of contact but n − 1 free jumps. So no face point lies at the junction itself. On the last element of each arm jumps and
-//! tractions stay what they are at its other end: nothing of the tractions is lost, and none is there twice.
+//! The jumps of the arms of a junction are coupled there, since the displacement around it is
+//! single-valued: n arms have n contact conditions but n − 1 free jumps. So no face point lies at
+//! the junction itself. On the last element of each arm jumps and tractions are constant at their
+//! values at its other end: no part of the tractions is lost or counted twice.
 
 use crate::body::{FaceElement, FaceMesh};
 use crate::crack::{CrackNetwork, End, Walk};
@@ -26,8 +27,8 @@ pub(super) fn junctions_on(network: &CrackNetwork, crack: usize) -> Vec<usize> {
     points
 }
 
-/// Takes the face points at junctions away and gives their share to the next one of the same arm. `joined` are the points of each crack
-/// at which others meet it.
+/// Removes the face points at junctions and adds their share to the next one of the same arm.
+/// `joined` are the points of each crack at which others meet it.
 pub(super) fn leave_junctions(
     walks: &[Walk],
     joined: &[Vec<usize>],

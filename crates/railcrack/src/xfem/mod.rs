@@ -1,4 +1,5 @@
-//! The finite-element engine: a background mesh that does not know the cracks, and functions that do.
+//! The extended finite-element engine: a background mesh independent of the cracks, and enrichment
+//! functions that represent them.
 
 mod arrangement;
 mod basis;

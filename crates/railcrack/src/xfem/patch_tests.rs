@@ -42,7 +42,7 @@ fn patch() -> (QuadMesh, CrackNetwork) {
     (QuadMesh::new(mesh.x_lines().to_vec(), y).unwrap(), crack.into())
 }
 
-/// All unknowns of the patch: those of the mesh (2 node + axis), then the enriched ones.
+/// All unknowns of the patch: the standard ones (2 node + axis), then the enriched ones.
 pub(super) struct Dense {
     pub mesh: QuadMesh,
     pub parts: Discretisation,
@@ -111,7 +111,7 @@ impl Dense {
     /// The solution under `forces` with the `held` unknowns at zero.
     pub fn solve(&self, forces: &[f64], held: impl Fn(usize) -> bool) -> Vec<f64> {
         let n = forces.len();
-        // Functions without stiffness, and those that the others repeat, get no say.
+        // Functions without stiffness, or linearly dependent on the others, are suppressed.
         let scale: Vec<f64> =
             (0..n)
                 .map(|i| {
@@ -166,11 +166,13 @@ impl Dense {
     }
 }
 
-/// K_I = 1 and K_II = 0, and the reverse, within this: default enrichment and domain, eleven elements to the nearest side.
+/// Tolerance of K_I = 1 and K_II = 0, and vice versa: default enrichment and domain, eleven
+/// elements to the nearest side.
 const PATCH: f64 = 1e-3;
 
-/// The outline of a patch carries the tractions of a Williams field, so that this field is the solution. Three unknowns on
-/// the bottom hold the rigid motions; their reactions vanish, since the tractions are balanced.
+/// The outline of a patch carries the tractions of a Williams field, so that this field is the
+/// solution. Three unknowns on the bottom suppress the rigid motions; their reactions vanish, since
+/// the tractions are balanced.
 #[test]
 fn williams_field_on_a_patch() {
     let (mesh, network) = patch();
@@ -194,8 +196,9 @@ fn williams_field_on_a_patch() {
 /// Round-off of systems of two thousand unknowns.
 const SAME: f64 = 1e-10;
 
-/// A loaded block with a crack: all unknowns at once, against the uncracked block first and then the crack under the forces −K_es u0
-/// that the field of the uncracked block puts on the enriched functions.
+/// A loaded block with a crack: all unknowns at once, against the uncracked block followed by the
+/// crack under the forces −K_es u0 that the field of the uncracked block exerts on the enriched
+/// functions.
 #[test]
 fn superposition_of_a_discrete_field() {
     let (mesh, network) = patch();
@@ -203,7 +206,7 @@ fn superposition_of_a_discrete_field() {
     let boundary = Boundary::Block { bottom: BottomSupport::Clamped, sides: SideSupport::Free };
     let rail = BulkRail::new(mesh.clone(), &steel(), boundary).unwrap();
     let (standard, n) = (dense.standard, dense.matrix.rows());
-    // Tension and shear on the right side, where no function of the crack reaches.
+    // Tension and shear on the right side, outside of the support of all enrichments.
     let forces =
         dense.outline(|_, normal, _, _| if normal.x > 0.0 { Vec2::new(50.0, 30.0) } else { Vec2::default() });
     assert!(forces[standard..].iter().all(|f| *f == 0.0));
@@ -277,7 +280,8 @@ fn superposition_of_a_discrete_field() {
     assert!(error < SAMPLED, "K of the sampled field {error:.1e}");
 }
 
-/// Error of K from sampling the stress of elements of a sixth of the crack, smoothed from their Gauss points.
+/// Error of K from sampling the stress of elements of a sixth of the crack, smoothed from their
+/// Gauss points.
 const SAMPLED: f64 = 2e-2;
 
 fn nodal_jumps(

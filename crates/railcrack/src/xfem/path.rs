@@ -3,11 +3,12 @@
 use crate::crack::{Crack, End, point_to_segment};
 use crate::math::{Orientation, Vec2, orientation};
 
-/// Points nearer than this to the line between their neighbours, over the length of the crack, are left out: increments
-/// straight ahead leave points on a line up to round-off, and two cutting lines that differ by round-off cannot be ordered.
+/// Points closer than this to the line between their neighbours, relative to the length of the
+/// crack, are left out: increments straight ahead leave points that are collinear up to round-off,
+/// and two cutting lines that differ by round-off cannot be ordered.
 pub(super) const STRAIGHT: f64 = 1e-9;
 
-/// A crack without the points at which it does not turn.
+/// The path of a crack without the points at which it does not kink.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct CutPath {
     pub points: Vec<Vec2>,
@@ -50,13 +51,13 @@ impl CutPath {
         (self.points[i], self.points[i + 1])
     }
 
-    /// The angle (radians, 0 to π) by which the path turns at point `i`, not an end.
+    /// The kink angle (radians, 0 to π) of the path at point `i`, not an end.
     pub(super) fn turn(&self, i: usize) -> f64 {
         let (a, b) = (self.points[i] - self.points[i - 1], self.points[i + 1] - self.points[i]);
         a.cross(b).atan2(a.dot(b)).abs()
     }
 
-    /// The distance (mm) of a point, and the arc length (mm) where it is nearest.
+    /// The distance (mm) of a point, and the arc length (mm) of the nearest point of the path.
     pub(super) fn nearest(&self, point: Vec2) -> (f64, f64) {
         let of_segment = |i: usize| {
             let (from, to) = self.segment(i);
@@ -111,17 +112,20 @@ impl TipPath {
         (self.points[self.points.len() - 2], self.position())
     }
 
-    /// The angle (radians, 0 to π) by which the crack turns where that segment begins; none where it is the only one.
+    /// The kink angle (radians, 0 to π) of the crack at the beginning of that segment; none where
+    /// it is the only one.
     pub(super) fn last_turn(&self) -> Option<f64> {
         let n = self.points.len();
         let before = self.points[n - 2] - *self.points.get(n.checked_sub(3)?)?;
         Some(before.cross(self.ahead).atan2(before.dot(self.ahead)).abs())
     }
 
-    /// A point inside a convex cell that no crack cuts, and its angle (radians) from straight ahead, continued across the
-    /// extension of the last segment and cut along the crack as it is: the ray from the tip changes sheet where it crosses.
+    /// A point inside a convex cell that no crack cuts, and its angle (radians) from straight
+    /// ahead, continued across the extension of the last segment and cut along the actual crack:
+    /// the ray from the tip changes sheet where it crosses the crack.
     ///
-    /// Sides are those of the corners, exactly, so that the point of a sliver cannot fall on the wrong side by round-off.
+    /// Sides are those of the corners, determined exactly, so that the point of a sliver cannot
+    /// fall on the wrong side by round-off.
     pub(super) fn sheet(&self, cell: &[Vec2]) -> (Vec2, f64) {
         let inside = cell.iter().fold(Vec2::default(), |sum, &v| sum + v) * (1.0 / cell.len() as f64);
         let tip = self.position();
@@ -136,7 +140,7 @@ impl TipPath {
         }
         for pair in self.points[..self.points.len() - 1].windows(2) {
             let left_of_ray = |v: Vec2| orientation(tip, inside, v) != Orientation::Right;
-            // A ray through a kink counts for one of the segments that meet there.
+            // A ray through a kink counts for one of the two segments that meet there.
             if left_of_ray(pair[0]) == left_of_ray(pair[1]) {
                 continue;
             }
@@ -149,7 +153,8 @@ impl TipPath {
         (inside, angle)
     }
 
-    /// The angle of a point near another one at which the angle is known, the straight line between them off the crack.
+    /// The angle of a point near another one whose angle is known; the straight line between them
+    /// does not cross the crack.
     pub(super) fn angle_near(&self, point: Vec2, known: Vec2, angle: f64) -> f64 {
         let (a, b) = (known - self.position(), point - self.position());
         angle + a.cross(b).atan2(a.dot(b))
@@ -160,7 +165,7 @@ impl TipPath {
         self.ahead.cross(arm).atan2(self.ahead.dot(arm))
     }
 
-    /// Components of a vector in the tip frame made into x and y.
+    /// A vector given by its components in the tip frame, in x and y components.
     pub(super) fn to_global(&self, v: Vec2) -> Vec2 {
         self.ahead * v.x + self.ahead.left() * v.y
     }
@@ -196,7 +201,8 @@ mod tests {
 
     #[test]
     fn the_angle_is_cut_along_the_kinked_crack() {
-        // The old segment rises behind the kink: points between it and the straight extension are below the crack.
+        // The old segment rises behind the kink: points between it and the straight extension are
+        // below the crack.
         let points = vec![Vec2::new(-1.0, -1.0), Vec2::new(0.0, -2.0), Vec2::new(1.0, -2.0)];
         let crack = Crack::polyline(points).unwrap();
         let tip = TipPath::new(0, &CutPath::new(&crack), End::Last);

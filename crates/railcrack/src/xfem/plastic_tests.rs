@@ -1,5 +1,6 @@
-//! K of a cracked body with plastic strain by two routes: the plastic stress as generalised forces on all functions, enriched ones
-//! included, with the eigenstrain term in the integral; and the balance of the uncracked body, whose stress then loads the faces.
+//! K of a cracked body with plastic strain by two routes: the plastic stress as generalised forces
+//! on all functions, enriched ones included, with the eigenstrain term in the interaction integral;
+//! and the balance of the uncracked body, whose stress then loads the faces.
 
 use super::basis::{CellBasis, Function, MODES};
 use super::body::XfemSettings;
@@ -37,7 +38,8 @@ fn plastic_stress(p: Vec2) -> Stress {
     }
 }
 
-/// Calls `visit` at the integration points of every cell of the patch, with the functions of the cell there.
+/// Calls `visit` at the integration points of every cell of the patch, with the functions of the
+/// cell there.
 fn integrate(dense: &Dense, mut visit: impl FnMut(&CutElement, usize, &CellBasis, &[Function], Vec2, f64)) {
     let rules = Rules::new();
     let mut functions: Vec<Function> = Vec::new();
@@ -75,7 +77,8 @@ fn generalised_forces(dense: &Dense) -> Vec<f64> {
     forces
 }
 
-/// What the plastic strain adds to K: (E′/2) ∫ 𝕂ε_p : ∇(q v), with q the weight of the domain and v the dual field of the mode.
+/// Contribution of the plastic strain to K: (E′/2) ∫ 𝕂ε_p : ∇(q v), with q the weight of the domain
+/// and v the dual field of the mode.
 fn eigenstrain_term(dense: &Dense) -> [f64; 2] {
     let (cuts, steel) = (&dense.parts.cuts, steel());
     let path = &cuts.tips[0];
@@ -139,7 +142,7 @@ fn both(per_mm: usize) -> [[f64; 2]; 2] {
     [direct, [superposed[0], superposed[1]]]
 }
 
-/// Difference of the routes with twelve elements along the crack.
+/// Difference between the routes with twelve elements along the crack.
 const FINE: f64 = 5e-3;
 
 #[test]

@@ -12,10 +12,10 @@ pub(super) struct Rules {
     rules: Vec<Vec<(f64, f64)>>,
 }
 
-/// Points per direction for products of slopes of eight-node shape functions: of degree 4 together, and 5 with the collapse
-/// of a square to a triangle.
+/// Points per direction for products of derivatives of eight-node shape functions: of degree 4
+/// together, and 5 with the collapse of a square to a triangle.
 const POLYNOMIAL: usize = 3;
-/// Points per direction and triangle at the tip, where r = t² makes everything smooth.
+/// Points per direction and triangle at the tip, where r = t² makes the integrand smooth.
 const AT_TIP: usize = 8;
 
 impl Rules {
@@ -23,7 +23,7 @@ impl Rules {
         Self { rules: (0..=12).map(gauss_legendre).collect() }
     }
 
-    /// Points of a cell. `singular` are the tips whose √r functions live in the element.
+    /// Points of a cell. `singular` are the tips whose √r functions act in the element.
     pub(super) fn on_cell(&self, cut: &CutElement, cell: usize, singular: &[Vec2]) -> Vec<WeightedPoint> {
         let polygon = cut.arrangement.polygon(cell);
         let size = cut.element.size();
@@ -61,7 +61,8 @@ impl Rules {
             .collect()
     }
 
-    /// Triangles from the first corner of a convex polygon, each by a collapsed square: for integrands that this integrates exactly.
+    /// Triangles from the first corner of a convex polygon, each a collapsed square, for integrands
+    /// that this integrates exactly.
     fn fan(&self, polygon: &[Vec2], points: usize) -> Vec<WeightedPoint> {
         let mut all = Vec::new();
         for i in 1..polygon.len() - 1 {
@@ -70,8 +71,8 @@ impl Rules {
         all
     }
 
-    /// Triangles from the point of the polygon nearest to the tip: the tip itself where it is a corner. Mirrored polygons have mirrored
-    /// triangles.
+    /// Triangles from the point of the polygon nearest to the tip, which is the tip itself where it
+    /// is a corner. Mirrored polygons have mirrored triangles.
     fn around(&self, polygon: &[Vec2], tip: Vec2, points: usize, radial: Radial) -> Vec<WeightedPoint> {
         let apex = nearest_point(polygon, tip);
         let mut all = Vec::new();
@@ -97,7 +98,7 @@ impl Rules {
         }
         let rule = &self.rules[points];
         for &(s, v) in rule {
-            // The share of the way from the apex, and its weight times that share.
+            // The fraction of the distance from the apex, and its weight times that fraction.
             let (share, weight) = match radial {
                 Radial::Linear => (s, v * s),
                 Radial::Squared => (s * s, 2.0 * v * s * s * s),

@@ -10,7 +10,8 @@ use crate::fracture::WilliamsField;
 use crate::math::{Stress, Vec2, gauss_legendre};
 use crate::mesh::{Edge, QuadMesh};
 
-/// A domain of integration: the weight q is 1 up to `inner` from the tip and falls to 0 at `outer`, mm.
+/// A domain of integration: the weight q is 1 up to `inner` from the tip and falls to 0 at `outer`,
+/// mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SifDomain {
     /// Inner radius, mm.
@@ -19,14 +20,15 @@ pub struct SifDomain {
     pub outer: f64,
 }
 
-/// K of one mode of one tip as a linear function of everything: K = standard · u_s + enriched · u_e + tractions · τ.
+/// K of one mode of one tip as a linear functional of the solution:
+/// K = standard · u_s + enriched · u_e + tractions · τ.
 #[derive(Debug, Clone, Default)]
 pub(super) struct SifFunctional {
     /// (unknown of the mesh, factor), increasing.
     pub standard: Vec<(usize, f64)>,
     /// (enriched unknown, factor), increasing.
     pub enriched: Vec<(usize, f64)>,
-    /// Per face point and axis, the factor of the traction τ on the + face.
+    /// Per face point and axis, the coefficient of the traction τ on the + face.
     pub tractions: Vec<f64>,
 }
 
@@ -60,12 +62,14 @@ struct DualValue {
 impl SifContext<'_> {
     /// K_I and K_II of tip `tip`.
     ///
-    /// With q the weight of the domain, v a dual field and t⁺ = −t⁻ the tractions on the faces, Betti's theorem gives
+    /// With q the weight of the domain, v a dual field and t⁺ = −t⁻ the tractions on the faces,
+    /// Betti's theorem gives
     ///
-    /// (2/E′) K = −∫ (σ(u)·v − σ(v)·u)·∇q dA + ∫ q t⁺·⟦v⟧ ds − ∫ q (t(v)⁺·u⁺ + t(v)⁻·u⁻) ds − ∫_surface q t(v)·u ds,
+    /// (2/E′) K = −∫ (σ(u)·v − σ(v)·u)·∇q dA + ∫ q t⁺·⟦v⟧ ds − ∫ q (t(v)⁺·u⁺ + t(v)⁻·u⁻)
+    /// ds − ∫_surface q t(v)·u ds,
     ///
-    /// the interaction integral with v = −∂u_aux/∂x1, with the faces as they are: t(v) vanishes on the last segment but not
-    /// behind a kink, on other cracks or on the running surface.
+    /// which is the interaction integral with v = −∂u_aux/∂x1 and the actual faces: t(v) vanishes
+    /// on the last segment but not behind a kink, on other cracks or on the running surface.
     pub(super) fn functionals(&self, tip: usize, domain: SifDomain) -> [SifFunctional; 2] {
         let at = self.cuts.tips[tip].position();
         let weight = |node: usize| {
@@ -247,7 +251,7 @@ impl Dual<'_> {
                 if own_segment {
                     continue;
                 }
-                // The normal that leaves the body points to − on the + face.
+                // The outward normal of the body points to − on the + face.
                 let outwards = (to - from).normalised().left() * -sign;
                 let basis = self.basis(place.element, cut, place.cell);
                 basis.at(station.point, &mut functions);

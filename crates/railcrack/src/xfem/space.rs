@@ -1,4 +1,4 @@
-//! The enriched space: which functions there are, and where they live.
+//! The enriched approximation space: the enrichment functions and their supports.
 
 use super::cuts::{CellPlace, Cuts, elements_at, join};
 use crate::math::Vec2;
@@ -8,15 +8,17 @@ use std::collections::{BTreeMap, BTreeSet};
 /// An enrichment, with two unknowns.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Enrichment {
-    /// The shape function of a node, restricted to one of the parts into which the cracks divide its support and in which
-    /// the node itself does not lie: the shifted Heaviside function. Unknowns along x and y.
+    /// The shape function of a node, restricted to one of the parts into which the cracks divide
+    /// its support and in which the node itself does not lie: the shifted Heaviside function.
+    /// Unknowns along x and y.
     Part {
         /// The node.
         node: usize,
         /// Regions (element, region) of the part.
         regions: Vec<(usize, usize)>,
     },
-    /// The shape function of a node times the displacement field of K_I and K_II = 1 MPa √mm at a tip, or at a kink as if it were one.
+    /// The shape function of a node times the displacement fields of K_I and K_II = 1 MPa √mm at a
+    /// tip, or at a kink as if it were a tip.
     Tip {
         /// Index of the tip or kink.
         tip: usize,
@@ -28,8 +30,9 @@ pub(super) enum Enrichment {
 /// A tip or kink, and the enrichment that each node of an element carries for it.
 type TipFunctions = (usize, [Option<usize>; NODES]);
 
-/// The enrichments of a mesh with cracks, along these from their first points on, so that a tip that advances leaves the first ones as they are.
-/// Enrichment i has the unknowns 2 i and 2 i + 1.
+/// The enrichments of a mesh with cracks, in order along the cracks from their first points on, so
+/// that a tip that advances leaves the first ones as they are. Enrichment i has the unknowns 2 i
+/// and 2 i + 1.
 #[derive(Debug, Clone)]
 pub(super) struct Space {
     pub enrichments: Vec<Enrichment>,
@@ -42,8 +45,8 @@ pub(super) struct Space {
 }
 
 impl Space {
-    /// The space of `cuts` with √r functions at the nodes within `radius[tip]` (mm) of each tip and of the elements
-    /// that hold it. Elements that need cells are added to the cuts.
+    /// The space of `cuts` with √r functions at the nodes within `radius[tip]` (mm) of each tip and
+    /// of the elements that contain it. Elements that need cells are added to the cuts.
     pub(super) fn new(mesh: &QuadMesh, cuts: &mut Cuts, radius: &[f64]) -> Self {
         let mut enrichments = Vec::new();
         let mut parts: BTreeMap<(usize, usize), [Option<usize>; NODES]> = BTreeMap::new();
@@ -74,7 +77,8 @@ impl Space {
         }
         let tip_lists = tips.values_mut().flatten().map(|(_, list)| list);
         sort_along(mesh, cuts, &mut enrichments, parts.values_mut().chain(tip_lists));
-        // A crack through a node touches two of its elements in that point alone, and still parts their functions.
+        // A crack through a node touches two of its elements in that point alone, and still
+        // separates their functions.
         for e in parts.keys().map(|&(e, _)| e).chain(tips.keys().copied()) {
             cuts.include(mesh, e);
         }
@@ -94,13 +98,14 @@ impl Space {
         self.parts.get(&(place.element, cuts.region(place))).copied().unwrap_or([None; NODES])
     }
 
-    /// Per tip with functions in an element, the enrichments of its nodes.
+    /// The tips with functions in an element, each with the enrichments of its nodes.
     pub(super) fn tips_in(&self, element: usize) -> &[TipFunctions] {
         self.tips.get(&element).map_or(&[], Vec::as_slice)
     }
 }
 
-/// Sorts enrichments by the arc length at which they are nearest to a crack, and numbers them anew in `lists`.
+/// Sorts enrichments by the arc length at which they are nearest to a crack, and renumbers them in
+/// `lists`.
 fn sort_along<'a>(
     mesh: &QuadMesh,
     cuts: &Cuts,
@@ -146,7 +151,8 @@ fn tip_nodes(mesh: &QuadMesh, cuts: &Cuts, tip: usize, radius: f64) -> BTreeSet<
     nodes
 }
 
-/// The parts of the support of `node` that are separated from the node, each as regions (element, region).
+/// The parts of the support of `node` that are separated from the node, each as regions (element,
+/// region).
 fn other_parts(mesh: &QuadMesh, cuts: &Cuts, node: usize) -> Vec<Vec<(usize, usize)>> {
     let patch = mesh.elements_of(node);
     let members: Vec<(usize, usize)> =
@@ -179,7 +185,8 @@ fn other_parts(mesh: &QuadMesh, cuts: &Cuts, node: usize) -> Vec<Vec<(usize, usi
     others.into_values().collect()
 }
 
-/// The name of the part in which the node lies; of several, when a crack runs through the node, the first.
+/// The name of the part in which the node lies; of several, when a crack runs through the node, the
+/// first.
 fn own_part(mesh: &QuadMesh, cuts: &Cuts, node: usize, members: &[(usize, usize)], names: &[usize]) -> usize {
     let at = mesh.node_position(node);
     for (&(e, region), &name) in members.iter().zip(names) {
@@ -208,7 +215,7 @@ mod tests {
     use crate::xfem::window::{MeshSettings, Outline, Window};
 
     #[test]
-    fn supports_that_are_cut_in_two_have_their_other_part() {
+    fn supports_cut_in_two_have_one_other_part() {
         for degrees in [75.0f64, 60.0, 30.0, 15.0] {
             let network: CrackNetwork =
                 Crack::surface_breaking(0.0, 6.0, degrees.to_radians()).unwrap().into();

@@ -1,4 +1,4 @@
-//! What the enriched functions do at the faces.
+//! Jumps of the enriched functions across the faces.
 
 use super::basis::{CellBasis, Function};
 use super::border::{Entries, merge};
@@ -8,7 +8,8 @@ use super::space::Space;
 use crate::bulk::BulkRail;
 use crate::math::Vec2;
 
-/// B: for row 2 j + axis of face point j, the entries (enriched unknown, ∫ λ_j ⟦φ⟧ ds), in increasing order.
+/// B: for row 2 j + axis of face point j, the entries (enriched unknown, ∫ λ_j ⟦φ⟧ ds), in
+/// increasing order.
 pub(super) fn jumps(
     background: &BulkRail,
     cuts: &Cuts,

@@ -4,33 +4,36 @@ use crate::crack::{Crack, CrackEnd, CrackNetwork, End};
 use crate::math::Vec2;
 use crate::mesh::{MeshError, QuadMesh};
 
-/// How fine the mesh is, and how far the cracks are expected to grow.
+/// Fineness of the mesh, and the expected growth of the cracks.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeshSettings {
-    /// Size of the elements at the cracks as they are at the beginning, mm.
+    /// Size of the elements at the initial cracks, mm.
     pub element_size: f64,
-    /// Length of the cracks at the end over that at the beginning, as far as the window shall reach.
+    /// Final over initial length of the cracks for which the window makes room.
     pub expected_growth: f64,
 }
 
-/// Elements along the longest crack, by default: with 60, histories of single cracks are within 0.6 % of the peak |K|, where 1 % is promised.
+/// Default number of elements along the longest crack: with 60, histories of single cracks are
+/// within 0.6 % of the peak |K|, where 1 % is promised.
 const ELEMENTS_PER_CRACK: f64 = 60.0;
-/// Elements along the longest crack of a network of more than [`FEW`], by default.
+/// Default number of elements along the longest crack of a network of more than [`FEW`].
 const ELEMENTS_PER_CRACK_OF_MANY: f64 = 30.0;
 /// Cracks that are resolved like single ones.
 const FEW: usize = 3;
 /// Elements along a shorter crack, at least, by default.
 const FEWEST_ELEMENTS_PER_CRACK: f64 = 30.0;
-/// Elements along the part of a crack between a tip and the last turn before it, at least, by default.
+/// Default for the least number of elements along the part of a crack between a tip and the last
+/// kink before it.
 const ELEMENTS_PER_TIP_SEGMENT: f64 = 7.0;
-/// Turns below this angle (radians) do not end that part.
+/// Kinks below this angle (radians) do not end that part.
 const TURN: f64 = 0.05;
-/// Elements along a crack at most, by default: a shorter last part has fewer.
+/// Default for the largest number of elements along a crack: a shorter last part has fewer.
 const MOST_ELEMENTS_PER_CRACK: f64 = 250.0;
 
-/// Size (mm) of the elements at each crack when none is asked for: a sixtieth of the longest crack (a thirtieth in a network of more than
-/// three), a thirtieth of the crack itself where that is less, and a seventh of the shortest part of it that ends at a tip, which the domain
-/// of the SIFs shall not reach far beyond.
+/// Default size (mm) of the elements at each crack: a sixtieth of the longest crack (a thirtieth in
+/// a network of more than three), a thirtieth of the crack itself where that is less, and a seventh
+/// of the shortest part of it that ends at a tip, beyond which the domain of the SIFs should not
+/// extend far.
 pub fn default_element_sizes(network: &CrackNetwork) -> Vec<f64> {
     let cracks = network.cracks();
     let of_longest = if cracks.len() > FEW { ELEMENTS_PER_CRACK_OF_MANY } else { ELEMENTS_PER_CRACK };
@@ -45,7 +48,7 @@ pub fn default_element_sizes(network: &CrackNetwork) -> Vec<f64> {
     cracks.iter().enumerate().map(wanted).collect()
 }
 
-/// Length (mm) of the crack from the tip `end` back to the first turn.
+/// Length (mm) of the crack from the tip `end` back to the first kink.
 fn tip_part(crack: &Crack, end: End) -> f64 {
     let mut points = crack.points().to_vec();
     if end == End::Last {
@@ -68,7 +71,7 @@ pub struct Outline {
     pub depth: f64,
 }
 
-/// Layers of the rail that elements shall resolve along its whole length: those with plastic stress.
+/// Layers of the rail that elements must resolve along its whole length: those with plastic stress.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Layers {
     /// Depth of the lowest, mm.
@@ -77,8 +80,8 @@ pub struct Layers {
     pub height: f64,
 }
 
-/// The fine part of the mesh: where the cracks are and where they are expected to go. Elements grow in it with the distance
-/// from each crack at the beginning, as cracks that reach there have grown longer.
+/// The fine part of the mesh, around the cracks and where they are expected to grow. Elements grow
+/// in it with the distance from each initial crack, as cracks that get there have become longer.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Window {
     /// Lower left corner, mm.
@@ -90,7 +93,7 @@ pub struct Window {
     layers: Option<Layers>,
 }
 
-/// A crack at the beginning, with the elements that it has.
+/// An initial crack and the size of its elements.
 #[derive(Debug, Clone, PartialEq)]
 struct Resolved {
     /// Size of the elements in its box, mm.
@@ -103,29 +106,31 @@ struct Resolved {
     mouth: Option<f64>,
 }
 
-/// Element at a mouth, over the crack: the edge of the wheel contact passes over the mouth, and the stress on the
-/// faces there varies over its distance from the surface.
+/// Element size at a mouth, over the crack: the edge of the wheel contact passes over the mouth,
+/// and the stress on the faces there varies over its distance from the surface.
 const MOUTH_ELEMENT: f64 = 1.0 / 300.0;
 /// Growth of elements away from a mouth: length per distance.
 const MOUTH_GRADING: f64 = 0.35;
-/// Growth of elements outside of the window: length per distance. Quadratic elements follow the decay of the field there.
+/// Growth of elements outside of the window: length per distance. Quadratic elements follow the
+/// decay of the field there.
 const OUTER_GRADING: f64 = 0.4;
-/// Angle (radians) of the branch that the window makes room for: kinks at ±70.5° maximise the opening of a shear crack.
+/// Angle (radians) of the branch for which the window makes room: kinks at ±70.5° maximise the
+/// opening of a shear crack.
 const BRANCH: f64 = 1.25;
-/// Elements around the cracks that belong to the window.
+/// Margin of the window around the cracks, in elements.
 const MARGIN: f64 = 5.0;
-/// Elements that must lie between a tip and the edge of the window.
+/// Least number of elements between a tip and the edge of the window.
 const CLEARANCE: f64 = 3.0;
 
 impl Window {
-    /// The window of `network` with room for its growth, elements of one size at all cracks.
+    /// The window of `network` with room for its growth, with elements of one size at all cracks.
     pub fn new(network: &CrackNetwork, settings: MeshSettings) -> Self {
         let sizes = vec![settings.element_size; network.cracks().len()];
         Self::with_sizes(network, &sizes, settings.expected_growth)
     }
 
-    /// [`Window::new`] with elements of `sizes[i]` (mm) at crack i: lines of the grid are as close as the crack wants them, whose box is
-    /// nearest for its size.
+    /// [`Window::new`] with elements of `sizes[i]` (mm) at crack i: grid lines are as close as
+    /// required by the crack whose box is nearest relative to its element size.
     pub fn with_sizes(network: &CrackNetwork, sizes: &[f64], expected_growth: f64) -> Self {
         let resolved = |(crack, &element_size): (&Crack, &f64)| Resolved {
             element_size,
@@ -156,7 +161,7 @@ impl Window {
         Self { layers: Some(layers), ..self }
     }
 
-    /// This window made larger, by half its size on every side.
+    /// This window enlarged by half its size on every side.
     pub fn enlarged(&self) -> Self {
         let size = self.upper - self.lower;
         Self {
@@ -171,7 +176,7 @@ impl Window {
         network.tips().into_iter().all(|tip| self.holds_point(network.cracks()[tip.crack].tip(tip.end)))
     }
 
-    /// Whether a tip of `network` has left with the last segment of its crack.
+    /// Whether a tip of `network` has left the window with the last segment of its crack.
     pub fn was_left_by(&self, network: &CrackNetwork) -> bool {
         network.tips().into_iter().any(|CrackEnd { crack, end }| {
             let crack = &network.cracks()[crack];
@@ -192,7 +197,8 @@ impl Window {
             && (self.upper.y == 0.0 || self.upper.y - point.y >= space)
     }
 
-    /// Distance (mm) that quadratic elements resolve at the tips of `network`: half of the smallest one there.
+    /// Distance (mm) that quadratic elements resolve at the tips of `network`: half of the smallest
+    /// element there.
     pub fn resolution(&self, network: &CrackNetwork) -> f64 {
         let tips = network.tips().into_iter().map(|tip| network.cracks()[tip.crack].tip(tip.end));
         0.5 * tips.map(|tip| self.size_x(tip.x).max(self.size_y(tip.y))).fold(f64::INFINITY, f64::min)
@@ -228,7 +234,8 @@ impl Window {
         QuadMesh::new(x, y)
     }
 
-    /// Coordinates where the size of elements changes its law, with geometric steps away from them.
+    /// Coordinates at which the grading of the elements changes, with geometric steps away from
+    /// them.
     fn breaks(&self, along_x: bool) -> Vec<f64> {
         let pick = |v: Vec2| if along_x { v.x } else { v.y };
         let mut origins = vec![pick(self.lower), pick(self.upper)];
@@ -258,7 +265,8 @@ impl Window {
 }
 
 impl Resolved {
-    /// Size (mm) of the elements at this distance (mm) from its box: cracks that reach there have grown longer.
+    /// Size (mm) of the elements at this distance (mm) from its box: cracks that get there have
+    /// become longer.
     fn size_at(&self, from_crack: f64) -> f64 {
         self.element_size * (1.0 + from_crack / self.length)
     }

@@ -1,15 +1,16 @@
-//! What the verification tests measured, for the page docs/verification.md.
+//! Measurements of the verification tests, for the page docs/verification.md.
 
 use super::requirements::REQUIREMENTS;
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Mutex;
 
-/// By requirement, how close the measurements came to what is allowed (1: all of it).
+/// By requirement, the largest ratio of measured to allowed error (1: the tolerance is used up).
 static WORST: Mutex<BTreeMap<usize, f64>> = Mutex::new(BTreeMap::new());
 
-/// Notes an `error` that the running test measured, what is `allowed` and the `reason` for it, as its requirement of that `quantity`. Of many
-/// measurements the one that comes closest to what is allowed stays.
+/// Records an `error` measured by the running test, the `allowed` one and the `reason` for it,
+/// under its requirement of that `quantity`. Of many measurements the one closest to its tolerance
+/// is kept.
 pub fn measured_as(quantity: &str, error: f64, allowed: f64, reason: &str) {
     let share = if allowed > 0.0 { error / allowed } else { f64::from(error != 0.0) };
     note(quantity, share, [&format!("{error:.1e}"), &format!("{allowed:e}"), reason]);
@@ -20,7 +21,7 @@ pub fn measured(error: f64, allowed: f64, reason: &str) {
     measured_as("", error, allowed, reason);
 }
 
-/// Notes an observed `order` of convergence and the `least` that is required.
+/// Records an observed `order` of convergence and the `least` that is required.
 pub fn measured_order(order: f64, least: f64, reason: &str) {
     note("", least / order, [&format!("order {order:.2}"), &format!("at least {least:.1}"), reason]);
 }

@@ -1,4 +1,5 @@
-//! What verification tests share: tolerances with a reason, bodies and passages in a few words, reference tables.
+//! Common parts of verification tests: tolerances with a reason, short constructors of bodies and
+//! passages, reference tables.
 
 // Each test program uses a part of this.
 #![allow(dead_code)]
@@ -34,7 +35,8 @@ pub enum Tolerance {
 
 pub use Tolerance::{Absolute, Of, Relative};
 
-/// Panics with the measured error unless `got` is as close to `want` as `tolerance` says, for the `reason` given.
+/// Panics with the measured error unless `got` is as close to `want` as `tolerance` requires, for
+/// the given `reason`.
 #[track_caller]
 pub fn close(got: f64, want: f64, tolerance: Tolerance, reason: &str) {
     let (limit, scale) = match tolerance {
@@ -57,7 +59,8 @@ pub fn surface_crack(mouth: f64, length: f64, degrees: f64) -> Crack {
     Crack::surface_breaking(mouth, length, degrees.to_radians()).unwrap()
 }
 
-/// A straight buried crack of half-length `half` (mm) about `centre` (mm), walked at `degrees` counter-clockwise from +x.
+/// A straight buried crack of half-length `half` (mm) about `centre` (mm), walked at `degrees`
+/// counter-clockwise from +x.
 pub fn buried_crack(centre: Vec2, half: f64, degrees: f64) -> Crack {
     let along = Vec2::unit(degrees.to_radians()) * half;
     Crack::polyline(vec![centre - along, centre + along]).unwrap()
@@ -79,7 +82,7 @@ pub fn junction(crack: usize, end: End, onto: usize) -> Junction {
     Junction { joining: CrackEnd { crack, end }, onto }
 }
 
-/// The body with `cracks` that meet at `junctions`, `elements` along each crack.
+/// The body with `cracks` joined at `junctions`, `elements` along each crack.
 pub fn joined_body(cracks: &[Crack], junctions: &[Junction], elements: usize) -> DislocationBody {
     let network = CrackNetwork::joined(cracks.to_vec(), junctions.to_vec()).unwrap();
     DislocationBody::new(&network, &steel(), FaceResolution { elements }).unwrap()
@@ -103,7 +106,7 @@ pub fn default_elements() -> usize {
     FaceResolution::default().elements
 }
 
-/// The order of convergence between two errors whose meshes differ by a factor of two.
+/// The order of convergence from two errors whose meshes differ by a factor of two.
 pub fn order(coarse: f64, fine: f64) -> f64 {
     (coarse.abs() / fine.abs()).log2()
 }

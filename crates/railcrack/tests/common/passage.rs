@@ -1,4 +1,4 @@
-//! Passages of the wheel over cracks, with the defaults users get.
+//! Passages of the wheel over cracks, with the default settings of users.
 
 use super::{Meshed, body};
 use railcrack::body::CrackedBody;
@@ -24,7 +24,7 @@ impl Default for StepControl {
     }
 }
 
-/// What computes the cracked rail.
+/// The engine of the cracked rail.
 #[derive(Debug, Clone)]
 pub enum RollingEngine {
     /// Dislocations, [`Rolling::elements`] along each crack.

@@ -1,4 +1,4 @@
-//! What is required of the numbers, in a sentence each.
+//! Requirements on the accuracy of results, in one sentence each.
 
 /// A requirement and the test that holds it.
 pub struct Requirement {
@@ -14,7 +14,7 @@ const fn requirement(test: &'static str, quantity: &'static str, says: &'static 
     Requirement { test, quantity, says }
 }
 
-/// All that the page docs/verification.md lists, in its order.
+/// All requirements on the page docs/verification.md, in its order.
 pub const REQUIREMENTS: &[Requirement] = &[
     requirement(
         "xfem::edge_crack::tension_by_angle",
@@ -54,7 +54,7 @@ pub const REQUIREMENTS: &[Requirement] = &[
     requirement(
         "xfem::sif_domain::closed_with_friction",
         "",
-        "X-FEM: nor does the history of closed, sliding straight and kinked cracks.",
+        "X-FEM: the history of closed, sliding straight and kinked cracks does not depend on it either.",
     ),
     requirement(
         "xfem::shifted_mesh::by_fractions_of_an_element",
@@ -64,7 +64,7 @@ pub const REQUIREMENTS: &[Requirement] = &[
     requirement(
         "xfem::random_cracks::agree_with_dislocations",
         "",
-        "X-FEM: K of 1000 random cracks, many through nodes, along edges or leaving slivers, is that of the other engine.",
+        "X-FEM: K of 1000 random cracks, many through nodes, along edges or leaving slivers, agrees with the other engine.",
     ),
     requirement(
         "xfem::random_cracks::agree_with_dislocations",
@@ -74,79 +74,91 @@ pub const REQUIREMENTS: &[Requirement] = &[
     requirement(
         "xfem::random_cracks::through_nodes_and_along_lines",
         "",
-        "X-FEM: K of cracks laid exactly through nodes and along mesh lines is that of the other engine.",
+        "X-FEM: K of cracks exactly through nodes and along mesh lines agrees with the other engine.",
     ),
-    requirement(
-        "xfem::engines::same_response",
-        "",
-        "Both engines give the same jumps and K under smooth tractions.",
-    ),
+    requirement("xfem::engines::same_response", "", "Engines: jumps and K agree under smooth tractions."),
     requirement(
         "xfem::histories::reference_cases",
         "",
-        "X-FEM: every position of the passages of Table 1 and Fig. 13 is on the independent history.",
-    ),
-    requirement("xfem::histories::angles", "", "X-FEM: so is every position for cracks at 30° to 165°."),
-    requirement(
-        "xfem::histories::frictions_of_the_faces",
-        "",
-        "X-FEM: so is every position for face frictions of 0 to 0.8.",
+        "X-FEM: the histories of Table 1 and Fig. 13 agree with independent ones at every position.",
     ),
     requirement(
-        "xfem::histories::frictions_of_the_wheel",
+        "xfem::histories::angles",
         "",
-        "X-FEM: so is every position for wheel frictions of −0.4 to 0.4.",
+        "X-FEM: histories of cracks at 30° to 165° agree with independent ones at every position.",
+    ),
+    requirement(
+        "xfem::histories::crack_face_friction",
+        "",
+        "X-FEM: histories for crack-face friction of 0 to 0.8 agree with independent ones at every position.",
+    ),
+    requirement(
+        "xfem::histories::wheel_rail_friction",
+        "",
+        "X-FEM: histories for wheel–rail friction of −0.4 to 0.4 agree with independent ones at every position.",
     ),
     requirement(
         "xfem::histories::kinks_of_a_third_of_the_crack",
         "",
-        "X-FEM: so is every position for kinks of ±30° and −60°.",
+        "X-FEM: histories for kinks of ±30° and −60° agree with independent ones at every position.",
     ),
     requirement(
         "xfem::histories::short_kinks",
         "",
-        "X-FEM: so is every position for kinks of ±60° and 0.3 mm.",
+        "X-FEM: histories for kinks of ±60° and 0.3 mm agree with independent ones at every position.",
     ),
     requirement(
         "xfem::histories::residual_profile",
         "",
-        "X-FEM: so is every position with a residual stress profile.",
+        "X-FEM: the history with a residual stress profile agrees with an independent one at every position.",
     ),
-    requirement("xfem::histories::pair", "", "X-FEM: so is every position for two cracks that lean apart."),
+    requirement(
+        "xfem::histories::pair",
+        "",
+        "X-FEM: the histories of two cracks that lean apart agree with independent ones at every position.",
+    ),
     requirement(
         "xfem::histories::reference_cases",
         "closed tip",
         "X-FEM: K_I of a closed tip vanishes, over the peak of |K_II|, in Table 1 and Fig. 13.",
     ),
     requirement(
-        "xfem::histories::frictions_of_the_wheel",
+        "xfem::histories::wheel_rail_friction",
         "closed tip",
-        "X-FEM: K_I of a closed tip vanishes for wheel frictions of −0.4 to 0.4.",
+        "X-FEM: K_I of a closed tip vanishes for wheel–rail friction of −0.4 to 0.4.",
     ),
     requirement(
         "xfem::histories::angles",
         "overlap",
-        "X-FEM: faces do not overlap, over the largest opening.",
+        "X-FEM: crack faces do not overlap, relative to the largest opening.",
     ),
     requirement(
         "xfem::contact_pressure::no_oscillation_under_the_wheel",
         "",
-        "X-FEM: the contact pressure does not alternate from point to point.",
+        "X-FEM: the contact pressure does not oscillate from face point to face point.",
     ),
     requirement(
         "xfem::clamped_block::table1",
         "",
-        "X-FEM: every position of Table 1 in the clamped block is on the history of a conforming model.",
+        "X-FEM: the history of Table 1 in the clamped block agrees with a conforming model at every position.",
     ),
     requirement("xfem::symmetry::mirrored_passage", "", "X-FEM: a mirrored case has the mirrored history."),
-    requirement("xfem::symmetry::far_apart", "", "X-FEM: a second crack 20 lengths away does not matter."),
+    requirement("xfem::symmetry::far_apart", "", "X-FEM: a second crack 20 lengths away has no effect."),
     requirement(
         "engine_paths::reference_case",
         "",
-        "The paths of the two engines stay together over the 25 increments of Table 1 (mm).",
+        "Engines: crack paths agree over the 25 increments of Table 1 (mm).",
     ),
-    requirement("engine_paths::branch_downwards", "", "So do they where the crack branches downwards (mm)."),
-    requirement("engine_paths::steep_cracks", "", "So do they for cracks at 45° and 60° (mm)."),
+    requirement(
+        "engine_paths::branch_downwards",
+        "",
+        "Engines: crack paths agree where the crack branches downwards (mm).",
+    ),
+    requirement(
+        "engine_paths::steep_cracks",
+        "",
+        "Engines: crack paths agree for cracks at 45° and 60° (mm).",
+    ),
     requirement(
         "edge_crack_in_tension::factors_by_angle",
         "",
@@ -185,37 +197,37 @@ pub const REQUIREMENTS: &[Requirement] = &[
     requirement(
         "far_apart::equal_the_single_crack",
         "",
-        "Dislocations: cracks a thousand lengths apart do not feel each other.",
+        "Dislocations: cracks a thousand lengths apart do not interact.",
     ),
     requirement(
         "half_plane_histories::reference_cases",
         "",
-        "Dislocations: every position of Table 1 and Fig. 13 is on the independent history.",
+        "Dislocations: the histories of Table 1 and Fig. 13 agree with independent ones at every position.",
     ),
     requirement(
         "half_plane_histories::angles",
         "",
-        "Dislocations: so is every position for cracks at 30° to 165°.",
+        "Dislocations: histories of cracks at 30° to 165° agree with independent ones at every position.",
     ),
     requirement(
-        "half_plane_histories::frictions_of_the_faces",
+        "half_plane_histories::crack_face_friction",
         "",
-        "Dislocations: so is every position for face frictions of 0 to 0.8.",
+        "Dislocations: histories for crack-face friction of 0 to 0.8 agree with independent ones at every position.",
     ),
     requirement(
-        "half_plane_histories::frictions_of_the_wheel",
+        "half_plane_histories::wheel_rail_friction",
         "",
-        "Dislocations: so is every position for wheel frictions of −0.4 to 0.4.",
+        "Dislocations: histories for wheel–rail friction of −0.4 to 0.4 agree with independent ones at every position.",
     ),
     requirement(
         "closed_tip::closed_tips_have_no_opening_mode",
         "",
-        "Dislocations: closed tips have no K_I, and the law of the faces holds.",
+        "Dislocations: K_I of closed tips vanishes, and the contact conditions hold.",
     ),
     requirement(
         "latin_and_newton::straight_cracks",
         "",
-        "LATIN and Newton give the same tractions and K on the same steps.",
+        "LATIN and Newton give the same tractions and K in the same load steps.",
     ),
     requirement(
         "step_tolerance::error_falls_with_the_tolerance",
@@ -227,11 +239,15 @@ pub const REQUIREMENTS: &[Requirement] = &[
         "",
         "Dislocations: a crack in two joined pieces has the K of one piece, in tension and shear.",
     ),
-    requirement("junctions::surface_crack_in_two_pieces", "", "Dislocations: so has a surface crack."),
+    requirement(
+        "junctions::surface_crack_in_two_pieces",
+        "",
+        "Dislocations: a surface crack in two joined pieces has the K of one piece.",
+    ),
     requirement(
         "junctions::surface_crack_in_two_pieces_under_the_wheel",
         "",
-        "Dislocations: so has a surface crack under the wheel, closed and slipping.",
+        "Dislocations: a closed, slipping surface crack in two pieces has the K of one piece under the wheel.",
     ),
     requirement(
         "junctions::branched_cracks",
@@ -241,58 +257,58 @@ pub const REQUIREMENTS: &[Requirement] = &[
     requirement(
         "junctions::junction_loses_and_doubles_no_traction",
         "",
-        "Dislocations: a junction loses and doubles no traction.",
+        "Dislocations: a junction neither loses tractions nor counts them twice.",
     ),
     requirement(
         "junctions::closed_branch_is_no_branch",
         "",
-        "Dislocations: a branch that is pressed together and sticks changes nothing.",
+        "Dislocations: a closed branch that sticks has no effect.",
     ),
     requirement(
         "junctions::energy_is_continuous_at_the_junction",
         "",
-        "Dislocations: the energy is continuous when a tip comes to a free crack and joins it.",
+        "Dislocations: the energy is continuous when a tip approaches a free crack and joins it.",
     ),
     requirement(
         "junctions::energy_release_of_a_tip_that_comes_to_a_free_crack",
         "",
-        "Dislocations: the energy release rate of a tip that comes to a free crack is that of its K.",
+        "Dislocations: the energy release rate of a tip that approaches a free crack is that of its K.",
     ),
     requirement(
         "junctions::mirrored_junctions",
         "",
-        "Dislocations: mirrored cracks that meet have the mirrored history.",
+        "Dislocations: mirrored joined cracks have the mirrored history.",
     ),
     requirement(
         "junction_run::against_a_finer_mesh",
         "",
-        "Dislocations: K after a junction under the wheel is that of four times the elements.",
+        "Dislocations: K after coalescence under the wheel agrees with four times the elements.",
     ),
     requirement(
         "junction_run::area_of_the_spall",
         "",
-        "Dislocations: the spall of the junction case has the area of the run with twice the elements.",
+        "Dislocations: the spall of the junction case has the area of a run with twice the elements.",
     ),
     requirement("mirror::passage", "", "Dislocations: a mirrored case has the mirrored history."),
     requirement(
         "plastic_stress::engines_agree",
         "",
-        "Engines: a crack in layers of balanced stress, and of plastic stress that is balanced on the mesh first, has the same K in both.",
+        "Engines: K agrees for a crack in layers of balanced stress, and of plastic stress that is balanced on the mesh first.",
     ),
     requirement(
         "plastic_stress::rolled_rail_balances_to_its_own_residual_stress",
         "stress",
-        "Plastic stress: that of a rolled rail, projected and balanced on the mesh of the crack, is its residual stress again.",
+        "Plastic stress: that of a rolled rail, projected and balanced on the mesh of the crack, gives its residual stress.",
     ),
     requirement(
         "plastic_stress::rolled_rail_balances_to_its_own_residual_stress",
         "norm",
-        "Plastic stress: its norm survives the way from cells to nodes.",
+        "Plastic stress: recovery from cells to nodes preserves the norm.",
     ),
     requirement(
         "step_tolerance::fixed_steps_lock_too_little_slip",
         "",
-        "Load steps: fixed ones of 0.1 a, 0.05 a and 0.02 a are off by what two independent codes with such steps were off by.",
+        "Load steps: fixed ones of 0.1 a, 0.05 a and 0.02 a have the errors of two independent codes with such steps.",
     ),
     requirement(
         "xfem::junctions::a_crack_in_two_pieces_is_that_crack",
@@ -302,74 +318,82 @@ pub const REQUIREMENTS: &[Requirement] = &[
     requirement(
         "xfem::junctions::a_t_junction_is_that_of_the_other_engine",
         "",
-        "Engines: a T-junction has the same K in both, open, closed with friction and without.",
+        "Engines: K of a T-junction agrees, open, closed with friction and without.",
     ),
     requirement(
         "xfem::junctions::no_traction_is_lost_or_doubled",
         "",
-        "X-FEM: a junction loses and doubles no traction.",
+        "X-FEM: a junction neither loses tractions nor counts them twice.",
     ),
     requirement(
         "xfem::junctions::mirrored_junctions",
         "",
-        "X-FEM: mirrored cracks that meet have the mirrored history.",
+        "X-FEM: mirrored joined cracks have the mirrored history.",
     ),
     requirement(
         "xfem::neighbours::tips_near_others_and_the_surface",
         "",
-        "Engines: tips near other cracks and near the surface have the same K in both.",
+        "Engines: K of tips near other cracks and near the surface agrees.",
     ),
     requirement(
         "xfem::neighbours::several_cracks_in_one_element",
         "",
-        "Engines: so have cracks that pass through the same elements.",
+        "Engines: K of cracks that pass through the same elements agrees.",
     ),
     requirement(
         "xfem::neighbours::domains_over_a_neighbour",
         "",
-        "X-FEM: K does not depend on whether the domain of integration holds a neighbour.",
+        "X-FEM: K does not depend on whether the domain of integration contains a neighbour.",
     ),
     requirement(
         "xfem::networks::squat_pair",
         "",
-        "Engines: each crack of a squat has the same K in both, over its own peak, also when it has grown.",
+        "Engines: K of each crack of a squat agrees, relative to its own peak, also after growth.",
     ),
-    requirement("xfem::networks::nine_parallel_cracks", "", "Engines: so has each of nine parallel cracks."),
+    requirement(
+        "xfem::networks::nine_parallel_cracks",
+        "",
+        "Engines: K of each of nine parallel cracks agrees.",
+    ),
     requirement(
         "xfem::networks::nine_parallel_cracks_of_a_run",
         "",
-        "Engines: so has each of nine cracks of a run, at every position.",
+        "Engines: K of each of nine cracks of a run agrees at every position.",
     ),
     requirement(
         "xfem::networks::a_tip_that_sticks_keeps_its_k",
         "",
-        "X-FEM: a tip that sticks keeps its K, and K does not jump when the tip lets go.",
+        "X-FEM: K of a sticking tip is constant, and does not jump when the tip begins to slip.",
     ),
     requirement(
         "slow_tips::k_of_the_slow_tip_of_a_squat",
         "",
-        "X-FEM: K of a tip that is much slower than another is resolved on its way, behind a turn of 76°.",
+        "X-FEM: K of a tip that is much slower than another is resolved along its path, behind a kink of 76°.",
     ),
     requirement(
-        "slow_tips::taken_up_while_a_tip_waits",
+        "slow_tips::resumed_while_growth_is_deferred",
         "",
-        "Growth of a slow tip waits for a whole increment, and leads to the same place in both engines (mm).",
+        "Engines: growth of a slow tip is deferred until it is a whole increment, and the tips agree (mm).",
     ),
     requirement(
         "xfem::unlike_lengths::a_short_crack_beside_a_long_one",
         "",
-        "Engines: a short crack beside a long one has the same K in both, over its own peak.",
+        "Engines: K of a short crack beside a long one agrees, relative to its own peak.",
     ),
-    requirement("xfem::unlike_lengths::no_unit_of_length", "", "X-FEM: C and K know no unit of length."),
+    requirement(
+        "xfem::unlike_lengths::no_unit_of_length",
+        "",
+        "X-FEM: C and K do not depend on the unit of length.",
+    ),
     requirement(
         "xfem::short_increments::increments_of_a_run",
         "",
-        "Engines: tips that have turned and gone on by 4 % of the crack have the same K in both.",
+        "Engines: K of tips agrees 4 % of the crack length behind a kink.",
     ),
     requirement(
-        "xfem::short_increments::small_turns_of_slow_tips",
+        "xfem::short_increments::small_kinks_of_slow_tips",
         "",
-        "Engines: so have, roughly, tips that have gone on by less than an element.",
+        "Engines: K of tips agrees roughly less than an element behind a kink.",
     ),
     requirement(
         "far_apart::twenty_lengths_away",
@@ -379,11 +403,7 @@ pub const REQUIREMENTS: &[Requirement] = &[
     requirement(
         "latin_and_newton::junction_of_cracks",
         "",
-        "Contact: LATIN and Newton agree on cracks that meet, in both engines.",
+        "Contact: LATIN and Newton agree on joined cracks, in both engines.",
     ),
-    requirement(
-        "junction_run::by_finite_elements",
-        "",
-        "Engines: the junction case has the same spall in both.",
-    ),
+    requirement("junction_run::by_finite_elements", "", "Engines: the spall of the junction case agrees."),
 ];

@@ -3,7 +3,8 @@
 use railcrack::fracture::Sif;
 use std::path::PathBuf;
 
-/// The rows of a CSV file below `verification/`: text by column name. Lines that begin with `#` are comments.
+/// The rows of a CSV file below `verification/`: text by column name. Lines that begin with `#` are
+/// comments.
 pub fn rows(file: &str) -> (Vec<String>, Vec<Vec<f64>>) {
     let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../verification").join(file);
     let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));

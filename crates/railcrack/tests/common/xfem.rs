@@ -1,4 +1,4 @@
-//! Cracked rails by the finite-element engine, at the defaults users get.
+//! Cracked rails by the finite-element engine, with the default settings of users.
 
 use super::{History, steel};
 use railcrack::body::{BodyEngine, CrackedBody};
@@ -16,14 +16,14 @@ use railcrack::xfem::{
 pub struct Meshed {
     /// Size of the elements, mm; none for the default.
     pub element_size: Option<f64>,
-    /// Final over initial length that the window makes room for.
+    /// Final over initial length for which the window makes room.
     pub expected_growth: f64,
     pub settings: XfemSettings,
     pub end: RailEnd,
 }
 
 impl Default for Meshed {
-    /// As a case file that says nothing: room for 25 increments of 4 %.
+    /// The default of a case file: room for 25 increments of 4 %.
     fn default() -> Self {
         Self {
             element_size: None,
@@ -64,7 +64,7 @@ impl Meshed {
         self.engine_of(&CrackNetwork::new(cracks.to_vec()).unwrap())
     }
 
-    /// The engine with a mesh for cracks that meet.
+    /// The engine with a mesh for joined cracks.
     pub fn engine_of(&self, network: &CrackNetwork) -> XfemEngine {
         let window = Window::with_sizes(network, &self.sizes(network), self.expected_growth);
         XfemEngine::with_window(window, steel(), self.end.clone(), self.settings)
@@ -74,12 +74,13 @@ impl Meshed {
         self.engine(cracks).body(&CrackNetwork::new(cracks.to_vec()).unwrap()).unwrap()
     }
 
-    /// The body with cracks that meet.
+    /// The body with joined cracks.
     pub fn body_of(&self, network: &CrackNetwork) -> Box<dyn CrackedBody> {
         self.engine_of(network).body(network).unwrap()
     }
 
-    /// `look` at the uncracked rail and what turns settings into bodies on it.
+    /// Applies `look` to the uncracked rail and to the function that turns settings into bodies on
+    /// it.
     pub fn with_bodies<T>(
         &self,
         cracks: &[Crack],
@@ -98,8 +99,9 @@ pub fn sifs_under(body: &dyn CrackedBody, stress: impl Fn(Vec2) -> Stress) -> Ve
     body.sif_influence().times(&body.faces().nodal_forces(stress))
 }
 
-/// The condition number of a symmetric positive definite matrix scaled to a unit diagonal, by power iteration on it and on its
-/// inverse; none where it is not symmetric to the last bit or not positive definite.
+/// The condition number of a symmetric positive definite matrix scaled to a unit diagonal, by power
+/// iteration on it and on its inverse; none where it is not symmetric to the last bit or not
+/// positive definite.
 pub fn condition(matrix: &Matrix) -> Option<f64> {
     let n = matrix.rows();
     let symmetric = (0..n).all(|i| (0..i).all(|j| matrix[(i, j)] == matrix[(j, i)]));
@@ -111,7 +113,7 @@ pub fn condition(matrix: &Matrix) -> Option<f64> {
     Some(largest_eigenvalue(&scaled) * largest_eigenvalue(&inverse))
 }
 
-/// Steps of the power iteration: its value is from below, and within per cents.
+/// Steps of the power iteration: its value is a lower bound, accurate to some per cent.
 const POWER_STEPS: usize = 40;
 
 fn largest_eigenvalue(matrix: &Matrix) -> f64 {
@@ -127,7 +129,8 @@ fn largest_eigenvalue(matrix: &Matrix) -> f64 {
     value
 }
 
-/// The largest difference of K at any position and crack, over the peak of the reference, and where.
+/// The largest difference of K at any position and crack, relative to the peak of the reference,
+/// and where it occurs.
 pub fn misfit(result: &StabilisedPassage, reference: &[History]) -> (f64, String) {
     let passage = &result.passages[result.passages.len() - 1];
     let all = || reference.iter().flat_map(|h| &h.sifs);

@@ -1,10 +1,11 @@
-//! Whether a closed kink opens negatively decides between straight on and a branch.
+//! Clipping of k1 at zero decides between growth straight ahead and branching.
 
 use railcrack::fatigue::{DirectionCriterion, HourlierPineau, ParisLaw};
 use railcrack::fracture::{Sif, SifHistory};
 
-/// K_II goes to and fro on a closed crack. At the kink of the largest k1, ±76.6° with k1 = 1.2316 K_II (Amestoy & Leblond 1992), Δk1 is
-/// once that where it is clipped and twice that where negative k1 counts; straight ahead there is w Δk2² = 0.772 (2 K_II)². So the first is
+/// K_II alternates on a closed crack. At the kink of the largest k1, ±76.6° with k1 = 1.2316 K_II
+/// (Amestoy & Leblond 1992), Δk1 is once that value where it is clipped and twice that where
+/// negative k1 counts; straight ahead there is w Δk2² = 0.772 (2 K_II)². So the first grows
 /// co-planar, and the second branches.
 #[test]
 fn alternating_mode_two() {
@@ -16,7 +17,7 @@ fn alternating_mode_two() {
     let steel = ParisLaw::RAIL_STEEL.mode_2_weight;
     assert!(kink(DirectionCriterion::MaxRate, steel).angle.abs() < 1e-6);
     assert!(kink(DirectionCriterion::MaxRateUnclipped, steel).angle.to_degrees() > 60.0);
-    // Without weight of mode II it is the kink of the largest k1.
+    // Without the weight of mode II it is the kink of the largest k1.
     let largest = kink(DirectionCriterion::MaxRateUnclipped, 0.0);
     let off = (largest.angle.to_degrees() / 76.6 - 1.0).abs();
     // The published angle has three digits.

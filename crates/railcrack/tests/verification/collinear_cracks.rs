@@ -1,4 +1,5 @@
-//! Two equal collinear cracks far below the surface, b < |x| < c: closed form with elliptic integrals.
+//! Two equal collinear cracks far below the surface, b < |x| < c: closed form with elliptic
+//! integrals.
 
 use crate::common::{Absolute, Relative, buried_crack, close, default_elements, open_sifs, order};
 use railcrack::math::{Stress, Vec2};
@@ -16,7 +17,8 @@ fn second_over_first(k: f64) -> f64 {
     1.0 - sum
 }
 
-/// K at the inner and outer tips over σ (Tada, Paris & Irwin, Stress Analysis of Cracks Handbook, two equal collinear cracks).
+/// K at the inner and outer tips over σ (Tada, Paris & Irwin, Stress Analysis of Cracks Handbook,
+/// two equal collinear cracks).
 fn closed_form(b: f64, c: f64) -> (f64, f64) {
     let k = (1.0 - (b / c).powi(2)).sqrt();
     let ratio = second_over_first(k);

@@ -7,10 +7,12 @@ use railcrack::crack::{Crack, End};
 use railcrack::field::{DepthProfile, StressField};
 use railcrack::growth::{FacePoint, FaceRecord};
 
-/// Points on either side that must share the status of a point for it to be away from changes of status.
+/// Number of points on either side that must share the status of a point for it to count as away
+/// from changes of status.
 const AWAY: usize = 2;
 
-/// Deviation of each pressure from the line between its neighbours, MPa; none near changes of status and at kinks.
+/// Deviation of each pressure from the line between its neighbours, MPa; none near changes of
+/// status and at kinks.
 fn bends(points: &[FacePoint], states: &[FaceState]) -> Vec<Option<f64>> {
     let bend = |j: usize| {
         if j < AWAY || j + AWAY >= points.len() || states[j].status == FaceStatus::Open {
@@ -27,8 +29,9 @@ fn bends(points: &[FacePoint], states: &[FaceState]) -> Vec<Option<f64>> {
     (0..points.len()).map(bend).collect()
 }
 
-/// Over all positions and over the peak pressure: the largest bend, and the largest amplitude of neighbouring bends of
-/// opposite sign, which is what an oscillation is and a slope or a curvature is not.
+/// Over all positions and relative to the peak pressure: the largest deviation, and the largest
+/// amplitude of neighbouring deviations of opposite sign, which distinguishes an oscillation from a
+/// slope or a curvature.
 pub fn roughness(faces: &FaceRecord) -> (f64, f64) {
     let peak = largest(faces.states.iter().flatten().map(|state| state.s22));
     let (mut bend, mut oscillation) = (0.0f64, 0.0f64);
@@ -63,7 +66,8 @@ fn no_oscillation_under_the_wheel() {
         (kinked(-1.0), 0.5, 0.1),
         (kinked(0.5), 0.5, 0.1),
     ];
-    // Twenty elements see the pressure fall from half its peak to nothing within three points: 1.8 % there.
+    // With twenty elements the pressure falls from half its peak to zero within three points: 1.8 %
+    // there.
     for (elements, allowed) in [(20, 0.02), (40, 0.005), (80, 0.002)] {
         for (crack, friction, wheel) in &cases {
             let (_, oscillation) = roughness(&rolled(crack.clone(), *friction, *wheel, elements));
@@ -72,9 +76,9 @@ fn no_oscillation_under_the_wheel() {
     }
 }
 
-/// Slopes and curvature included: the second difference of the pressure of straight cracks, and that it is one, for it
-/// falls with the mesh. At kinks, where one face opens beside a closed one, the stress is singular, and steeper with
-/// every mesh.
+/// Slopes and curvature included: the second difference of the pressure on straight cracks, which
+/// decreases with the mesh size as it must. At kinks, where one face opens beside a closed one, the
+/// stress is singular, and steeper with every mesh.
 #[test]
 fn small_second_difference_on_straight_cracks() {
     let cases = [(15.0, 0.5, 0.025), (15.0, 0.1, 0.4), (30.0, 0.3, 0.1), (90.0, 0.5, 0.1), (165.0, 0.5, 0.1)];
@@ -96,7 +100,8 @@ impl LoadPath for Ramp<'_> {
     }
 }
 
-/// Faces that stick everywhere transmit what the uncracked rail would: tan 15° is less than the friction.
+/// Faces that stick everywhere transmit the stress of the uncracked rail: tan 15° is less than the
+/// friction.
 #[test]
 fn stuck_faces_transmit_the_uncracked_stress() {
     let profile = DepthProfile::new(vec![(0.0, -100.0, 0.0), (12.0, -400.0, 0.0)]).unwrap();
@@ -114,5 +119,5 @@ fn stuck_faces_transmit_the_uncracked_stress() {
         close(state.s12, xx * sin * cos, Of(0.01, 400.0), reason);
     }
     let sifs = stepper.solution().sifs(&body, stepper.load());
-    close(largest(sifs.iter().flat_map(|k| [k.k1, k.k2])), 0.0, Of(1e-12, 400.0), "nothing moves");
+    close(largest(sifs.iter().flat_map(|k| [k.k1, k.k2])), 0.0, Of(1e-12, 400.0), "no slip");
 }

@@ -1,4 +1,5 @@
-//! An edge crack normal to the surface with pressure on its faces, and the same crack in a residual stress.
+//! An edge crack normal to the surface with pressure on its faces, and the same crack in a residual
+//! stress.
 
 use crate::common::{Of, Relative, Rolling, close, column, default_elements, open_sifs, rows, surface_crack};
 use railcrack::field::DepthProfile;
@@ -24,8 +25,9 @@ fn polynomial_pressure() {
     }
 }
 
-/// A residual stress alone that holds the crack open loads it like tractions on its faces: 200 − 150 (d/l) MPa are two
-/// polynomial pressures. The state before the wheel comes is the first sample of the history.
+/// A residual stress that by itself holds the crack open loads it like tractions on its faces:
+/// 200 − 150 (d/l) MPa are two polynomial pressures. The state before the wheel arrives is the
+/// first sample of the history.
 #[test]
 fn residual_stress_alone() {
     let profile = DepthProfile::new(vec![(0.0, 200.0, 0.0), (2.0 * LENGTH, -100.0, 0.0)]).unwrap();
@@ -34,6 +36,6 @@ fn residual_stress_alone() {
     let unloaded = rolling.solve().histories[0].samples[0];
     let factors = factors();
     let want = (200.0 * factors[0] - 150.0 * factors[1]) * (PI * LENGTH).sqrt();
-    close(unloaded.k1, want, Relative(1e-3), "as the polynomial pressures");
+    close(unloaded.k1, want, Relative(1e-3), "equal to the polynomial pressures");
     close(unloaded.k2, 0.0, Of(1e-12, want), "symmetric up to round-off");
 }

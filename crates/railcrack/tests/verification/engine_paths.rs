@@ -6,7 +6,8 @@ use railcrack::math::Vec2;
 use railcrack_case::{Case, Overrides};
 use std::path::Path;
 
-/// Tips of the two engines, mm: what users are promised, unless a near tie of directions explains more.
+/// Distance between the tips of the two engines, mm: as promised to users, unless a near tie of
+/// directions explains more.
 const PROMISED: f64 = 0.1;
 
 /// A crack of 6 mm under the wheel of the reference case.
@@ -17,7 +18,7 @@ struct Rolled {
 }
 
 impl Rolled {
-    /// The tip at every step.
+    /// The tip in every growth step.
     fn path(&self, engine: &str) -> Vec<Vec2> {
         let text = format!(
             "[contact]\npeak_pressure_mpa = 845.0\nhalf_width_mm = 6.75\nfriction = {:?}\n\
@@ -40,7 +41,7 @@ impl Rolled {
         assert_eq!((elements.len(), dislocations.len()), (26, 26), "{name}: 25 increments and the end");
         let apart = elements.iter().zip(&dislocations).map(|(a, b)| (*a - *b).length()).fold(0.0, f64::max);
         println!("{name}: tips at most {apart:.4} mm apart, end {:?}", elements[25]);
-        measured(apart, PROMISED, "mm; what users are promised after 25 steps");
+        measured(apart, PROMISED, "mm; promised to users after 25 increments");
         assert!(apart < PROMISED, "{name}: {apart} mm");
     }
 }

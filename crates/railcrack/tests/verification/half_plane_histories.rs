@@ -1,10 +1,12 @@
-//! SIF histories under the passing wheel against independent collocation codes, at the defaults users get.
+//! SIF histories under the passing wheel against independent collocation codes, with the default
+//! settings of users.
 
 use crate::common::{Rolling, histories, measured, misfit, surface_crack};
 use railcrack::crack::End;
 use railcrack::field::DepthProfile;
 
-/// What users are promised of the dislocation engine, over the largest |K| of the case.
+/// Accuracy of the dislocation engine as promised to users, relative to the largest |K| of the
+/// case.
 const PROMISED: f64 = 0.005;
 /// The same for networks.
 const PROMISED_IN_NETWORKS: f64 = 0.02;
@@ -37,7 +39,7 @@ fn angles() {
 }
 
 #[test]
-fn frictions_of_the_faces() {
+fn crack_face_friction() {
     agrees("th15_c0_w0.025", &straight(15.0, 0.0, 0.025), PROMISED);
     agrees("th15_c0.2_w0.025", &straight(15.0, 0.2, 0.025), PROMISED);
     agrees("th15_c0.8_w0.025", &straight(15.0, 0.8, 0.025), PROMISED);
@@ -45,7 +47,7 @@ fn frictions_of_the_faces() {
 }
 
 #[test]
-fn frictions_of_the_wheel() {
+fn wheel_rail_friction() {
     agrees("th15_c0.5_w-0.4", &straight(15.0, 0.5, -0.4), PROMISED);
     agrees("th15_c0.5_w0.4", &straight(15.0, 0.5, 0.4), PROMISED);
     agrees("th45_c0.8_w-0.4", &straight(45.0, 0.8, -0.4), PROMISED);

@@ -1,4 +1,5 @@
-//! A passage ends: when who watches asks for it, between two load steps, and with an error when the contact finds no solution.
+//! The end of a passage: on request of the observer, between two load steps, and with an error when
+//! the contact solver finds no solution.
 
 use crate::common::{body, surface_crack};
 use railcrack::contact::{
@@ -11,7 +12,7 @@ use railcrack::growth::{
 use railcrack::load::{HertzianContact, Passage};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Output positions: few, so that most questions come between them.
+/// Output positions: few, so that most requests fall between them.
 const POSITIONS: usize = 5;
 
 fn passage(solver: &dyn ContactSolver, watch: &dyn Watch) -> Result<StabilisedPassage, PassageError> {
@@ -57,7 +58,8 @@ fn asked_between_load_steps() {
     }
 }
 
-/// Newton that gives up every other step, so that no step ever becomes the smallest one.
+/// A Newton solver that gives up in every other step, so that no step ever becomes the smallest
+/// one.
 struct Moody(AtomicUsize);
 
 struct MoodySteps<'a> {

@@ -1,4 +1,5 @@
-//! A passage whose faces are in the state of the passage before at the same position is not computed any further: here the rest of it is.
+//! A passage whose faces reach the state of the previous passage at the same position is not
+//! computed any further; here its remainder is computed all the same.
 
 use crate::common::{Rolling, body, polyline, surface_crack};
 use railcrack::body::CrackedBody;
@@ -12,7 +13,7 @@ use railcrack::math::Stress;
 enum Part {
     /// No wheel; the share of the residual stress.
     Ramp,
-    /// From or to infinitely far on this side, x_c = side / s.
+    /// From or to infinity on this side, x_c = side / s.
     Far(f64),
     /// Over the faces, x_c = s (mm).
     Over,
@@ -46,7 +47,7 @@ impl LoadPath for Way<'_> {
     }
 }
 
-/// The faces at the output positions of the second passage, every load step of which is made.
+/// The faces at the output positions of the second passage, with every load step computed.
 fn second_passage(rolling: &Rolling, tolerance: f64) -> Vec<Vec<FaceState>> {
     let body = body(&rolling.cracks, rolling.elements);
     let problem = FaceProblem::new(&body, &vec![rolling.crack_friction; rolling.cracks.len()]);
@@ -90,12 +91,14 @@ fn second_passage(rolling: &Rolling, tolerance: f64) -> Vec<Vec<FaceState>> {
     states
 }
 
-/// A shallow crack, one that leans the other way and keeps locked slip, a kinked one, one that goes straight down and joins late, and a pair.
+/// A shallow crack, one that leans the other way and retains locked slip, a kinked one, one that
+/// goes straight down and joins late, and a pair.
 #[test]
 fn the_rest_of_a_joined_passage_is_as_computed() {
     let pair: Vec<Crack> = vec![surface_crack(0.0, 6.0, 15.0), surface_crack(-1.0, 6.0, 165.0)];
     let kinked = vec![polyline(&[(0.0, 0.0), (3.9, -1.0), (4.9, -2.7)])];
-    // Compression that holds the faces together until the wheel comes for the first time: the second passage is another one.
+    // Compression that closes the faces until the wheel comes for the first time: the second
+    // passage is a different one.
     let layer = DepthProfile::new(vec![(0.0, -200.0, 0.0), (2.0, -200.0, 0.0), (4.0, 0.0, 0.0)]).unwrap();
     let none: Option<&dyn StressField> = None;
     for (cracks, friction, wheel, residual) in [

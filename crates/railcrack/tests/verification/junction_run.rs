@@ -1,4 +1,4 @@
-//! The case of a surface crack that runs into a buried one, run past the junction and the spall.
+//! A run in which a surface crack coalesces with a buried one, beyond the junction and the spall.
 
 use crate::common::{Absolute, Relative, Rolling, close, default_elements, joined_body, largest};
 use railcrack::contact::{FaceProblem, Newton};
@@ -11,7 +11,7 @@ fn case() -> Case {
     Case::read(&path).unwrap()
 }
 
-/// The steps from `state` on until `last`, and the state after each.
+/// The growth steps from `state` on until `last`, and the state after each.
 fn steps(case: &Case, state: Option<GrowthState>, last: usize) -> Vec<(StepRecord, GrowthState)> {
     let mut growth = case.prepare(None).unwrap().growth(state);
     let mut records = Vec::new();
@@ -28,8 +28,8 @@ fn steps(case: &Case, state: Option<GrowthState>, last: usize) -> Vec<(StepRecor
 /// Area with 96 elements along each crack, mm².
 const SPALL: f64 = 5.351;
 
-/// Crack 1 joins in one of the first steps, the two tips of crack 2 go on, the upper one breaks out; and a run that is taken up in
-/// between is the same run.
+/// Crack 1 joins in one of the first steps, the two tips of crack 2 grow on, the upper one breaks
+/// out; and a run that is resumed in between is the same run.
 #[test]
 fn area_of_the_spall() {
     let case = case();
@@ -48,7 +48,7 @@ fn area_of_the_spall() {
         [(PieceKind::Spall, 1)]
     );
     close(spalls[0].area, SPALL, Relative(2e-3), "paths differ by a hundredth of a millimetre");
-    assert!(records[10].0.tips[1].increment > 0.0, "the lower tip goes on");
+    assert!(records[10].0.tips[1].increment > 0.0, "the lower tip grows on");
     // Through the bytes of a checkpoint.
     let stored = postcard::to_stdvec(&records[joins].1).unwrap();
     let again = steps(&case, Some(postcard::from_bytes(&stored).unwrap()), joins + 2);
@@ -80,11 +80,11 @@ fn against_a_finer_mesh() {
         difference,
         0.0,
         Absolute(5e-3),
-        "what the engine must have; 3.2e-3, K_I of the upper tip as it closes",
+        "required of the engine; 3.2e-3, K_I of the upper tip as it closes",
     );
 }
 
-/// The whole way through by the other engine: the same ends of the tips, and the same spall.
+/// The whole run by the other engine: the same final tips, and the same spall.
 #[test]
 fn by_finite_elements() {
     let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../cases/junction.toml");
@@ -96,5 +96,5 @@ fn by_finite_elements() {
     let spalls: Vec<_> = records.iter().flat_map(|(record, _)| &record.pieces).collect();
     assert_eq!(spalls.len(), 1);
     close(spalls[0].area, SPALL, Relative(1e-2), "0.03 %; paths of different engines");
-    assert!(records[10].0.tips[1].increment > 0.0, "the lower tip goes on");
+    assert!(records[10].0.tips[1].increment > 0.0, "the lower tip grows on");
 }

@@ -1,5 +1,5 @@
-//! Cracks that meet: what is one crack is one crack however it is cut into pieces, branches have the factors of an independent
-//! computation, and what does nothing changes nothing.
+//! Joined cracks: one crack is the same however it is divided into pieces, branches have the K of
+//! an independent computation, and branches without effect change nothing.
 
 use crate::common::{
     Absolute, Of, Relative, Rolling, StepControl, TENSION, body, close, column, default_elements,
@@ -14,7 +14,8 @@ use std::f64::consts::PI;
 
 /// So deep that the surface changes K by about (l/depth)² = 1e-6.
 const DEEP: f64 = -4000.0;
-/// The jump sin g by 48 linear elements errs by (π/48)²/12 = 3.6e-4; pieces with 48 elements each by less. Measured 1.1e-4.
+/// The jump sin g in 48 linear elements has an error of (π/48)²/12 = 3.6e-4; pieces with 48
+/// elements each have less. Measured 1.1e-4.
 const DISCRETE: f64 = 2e-4;
 /// The same for a crack with 48 elements in all, (π/48)²/12.
 const WHOLE: f64 = 3.6e-4;
@@ -22,7 +23,7 @@ const WHOLE: f64 = 3.6e-4;
 /// Tension and shear.
 const MIXED: Stress = Stress { yy: 1.0, xy: 0.5, ..Stress::ZERO };
 
-/// A crack from −3 to 3 mm cut at x, its second piece walked one way or the other.
+/// A crack from −3 to 3 mm divided at x, its second piece walked one way or the other.
 fn cut(x: f64, walk: End) -> (Vec<Crack>, Vec<Junction>) {
     let (at, tip) = ((x, DEEP), (3.0, DEEP));
     let second = if walk == End::First { polyline(&[at, tip]) } else { polyline(&[tip, at]) };
@@ -72,7 +73,8 @@ fn surface_crack_in_two_pieces() {
     }
 }
 
-/// The passage of the wheel over the crack in two pieces: closed faces, friction, slip that comes and goes.
+/// The passage of the wheel over the crack in two pieces: closed faces, friction, slip in both
+/// directions.
 #[test]
 fn surface_crack_in_two_pieces_under_the_wheel() {
     for (degrees, friction, wheel) in [(15.0, 0.5, 0.025), (15.0, 0.1, 0.4), (60.0, 0.3, -0.2)] {
@@ -85,13 +87,14 @@ fn surface_crack_in_two_pieces_under_the_wheel() {
         let (k, want) = (&pieces.passages[0].sifs[0], &whole.passages[0].sifs[0]);
         let peak = largest(want.iter().flat_map(|k| [k.k1, k.k2]));
         let difference = largest(k.iter().zip(want).flat_map(|(a, b)| [a.k1 - b.k1, a.k2 - b.k2])) / peak;
-        close(difference, 0.0, Absolute(3e-3), "what is left of either discretisation");
+        close(difference, 0.0, Absolute(3e-3), "discretisation error of either");
         let violation = pieces.counts.complementarity_max;
-        close(violation, 0.0, Absolute(1e-9), "violation of the law of the faces");
+        close(violation, 0.0, Absolute(1e-9), "violation of the contact conditions");
     }
 }
 
-/// Arms of a case of `branched-cracks`: the first two are one crack, or join as ends, the others join it.
+/// Arms of a case of `branched-cracks`: the first two form one crack, or are joined at their ends,
+/// the others join it.
 fn arms(tips: &[(f64, f64)]) -> (Vec<Crack>, Vec<Junction>) {
     let at = |&(x, y): &(f64, f64)| (x, y + DEEP);
     let mut cracks = vec![polyline(&[at(&tips[0]), (0.0, DEEP)])];
@@ -132,7 +135,8 @@ fn branched_misfit(elements: usize) -> Vec<f64> {
     misfits
 }
 
-/// Line, cross, star and an unsymmetric branch against an independent computation, and the order in the elements.
+/// Line, cross, star and an unsymmetric branch against an independent computation, and the order in
+/// the elements.
 #[test]
 fn branched_cracks() {
     let misfits = [24, 48, 96].map(branched_misfit);
@@ -144,7 +148,7 @@ fn branched_cracks() {
     }
 }
 
-/// The walks of the pieces, and which of them is said to join which, do not matter.
+/// The directions in which the pieces are walked, and which of them joins which, have no effect.
 #[test]
 fn order_and_walk_of_the_arms() {
     let tips = [(-1.0, DEEP), (1.0, DEEP), (0.5, DEEP - 1.0)];
@@ -163,8 +167,9 @@ fn order_and_walk_of_the_arms() {
     }
 }
 
-/// The work of a uniform traction on jumps that leave nothing over at the junction, summed over the nodes and integrated over
-/// the faces: a translation of what lies on one side of the whole crack, or between the branch and one half of it.
+/// The work of a uniform traction on compatible jumps at the junction, summed over the nodes and
+/// integrated over the faces: a translation of the part on one side of the whole crack, or between
+/// the branch and one half of it.
 #[test]
 fn junction_loses_and_doubles_no_traction() {
     let branch = [(0.3, DEEP), (1.1, DEEP - 0.9)];
@@ -210,7 +215,7 @@ impl LoadPath for Growing<'_> {
     }
 }
 
-/// A branch that is pressed together and sticks changes nothing.
+/// A closed branch that sticks has no effect.
 #[test]
 fn closed_branch_is_no_branch() {
     let cracks =
@@ -250,12 +255,13 @@ fn short_branch_vanishes() {
         largest((0..4).map(|i| k[i] - without[i])) / without[0]
     };
     let changes = [0.1, 0.01].map(change);
-    assert!((3e-4..1e-3).contains(&changes[0]), "{changes:?}: a branch of a thirtieth is felt");
+    assert!((3e-4..1e-3).contains(&changes[0]), "{changes:?}: a branch of a thirtieth has an effect");
     close(changes[1], 0.0, Of(0.02, changes[0]), "a hundredth, and finer elements around the junction");
     close(change(0.001), 0.0, Absolute(1e-5), "finer elements around the junction; 1.4e-6");
 }
 
-/// A tip that comes straight to a free crack, `gap` (mm) from it, or has joined it where there is none.
+/// A tip that approaches a free crack head-on, at the distance `gap` (mm), or has joined it for
+/// zero.
 fn coming(gap: f64) -> DislocationBody {
     let wall = polyline(&[(0.0, DEEP - 2.0), (0.0, DEEP + 0.5), (0.0, DEEP + 2.0)]);
     let cracks = [polyline(&[(-4.0, DEEP + 0.5), (-gap, DEEP + 0.5)]), wall];
@@ -269,19 +275,21 @@ fn energy(body: &DislocationBody) -> f64 {
     0.5 * jumps.iter().zip(&forces).map(|(w, f)| w * f).sum::<f64>()
 }
 
-/// The energy is continuous when the tip joins. A ligament h has a compliance like 1/ln(1/h), so what is missing to the energy of the
-/// joined cracks is, inverted, a line over ln h. Half the elements give the same steps to 0.3 %.
+/// The energy is continuous when the tip joins. A ligament h has a compliance like 1/ln(1/h), so
+/// the inverse of the difference in energy from the joined cracks is linear in ln h. Half the
+/// elements give the same steps to 0.3 %.
 #[test]
 fn energy_is_continuous_at_the_junction() {
     let joined = energy(&coming(0.0));
     let inverse = [0.08, 0.04, 0.02, 0.01].map(|gap| joined / (joined - energy(&coming(gap))));
     let steps: Vec<f64> = inverse.windows(2).map(|pair| pair[1] - pair[0]).collect();
     for step in &steps[..2] {
-        close(*step, steps[2], Relative(0.03), "the next term falls with h");
+        close(*step, steps[2], Relative(0.03), "the next term decreases with h");
     }
 }
 
-/// Down to where the engine resolves it the energy release rate is that of K, (K_I² + K_II²)/E′ = dE/da.
+/// Down to where the engine resolves it the energy release rate is that of K,
+/// (K_I² + K_II²)/E′ = dE/da.
 #[test]
 fn energy_release_of_a_tip_that_comes_to_a_free_crack() {
     for gap in [0.64, 0.16, 0.04, 0.02] {
@@ -297,7 +305,8 @@ fn energy_release_of_a_tip_that_comes_to_a_free_crack() {
     }
 }
 
-/// A crack from the right and one from the left into the same wall, and a T whose mirror image is itself.
+/// A crack from the right and one from the left that join the same wall, and a T that is its own
+/// mirror image.
 #[test]
 fn mirrored_junctions() {
     let mirrored = |crack: &Crack| {

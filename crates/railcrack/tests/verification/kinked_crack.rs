@@ -10,7 +10,8 @@ use railcrack::math::{Stress, Vec2};
 
 const HALF: f64 = 3.0;
 
-/// K at the tip of a kink of length `kink` (over the half-length) at `degrees`, over that of the straight crack.
+/// K at the tip of a kink of length `kink` (over the half-length) at `degrees`, over that of the
+/// straight crack.
 fn short_kink(stress: Stress, degrees: f64, kink: f64, elements: usize) -> Sif {
     let straight = buried_crack(Vec2::new(0.0, -3000.0), HALF, 0.0);
     let kinked = straight.extended(End::Last, kink * HALF, degrees.to_radians()).unwrap();
@@ -19,7 +20,8 @@ fn short_kink(stress: Stress, degrees: f64, kink: f64, elements: usize) -> Sif {
     Sif { k1: k[2] / scale, k2: k[3] / scale }
 }
 
-/// The limit of an infinitesimal kink. Without stress along the crack the first correction is linear in its length.
+/// The limit of an infinitesimal kink. Without stress along the crack the first correction is
+/// linear in its length.
 fn infinitesimal(stress: Stress, degrees: f64, elements: usize) -> Sif {
     let (short, long) =
         (short_kink(stress, degrees, 2e-3, elements), short_kink(stress, degrees, 4e-3, elements));
@@ -51,14 +53,21 @@ fn kink_functions_from_a_real_kink() {
 fn largest_opening_of_a_kink_in_shear() {
     let k1 = |degrees| infinitesimal(SHEAR, degrees, default_elements()).k1;
     close(k1(-76.6), 1.2316, Absolute(SHORT_KINK), "default elements");
-    // The top of the parabola through three angles; the curvature there is 1e-4 per square degree.
+    // The vertex of the parabola through three angles; the curvature there is 1e-4 per square
+    // degree.
     let (left, middle, right) = (k1(-86.6), k1(-76.6), k1(-66.6));
     let top = -76.6 + 5.0 * (left - right) / (left - 2.0 * middle + right);
-    close(top, -76.6, Absolute(1.0), "the third derivative moves the parabola's top by half a degree");
-    assert!(k1(76.6) < -1.0, "the other way the kink closes: {}", k1(76.6));
+    close(
+        top,
+        -76.6,
+        Absolute(1.0),
+        "the third derivative shifts the vertex of the parabola by half a degree",
+    );
+    assert!(k1(76.6) < -1.0, "a kink to the other side closes: {}", k1(76.6));
 }
 
-/// Kinks of a third of the crack, one of which rises to a tip 0.5 mm below the surface: second order.
+/// Kinks of a third of the crack, one of which rises to a tip 0.5 mm below the surface: second
+/// order.
 #[test]
 fn finer_meshes() {
     for (degrees, allowed) in [(30.0_f64, 2e-3), (-30.0, 2e-4), (-60.0, 1e-4)] {
@@ -67,7 +76,7 @@ fn finer_meshes() {
         let fine = at(320);
         let scale = largest(fine.iter().copied());
         let error = |elements| largest(at(elements).iter().zip(&fine).map(|(k, fine)| k - fine)) / scale;
-        close(error(default_elements()), 0.0, Absolute(allowed), "the flap above a rising kink is thin");
+        close(error(default_elements()), 0.0, Absolute(allowed), "the ligament above a rising kink is thin");
         close(order(error(20), error(40)), 2.0, Absolute(0.2), "order of convergence");
         close(order(error(40), error(80)), 2.0, Absolute(0.2), "order of convergence");
     }

@@ -1,4 +1,4 @@
-//! LATIN and Newton on the same steps: the same tractions and stress intensity factors.
+//! LATIN and Newton in the same load steps: the same tractions and stress intensity factors.
 
 use crate::common::{
     Meshed, Of, Rolling, body, close, default_elements, joined_body, junction, largest, polyline,
@@ -21,7 +21,7 @@ struct Seen {
     largest_sif: f64,
 }
 
-/// Newton; beside it LATIN solves each of its steps, from the same forces and reference slips.
+/// Newton, beside which LATIN solves each of its steps, from the same forces and reference slips.
 #[derive(Default, Clone)]
 struct Both(Arc<Mutex<Seen>>);
 
@@ -94,8 +94,8 @@ fn agree_on(body: &dyn CrackedBody, rolling: &Rolling) {
     rolling.on(&problem, &both);
     let seen = *both.0.lock().unwrap();
     assert!(seen.steps > 200, "{seen:?}");
-    // LATIN stops at an indicator of 1e-9 on forces and K; tractions on the short elements of the mouth are the forces
-    // over their length. Measured 3e-7 and 1e-9.
+    // LATIN stops at an indicator of 1e-9 on forces and K; tractions on the short elements of the
+    // mouth are the forces over their length. Measured 3e-7 and 1e-9.
     close(seen.traction, 0.0, Of(1e-6, seen.largest_traction), "indicator of LATIN, tractions");
     close(seen.sif, 0.0, Of(1e-8, seen.largest_sif), "indicator of LATIN, K");
 }
@@ -113,7 +113,7 @@ fn kinked_crack() {
     agree(vec![surface_crack(0.0, 4.0, 15.0).extended(End::Last, 2.0, -1.0).unwrap()], 0.5, 0.1);
 }
 
-/// A crack from the surface that ends on a kinked one below, in both engines.
+/// A surface crack that ends on a kinked one below, in both engines.
 #[test]
 fn junction_of_cracks() {
     let at = (0.7, -3.0);

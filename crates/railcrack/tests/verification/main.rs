@@ -1,5 +1,5 @@
-//! Both engines, the contact of the faces and passages of the wheel against closed forms, against independent
-//! computations and against themselves.
+//! Both engines, crack-face contact and wheel passages against closed forms, independent
+//! computations and each other.
 
 #[path = "../common/mod.rs"]
 mod common;
@@ -7,6 +7,7 @@ mod common;
 mod closed_kink;
 mod closed_tip;
 mod collinear_cracks;
+mod contact_conditions;
 mod contact_pressure;
 mod edge_crack_in_tension;
 mod edge_crack_under_pressure;
@@ -19,7 +20,6 @@ mod junction_run;
 mod junctions;
 mod kinked_crack;
 mod latin_and_newton;
-mod law_of_the_faces;
 mod mirror;
 mod page;
 mod plastic_stress;

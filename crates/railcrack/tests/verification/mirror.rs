@@ -1,4 +1,4 @@
-//! Mirrored cracks, wheel friction and travel: the same history with the other sign of K_II.
+//! Mirrored cracks, wheel–rail friction and travel: the same history with the other sign of K_II.
 
 use crate::common::{Absolute, Rolling, close, largest, surface_crack};
 use railcrack::growth::StabilisedPassage;
@@ -27,7 +27,8 @@ fn passage() {
         let peak = largest(k.iter().flat_map(|k| [k.0, k.1]));
         let difference = largest(k.iter().zip(&m).flat_map(|(a, b)| [a.0 - b.0, a.1 + b.1])) / peak;
         assert_eq!(one.counts.substeps, other.counts.substeps, "{degrees}°: the same steps");
-        // Round-off alone would be 1e-15 of the stresses; steps end at events whose place it moves. Measured 1.4e-13.
+        // Round-off alone would be 1e-15 of the stresses; steps end at events, whose position it
+        // shifts. Measured 1.4e-13.
         close(difference, 0.0, Absolute(1e-11), "round-off");
     }
 }

@@ -1,4 +1,4 @@
-//! The page docs/verification.md lists what the tests hold.
+//! The page docs/verification.md lists every requirement that a test checks.
 
 use crate::common::REQUIREMENTS;
 use std::path::Path;

@@ -9,13 +9,13 @@ use railcrack::shakedown::stabilise;
 use railcrack_case::{Case, Overrides};
 use std::path::Path;
 
-/// What users are promised of the finite-element engine, over the largest |K|.
+/// Accuracy of the finite-element engine as promised to users, relative to the largest |K|.
 const ENGINES: f64 = 0.01;
 
 /// The layers of Trollé et al. 2014, Fig. 21.
 const LAYERS: &str = "depth_mm,sxx_mpa\n0,25\n0.3,25\n0.8,-110\n2,-110\n3,50\n4.5,50\n6,-50\n14,-50\n20,0\n";
 
-/// The crack of 6 mm at 15° under a wheel, with what `sections` say.
+/// The crack of 6 mm at 15° under a wheel, with further `sections` of a case file.
 fn case(engine: &str, pressure: f64, friction: f64, sections: &str) -> Case {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("plastic-layers");
     std::fs::create_dir_all(&folder).unwrap();
@@ -34,7 +34,7 @@ fn first_step(case: &Case, rolled: Option<&PlasticField>) -> StepRecord {
     case.prepare(rolled).unwrap().growth(None).next_step(&Unwatched).unwrap().unwrap()
 }
 
-/// The largest difference of the last passages, over the largest |K|.
+/// The largest difference of the last passages, relative to the largest |K|.
 fn difference(one: &StepRecord, other: &StepRecord) -> f64 {
     let last = |record: &StepRecord| record.passages.last().unwrap().sifs[0].clone();
     let (mut apart, mut peak) = (0.0f64, 0.0f64);
@@ -45,7 +45,8 @@ fn difference(one: &StepRecord, other: &StepRecord) -> f64 {
     apart / peak
 }
 
-/// Balanced layers in both engines, and the same layers as a plastic stress, which both get balanced on the mesh.
+/// Balanced layers in both engines, and the same layers as a plastic stress, which is balanced on
+/// the mesh for both.
 #[test]
 fn engines_agree() {
     for (name, sections) in [
@@ -56,15 +57,17 @@ fn engines_agree() {
             ["xfem", "dislocation"].map(|engine| first_step(&case(engine, 845.0, 0.025, sections), None));
         let error = difference(&elements, &dislocations);
         println!("{name}: {error:.5}");
-        measured(error, ENGINES, "of the largest |K|, at every position; what users are promised");
+        measured(error, ENGINES, "of the largest |K|, at every position; promised to users");
         assert!(error < ENGINES, "{name}: {error}");
     }
 }
 
-/// Layers given as cells by the steady state and balanced by finite elements, against the residual stress of that state itself.
+/// Layers given as cells by the steady state and balanced by finite elements, against the residual
+/// stress of that state itself.
 const ROLLED: f64 = 0.01;
 
-/// The stabilised state of a load that yields: what its plastic stress leaves after projection and balance is its own residual stress.
+/// The stabilised state of a load beyond yield: its plastic stress, projected and balanced, gives
+/// its own residual stress.
 #[test]
 fn rolled_rail_balances_to_its_own_residual_stress() {
     let case = case("dislocation", 1100.0, 0.3, "[plastic_stress]\n");

@@ -1,4 +1,4 @@
-//! Slant cracks so deep that the surface is not felt: the closed forms of the wide plate.
+//! Slant cracks far from the surface: the closed forms of the infinite plate.
 
 use crate::common::{Of, body, buried_crack, close, default_elements, open_sifs, steel};
 use railcrack::body::CrackedBody;
@@ -15,7 +15,8 @@ fn unit() -> f64 {
     (PI * HALF).sqrt()
 }
 
-/// In tension σ_yy = σ: K_I = σ√(πa) cos²α, K_II = σ√(πa) cos α sin α at both tips: τ12 = σ cos α sin α ahead of either.
+/// In tension σ_yy = σ: K_I = σ√(πa) cos²α, K_II = σ√(πa) cos α sin α at both tips: τ12 = σ cos α
+/// sin α ahead of either.
 #[test]
 fn open_in_tension() {
     for degrees in [0.0, 20.0, 45.0, 70.0, -20.0, -60.0, 135.0, 200.0_f64] {
@@ -39,8 +40,8 @@ impl LoadPath for Compression<'_> {
     }
 }
 
-/// In compression the faces close and slip: K_I = 0, K_II = (|τ| − μ|σ_n|)√(πa) with the sign of τ, no slip where
-/// |τ| < μ|σ_n|.
+/// In compression the faces close and slip: K_I = 0, K_II = (|τ| − μ|σ_n|)√(πa) with the sign of τ,
+/// no slip where |τ| < μ|σ_n|.
 #[test]
 fn closed_in_compression() {
     let solvers: [&dyn ContactSolver; 2] = [&Newton::default(), &Latin::default()];

@@ -1,4 +1,5 @@
-//! Tips that are much slower than the fastest: the second crack of a squat, which turns up at once.
+//! Tips that are much slower than the fastest: the second crack of a squat, which kinks upwards at
+//! once.
 
 use crate::common::{Absolute, Rolling, close, joined_body, largest};
 use railcrack::body::CrackedBody;
@@ -16,7 +17,7 @@ fn squat(engine: &str) -> Case {
     Case::read_with(&path, &overrides).unwrap()
 }
 
-/// The steps from `state` on until `last`, and the state after each.
+/// The growth steps from `state` on until `last`, and the state after each.
 fn steps(case: &Case, state: Option<GrowthState>, last: usize) -> Vec<(StepRecord, GrowthState)> {
     let mut growth = case.prepare(None).unwrap().growth(state);
     let mut records = Vec::new();
@@ -39,13 +40,13 @@ fn wanted(cracks: &[Crack]) -> Vec<Vec<Sif>> {
     histories(&joined_body(cracks, &[], FINE), cracks)
 }
 
-/// The largest difference of K of the second tip at any position, over its largest |K|.
+/// The largest difference of K of the second tip at any position, relative to its largest |K|.
 fn misfit(k: &[Vec<Sif>], want: &[Vec<Sif>]) -> f64 {
     let off = largest(k[1].iter().zip(&want[1]).flat_map(|(a, b)| [a.k1 - b.k1, a.k2 - b.k2]));
     off / largest(want[1].iter().flat_map(|k| [k.k1, k.k2]))
 }
 
-/// K of the slow tip on the way of a run by finite elements at the defaults.
+/// K of the slow tip along its path in a run by finite elements at the defaults.
 #[test]
 fn k_of_the_slow_tip_of_a_squat() {
     let records = steps(&squat("xfem"), None, 7);
@@ -53,12 +54,12 @@ fn k_of_the_slow_tip_of_a_squat() {
         let sifs = &record.passages[record.passages.len() - 1].sifs;
         let off = misfit(sifs, &wanted(&record.cracks));
         println!(
-            "step {}: {:.2} %, {:.3} mm waiting",
+            "step {}: {:.2} %, {:.3} mm deferred",
             record.step,
             100.0 * off,
             record.tips[1].waiting.length
         );
-        close(off, 0.0, Absolute(0.04), "2.5 elements behind a turn of 76 degrees");
+        close(off, 0.0, Absolute(0.04), "2.5 elements behind a kink of 76 degrees");
         assert_eq!(record.warnings, []);
     }
     let turned = &records[7].0.cracks[1];
@@ -66,9 +67,10 @@ fn k_of_the_slow_tip_of_a_squat() {
     assert!((to - from).length() > 0.24, "a whole increment: {turned:?}");
 }
 
-/// A run that is taken up while a tip waits goes on to the same bits, in either engine; and both engines wait at the same steps.
+/// A run that is resumed while growth of a tip is deferred has the same bits, in either engine; and
+/// both engines defer growth in the same steps.
 #[test]
-fn taken_up_while_a_tip_waits() {
+fn resumed_while_growth_is_deferred() {
     let waits = ["dislocation", "xfem"].map(|engine| {
         let case = squat(engine);
         let records = steps(&case, None, 7);
@@ -92,5 +94,5 @@ fn taken_up_while_a_tip_waits() {
         close(*length, *other, Absolute(0.01), "rates of two engines");
         assert_eq!(*waiting > 0.0, *also > 0.0, "{waits:?}");
     }
-    close((*at - *also_at).length(), 0.0, Absolute(0.02), "where one increment of 0.25 mm leads");
+    close((*at - *also_at).length(), 0.0, Absolute(0.02), "tips after one increment of 0.25 mm");
 }

@@ -1,17 +1,18 @@
-//! The load step is part of the answer: the error of a frictional passage falls with the tolerance, and faces without
-//! memory do not pay for it.
+//! The result depends on the load step: the error of a frictional passage decreases with the
+//! tolerance, and faces without friction take no extra steps.
 
 use crate::common::{Rolling, StepControl, largest, measured, surface_crack};
 use railcrack::contact;
 use railcrack::growth::StabilisedPassage;
 
-/// K at the 241 output positions of the stabilised passage; `every` tells finer output apart.
+/// K at the 241 output positions of the stabilised passage; `every` accounts for finer output.
 fn sifs(result: &StabilisedPassage, every: usize) -> Vec<f64> {
     let passage = &result.passages[result.passages.len() - 1];
     passage.sifs[0].iter().step_by(every).flat_map(|k| [k.k1, k.k2]).collect()
 }
 
-/// Largest errors of K over its peak at `positions` output positions for `tolerances`, against 2401 positions and far finer steps.
+/// Largest errors of K over its peak at `positions` output positions for `tolerances`, against 2401
+/// positions and far finer steps.
 fn errors(degrees: f64, friction: f64, wheel: f64, positions: usize, tolerances: &[f64]) -> Vec<f64> {
     let mut rolling = Rolling::over(vec![surface_crack(0.0, 6.0, degrees)], friction, wheel);
     rolling.steps = StepControl { positions: 2401, tolerance: 1e-4, ..StepControl::default() };
@@ -31,13 +32,13 @@ fn error_falls_with_the_tolerance() {
     for (degrees, friction, wheel) in [(15.0, 0.5, 0.025), (15.0, 0.8, 0.025), (45.0, 0.8, -0.4)] {
         let errors = errors(degrees, friction, wheel, 241, &TOLERANCES);
         for (error, tolerance) in errors.iter().zip(TOLERANCES) {
-            measured(*error, tolerance, "the tolerance asked for");
+            measured(*error, tolerance, "the requested tolerance");
             assert!(*error < tolerance, "{degrees}°: error {error:.2e} for {tolerance:.0e}");
         }
     }
 }
 
-/// Output positions half a contact apart: what happens in between is up to the tolerance.
+/// Output positions half a contact apart: the tolerance controls the steps in between.
 #[test]
 fn steps_are_cut_between_positions_far_apart() {
     const NEVER: f64 = 1e12;
@@ -51,11 +52,11 @@ fn steps_are_cut_between_positions_far_apart() {
     }
 }
 
-/// A slip that slows down and turns back within one step, at the moment the trailing edge of the contact leaves the
-/// mouth.
+/// A slip that slows down and reverses within one step, as the trailing edge of the contact leaves
+/// the mouth.
 #[test]
 
-fn slip_that_turns_back_within_a_step() {
+fn slip_that_reverses_within_a_step() {
     for (error, tolerance) in errors(165.0, 0.5, 0.025, 241, &TOLERANCES).into_iter().zip(TOLERANCES) {
         assert!(error < tolerance, "error {error:.2e} for {tolerance:.0e}");
     }
@@ -70,9 +71,9 @@ fn faces_without_memory_take_no_substeps() {
     }
 }
 
-/// What a code without control of its steps gets: two independent codes (displacement discontinuities by collocation, and
-/// conforming finite elements) were off by 11 %, 6 % and 2.5 % of the peak in the reference case with steps of 0.1 a, 0.05 a and
-/// 0.02 a, November 2026.
+/// The result of a code without step control: two independent codes (displacement discontinuities
+/// by collocation, and conforming finite elements) were off by 11 %, 6 % and 2.5 % of the peak in
+/// the reference case with steps of 0.1 a, 0.05 a and 0.02 a, November 2026.
 #[test]
 fn fixed_steps_lock_too_little_slip() {
     let mut rolling = Rolling::over(vec![surface_crack(0.0, 6.0, 15.0)], 0.5, 0.025);
@@ -96,6 +97,6 @@ fn fixed_steps_lock_too_little_slip() {
         );
         let (low, high) =
             (fixed.iter().copied().fold(0.0, f64::min), reference.iter().copied().fold(0.0, f64::min));
-        assert!(low > high, "the locked slip falls short: {low} against {high}");
+        assert!(low > high, "the locked slip is too small: {low} against {high}");
     }
 }

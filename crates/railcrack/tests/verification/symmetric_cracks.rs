@@ -5,7 +5,8 @@ use railcrack::math::{Stress, Vec2};
 
 const ROUND_OFF: f64 = 1e-11;
 
-/// Two tips of a shallow horizontal crack: the mirror turns x2 of a tip frame around, so that K_II changes sign.
+/// Two tips of a shallow horizontal crack: the mirror reverses x2 of a tip frame, so that K_II
+/// changes sign.
 #[test]
 fn both_tips_of_a_shallow_crack() {
     let crack = buried_crack(Vec2::new(1.0, -2.0), 3.0, 0.0);
@@ -25,7 +26,7 @@ fn mirrored_pair() {
     assert!(k[1] > 0.0, "the crack that leans to the right has K_II > 0 in tension: {k:?}");
 }
 
-/// The order in which cracks are given does not matter, nor where along the rail they are.
+/// Neither the order in which cracks are given nor their place along the rail has an effect.
 #[test]
 fn order_and_place() {
     let (one, other) = (surface_crack(0.0, 6.0, 15.0), surface_crack(-1.0, 4.0, 120.0));

@@ -1,8 +1,9 @@
-//! Time marching: the same material on a fixed mesh of finite elements, the wheel moved over it in small steps. Shares the
-//! closed-form stress of the wheel with the library, and nothing else.
+//! Time marching: the same material on a fixed mesh of finite elements, over which the wheel moves
+//! in small steps. It shares the closed-form stress of the wheel with the library, and nothing
+//! else.
 //!
-//! The mesh closes on itself: behind the last column comes the first. So the whole length is rolled, and no ends of a rolled
-//! piece are near; a free rail of some half-widths would be bent by them.
+//! The mesh is periodic: the first column follows the last. So the whole length is rolled, without
+//! the ends of a rolled piece nearby; a free rail of some half-widths would be bent by them.
 
 use railcrack::field::HertzField;
 use railcrack::math::Vec2;
@@ -21,29 +22,31 @@ pub struct March {
     pub fine_depth: f64,
 }
 
-/// Residual stress under the middle of the rail after each pass: (depth mm, σ_xx, σ_zz MPa) by element.
+/// Residual stress under the middle of the rail after each passage: (depth mm, σ_xx, σ_zz MPa) by
+/// element.
 pub type Profile = Vec<(f64, f64, f64)>;
 
-/// What the march did.
+/// Result of the time marching.
 pub struct Marched {
     pub profiles: Vec<Profile>,
     /// Solutions of the elastic system.
     pub solutions: usize,
 }
 
-/// Evenly meshed on each side of the middle, and depth of the mesh, in half-widths.
+/// Half-length of the even part of the mesh, and depth of the mesh, in half-widths.
 const EVEN: f64 = 2.0;
 const DEEP: f64 = 12.0;
 /// Gauss points of an element.
 const POINTS: usize = 4;
-/// The iteration of a step ends at this change of the plastic strain, times 2 G over the radius of the yield surface.
+/// Change of the plastic strain at which the iteration of a step ends, times 2 G over the radius of
+/// the yield surface.
 const TOLERANCE: f64 = 1e-4;
 
 struct Element {
     dofs: [usize; 8],
-    /// Deviator of the strain (three components of unit metric) at the Gauss points.
+    /// Strain deviator (three components of unit metric) at the Gauss points.
     deviator: [[[f64; 8]; 3]; POINTS],
-    /// Mean dilatation (B-bar: plastic flow keeps the volume).
+    /// Mean dilatation (B-bar: plastic flow is incompressible).
     dilatation: [f64; 8],
     weight: f64,
     points: [Vec2; POINTS],
@@ -136,12 +139,14 @@ pub fn march(rail: &RolledRail, mesh: March, passes: usize) -> Marched {
     Marched { profiles, solutions }
 }
 
-/// The place of column `i` of `columns` in a ring in the system: so that neighbours in the ring are near.
+/// The number in the system of column `i` of `columns` in a ring, such that neighbours in the ring
+/// are close.
 fn place(i: usize, columns: usize) -> usize {
     if i < columns.div_ceil(2) { 2 * i } else { 2 * (columns - 1 - i) + 1 }
 }
 
-/// Borders of the columns: even with x = 0 in the middle of one, up to `even`; growing beyond, up to `end`.
+/// Boundaries of the columns: even with x = 0 in the middle of one, up to `even`; growing beyond,
+/// up to `end`.
 fn abscissae(h: f64, even: f64, end: f64) -> Vec<f64> {
     let mut right = vec![0.5 * h];
     let mut next = h;
@@ -169,7 +174,7 @@ fn depths(h: f64, fine: f64, end: f64) -> Vec<f64> {
 }
 
 fn element(x: [f64; 2], y: [f64; 2], [left, right]: [usize; 2], j: usize, rows: usize) -> Element {
-    // Row j is the upper border: node 3 and 2; y[0] is the lower one.
+    // Row j is the upper boundary: nodes 3 and 2; y[0] is the lower one.
     let nodes = [left * rows + j + 1, right * rows + j + 1, right * rows + j, left * rows + j];
     let (w, h) = (x[1] - x[0], y[1] - y[0]);
     let mut e = Element {
@@ -255,7 +260,7 @@ impl Band {
         }
     }
 
-    /// A displacement that stays zero: a spring far stiffer than the body.
+    /// Holds a displacement at zero: a spring far stiffer than the body.
     fn hold(&mut self, i: usize) {
         let at = self.at(i, i);
         self.rows[at] += 1e12;

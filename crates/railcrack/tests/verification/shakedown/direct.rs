@@ -1,9 +1,10 @@
-//! The direct method: cheap, admissible, and another state.
+//! The direct method: cheap, admissible, and a different state.
 
 use super::{direct, peak, rail, stabilised};
 use railcrack::shakedown::RailState;
 
-/// |s − X| over the radius of the yield surface less one: what the direct iteration ends at, times ten.
+/// Largest violation of the yield condition, |s − X| over the radius of the yield surface less one:
+/// ten times the tolerance of the direct iteration.
 const ADMISSIBLE: f64 = 1e-4;
 
 #[test]
@@ -26,7 +27,8 @@ fn admissible_at_a_third_of_the_cost() {
     }
 }
 
-/// An elastic-shakedown state is not unique: the direct one is not what passages lead to, by far more than the error of either.
+/// An elastic-shakedown state is not unique: the direct one differs from that of the passages by
+/// far more than the error of either.
 #[test]
 fn another_state() {
     let rail = rail(1100.0, 0.1, 20e3);
@@ -36,7 +38,7 @@ fn another_state() {
 }
 
 #[test]
-fn elastic_costs_nothing() {
+fn an_elastic_rail_takes_one_redistribution() {
     let result = direct(&rail(800.0, 0.1, 20e3));
     assert_eq!((result.state, result.iterations()), (RailState::Elastic, 1));
 }

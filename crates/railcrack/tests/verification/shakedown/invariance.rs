@@ -1,15 +1,15 @@
-//! What must not change anything: the unit of length, the unit of stress, the side from which one looks.
+//! Invariance under the unit of length, the unit of stress, and reflection.
 
 use super::{rail, stabilised};
 use railcrack::load::HertzianContact;
 use railcrack::material::{IsotropicElastic, KinematicHardening};
 use railcrack::shakedown::{RolledRail, Travel};
 
-/// Doubling is exact in floating point, but for the sines of the wave numbers.
+/// Doubling is exact in floating point, except for the sines of the wave numbers.
 const ROUNDING: f64 = 1e-6;
 
 #[test]
-fn length_and_stress_have_no_scale() {
+fn results_do_not_depend_on_the_units() {
     let one = rail(1050.0, 0.15, 20e3);
     let longer = RolledRail { contact: HertzianContact { half_width: 13.5, ..one.contact }, ..one.clone() };
     let stronger = RolledRail {
@@ -30,8 +30,8 @@ fn length_and_stress_have_no_scale() {
     }
 }
 
-/// A mirrored wheel (friction and travel) leaves the mirrored rail: shears change sign, nothing else. Travel alone matters: a
-/// braking wheel that rolls the other way is a driving one.
+/// A mirrored wheel (friction and travel) leaves the mirrored rail: shears change sign, nothing
+/// else does. The travel alone matters: a braking wheel that rolls the other way is a driving one.
 #[test]
 fn mirror_and_travel() {
     let one = rail(1050.0, 0.15, 20e3);
@@ -45,15 +45,17 @@ fn mirror_and_travel() {
     assert_eq!(a.cycle.abscissae[0], -b.cycle.abscissae[0]);
     let (here, there) = (a.cycle.stress[10_000], b.cycle.stress[10_000]);
     assert_eq!((here.xx, here.xy), (there.xx, -there.xy));
-    // The wheel of a forward passage comes from upstream, that is from larger abscissae of the rail point.
+    // The wheel of a forward passage comes from upstream, that is, from larger abscissae of the
+    // rail point.
     assert!(a.cycle.abscissae[0] > 0.0);
     let backward = stabilised(&RolledRail { travel: Travel::Backward, ..one });
     assert!(a.stress_difference(&backward) > 1.0);
 }
 
-/// Without friction the two directions of travel leave the same residual stress, and opposite shears.
+/// Without friction the two directions of travel leave the same residual stress, and opposite
+/// shears.
 #[test]
-fn no_friction_no_direction() {
+fn travel_has_no_effect_without_friction() {
     let forward = rail(1150.0, 0.0, 20e3);
     let backward = RolledRail { travel: Travel::Backward, ..forward.clone() };
     assert_eq!(stabilised(&forward).stress_difference(&stabilised(&backward)), 0.0);

@@ -1,4 +1,5 @@
-//! States on both sides of first yield and of the limits of elastic shakedown, and the residual stress at the limit.
+//! States on both sides of first yield and of the limits of elastic shakedown, and the residual
+//! stress at the limit.
 
 use super::{YIELD, peak, rail, stabilised};
 use railcrack::shakedown::{RailState, StabilisedRail, shakedown_limit_ratio};
@@ -12,7 +13,8 @@ fn at_ratio(ratio: f64, friction: f64) -> StabilisedRail {
     stabilised(&rail(ratio * k(), friction, 20e3))
 }
 
-/// The published limits have four digits: half a per cent on each side is decided.
+/// The published limits have four digits: the states half a per cent on either side are
+/// distinguished.
 const SIDE: f64 = 0.005;
 
 /// p0/k at first yield, ν = 0.3 (von Mises): Johnson, Contact Mechanics, 4.4 and 7.1, by Tresca.
@@ -27,7 +29,8 @@ fn first_yield() {
     }
 }
 
-/// p0/k at the limit of elastic shakedown (Ponter, Hearle & Johnson 1985), and where plastic strain alternates beyond it.
+/// p0/k at the limit of elastic shakedown (Ponter, Hearle & Johnson 1985), and the depth of
+/// alternating plasticity beyond it.
 #[test]
 fn shakedown_limits() {
     for (friction, ratio, depth) in [(0.0, 4.000, 0.50), (0.1, 3.987, 0.50), (0.3, 3.150, 0.0)] {
@@ -37,7 +40,7 @@ fn shakedown_limits() {
         assert_eq!(above.state, RailState::PlasticShakedown, "{friction}");
         let zone = above.alternating.unwrap();
         let a = 6.75;
-        // The zone has just begun: it holds the depth that decides, to a layer (a/32).
+        // The zone has just begun: it contains the critical depth, to within a layer (a/32).
         assert!(
             zone.from <= (depth + 0.04) * a && zone.to >= (depth - 0.04) * a && zone.to - zone.from < 0.3 * a,
             "{friction}: {zone:?}"
@@ -45,7 +48,8 @@ fn shakedown_limits() {
     }
 }
 
-/// What plastic shakedown does in every passage grows with the load, and is not there below the limit.
+/// The accumulated plastic strain per passage in plastic shakedown grows with the load, and
+/// vanishes below the limit.
 #[test]
 fn plastic_strain_per_passage() {
     let per_pass = |ratio: f64| {
@@ -53,30 +57,32 @@ fn plastic_strain_per_passage() {
         result.profile.iter().map(|layer| layer.plastic_per_pass).fold(0.0, f64::max)
     };
     let (below, just_above, above) = (per_pass(3.8), per_pass(4.2), per_pass(4.5));
-    // What is left of the last passage on the way to elastic shakedown.
+    // The remainder in the last passage on the way to elastic shakedown.
     assert!(below < 2e-6 && just_above > 1e-4 && above > 2.0 * just_above, "{below} {just_above} {above}");
 }
 
-/// At the frictionless limit every residual stress but one lets the rail yield for ever: σ_xx = −0.134 p0, σ_zz = −0.213 p0 at 0.5 a
-/// for vanishing hardening (−s of the residual stress is then the centre of the smallest ball around the deviatoric path).
+/// At the frictionless limit only one residual stress prevents the rail from yielding in every
+/// passage: σ_xx = −0.134 p0, σ_zz = −0.213 p0 at 0.5 a for vanishing hardening (−s of the residual
+/// stress is then the centre of the smallest ball around the deviatoric path).
 ///
-/// Just above it: below, by a part g, the centre may move by √(2 g) of the radius before the ball is left, and 7 % of it is
-/// half of σ_xx for g = 0.25 %.
+/// The test is just above the limit: below it, by a fraction g, the centre may move by √(2 g) of
+/// the radius before the path leaves the ball, and 7 % of the radius is half of σ_xx for g = 0.25
+/// %.
 #[test]
 fn residual_stress_at_the_limit() {
     let pressure = 1.004 * shakedown_limit_ratio(0.0, 0.3).ratio * k();
     let result = stabilised(&rail(pressure, 0.0, 200.0));
     assert_eq!(result.state, RailState::PlasticShakedown);
     let stress = result.residual_stress(0.5 * 6.75);
-    // Three digits of the reference, and the part above the limit.
+    // Three digits of the reference, and the excess over the limit.
     assert!((stress.xx / pressure + 0.134).abs() < 0.004, "{}", stress.xx / pressure);
     assert!((stress.zz / pressure + 0.213).abs() < 0.004, "{}", stress.zz / pressure);
 }
 
-/// The residual stress of a rolled half-plane: σ_xx = −E′ (ε_xx + ν ε_zz), σ_zz = −E′ (ε_zz + ν ε_xx), nothing else; and no
-/// plastic change of volume.
+/// The residual stress of a rolled half-plane: σ_xx = −E′ (ε_xx + ν ε_zz), σ_zz = −E′ (ε_zz + ν
+/// ε_xx), nothing else; and incompressible plastic strain.
 #[test]
-fn one_dimensional_identity() {
+fn residual_stress_follows_from_the_plastic_strain() {
     let result = at_ratio(4.3, 0.2);
     let modulus = 210e3 / (1.0 - 0.09);
     for layer in &result.profile {
@@ -88,7 +94,7 @@ fn one_dimensional_identity() {
     }
 }
 
-/// A clear end: passages that are too few leave a state of its own.
+/// A distinct end: too few passages give the state `NotStabilised`.
 #[test]
 fn too_few_passages() {
     let settings = railcrack::shakedown::Stabilisation { max_passes: 3, ..Default::default() };

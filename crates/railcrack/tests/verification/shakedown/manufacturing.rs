@@ -19,7 +19,7 @@ fn stays_where_nothing_yields() {
     }
 }
 
-/// A tension of half the yield stress makes a rail yield that would not.
+/// A tension of half the yield stress makes a rail yield that otherwise would not.
 #[test]
 fn makes_the_rail_yield_earlier() {
     let bare = rail(850.0, 0.0, 20e3);
@@ -28,10 +28,11 @@ fn makes_the_rail_yield_earlier() {
     assert_eq!(stabilised(&pulled).state, RailState::ElasticShakedown);
 }
 
-/// The limit of elastic shakedown is that of the bare rail (Melan: what is constant in time does not matter), and the
-/// stress that a heavy load leaves is the part of it that the load asks for: rolling replaces the stress of manufacturing.
+/// The limit of elastic shakedown is that of the rail without initial stress (Melan: a constant
+/// stress has no effect), and the stress left by a heavy load is determined by the load: rolling
+/// replaces the initial residual stress.
 #[test]
-fn does_not_move_the_shakedown_limit() {
+fn does_not_change_the_shakedown_limit() {
     let profile = vec![(0.0, 100.0, 50.0), (6.0, -60.0, -30.0), (20.0, 0.0, 0.0)];
     for (pressure, state) in [(1130.0, RailState::ElasticShakedown), (1170.0, RailState::PlasticShakedown)] {
         assert_eq!(stabilised(&rail(pressure, 0.1, 20e3)).state, state);
@@ -39,7 +40,8 @@ fn does_not_move_the_shakedown_limit() {
     }
 }
 
-/// A profile that makes the rail yield everywhere and without a wheel is refused, not followed for ever.
+/// A profile that makes the rail yield everywhere and without a wheel is refused instead of
+/// iterated for ever.
 #[test]
 fn beyond_yield_is_refused() {
     let rail = with_profile(rail(900.0, 0.1, 20e3), vec![(0.0, 700.0, 0.0), (500.0, 700.0, 0.0)]);

@@ -1,12 +1,13 @@
-//! Against time marching on a fixed mesh. Its own error is of first order in step and element: 5 % of the peak in the mean at a/8, 2.5 % at
-//! a/12 with steps of a/24; the largest differences are at the upper border of the plastic zone, where an element is wider than
-//! the rise of the stress.
+//! Comparison with time marching on a fixed mesh. Its own error is of first order in step and
+//! element: 5 % of the peak on average at a/8, 2.5 % at a/12 with steps of a/24; the largest
+//! differences are at the upper edge of the plastic zone, where an element is wider than the rise
+//! of the stress.
 
 use super::brute_force::{March, Profile, march};
 use super::{peak, rail};
 use railcrack::shakedown::{Stabilisation, StabilisedRail, stabilise};
 
-/// Root-mean-square difference over the peak, at the middles of the elements above `depth` (mm).
+/// Root-mean-square difference over the peak, at the centres of the elements above `depth` (mm).
 fn difference(result: &StabilisedRail, marched: &Profile, depth: f64) -> f64 {
     let mut differences = Vec::new();
     for &(at, xx, zz) in marched.iter().filter(|row| row.0 < depth) {
@@ -42,7 +43,7 @@ fn one_passage_on_a_coarse_mesh() {
 }
 
 #[test]
-#[ignore = "extra: minutes; finer meshes of the time marching come closer, under other loads too, and after all passages"]
+#[ignore = "extra: minutes; time marching on finer meshes, under other loads too, and after all passages"]
 fn finer_meshes_and_all_passages() {
     let mesh = |n: f64, steps: f64| March { per_half_width: n, steps, run: 6.0, fine_depth: 2.0 };
     let coarse = compare(1100.0, 0.1, 1, mesh(8.0, 8.0));

@@ -1,4 +1,5 @@
-//! The stabilised plastic state of a rolled rail against theory, against independent computations and against itself.
+//! The stabilised plastic state of a rolled rail against theory and independent computations, and
+//! its consistency.
 
 mod brute_force;
 mod direct;
@@ -16,7 +17,8 @@ use railcrack::shakedown::{Method, RolledRail, Stabilisation, StabilisedRail, Tr
 /// σ_y, MPa, of all tests: k = 288.7 MPa.
 pub const YIELD: f64 = 500.0;
 
-/// A rail of σ_y = [`YIELD`] under `peak_pressure` (MPa), a = 6.75 mm, with `friction` and hardening modulus `modulus` (MPa).
+/// A rail of σ_y = [`YIELD`] under `peak_pressure` (MPa), a = 6.75 mm, with `friction` and
+/// hardening modulus `modulus` (MPa).
 pub fn rail(peak_pressure: f64, friction: f64, modulus: f64) -> RolledRail {
     RolledRail {
         steel: IsotropicElastic::new(210e3, 0.3).unwrap(),
@@ -27,7 +29,7 @@ pub fn rail(peak_pressure: f64, friction: f64, modulus: f64) -> RolledRail {
     }
 }
 
-/// What passages lead to at default settings.
+/// The state after repeated passages at default settings.
 pub fn stabilised(rail: &RolledRail) -> StabilisedRail {
     stabilise(rail, &Stabilisation::default(), |_| ()).unwrap()
 }

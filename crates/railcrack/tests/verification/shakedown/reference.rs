@@ -1,11 +1,13 @@
-//! The case of `verification/shakedown-half-plane`: an independent computation, whose mesh is as fine as ours.
+//! The case of `verification/shakedown-half-plane`: an independent computation with a mesh as fine
+//! as ours.
 
 use super::{peak, rail, stabilised};
 use crate::common::{column, rows};
 use railcrack::math::Stress;
 use railcrack::shakedown::{RailState, Stabilisation, StabilisedRail};
 
-/// Of the reference's peak, at every depth. The reference agrees with finite elements to 3 %.
+/// Relative to the peak of the reference, at every depth. The reference agrees with finite elements
+/// to 3 %.
 const WORST: f64 = 0.03;
 /// Of the reference's peak, in the mean.
 const MEAN: f64 = 0.01;
@@ -70,7 +72,7 @@ fn table_1_is_elastic() {
 
 /// The shipped case is this one.
 #[test]
-fn the_case_file_says_the_same() {
+fn the_case_file_describes_the_same_rail() {
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/shakedown.toml");
     let case = railcrack_case::Case::read(&path).unwrap();
     assert_eq!(case.rolled_rail(), rail(1100.0, 0.1, 20e3));

@@ -1,4 +1,5 @@
-//! What columns, layers and period change, and what the discrete fields hold.
+//! Effect of columns, layers and period, and equilibrium and yield condition of the discrete
+//! fields.
 
 use super::{peak, rail, stabilised};
 use railcrack::shakedown::{Resolution, RolledRail, Stabilisation, StabilisedRail, stabilise};
@@ -21,8 +22,9 @@ fn difference(coarse: &StabilisedRail, fine: &StabilisedRail) -> (f64, f64) {
     (largest / peak(fine), mean / peak(fine))
 }
 
-/// After three passages, where most has happened: the default against half as many and twice as many columns and layers. Where the plastic zone
-/// ends, the stress turns within a layer: the largest difference is there, and falls with the first order.
+/// After three passages, which make most of the change: the default against half as many and twice
+/// as many columns and layers. At the edge of the plastic zone the stress changes within a layer:
+/// the largest difference occurs there, and decreases with first order.
 #[test]
 fn columns_and_layers() {
     for (pressure, friction) in [(1100.0, 0.1), (1000.0, 0.3)] {
@@ -36,8 +38,8 @@ fn columns_and_layers() {
     }
 }
 
-/// The period of the waves does not decide: four times as long changes two thousandths of the peak at most, and doubling it leaves an
-/// eighth of that.
+/// The period of the waves is not critical: four times as long a period changes at most two
+/// thousandths of the peak, and doubling it leaves an eighth of that.
 #[test]
 fn period() {
     let rail = rail(1100.0, 0.1, 20e3);
@@ -47,7 +49,8 @@ fn period() {
     assert!(first.0 < 2e-3 && second.0 < 0.3 * first.0, "{first:?} {second:?}");
 }
 
-/// Forces balance on every layer to 1e-8 of the yield stress, and nowhere in the cycle is the yield surface left.
+/// Forces balance on every layer to 1e-8 of the yield stress, and nowhere in the cycle is the yield
+/// condition violated.
 #[test]
 fn equilibrium_and_yield() {
     for (pressure, friction) in [(1100.0, 0.1), (1300.0, 0.3)] {
@@ -55,7 +58,7 @@ fn equilibrium_and_yield() {
         assert!(result.admissibility.imbalance < 1e-8, "{:?}", result.admissibility);
         assert!(result.admissibility.overshoot < 1e-4, "{:?}", result.admissibility);
     }
-    // The first passage has the strongest redistribution: all of its strain is new.
+    // The first passage has the strongest redistribution: all of its plastic strain is new.
     let first = at(&rail(1300.0, 0.3, 20e3), 32, 16, 1);
     assert!(first.admissibility.imbalance < 1e-8, "{:?}", first.admissibility);
 }

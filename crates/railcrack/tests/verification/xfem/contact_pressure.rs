@@ -4,9 +4,9 @@ use super::super::contact_pressure::roughness;
 use crate::common::{Meshed, Of, Rolling, RollingEngine, close, surface_crack};
 use railcrack::crack::{Crack, End};
 
-/// Largest amplitude of neighbouring bends of opposite sign, over the peak pressure.
+/// Largest amplitude of neighbouring deviations of opposite sign, relative to the peak pressure.
 const OSCILLATION: f64 = 5e-3;
-/// The same at small kinks, where faces that slide press on a blunt corner.
+/// The same at small kinks, where sliding faces press on a blunt corner.
 const OSCILLATION_AT_SMALL_KINKS: f64 = 2.2e-2;
 
 fn oscillation(crack: Crack, friction: f64, wheel: f64) -> f64 {

@@ -1,4 +1,5 @@
-//! Orders of convergence, on a crack so deep in so large a rail that neither is felt: the closed forms of the wide plate.
+//! Orders of convergence, on a crack far from the boundaries of a large rail: the closed forms of
+//! the infinite plate.
 
 use crate::common::{buried_crack, largest, measured_order, steel};
 use railcrack::body::CrackedBody;
@@ -14,11 +15,12 @@ const HALF: f64 = 3.0;
 /// Surface and ends change K by about (half-length / distance)², 2e-8.
 const CENTRE: Vec2 = Vec2::new(0.0, -20_000.0);
 const OUTLINE: Outline = Outline { left: -20_000.0, right: 20_000.0, depth: 40_000.0 };
-/// Elements along the crack on the coarsest mesh, so that the domain of the SIFs ends before the other tip; the default are 60.
+/// Elements along the crack on the coarsest mesh, so that the domain of the SIFs ends before the
+/// other tip; the default is 60.
 const COARSEST: f64 = 6.0;
-/// Parts into which each of its elements, also those far away, is cut along either side.
+/// Divisions of each of its elements, also of those far away, along either side.
 const MESHES: [usize; 4] = [1, 2, 3, 4];
-/// Angle of the crack, degrees: across the lines of the mesh.
+/// Angle of the crack, degrees: oblique to the lines of the mesh.
 const ANGLE: f64 = 35.0;
 
 /// Slope of the line through (log h, log error) by least squares.
@@ -42,7 +44,7 @@ fn cut(lines: &[f64], parts: usize) -> Vec<f64> {
     lines.windows(2).flat_map(within).chain([last]).collect()
 }
 
-/// What is measured on a body.
+/// The quantity measured on a body.
 type Measure = fn(&XfemBody) -> f64;
 
 /// Prints errors per mesh and asserts their order.
@@ -70,8 +72,8 @@ fn waves(x: f64) -> f64 {
     1.0 + (1.3 * x).sin() + 0.5 * (0.9 * x).cos()
 }
 
-/// K_I at both tips under a pressure, √(a/π) ∫ p(a cos φ) (1 ± cos φ) dφ over 0…π, against that of the body; the largest error over the
-/// larger of both.
+/// K_I at both tips under a pressure, √(a/π) ∫ p(a cos φ) (1 ± cos φ) dφ over 0…π, against that of
+/// the body; the largest error relative to the larger of both.
 fn sif_error(body: &XfemBody, pressure: fn(f64) -> f64) -> f64 {
     const POINTS: usize = 100;
     let want = |sign: f64| {
@@ -86,7 +88,8 @@ fn sif_error(body: &XfemBody, pressure: fn(f64) -> f64) -> f64 {
     largest(k.iter().zip(want).map(|(k, want)| k - want)) / largest(want)
 }
 
-/// Nodal forces of a pressure on the faces, given at the distance (mm) from the centre along the walk.
+/// Nodal forces of a pressure on the faces, given at the distance (mm) from the centre along the
+/// walk.
 fn pressed(body: &XfemBody, pressure: impl Fn(f64) -> f64) -> Vec<f64> {
     let tangent = body.faces().points[0].tangent;
     let normal = tangent.left();
@@ -109,7 +112,8 @@ fn work_error(body: &XfemBody) -> f64 {
     forces.iter().zip(&jumps).map(|(f, w)| f * w).sum::<f64>() / want - 1.0
 }
 
-/// Largest error of a jump under that pressure, where the opening is (4/E′) √(a² − x²) (1 + x/(2a)).
+/// Largest error of a jump under that pressure, where the opening is (4/E′) √(a² − x²)
+/// (1 + x/(2a)).
 fn jump_error(body: &XfemBody) -> f64 {
     let opening = |x: f64| {
         4.0 / steel().plane_strain_modulus() * (HALF * HALF - x * x).max(0.0).sqrt() * (1.0 + 0.5 * x / HALF)
@@ -121,12 +125,13 @@ fn jump_error(body: &XfemBody) -> f64 {
     largest((0..points.len()).map(error)) / largest((0..points.len()).map(|j| opening(x(j))))
 }
 
-/// Least order of K under a uniform pressure, which face points represent exactly: the elements around a part with √r functions that
-/// does not shrink. Measured 2 and more.
+/// Least order of K under a uniform pressure, which face points represent exactly: the elements
+/// around a zone with √r functions that does not shrink. Measured 2 and more.
 const UNIFORM_ORDER: f64 = 1.8;
-/// Least order of what is sampled. Next to a tip the traction is constant over a length in proportion to h, where its error h meets
-/// 1/√r, and jumps of the order of √h are linear in √r over steps of 0.4 √h: both give h √h, approached from below: 1.12, 1.24 and 1.30
-/// from mesh to mesh for the jumps.
+/// Least order for sampled loads. Next to a tip the traction is constant over a length proportional
+/// to h, where its error h meets 1/√r, and jumps of the order of √h are linear in √r over steps of
+/// 0.4 √h: both give h √h, approached from below: 1.12, 1.24 and 1.30 from mesh to mesh for the
+/// jumps.
 const SAMPLED_ORDER: f64 = 1.15;
 
 fn uniform(_: f64) -> f64 {
@@ -142,7 +147,8 @@ fn with_a_fixed_enrichment_radius() {
     converges(EnrichmentRadius::Fixed(1.5), &measures);
 }
 
-/// K under a uniform pressure is right to 1e-4 on the coarsest of these meshes already, without an order to speak of.
+/// K under a uniform pressure is accurate to 1e-4 on the coarsest of these meshes already, without
+/// a clear order.
 #[test]
 fn with_an_enrichment_of_some_elements() {
     let measures: [(&str, Measure, f64); 3] = [

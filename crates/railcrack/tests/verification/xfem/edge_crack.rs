@@ -29,7 +29,8 @@ fn tension_by_angle() {
     }
 }
 
-/// Error of K at the defaults: pressures that grow towards the tip are followed by linear tractions between face points.
+/// Error of K at the defaults: pressures that grow towards the tip are represented by linear
+/// tractions between face points.
 const PRESSURE_ERROR: f64 = 3e-3;
 
 #[test]

@@ -1,4 +1,4 @@
-//! Both engines on the same cracks: C and S by what they do to three smooth tractions.
+//! Both engines on the same cracks: C and S by their effect on three smooth tractions.
 
 use crate::common::{Meshed, Of, body, close, largest, surface_crack};
 use railcrack::body::CrackedBody;
@@ -7,7 +7,7 @@ use railcrack::math::{Stress, Vec2};
 
 /// Elements of the dislocation engine: its own error is then below 1e-4.
 const ELEMENTS: usize = 120;
-/// Difference of jumps over the largest, and of K over the largest.
+/// Difference of jumps relative to the largest, and of K relative to the largest.
 const DIFFERENCE: f64 = 5e-3;
 
 /// A named stress of the uncracked rail.

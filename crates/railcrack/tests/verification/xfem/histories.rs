@@ -1,4 +1,5 @@
-//! SIF histories under the passing wheel against independent collocation codes, at the defaults users get.
+//! SIF histories under the passing wheel against independent collocation codes, with the default
+//! settings of users.
 
 use crate::common::{
     Meshed, Rolling, RollingEngine, histories, largest, measured, measured_as, misfit, surface_crack,
@@ -9,7 +10,8 @@ use railcrack::field::DepthProfile;
 use railcrack::fracture::Sif;
 use railcrack::growth::StabilisedPassage;
 
-/// What users are promised of the finite-element engine, over the largest |K| of the case.
+/// Accuracy of the finite-element engine as promised to users, relative to the largest |K| of the
+/// case.
 const PROMISED: f64 = 0.01;
 /// The same for kinks and networks.
 const PROMISED_OF_KINKS: f64 = 0.02;
@@ -18,7 +20,8 @@ const CLOSED: f64 = 5e-3;
 /// Interpenetration over the largest opening.
 const OVERLAP: f64 = 1e-4;
 
-/// K_I at the positions where the face point next to the tip is closed, over the peak of |K_II|; the largest.
+/// The largest K_I at positions where the face point next to the tip is closed, relative to the
+/// peak of |K_II|.
 fn opening_mode_of_closed_tips(result: &StabilisedPassage) -> f64 {
     let passage = &result.passages[result.passages.len() - 1];
     let peak = largest(passage.sifs.iter().flatten().map(|k| k.k2));
@@ -50,14 +53,14 @@ fn agrees(file: &str, rolling: &Rolling, allowed: f64) {
         100.0 * error
     );
     measured(error, allowed, "promised to users, of the peak");
-    measured_as("closed tip", closed, CLOSED, "noise there shows an unstable pair of spaces");
+    measured_as("closed tip", closed, CLOSED, "noise there would show an unstable pair of spaces");
     measured_as("overlap", overlap, OVERLAP, "exact at the face points");
     assert!(error < allowed, "{file}: {:.3} % of the peak, {place}", 100.0 * error);
     assert!(closed < CLOSED, "{file}: K_I of a closed tip {closed:.1e} of the peak of K_II");
     assert!(overlap < OVERLAP, "{file}: faces overlap by {overlap:.1e} of the largest opening");
 }
 
-/// As a run that computes the initial cracks only: a mesh without room for growth.
+/// Settings of a run that computes the initial cracks only: a mesh without room for growth.
 fn rolling(cracks: Vec<Crack>, crack_friction: f64, wheel_friction: f64) -> Rolling<'static> {
     let engine = RollingEngine::Xfem(Meshed::still());
     Rolling { engine, ..Rolling::over(cracks, crack_friction, wheel_friction) }
@@ -86,7 +89,7 @@ fn angles() {
 }
 
 #[test]
-fn frictions_of_the_faces() {
+fn crack_face_friction() {
     agrees("th15_c0_w0.025", &straight(15.0, 0.0, 0.025), PROMISED);
     agrees("th15_c0.2_w0.025", &straight(15.0, 0.2, 0.025), PROMISED);
     agrees("th15_c0.8_w0.025", &straight(15.0, 0.8, 0.025), PROMISED);
@@ -94,7 +97,7 @@ fn frictions_of_the_faces() {
 }
 
 #[test]
-fn frictions_of_the_wheel() {
+fn wheel_rail_friction() {
     agrees("th15_c0.5_w-0.4", &straight(15.0, 0.5, -0.4), PROMISED);
     agrees("th15_c0.5_w0.4", &straight(15.0, 0.5, 0.4), PROMISED);
     agrees("th45_c0.8_w-0.4", &straight(45.0, 0.8, -0.4), PROMISED);

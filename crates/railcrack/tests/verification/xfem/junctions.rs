@@ -1,4 +1,5 @@
-//! Cracks that meet: a crack in two pieces is that crack, and a T-junction is that of the other engine and of a finer mesh.
+//! Joined cracks: a crack in two pieces equals the whole crack, and a T-junction agrees with the
+//! other engine and a finer mesh.
 
 use crate::common::{
     Absolute, Meshed, Of, Rolling, StepControl, TENSION, close, condition, default_elements, joined_body,
@@ -23,7 +24,7 @@ fn in_two_pieces(degrees: f64, share: f64) -> CrackNetwork {
 fn histories(body: &dyn CrackedBody, rolling: &Rolling, friction: f64) -> Vec<f64> {
     let cracks = 1 + body.faces().points.iter().map(|point| point.crack).max().unwrap();
     let passages = rolling.on(&FaceProblem::new(body, &vec![friction; cracks]), &Newton::default());
-    assert!(passages.counts.complementarity_max < 1e-9, "the law of the faces");
+    assert!(passages.counts.complementarity_max < 1e-9, "the contact conditions");
     let passage = &passages.passages[passages.passages.len() - 1];
     passage.sifs.iter().flatten().flat_map(|k| [k.k1, k.k2]).collect()
 }
@@ -57,7 +58,7 @@ fn a_crack_in_two_pieces_is_that_crack() {
     }
 }
 
-/// A crack from the surface that ends on a kinked one below, or on a straight one.
+/// A surface crack that ends on a kinked one below, or on a straight one.
 fn t_junction(right: (f64, f64)) -> CrackNetwork {
     let at = (0.7, -4.0);
     let cracks = vec![polyline(&[(1.0, 0.0), (0.4, -2.0), at]), polyline(&[(-2.3, -4.3), at, right])];
@@ -66,7 +67,8 @@ fn t_junction(right: (f64, f64)) -> CrackNetwork {
 const STRAIGHT: (f64, f64) = (3.7, -3.7);
 const KINKED: (f64, f64) = (3.0, -3.0);
 
-/// Largest differences from the other engine with twice its elements, over the peak: open, with friction and without.
+/// Largest differences from the other engine with twice its elements, relative to the peak: open,
+/// with friction and without.
 fn from_other_engine(network: &CrackNetwork, sizes: &[f64]) -> Vec<[f64; 3]> {
     let rolling = Rolling::over(vec![network.cracks()[0].clone()], 0.3, 0.1);
     let all = |body: &dyn CrackedBody| {
@@ -96,7 +98,8 @@ fn a_t_junction_is_that_of_the_other_engine() {
     }
 }
 
-/// The nodal forces of a stress add up to its resultant on the joining crack and on each side of the junction.
+/// The nodal forces of a stress sum to its resultant on the joining crack and on each side of the
+/// junction.
 #[test]
 fn no_traction_is_lost_or_doubled() {
     let network = t_junction(KINKED);
@@ -126,7 +129,7 @@ fn no_traction_is_lost_or_doubled() {
     }
 }
 
-/// Mirrored cracks that meet have the mirrored history, on a mesh that is mirrored to round-off.
+/// Mirrored joined cracks have the mirrored history, on a mesh that is mirrored to round-off.
 #[test]
 fn mirrored_junctions() {
     let reflect = |p: &Vec2| Vec2::new(-p.x, p.y);

@@ -23,7 +23,7 @@ fn overlapping(gap: f64) -> CrackNetwork {
     ])
 }
 
-/// A tip that comes to the side of another crack, or to the surface.
+/// A tip that approaches the side of another crack, or the surface.
 fn coming(gap: f64) -> CrackNetwork {
     network(vec![polyline(&[(-3.0, -2.53), (-gap, -2.53)]), polyline(&[(0.02, -1.04), (-0.03, -4.02)])])
 }
@@ -32,7 +32,7 @@ fn under_the_surface(depth: f64) -> CrackNetwork {
     network(vec![polyline(&[(0.013, -3.017), (1.013, -depth)])])
 }
 
-/// Largest difference of K from the other engine, over the largest K, and the remarks.
+/// Largest difference of K from the other engine, relative to the largest K, and the remarks.
 fn misfit(network: &CrackNetwork, settings: XfemSettings) -> (f64, Vec<String>) {
     let meshed = Meshed { settings, ..Meshed::of_size(SIZE) };
     let body = meshed.body_of(network);
@@ -64,7 +64,8 @@ fn tips_near_others_and_the_surface() {
     }
 }
 
-/// Cracks that pass through the same elements all along, so that tips end in elements that the other crack cuts.
+/// Cracks that pass through the same elements all along, so that tips end in elements that the
+/// other crack cuts.
 #[test]
 fn several_cracks_in_one_element() {
     for (gap, within) in [(0.2, 1e-3), (0.1, 1e-2)] {
@@ -75,7 +76,7 @@ fn several_cracks_in_one_element() {
     }
 }
 
-/// K does not depend on how far the domain reaches, over a neighbour or not.
+/// K does not depend on the size of the domain, with a neighbour inside or not.
 #[test]
 fn domains_over_a_neighbour() {
     let network = overlapping(2.0 * SIZE);

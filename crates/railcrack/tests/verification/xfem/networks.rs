@@ -5,11 +5,12 @@ use railcrack::body::CrackedBody;
 use railcrack::contact::{FaceProblem, FaceStatus, Newton};
 use railcrack::crack::{Crack, CrackNetwork, End};
 
-/// What the engines may differ by, over the largest K of the crack.
+/// Allowed difference between the engines, relative to the largest K of the crack.
 const DIFFERENCE: f64 = 0.015;
 /// Elements of the other engine along each crack.
 const ELEMENTS: usize = 40;
-/// Output positions: some, or as many as in a run, where some of them come upon the moment at which a tip lets go.
+/// Output positions: some, or as many as in a run, of which some coincide with the moment at which
+/// a tip begins to slip.
 const SOME: usize = 81;
 const ALL: usize = 241;
 
@@ -23,7 +24,7 @@ fn nine() -> Vec<Crack> {
     (0..9).map(|i| surface_crack(3.375 * f64::from(i), 6.0, 15.0)).collect()
 }
 
-/// Each crack two increments longer, which turn like those of a run, by half a degree or so.
+/// Each crack two increments longer, with kinks like those of a run, by half a degree or so.
 fn grown(cracks: &[Crack]) -> Vec<Crack> {
     let longer = |(i, crack): (usize, &Crack)| {
         let turn = (-0.3 - 0.2 * (i % 3) as f64).to_radians();
@@ -33,7 +34,8 @@ fn grown(cracks: &[Crack]) -> Vec<Crack> {
     cracks.iter().enumerate().map(longer).collect()
 }
 
-/// The nine cracks after three increments of a run, of which the last tip makes half of what the others do.
+/// The nine cracks after three increments of a run, of which the last tip makes half as much as the
+/// others.
 fn nine_of_a_run() -> Vec<Crack> {
     let increments = [
         [0.2173, 0.2243, 0.2323],
@@ -51,13 +53,13 @@ fn nine_of_a_run() -> Vec<Crack> {
     nine().into_iter().zip(&increments).map(|(crack, own)| own.iter().fold(crack, longer)).collect()
 }
 
-/// The largest difference at any position of each crack, over its largest |K|.
+/// The largest difference at any position for each crack, relative to its largest |K|.
 fn differences(start: &[Crack], cracks: &[Crack], friction: f64, wheel: f64) -> Vec<f64> {
     let off = differences_by_position(start, cracks, friction, wheel, SOME);
     off.into_iter().map(largest).collect()
 }
 
-/// The difference at each of `positions` of each crack, over its largest |K|.
+/// The difference at each of `positions` for each crack, relative to its largest |K|.
 fn differences_by_position(
     start: &[Crack],
     cracks: &[Crack],
@@ -108,15 +110,16 @@ fn nine_parallel_cracks() {
     compare("nine, grown", &differences(&nine(), &grown(&nine()), 0.5, 0.1));
 }
 
-/// At all positions of a run: some of them come upon the moment at which a tip lets go, and K_II falls by two thirds over 0.4 mm of wheel
-/// travel.
+/// At all positions of a run: some coincide with the moment at which a tip begins to slip, and K_II
+/// falls by two thirds over 0.4 mm of wheel travel.
 #[test]
 fn nine_parallel_cracks_of_a_run() {
     let off = differences_by_position(&nine(), &nine_of_a_run(), 0.5, 0.1, ALL);
     compare("nine, of a run", &off.into_iter().map(largest).collect::<Vec<_>>());
 }
 
-/// While the face point next to a tip sticks, K is the same to the last bit, and it does not jump as that point lets go.
+/// While the face point next to a tip sticks, K is the same to the last bit, and it does not jump
+/// as that point begins to slip.
 #[test]
 fn a_tip_that_sticks_keeps_its_k() {
     let cracks = vec![surface_crack(0.0, 6.0, 15.0)];

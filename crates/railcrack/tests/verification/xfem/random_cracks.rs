@@ -1,4 +1,5 @@
-//! Random cracks, many of them in awkward places of the mesh, on one mesh: K against the dislocation engine, and C.
+//! Random cracks, many of them in awkward positions relative to the mesh, on one mesh: K against
+//! the dislocation engine, and the condition of C.
 
 use crate::common::{Of, close, condition, largest, measured_as, sifs_under, steel};
 use railcrack::body::CrackedBody;
@@ -11,7 +12,7 @@ use railcrack::xfem::{XfemBody, XfemSettings};
 use rayon::prelude::*;
 use std::sync::Arc;
 
-/// Size of the elements, mm: a power of two, so that nodes are where products of whole numbers with it are.
+/// Size of the elements, mm: a power of two, so that nodes lie exactly at integer multiples of it.
 const H: f64 = 0.25;
 /// Half width and depth of the fine part, mm.
 const FINE: (f64, f64) = (8.0, 8.0);
@@ -40,7 +41,7 @@ fn rail() -> Arc<BulkRail> {
     )
 }
 
-/// Numbers that look random and are the same in every run: splitmix64 (Steele, Lea & Flood 2014).
+/// Pseudo-random numbers that are the same in every run: splitmix64 (Steele, Lea & Flood 2014).
 struct Random(u64);
 
 impl Random {
@@ -57,7 +58,7 @@ impl Random {
         choices[(self.between(0.0, choices.len() as f64) as usize).min(choices.len() - 1)]
     }
 
-    /// The point moved to an awkward place of the mesh, or left where it is.
+    /// The point moved to an awkward position relative to the mesh, or left unchanged.
     fn awkward(&mut self, p: Vec2) -> Vec2 {
         let sliver = self.pick(&[0.0, 0.0, 1e-9, -1e-9, 1e-6, -1e-6, 1e-3]) * H;
         let (x, y) = ((p.x / H).round() * H, (p.y / H).round() * H);
@@ -70,7 +71,8 @@ impl Random {
         }
     }
 
-    /// Straight or kinked, from the surface or buried; often through nodes and along lines of the mesh.
+    /// Straight or kinked, from the surface or buried; often through nodes and along lines of the
+    /// mesh.
     fn crack(&mut self) -> Option<Crack> {
         let buried = self.between(0.0, 1.0) < 0.25;
         let mut points = vec![if buried {
@@ -105,13 +107,13 @@ impl Random {
     }
 }
 
-/// Kinks and tips keep this distance from the surface, mm: thin ligaments need smaller elements.
+/// Least depth of kinks and tips, mm: thin ligaments need smaller elements.
 const MIN_DEPTH: f64 = 0.8;
 const CRACKS: usize = 1000;
 /// Difference of K between the engines, over |K|, with a twentieth of the crack per element.
 const ERROR: f64 = 5e-3;
-/// Condition number of C scaled to a unit diagonal: 7e3 without kinks, 1e4 with them. Twenty times that would show face points that draw
-/// together where no function can follow.
+/// Condition number of C scaled to a unit diagonal: 7e3 without kinks, 1e4 with them. Twenty times
+/// that would show face points that crowd where no function can follow.
 const CONDITION: f64 = 1e5;
 
 /// Opens cracks of every direction.
@@ -120,7 +122,7 @@ const STRESS: Stress = Stress { xx: 1.0, yy: 0.8, ..Stress::ZERO };
 struct Outcome {
     crack: Crack,
     error: f64,
-    /// Of C, infinite where it is not symmetric positive definite.
+    /// Condition number of C, infinite where it is not symmetric positive definite.
     condition: f64,
 }
 
@@ -167,7 +169,8 @@ fn agree_with_dislocations() {
     assert!(worst.condition < CONDITION, "condition number {:.1e}", worst.condition);
 }
 
-/// Straight through nodes, where the elements beside the crack are touched in one point; and off a line of the mesh by one bit.
+/// Straight through nodes, where the elements beside the crack are touched at one point; and one
+/// bit off a line of the mesh.
 #[test]
 fn through_nodes_and_along_lines() {
     let rail = rail();

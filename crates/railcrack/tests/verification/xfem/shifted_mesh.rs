@@ -1,4 +1,4 @@
-//! K does not depend on where the lines of the mesh happen to be.
+//! K does not depend on the position of the mesh lines.
 
 use crate::common::{Meshed, Of, TENSION, buried_crack, close, largest, sifs_under, steel, surface_crack};
 use railcrack::bulk::{Boundary, BulkRail};
@@ -8,7 +8,7 @@ use railcrack::mesh::QuadMesh;
 use railcrack::xfem::{MeshSettings, Outline, Window, XfemBody, XfemSettings};
 use std::sync::Arc;
 
-/// Difference of K from that on the first mesh, over the largest K.
+/// Difference of K from that on the first mesh, relative to the largest K.
 const DIFFERENCE: f64 = 5e-3;
 /// Distance of a line from the tip or the mouth, in elements.
 const SHIFTS: [f64; 8] = [0.0, 0.1, 0.25, 0.5, 1e-6, -1e-6, 1e-9, -1e-9];
@@ -17,7 +17,7 @@ fn nearest(lines: &[f64], at: f64) -> f64 {
     *lines.iter().min_by(|a, b| (*a - at).abs().total_cmp(&(*b - at).abs())).unwrap()
 }
 
-/// Lines moved along so that one passes at `at` + `shift`; the ends and the surface stay.
+/// Lines shifted so that one passes at `at` + `shift`; the ends and the surface stay.
 fn moved(lines: &[f64], at: f64, shift: f64) -> Vec<f64> {
     let (old, last) = (nearest(lines, at), lines.len() - 1);
     let by = at + shift - old;

@@ -1,4 +1,4 @@
-//! Tips that have turned and gone on by a few elements only, closed and under friction, against the other engine.
+//! Tips a few elements behind a kink, closed and with friction, against the other engine.
 
 use crate::common::{Absolute, Meshed, Rolling, StepControl, close, joined_body, largest, surface_crack};
 use railcrack::body::{BodyEngine, CrackedBody};
@@ -11,8 +11,9 @@ const FRICTION: f64 = 0.3;
 /// Elements of the other engine.
 const FINE: usize = 120;
 
-/// The largest difference of K over its peak, and the remarks, of a crack of 6 mm that has turned by `turn` (degrees) and back by a
-/// fifth of it in every further increment of `elements`, on the mesh of the crack at the beginning.
+/// The largest difference of K relative to its peak, and the remarks, for a crack of 6 mm that has
+/// kinked by `turn` (degrees) and back by a fifth of it in every further increment of `elements`,
+/// on the mesh of the initial crack.
 fn misfit(elements: f64, turn: f64, increments: usize) -> (f64, Vec<String>) {
     let start = surface_crack(0.0, 6.0, 15.0);
     let longer = |crack: Crack, i: usize| {
@@ -48,25 +49,26 @@ fn increments_of_a_run() {
     ] {
         let (off, remarks) = misfit(2.4, turn, increments);
         println!("{turn}°, {increments} increments: {:.2} %", 100.0 * off);
-        close(off, 0.0, Absolute(within), "the corner is held by functions of its own");
+        close(off, 0.0, Absolute(within), "the corner has enrichment functions of its own");
         assert!(remarks.is_empty(), "{turn}°, {increments} increments: {remarks:?}");
     }
 }
 
-/// Of a tip that is slower than others. Pressures that alternate made 60 to 280 % of this.
+/// For a tip that is slower than others. With oscillating pressures the error was 60 to 280 % of
+/// this.
 #[test]
-fn small_turns_of_slow_tips() {
+fn small_kinks_of_slow_tips() {
     for (elements, increments) in [(0.25, 1), (0.25, 3), (0.5, 1), (0.5, 3), (1.0, 3)] {
         let (off, _) = misfit(elements, 5.0, increments);
         println!("{elements} elements, {increments} increments: {:.2} %", 100.0 * off);
-        close(off, 0.0, Absolute(0.04), "the face element there runs across the turns");
+        close(off, 0.0, Absolute(0.04), "the face element there runs across the kinks");
     }
 }
 
-/// What is not resolved is told.
+/// An unresolved kink is reported.
 #[test]
-fn sharp_turns_of_slow_tips_are_told() {
+fn sharp_kinks_of_slow_tips_are_reported() {
     let (off, remarks) = misfit(0.5, 70.0, 1);
     println!("half an element behind 70°: {:.0} %", 100.0 * off);
-    assert!(remarks.iter().any(|remark| remark.contains("behind a turn of 70°")), "{remarks:?}");
+    assert!(remarks.iter().any(|remark| remark.contains("behind a kink of 70°")), "{remarks:?}");
 }

@@ -23,7 +23,8 @@ fn with_domains<T>(meshed: &Meshed, cracks: &[Crack], look: impl Fn(&XfemBody) -
     })
 }
 
-/// The largest difference of rows from that of the default domain, over the largest value of all.
+/// The largest difference of rows from that of the default domain, relative to the largest value of
+/// all.
 fn spread(rows: &[Vec<f64>]) -> f64 {
     let peak = largest(rows.iter().flatten().copied());
     largest(rows.iter().flat_map(|row| row.iter().zip(&rows[1]).map(|(a, b)| a - b))) / peak
@@ -55,7 +56,8 @@ fn open() {
     }
 }
 
-/// Under the wheel, with friction: C does not know of the domain, so the faces do the same and only K differs.
+/// Under the wheel, with friction: C does not depend on the domain, so the faces behave identically
+/// and only K differs.
 #[test]
 fn closed_with_friction() {
     for (name, crack, meshed) in cracks() {

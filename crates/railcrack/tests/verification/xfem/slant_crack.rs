@@ -1,4 +1,4 @@
-//! Slant cracks so deep that the surface is not felt: the closed forms of the wide plate.
+//! Slant cracks far from the surface: the closed forms of the infinite plate.
 
 use crate::common::{Meshed, Of, buried_crack, close, sifs_under, steel};
 use railcrack::body::CrackedBody;

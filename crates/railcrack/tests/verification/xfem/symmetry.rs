@@ -1,4 +1,4 @@
-//! Mirrored cracks, cracks far apart, threads, and bodies made after others.
+//! Mirrored cracks, cracks far apart, number of threads, and bodies computed after others.
 
 use crate::common::{
     Absolute, Meshed, Of, Rolling, TENSION, close, largest, sifs_under, steel, surface_crack,
@@ -19,7 +19,8 @@ fn samples(result: &StabilisedPassage) -> Vec<(f64, f64)> {
 /// Difference of K of mirrored cases over its peak: round-off.
 const MIRROR: f64 = 2e-11;
 
-/// Mirrored cracks, wheel friction and travel: the same history with the other sign of K_II. The mesh is mirrored to round-off.
+/// Mirrored cracks, wheel–rail friction and travel: the same history with the other sign of K_II.
+/// The mesh is mirrored to round-off.
 #[test]
 fn mirrored_passage() {
     for (degrees, friction, wheel) in [(15.0, 0.5, 0.025), (45.0, 0.8, -0.4)] {
@@ -37,7 +38,7 @@ fn mirrored_passage() {
     }
 }
 
-/// What a crack 20 lengths away changes K by, over K_I.
+/// Effect on K of a crack 20 lengths away, relative to K_I.
 const APART: f64 = 1e-2;
 
 /// The single crack is computed on the mesh of the pair.
@@ -79,7 +80,7 @@ fn same_bits_with_any_number_of_threads() {
     assert!(with_threads(1) == with_threads(3), "a body depends on the number of threads");
 }
 
-/// An engine that made other bodies before makes the next one as a fresh engine does.
+/// An engine that has computed other bodies gives the next one like a fresh engine.
 #[test]
 fn same_bits_after_other_cracks() {
     let meshed = Meshed { element_size: Some(0.15), expected_growth: 1.5, ..Meshed::default() };

@@ -1,4 +1,5 @@
-//! Cracks of unlike lengths: the elements of each follow its own, and nothing depends on the unit of length.
+//! Cracks of different lengths: the elements of each follow its own, and nothing depends on the
+//! unit of length.
 
 use crate::common::{
     Absolute, Meshed, Of, Rolling, close, joined_body, largest, polyline, sifs_of, surface_crack,
@@ -10,12 +11,13 @@ use railcrack::fracture::Sif;
 use railcrack::math::Stress;
 
 const MIXED: Stress = Stress { xx: 1.0, yy: 0.8, xy: 0.4, zz: 0.0 };
-/// What the engines may differ by, over the largest K of the crack.
+/// Allowed difference between the engines, relative to the largest K of the crack.
 const DIFFERENCE: f64 = 0.015;
 /// Elements of the other engine along each crack.
 const FINE: usize = 96;
 
-/// The cracks of `cases/junction.toml`, the short one buried, and a short one on the surface behind the mouth of the long one.
+/// The cracks of `cases/junction.toml`, the short one buried, and a short one on the surface behind
+/// the mouth of the long one.
 fn pairs() -> [(&'static str, Vec<Crack>); 2] {
     let long = surface_crack(0.0, 6.0, 15.0);
     [
@@ -53,7 +55,8 @@ fn a_short_crack_beside_a_long_one() {
     }
 }
 
-/// C has no unit of length, K under a stress grows with the root of the size. A factor of two to a power changes no digits.
+/// C is independent of the unit of length, K under a stress grows with the root of the size. A
+/// power of two as factor changes no digits.
 #[test]
 fn no_unit_of_length() {
     let scaled = |crack: &[(f64, f64)], by: f64| {

@@ -1,5 +1,5 @@
-//! Random cracks under random wheels: every step is solved, and every solution obeys the law of the faces and is in
-//! equilibrium, as written down here a second time.
+//! Random cracks under random wheels: every load step is solved, and every solution satisfies the
+//! contact conditions and equilibrium, formulated here independently.
 
 use crate::common::{Rolling, StepControl, largest};
 use proptest::prelude::*;
@@ -10,15 +10,16 @@ use railcrack::contact::{
 use railcrack::crack::{Crack, End, segment_distance};
 use railcrack::math::Vec2;
 
-/// Violation allowed to Newton, over the largest load and jump seen so far. Its own limit is 1e-11 of the largest jump of
-/// all iterates, which passes that of the solutions by up to a thousand where a flap between cracks is nearly loose:
-/// 1.5e-8 in one of 1500 cases.
+/// Violation allowed for Newton, relative to the largest load and jump seen so far. Its own limit
+/// is 1e-11 of the largest jump of all iterates, which exceeds that of the solutions by up to a
+/// thousand where a flap between cracks is nearly loose: 1.5e-8 in one of 1500 cases.
 const DIRECT: f64 = 1e-7;
-/// Violation allowed to LATIN: jumps that differ by its indicator, 1e-9, times the stiffness of the shortest elements.
-/// Measured 3e-8.
+/// Violation allowed for LATIN: jumps that differ by its indicator, 1e-9, times the stiffness of
+/// the shortest elements. Measured 3e-8.
 const ITERATED: f64 = 1e-6;
 
-/// A solver whose every solution is checked to break the law by less than the number.
+/// A solver whose every solution is checked to violate the contact conditions by less than the
+/// number.
 struct Checked<'s>(&'s dyn ContactSolver, f64);
 
 struct CheckedSteps<'a> {
@@ -74,7 +75,7 @@ fn violation(problem: &FaceProblem, solution: &FaceSolution, step: LoadStep, sca
         worst = worst.max((shear.abs() - limit) / force_scale);
         worst = worst.max((opening / jump_scale).min(pressure / force_scale));
         let slipped = slip - step.reference_slip[point];
-        // Slip under pressure goes the way of the shear, which is at its limit.
+        // Slip under pressure has the direction of the shear, which is at its limit.
         let short = (limit - shear * slipped.signum()) / force_scale;
         worst =
             worst.max((slipped.abs() / jump_scale).min(short).min(if pressure > 0.0 { 1.0 } else { 0.0 }));
@@ -82,7 +83,8 @@ fn violation(problem: &FaceProblem, solution: &FaceSolution, step: LoadStep, sca
     worst
 }
 
-/// Cracks that the elements of these tests resolve: at least this far from each other and below the surface, mm.
+/// Least distance of the cracks from each other and from the surface, mm, which the elements of
+/// these tests resolve.
 const APART: f64 = 0.3;
 
 fn are_apart(cracks: &[Crack]) -> bool {
@@ -96,7 +98,8 @@ fn are_apart(cracks: &[Crack]) -> bool {
     !cracks.iter().enumerate().any(meeting) && !cracks.iter().any(shallow)
 }
 
-/// One to three cracks, each straight or kinked, some distance apart; friction of faces and wheel; travel.
+/// One to three cracks, each straight or kinked, some distance apart; crack-face and wheel–rail
+/// friction; travel.
 fn any_rolling() -> impl Strategy<Value = Rolling<'static>> {
     let crack = (1.5..9.0, 12.0..168.0, prop::option::of((0.1..0.6, -60.0..60.0)));
     let gaps = (0.3..6.0, 0.3..6.0);
@@ -151,8 +154,8 @@ fn by_latin() {
     holds_for(6, Checked(&Latin::default(), ITERATED));
 }
 
-/// A kink that rises at 58° towards a shallow crack above it, and rough faces: Newton's method cycles at x_c = 24.4 mm in
-/// steps of any length, and LATIN is what a run falls back to.
+/// A kink that rises at 58° towards a shallow crack above it, and rough faces: Newton's method
+/// cycles at x_c = 24.4 mm in steps of any length, and a run falls back to LATIN.
 #[test]
 fn rough_faces_of_a_kink_below_a_crack() {
     let kinked = vec![Vec2::new(0.0, 0.0), Vec2::new(5.2758, -3.4512), Vec2::new(8.189, -2.0899)];
