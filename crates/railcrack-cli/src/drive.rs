@@ -4,7 +4,7 @@ use crate::exit::Exit;
 use crate::interruption::Interruption;
 use crate::progress::Tell;
 use railcrack::case::CarriedStressError;
-use railcrack::growth::{Growth, GrowthError, GrowthState, StepRecord, Watch};
+use railcrack::growth::{Growth, GrowthError, GrowthState, Observer, StepRecord};
 use railcrack::output::{OutputError, Recorder, Summary};
 use railcrack::shakedown::ShakedownError;
 use std::path::PathBuf;
@@ -14,13 +14,13 @@ use thiserror::Error;
 /// What computes steps: [`Growth`], and synthetic runs in tests.
 pub trait StepSource {
     /// The next step; none when the run has ended. On an error the state is that before the step.
-    fn next_step(&mut self, watch: &dyn Watch) -> Result<Option<StepRecord>, GrowthError>;
+    fn next_step(&mut self, watch: &dyn Observer) -> Result<Option<StepRecord>, GrowthError>;
     /// The state after the last computed step.
     fn state(&self) -> &GrowthState;
 }
 
 impl StepSource for Growth {
-    fn next_step(&mut self, watch: &dyn Watch) -> Result<Option<StepRecord>, GrowthError> {
+    fn next_step(&mut self, watch: &dyn Observer) -> Result<Option<StepRecord>, GrowthError> {
         Growth::next_step(self, watch)
     }
 
@@ -115,7 +115,7 @@ struct Watcher<'a> {
     interruption: &'a Interruption,
 }
 
-impl Watch for Watcher<'_> {
+impl Observer for Watcher<'_> {
     fn progress(&self, fraction: f64) {
         self.progress.fraction(fraction);
     }

@@ -1,7 +1,7 @@
 use super::*;
 use crate::drive::StepSource;
 use clap::Parser;
-use railcrack::growth::{GrowthError, StepRecord, Watch};
+use railcrack::growth::{GrowthError, Observer, StepRecord};
 use railcrack::output::OutputError;
 use std::fs;
 use support::{SMALL, Scratch, case, info, step};
@@ -27,7 +27,7 @@ struct Synthetic {
 }
 
 impl StepSource for Synthetic {
-    fn next_step(&mut self, watch: &dyn Watch) -> Result<Option<StepRecord>, GrowthError> {
+    fn next_step(&mut self, watch: &dyn Observer) -> Result<Option<StepRecord>, GrowthError> {
         let now = self.state.step;
         watch.progress(0.5);
         if self.interrupted_in == Some(now) {

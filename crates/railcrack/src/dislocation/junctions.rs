@@ -7,7 +7,7 @@
 //! these: constant up to a tenth of its radius, from there linear to p_k = w_k − σ_k (Σ σ_j w_j)/n at the junction, the nearest jumps that
 //! leave nothing over.
 
-use crate::body::{FaceElement, FaceMesh, FaceSample, MeshPoint};
+use crate::body::{FaceElement, FaceMesh, FacePoint, FaceSample};
 use crate::crack::{CrackNetwork, End, Walk};
 
 /// Part of the radius of a core over which the jumps of the arms are brought together. The law of the faces at the edge of the
@@ -152,12 +152,12 @@ impl Ties {
             *node = number(*node);
         }
         let ties = Self { follows, own };
-        let points = free.iter().map(|&i| MeshPoint { weight: 0.0, ..faces.points[i] }).collect();
+        let points = free.iter().map(|&i| FacePoint { weight: 0.0, ..faces.points[i] }).collect();
         let reduced = ties.reduced(points, faces);
         (ties, reduced)
     }
 
-    fn reduced(&self, mut points: Vec<MeshPoint>, faces: &FaceMesh) -> FaceMesh {
+    fn reduced(&self, mut points: Vec<FacePoint>, faces: &FaceMesh) -> FaceMesh {
         // The length of a point is that of its own arm: what arms lend each other has other directions.
         for (&own, point) in self.own.iter().zip(&faces.points) {
             points[own].weight += point.weight;

@@ -28,12 +28,12 @@ pub struct Kink {
     /// Δk2 of the virtual kink, MPa √mm.
     pub delta_k2: f64,
     /// The best other direction, if there is one.
-    pub rival: Option<Rival>,
+    pub secondary: Option<SecondaryMaximum>,
 }
 
 /// Another local maximum of the criterion, at least 15° from the chosen one. An end of the searched range is none.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Rival {
+pub struct SecondaryMaximum {
     /// β, radians.
     pub angle: f64,
     /// Its value over the best one: of the growth rate (without threshold) for [`DirectionCriterion::MaxRate`], of
@@ -43,8 +43,8 @@ pub struct Rival {
 
 /// Grid of the first search, radians: the kink functions change by 2 % over it.
 const GRID_STEP: f64 = std::f64::consts::PI / 180.0;
-/// A rival is at least this far from the best direction, radians.
-pub(crate) const RIVAL_DISTANCE: f64 = 15.0 * std::f64::consts::PI / 180.0;
+/// A secondary is at least this far from the best direction, radians.
+pub(crate) const SECONDARY_DISTANCE: f64 = 15.0 * std::f64::consts::PI / 180.0;
 /// Maxima whose criteria differ by less, relatively, are ties: round-off of the history must not choose between them.
 const TIE: f64 = 1e-9;
 /// Angles closer than this (radians) count as equally far from straight ahead: the resolution of a maximum in double
@@ -65,7 +65,7 @@ impl HourlierPineau {
     /// end of the range can be chosen. Ties go to the smaller |β|, then to the positive (counter-clockwise) one; apart
     /// from the latter, a history with K_II reversed gives exactly the opposite angle.
     pub fn kink(&self, history: &SifHistory) -> Option<Kink> {
-        if !history.samples.iter().all(|k| k.k1.is_finite() && k.k2.is_finite()) {
+        if !history.samples.iter().all(|k| k.ki.is_finite() && k.kii.is_finite()) {
             return None;
         }
         let extremes = convex_hull(&history.samples);
@@ -75,20 +75,20 @@ impl HourlierPineau {
             return None;
         }
         let best = maxima.iter().filter(|m| m.value >= top * (1.0 - TIE)).copied().reduce(preferred)?;
-        let rival = maxima
+        let secondary = maxima
             .iter()
-            .filter(|m| (m.angle - best.angle).abs() >= RIVAL_DISTANCE && m.value > 0.0)
+            .filter(|m| (m.angle - best.angle).abs() >= SECONDARY_DISTANCE && m.value > 0.0)
             .filter(|m| m.angle.abs() < KINK_ANGLES.end() - SAME_ANGLE)
             .copied()
             .reduce(|a, b| if b.value > a.value * (1.0 + TIE) { b } else { a })
-            .map(|m| Rival { angle: m.angle, ratio: self.ratio(m.value, best.value) });
+            .map(|m| SecondaryMaximum { angle: m.angle, ratio: self.ratio(m.value, best.value) });
         let ranges = KinkRanges::of(&extremes, best.angle);
         Some(Kink {
             angle: best.angle,
             rate: self.law.rate(ranges.delta_k1, ranges.delta_k2),
             delta_k1: ranges.delta_k1,
             delta_k2: ranges.delta_k2,
-            rival,
+            secondary,
         })
     }
 

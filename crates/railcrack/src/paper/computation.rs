@@ -5,7 +5,7 @@ use super::reproduce::{Earlier, PaperError, Telling};
 use super::stored::{store, stored};
 use super::{CaseRun, Effort};
 use crate::case::{Case, NextRun, RunQueue, WaitingRun};
-use crate::growth::Watch;
+use crate::growth::Observer;
 use std::path::Path;
 use std::sync::{Arc, OnceLock};
 use std::time::Instant;
@@ -80,7 +80,7 @@ impl Computation<'_> {
 /// Passes on whether to stop; the progress within a run is nobody's business.
 struct Silent<'a>(&'a dyn Telling);
 
-impl Watch for Silent<'_> {
+impl Observer for Silent<'_> {
     fn progress(&self, _: f64) {}
 
     fn interrupted(&self) -> bool {

@@ -10,7 +10,7 @@ use super::steel::{STEELS, Steel};
 use super::stored::RUNS;
 use super::{CLAIMS, FIGURES, Results, Verdict, page, path_plot, sif_plot};
 use crate::case::{CarriedStressError, Case, CaseErrors};
-use crate::growth::{GrowthError, Watch};
+use crate::growth::{GrowthError, Observer};
 use crate::material::HardeningError;
 use crate::output::OutputError;
 use crate::output::report::rebuild_report;
@@ -20,7 +20,7 @@ use std::sync::Arc;
 use thiserror::Error;
 
 /// Someone who is told how far it is, and may interrupt it.
-pub trait Telling: Watch {
+pub trait Telling: Observer {
     /// So many runs are to be done.
     fn planned(&self, runs: usize);
     /// The run `name` is done, after `wall_s` seconds.

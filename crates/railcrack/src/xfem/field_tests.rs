@@ -113,7 +113,7 @@ fn ahead_of_the_tip_stress_goes_like_the_sif_over_the_root() {
     let body = body(degrees, 0.1);
     let (forces, grid, field) = under_tension(&body, 1.0);
     let k = body.sif_influence().times(&forces);
-    let williams = WilliamsField::of(Sif { k1: k[0], k2: k[1] }, &steel());
+    let williams = WilliamsField::of(Sif { ki: k[0], kii: k[1] }, &steel());
     let ahead = Vec2::unit(-degrees.to_radians());
     let mut ratios = Vec::new();
     for (point, stress) in grid.inside.iter().zip(&field.stress) {

@@ -2,7 +2,7 @@
 
 use crate::common::measured;
 use railcrack::case::{Case, Overrides};
-use railcrack::growth::Unwatched;
+use railcrack::growth::Unobserved;
 use railcrack::math::Vec2;
 use std::path::Path;
 
@@ -28,7 +28,7 @@ impl Rolled {
         let case = Case::parse_with(&text, "case.toml", Path::new(""), &overrides).unwrap();
         let mut run = case.prepare(None).unwrap().growth(None);
         let mut path = Vec::new();
-        while let Some(step) = run.next_step(&Unwatched).unwrap() {
+        while let Some(step) = run.next_step(&Unobserved).unwrap() {
             path.push(Vec2::new(step.tips[0].x, step.tips[0].y));
         }
         path

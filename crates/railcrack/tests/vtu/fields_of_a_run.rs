@@ -4,7 +4,7 @@ use super::other_programs::read_back;
 use super::scratch;
 use railcrack::case::Case;
 use railcrack::contact::FaceState;
-use railcrack::growth::Unwatched;
+use railcrack::growth::Unobserved;
 use railcrack::output::{CaseFiles, Existing, Recorder, RunInfo};
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -38,7 +38,7 @@ fn meshio_reads_the_fields_of_a_run() {
     let files = CaseFiles { toml: case.to_toml(), companions: Vec::new() };
     let mut recorder = Recorder::start(&folder, files, info, Existing::Refuse).unwrap();
     let mut growth = case.prepare(None).unwrap().growth(None);
-    let record = growth.next_step(&Unwatched).unwrap().unwrap();
+    let record = growth.next_step(&Unobserved).unwrap().unwrap();
     recorder.record(&record, growth.state()).unwrap();
 
     let read = read_back(&folder.join("fields/step-0000-position-0011.vtu"));

@@ -1,8 +1,9 @@
 //! `faces.csv`: the crack faces during the stabilised passage.
 
 use super::{Rows, header};
+use crate::body::FacePoint;
 use crate::contact::FaceStatus;
-use crate::growth::{FacePoint, StepRecord};
+use crate::growth::StepRecord;
 
 pub(crate) const FACES_FILE: &str = "faces.csv";
 

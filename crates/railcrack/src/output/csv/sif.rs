@@ -2,7 +2,6 @@
 
 use super::{Rows, header};
 use crate::growth::StepRecord;
-use crate::math::MPA_SQRT_MM;
 
 pub(crate) const SIF_FILE: &str = "sif.csv";
 
@@ -52,8 +51,8 @@ pub(crate) fn sif_rows(rows: &mut Rows, record: &StepRecord, scale: SifScale) {
                 rows.count(i + 1);
                 rows.real(xc_mm, xc);
                 rows.real(xc_over_a, scale.over_a(xc));
-                rows.real(ki, sif.k1 / MPA_SQRT_MM);
-                rows.real(kii, sif.k2 / MPA_SQRT_MM);
+                rows.real(ki, sif.ki_mpa_sqrt_m());
+                rows.real(kii, sif.kii_mpa_sqrt_m());
                 rows.end();
             }
         }

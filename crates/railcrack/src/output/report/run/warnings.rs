@@ -1,7 +1,7 @@
 //! What the reader must not miss.
 
 use super::stored::RunFolder;
-use crate::growth::Warning;
+use crate::growth::{Warning, WarningKind};
 use crate::output::report::numbers::{fixed, significant};
 use crate::output::shown::ShownRun;
 use std::fmt::Write;
@@ -23,10 +23,10 @@ pub(super) fn warnings(run: &RunFolder) -> Vec<String> {
         );
     }
     let all = &run.summary.warnings;
-    let mut kinds: Vec<&str> = Vec::new();
+    let mut kinds: Vec<WarningKind> = Vec::new();
     for warning in all {
-        if !kinds.contains(&warning.kind.as_str()) {
-            kinds.push(&warning.kind);
+        if !kinds.contains(&warning.kind) {
+            kinds.push(warning.kind);
         }
     }
     for kind in kinds {
@@ -36,14 +36,13 @@ pub(super) fn warnings(run: &RunFolder) -> Vec<String> {
     texts
 }
 
-fn grouped_text(kind: &str, warnings: &[&Warning]) -> String {
+fn grouped_text(kind: WarningKind, warnings: &[&Warning]) -> String {
     let heading = match kind {
-        "near-tie" => "Near ties of directions: read the path as one of several",
-        "passages" => "Passages did not repeat within their limit",
-        "contact-fallback" => "The other contact solver took over",
-        "engine" => "The engine remarks",
-        "residual-stress" => "Residual stress",
-        other => other,
+        WarningKind::NearTie => "Near ties of directions: read the path as one of several",
+        WarningKind::Passages => "Passages did not repeat within their limit",
+        WarningKind::ContactFallback => "The other contact solver took over",
+        WarningKind::Engine => "The engine remarks",
+        WarningKind::ResidualStress => "Residual stress",
     };
     let mut text = format!("{heading}. ");
     let several =
