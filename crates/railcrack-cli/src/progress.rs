@@ -102,7 +102,7 @@ fn bar(increments: usize) -> ProgressBar {
 
 /// Cracks that join others in this step, and pieces that it encloses.
 fn events(record: &StepRecord) -> Vec<String> {
-    let joins = |tip: &&TipRecord| tip.stop == Some(TipStop::MeetsCrack) && tip.increment != 0.0;
+    let joins = |tip: &&TipRecord| tip.stop == Some(TipStop::Coalescence) && tip.increment != 0.0;
     let joined = record
         .tips
         .iter()

@@ -3,7 +3,7 @@
 use super::PaperError;
 use railcrack::contact::FaceStatus;
 use railcrack::crack::Crack;
-use railcrack::growth::{GrowthError, StepRecord, Watch};
+use railcrack::growth::{GrowthError, Observer, StepRecord};
 use railcrack::math::MPA_SQRT_MM;
 use railcrack_case::{Case, SharedRail};
 use serde::{Deserialize, Serialize};
@@ -92,7 +92,7 @@ impl CaseRun {
         name: &str,
         case: &Case,
         rail: Option<&SharedRail>,
-        watch: &dyn Watch,
+        watch: &dyn Observer,
     ) -> Result<Self, PaperError> {
         let failed = |source| PaperError::Run { name: name.to_owned(), source };
         let stress = |source| PaperError::Stress { name: name.to_owned(), source };
@@ -125,7 +125,7 @@ impl CaseRun {
         for ((crack, tip), grown) in record.cracks.iter().zip(&record.tips).zip(&mut self.cracks) {
             grown.points = points(crack);
             // A slow crack shows where it is going before it has gone a whole increment.
-            let waiting = tip.waiting;
+            let waiting = tip.deferred;
             if waiting.length > 0.0 {
                 let to = crack.tip(tip.tip.end) + waiting.direction * waiting.length;
                 grown.points.push([to.x, -to.y]);
@@ -137,8 +137,8 @@ impl CaseRun {
                 delta_kii: tip.delta_kii / MPA_SQRT_MM,
                 delta_keq: tip.delta_keq / MPA_SQRT_MM,
                 kink: tip.kink.map(f64::to_degrees),
-                rival: tip.rival.map(f64::to_degrees),
-                rival_ratio: tip.rival_ratio,
+                rival: tip.secondary.map(f64::to_degrees),
+                rival_ratio: tip.secondary_ratio,
                 load_cycles: record.load_cycles,
             });
         }
@@ -160,8 +160,8 @@ fn initial(case: &Case, record: &StepRecord) -> Vec<CrackGrowth> {
     let of = |(i, (crack, sifs)): (usize, (&Crack, &Vec<railcrack::fracture::Sif>))| CrackGrowth {
         sif: SifCurve {
             position: position.clone(),
-            ki: sifs.iter().map(|k| k.k1 / MPA_SQRT_MM).collect(),
-            kii: sifs.iter().map(|k| k.k2 / MPA_SQRT_MM).collect(),
+            ki: sifs.iter().map(|k| k.ki / MPA_SQRT_MM).collect(),
+            kii: sifs.iter().map(|k| k.kii / MPA_SQRT_MM).collect(),
             sticks: sticks(i),
         },
         steps: Vec::new(),

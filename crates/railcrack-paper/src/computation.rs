@@ -4,7 +4,7 @@ use super::plan::Job;
 use super::reproduce::{Earlier, PaperError, Telling};
 use super::stored::{store, stored};
 use super::{CaseRun, Effort};
-use railcrack::growth::Watch;
+use railcrack::growth::Observer;
 use railcrack_case::Case;
 use railcrack_run::queue::{NextRun, RunQueue, WaitingRun};
 use std::path::Path;
@@ -81,7 +81,7 @@ impl Computation<'_> {
 /// Passes on whether to stop; the progress within a run is nobody's business.
 struct Silent<'a>(&'a dyn Telling);
 
-impl Watch for Silent<'_> {
+impl Observer for Silent<'_> {
     fn progress(&self, _: f64) {}
 
     fn interrupted(&self) -> bool {

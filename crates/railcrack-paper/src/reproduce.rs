@@ -10,7 +10,7 @@ use super::steel::{STEELS, Steel};
 use super::stored::RUNS;
 use super::{CLAIMS, FIGURES, Results, Verdict, page, path_plot, sif_plot};
 use crate::report_page::paper_page;
-use railcrack::growth::{GrowthError, Watch};
+use railcrack::growth::{GrowthError, Observer};
 use railcrack::material::HardeningError;
 use railcrack::shakedown::{ShakedownError, StabilisedRail};
 use railcrack_case::{CarriedStressError, Case, CaseErrors};
@@ -22,7 +22,7 @@ use std::sync::Arc;
 use thiserror::Error;
 
 /// Someone who is told how far it is, and may interrupt it.
-pub trait Telling: Watch {
+pub trait Telling: Observer {
     /// So many runs are to be done.
     fn planned(&self, runs: usize);
     /// The run `name` is done, after `wall_s` seconds.

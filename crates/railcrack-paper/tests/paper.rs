@@ -1,6 +1,6 @@
 //! The paper recomputed: the cheap statements again, and whether docs/paper.md says what they say.
 
-use railcrack::growth::Watch;
+use railcrack::growth::Observer;
 use railcrack_paper::{
     Decision, Earlier, FIGURES, PaperError, Reproduction, SETUPS, Telling, parse_figures, reproduce,
 };
@@ -9,7 +9,7 @@ use std::sync::OnceLock;
 
 struct Nobody;
 
-impl Watch for Nobody {
+impl Observer for Nobody {
     fn progress(&self, _: f64) {}
     fn interrupted(&self) -> bool {
         false
@@ -111,7 +111,7 @@ fn the_page_in_docs_shows_every_figure_and_set_up() {
 #[test]
 fn finished_runs_are_taken_over() {
     struct Count(std::sync::atomic::AtomicUsize);
-    impl Watch for Count {
+    impl Observer for Count {
         fn progress(&self, _: f64) {}
         fn interrupted(&self) -> bool {
             false

@@ -34,7 +34,7 @@ impl History {
         let xc_over_a: Vec<f64> = passage.xc.iter().map(|&xc| scale.over_a(xc)).collect();
         let tips = record.tips.iter().zip(&passage.sifs);
         tips.map(|(tip, sifs)| {
-            let (ki, kii) = sifs.iter().map(|sif| (sif.k1 / MPA_SQRT_MM, sif.k2 / MPA_SQRT_MM)).unzip();
+            let (ki, kii) = sifs.iter().map(|sif| (sif.ki / MPA_SQRT_MM, sif.kii / MPA_SQRT_MM)).unzip();
             let (crack, number) = (tip.tip.crack + 1, tip.tip.tip + 1);
             Self { step: record.step, crack, tip: number, xc_over_a: xc_over_a.clone(), ki, kii }
         })

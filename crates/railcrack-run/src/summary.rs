@@ -5,7 +5,7 @@ use super::recorder::RunInfo;
 use super::residual::ResidualSummary;
 use super::story::Story;
 use railcrack::crack::{CrackEnd, End, Junction};
-use railcrack::growth::{Piece, StepRecord, Warning};
+use railcrack::growth::{Piece, StepRecord, Warning, WarningKind};
 use serde::{Deserialize, Serialize};
 
 /// Wall time by phase, of the run and its resumptions, seconds.
@@ -230,7 +230,7 @@ impl Summary {
 /// Notes on the residual stress, as warnings before the first step.
 fn of_residual(story: &Story) -> impl Iterator<Item = Warning> {
     let notes = story.residual.iter().flat_map(|residual| &residual.notes);
-    notes.map(|text| Warning { step: 0, kind: "residual-stress".into(), text: text.clone() })
+    notes.map(|text| Warning { step: 0, kind: WarningKind::ResidualStress, text: text.clone() })
 }
 
 fn junction_summary(junction: &Junction, story: &Story) -> JunctionSummary {
@@ -260,7 +260,7 @@ fn tip_summary(tip: &railcrack::growth::TipRecord) -> TipSummary {
         x_mm: tip.x,
         y_mm: tip.y,
         length_mm: tip.length,
-        waiting_mm: tip.waiting.length,
+        waiting_mm: tip.deferred.length,
         rate_mm_per_cycle: tip.rate,
         stop: tip.stop.map(|stop| stop.name().to_owned()),
     }

@@ -4,7 +4,7 @@ use divan::{Bencher, black_box};
 use railcrack::body::CrackedBody;
 use railcrack::contact::{ContactSolver, FaceProblem, Latin, Newton};
 use railcrack::dislocation::DislocationBody;
-use railcrack::growth::{Growth, RailLoad, StabilisedPassage, StepRecord, Unwatched, stabilised_passage};
+use railcrack::growth::{Growth, RailLoad, StabilisedPassage, StepRecord, Unobserved, stabilised_passage};
 use railcrack_case::{Case, Overrides};
 use std::path::{Path, PathBuf};
 
@@ -41,7 +41,7 @@ fn passages(bencher: Bencher, solver: &dyn ContactSolver) {
     let problem = FaceProblem::new(&body, &case.crack_friction);
     let load = RailLoad { contact: case.contact, poisson: case.steel.poisson(), residual: None };
     bencher.bench_local(|| -> StabilisedPassage {
-        stabilised_passage(&problem, solver, load, &case.passages, &Unwatched).unwrap()
+        stabilised_passage(&problem, solver, load, &case.passages, &Unobserved).unwrap()
     });
 }
 
@@ -62,5 +62,5 @@ fn growth_step(bencher: Bencher, solver: &str) {
     let case = Case::read_with(&path(REFERENCE), &overrides).unwrap();
     bencher
         .with_inputs(|| case.prepare(None).unwrap().growth(None))
-        .bench_local_values(|mut run: Growth| -> Option<StepRecord> { run.next_step(&Unwatched).unwrap() });
+        .bench_local_values(|mut run: Growth| -> Option<StepRecord> { run.next_step(&Unobserved).unwrap() });
 }

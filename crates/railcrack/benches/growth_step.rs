@@ -7,7 +7,7 @@ use railcrack::body::BodyEngine;
 use railcrack::bulk::{Boundary, BulkRail};
 use railcrack::contact::{FaceProblem, Newton, StepControl};
 use railcrack::crack::{Crack, CrackNetwork, End};
-use railcrack::growth::{PassageSettings, RailLoad, Unwatched, stabilised_passage};
+use railcrack::growth::{PassageSettings, RailLoad, Unobserved, stabilised_passage};
 use railcrack::linear::SparseCholesky;
 use railcrack::load::{HertzianContact, Passage};
 use railcrack::material::IsotropicElastic;
@@ -73,7 +73,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let body = body?;
         let faces = FaceProblem::new(body.as_ref(), &[0.5]);
         let (passage_ms, result) =
-            timed(|| stabilised_passage(&faces, &Newton::default(), load, &passage, &Unwatched));
+            timed(|| stabilised_passage(&faces, &Newton::default(), load, &passage, &Unobserved));
         result?;
         bodies.push(body_ms);
         passages.push(passage_ms);

@@ -6,7 +6,7 @@
 use railcrack::body::BodyEngine;
 use railcrack::contact::{FaceProblem, Newton, StepControl};
 use railcrack::crack::{Crack, CrackNetwork, End};
-use railcrack::growth::{PassageSettings, RailLoad, Unwatched, stabilised_passage};
+use railcrack::growth::{PassageSettings, RailLoad, Unobserved, stabilised_passage};
 use railcrack::load::{HertzianContact, Passage};
 use railcrack::material::IsotropicElastic;
 use railcrack::xfem::{MeshSettings, RailEnd, XfemEngine, XfemSettings};
@@ -88,7 +88,7 @@ fn measure(point: Point) -> Result<Cost, Box<dyn Error>> {
         let body = engine.body(&network)?;
         let made = Instant::now();
         let faces = FaceProblem::new(body.as_ref(), &vec![0.5; point.cracks]);
-        let result = stabilised_passage(&faces, &Newton::default(), load, &passage, &Unwatched)?;
+        let result = stabilised_passage(&faces, &Newton::default(), load, &passage, &Unobserved)?;
         // The first body factors the mesh.
         if step > 0 {
             bodies.push((made - begun).as_secs_f64() * 1e3);

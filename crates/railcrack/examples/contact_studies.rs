@@ -6,7 +6,7 @@
 use railcrack::contact::{ContactSolver, FaceProblem, Latin, Newton, StepControl};
 use railcrack::crack::{Crack, CrackNetwork, End};
 use railcrack::dislocation::{DislocationBody, FaceResolution};
-use railcrack::growth::{PassageSettings, RailLoad, StabilisedPassage, Unwatched, stabilised_passage};
+use railcrack::growth::{PassageSettings, RailLoad, StabilisedPassage, Unobserved, stabilised_passage};
 use railcrack::load::{HertzianContact, Passage};
 use railcrack::material::IsotropicElastic;
 use std::error::Error;
@@ -103,8 +103,8 @@ fn error(result: &StabilisedPassage, exact: &StabilisedPassage, refinement: usiz
     if let (Some(got), Some(want)) = (result.passages.last(), exact.passages.last()) {
         for (got, want) in got.sifs.iter().zip(&want.sifs) {
             for (got, want) in got.iter().step_by(refinement).zip(want) {
-                difference = difference.max((got.k1 - want.k1).abs()).max((got.k2 - want.k2).abs());
-                peak = peak.max(want.k1.abs()).max(want.k2.abs());
+                difference = difference.max((got.ki - want.ki).abs()).max((got.kii - want.kii).abs());
+                peak = peak.max(want.ki.abs()).max(want.kii.abs());
             }
         }
     }
@@ -141,5 +141,5 @@ fn passage(
         step_control: StepControl::Adaptive,
     };
     let load = RailLoad { contact, poisson: steel.poisson(), residual: None };
-    Ok(stabilised_passage(&problem, solver, load, &settings, &Unwatched)?)
+    Ok(stabilised_passage(&problem, solver, load, &settings, &Unobserved)?)
 }

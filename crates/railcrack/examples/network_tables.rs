@@ -2,7 +2,7 @@
 //!
 //! `cargo run --release --example network_tables`
 
-use railcrack::growth::{StepRecord, TipRecord, Unwatched};
+use railcrack::growth::{StepRecord, TipRecord, Unobserved};
 use railcrack_case::{Case, Overrides};
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -19,7 +19,7 @@ fn initial(text: &str) -> Result<StepRecord, Failure> {
     let overrides = Overrides { engine: Some("xfem".into()), steps: Some(0), ..Overrides::default() };
     let case = Case::parse_with(text, "case.toml", &cases(), &overrides)?;
     let mut growth = case.prepare(None)?.growth(None);
-    growth.next_step(&Unwatched)?.ok_or_else(|| "a run without steps".into())
+    growth.next_step(&Unobserved)?.ok_or_else(|| "a run without steps".into())
 }
 
 /// The text with the friction of its crack faces replaced.

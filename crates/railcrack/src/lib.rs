@@ -11,7 +11,7 @@
 //! use railcrack::crack::Crack;
 //! use railcrack::dislocation::{DislocationBody, FaceResolution};
 //! use railcrack::fatigue::{DirectionCriterion, HourlierPineau, ParisLaw, SifRanges};
-//! use railcrack::growth::{PassageSettings, RailLoad, Unwatched, stabilised_passage};
+//! use railcrack::growth::{PassageSettings, RailLoad, Unobserved, stabilised_passage};
 //! use railcrack::load::{HertzianContact, Passage};
 //! use railcrack::material::IsotropicElastic;
 //!
@@ -29,7 +29,7 @@
 //!     step_tolerance: 2e-3,
 //!     step_control: StepControl::Adaptive,
 //! };
-//! let passage = stabilised_passage(&faces, &Newton::default(), load, &settings, &Unwatched)?;
+//! let passage = stabilised_passage(&faces, &Newton::default(), load, &settings, &Unobserved)?;
 //! let history = &passage.histories[0]; // of the only tip
 //! let law = ParisLaw::RAIL_STEEL;
 //! let kink = HourlierPineau { law, criterion: DirectionCriterion::MaxRate }.kink(history);

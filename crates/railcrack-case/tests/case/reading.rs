@@ -4,7 +4,7 @@ use proptest::prelude::*;
 use railcrack::body::CrackedBody;
 use railcrack::dislocation::DislocationBody;
 use railcrack::fatigue::ParisLaw;
-use railcrack::growth::{StepRecord, Unwatched};
+use railcrack::growth::{StepRecord, Unobserved};
 use railcrack_case::{Case, ContactSolver, Engine, Input, Overrides, init_text};
 use std::path::{Path, PathBuf};
 
@@ -263,7 +263,7 @@ fn fields_are_read_and_written_back() {
 fn first_step(rest: &str) -> StepRecord {
     let rest = format!("[solver]\nengine = \"dislocation\"\n{rest}");
     let case = reference_with("mouth_mm = 0\nlength_mm = 6\nangle_deg = 15", &rest);
-    case.prepare(None).unwrap().growth(None).next_step(&Unwatched).unwrap().unwrap()
+    case.prepare(None).unwrap().growth(None).next_step(&Unobserved).unwrap().unwrap()
 }
 
 #[test]
@@ -274,7 +274,7 @@ fn fixed_steps_go_from_position_to_position() {
     assert!(adaptive.counts.substeps > 20, "{:?}", adaptive.counts);
     // Two independent codes were off by 11 % of the peak with steps of 0.1 a, November 2026.
     let of = |record: &StepRecord| -> Vec<f64> {
-        record.passages[record.passages.len() - 1].sifs[0].iter().flat_map(|k| [k.k1, k.k2]).collect()
+        record.passages[record.passages.len() - 1].sifs[0].iter().flat_map(|k| [k.ki, k.kii]).collect()
     };
     let (fixed, adaptive) = (of(&fixed), of(&adaptive));
     let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, |most: f64, v| most.max(v.abs()));

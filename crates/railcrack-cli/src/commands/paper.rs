@@ -6,7 +6,7 @@ use crate::interruption::Interruption;
 use crate::print;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
-use railcrack::growth::Watch;
+use railcrack::growth::Observer;
 use railcrack_paper::{Earlier, PaperError, Reproduction, SETUPS, Telling, parse_figures, reproduce};
 use std::io::{IsTerminal, Write};
 use std::path::PathBuf;
@@ -123,7 +123,7 @@ impl Told {
     }
 }
 
-impl Watch for Told {
+impl Observer for Told {
     fn progress(&self, _: f64) {}
 
     fn interrupted(&self) -> bool {

@@ -3,7 +3,7 @@
 use super::meshio::read_back;
 use super::support::Scratch;
 use railcrack::contact::FaceState;
-use railcrack::growth::Unwatched;
+use railcrack::growth::Unobserved;
 use railcrack_case::Case;
 use railcrack_report::Pages;
 use railcrack_run::{CaseFiles, Existing, Recorder, RunInfo};
@@ -40,7 +40,7 @@ fn meshio_reads_the_fields_of_a_run() {
     let files = CaseFiles { toml: case.to_toml(), companions: Vec::new() };
     let mut recorder = Recorder::start(&folder, files, info, Existing::Refuse, &Pages).unwrap();
     let mut growth = case.prepare(None).unwrap().growth(None);
-    let record = growth.next_step(&Unwatched).unwrap().unwrap();
+    let record = growth.next_step(&Unobserved).unwrap().unwrap();
     recorder.record(&record, growth.state()).unwrap();
 
     let read = read_back(&folder.join("fields/step-0000-position-0011.vtu"));

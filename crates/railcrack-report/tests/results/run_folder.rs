@@ -1,7 +1,8 @@
 //! The run folder: what a run leaves behind, and how it survives a kill.
 
 use super::support::{SMALL, Scratch, Size, case, info, record_steps, step};
-use railcrack::growth::{FacePoint, StepRecord};
+use railcrack::body::FacePoint;
+use railcrack::growth::StepRecord;
 use railcrack_report::{Pages, rebuild_report};
 use railcrack_run::{
     Existing, FACES_COLUMNS, GROWTH_COLUMNS, OutputError, RESIDUAL_COLUMNS, Recorder, ResidualRow,
@@ -133,7 +134,7 @@ fn a_history_reads_back_to_the_same_bits() {
     for n in 0..=SMALL.increments {
         for passage in step(SMALL, n).0.passages {
             for (xc, sif) in passage.xc.iter().zip(&passage.sifs[0]) {
-                written.push([*xc, sif.k1 / root, sif.k2 / root].map(f64::to_bits));
+                written.push([*xc, sif.ki / root, sif.kii / root].map(f64::to_bits));
             }
         }
     }
@@ -276,7 +277,7 @@ fn a_step_that_is_not_finite_is_refused_whole() {
     // So many rows that the first ones stand in the table before the last ones are made.
     let size = Size { face_points: 120, ..SMALL };
     let spoil: [fn(&mut StepRecord); 4] = [
-        |record| record.passages[1].sifs[0][7].k2 = f64::NAN,
+        |record| record.passages[1].sifs[0][7].kii = f64::NAN,
         |record| record.tips[0].rate = f64::INFINITY,
         |record| record.faces.states[30][2].s22 = f64::NEG_INFINITY,
         |record| record.faces.points[1] = FacePoint { s: f64::NAN, ..record.faces.points[1] },

@@ -1,7 +1,7 @@
 //! Runs of synthetic steps: interruption, resumption, refusals.
 
 use super::support::{SMALL, Scratch, case, info, step};
-use railcrack::growth::{GrowthError, GrowthState, StepRecord, Watch};
+use railcrack::growth::{GrowthError, GrowthState, Observer, StepRecord};
 use railcrack_report::Pages;
 use railcrack_run::OutputError;
 use railcrack_run::simulation::{
@@ -29,7 +29,7 @@ struct Synthetic<'a> {
 }
 
 impl StepSource for Synthetic<'_> {
-    fn next_step(&mut self, watch: &dyn Watch) -> Result<Option<StepRecord>, GrowthError> {
+    fn next_step(&mut self, watch: &dyn Observer) -> Result<Option<StepRecord>, GrowthError> {
         let now = self.state.step;
         watch.progress(0.5);
         if self.interrupted_in == Some(now) {

@@ -3,13 +3,14 @@
 // Each test program uses a part of this.
 #![allow(dead_code)]
 
+use railcrack::body::FacePoint;
 use railcrack::body::{BodyTimes, Face, FieldGrid, FieldLine};
 use railcrack::contact::{FaceState, FaceStatus};
-use railcrack::crack::{Crack, End};
+use railcrack::crack::{Crack, CrackTip, End};
 use railcrack::fracture::Sif;
 use railcrack::growth::{
-    CrackTip, FacePoint, FaceRecord, FieldRecord, FieldSnapshot, GrowthState, PassageRecord, PhaseTimes,
-    Piece, PieceKind, RunStop, SolverCounts, StepRecord, TipRecord, WaitingGrowth, Warning,
+    DeferredGrowth, FaceRecord, FieldRecord, FieldSnapshot, GrowthState, PassageRecord, PhaseTimes, Piece,
+    PieceKind, RunStop, SolverCounts, StepRecord, TipRecord, Warning, WarningKind,
 };
 use railcrack::math::{Stress, Vec2};
 use railcrack_run::{CaseFiles, OutputError, Recorder, RunInfo};
@@ -98,7 +99,7 @@ pub fn step(size: Size, step: usize) -> (StepRecord, GrowthState) {
         let locked = if passage == 0 { -0.4 } else { -0.55 };
         let k1 = (9.0 + grown) * (-(u + 1.7).powi(2) * 3.0).exp() - 0.01;
         let k2 = locked + (38.0 + 9.0 * grown) * u * (-u * u * 0.9).exp() * (1.0 - 0.35 * u.tanh());
-        Sif { k1: 31.6 * k1.max(0.0), k2: 3.16 * k2 * (1.0 - 0.05 * tip as f64) }
+        Sif { ki: 31.6 * k1.max(0.0), kii: 3.16 * k2 * (1.0 - 0.05 * tip as f64) }
     };
     let passage = |p| PassageRecord {
         xc: xc.clone(),
@@ -141,7 +142,7 @@ pub fn step(size: Size, step: usize) -> (StepRecord, GrowthState) {
         break_outs: Vec::new(),
         load_cycles: cycles(if is_last { step } else { step + 1 }),
         stopped: vec![vec![None]; size.cracks],
-        waiting: vec![vec![WaitingGrowth::default()]; size.cracks],
+        deferred: vec![vec![DeferredGrowth::default()]; size.cracks],
         ended: record.stop,
     };
     (record, state)
@@ -170,7 +171,7 @@ fn fields(step: usize) -> FieldRecord {
 
 fn near_ties(step: usize) -> Vec<Warning> {
     let text = "the rival direction grows 0.99 times as fast".to_owned();
-    if step == 1 { vec![Warning { step, kind: "near-tie".to_owned(), text }] } else { Vec::new() }
+    if step == 1 { vec![Warning { step, kind: WarningKind::NearTie, text }] } else { Vec::new() }
 }
 
 /// A triangle above the first crack.
@@ -187,14 +188,14 @@ fn tip_record(i: usize, crack: &Crack, step: usize, is_last: bool) -> TipRecord 
         x: place.x,
         y: place.y,
         length: crack.length(),
-        waiting: WaitingGrowth::default(),
+        deferred: DeferredGrowth::default(),
         ki_max: 280.0 + step as f64,
         delta_ki: 280.0 + step as f64,
         delta_kii: 190.0 / 3.0,
         delta_keq: 300.0,
         kink: (step != 3).then_some(-2f64.to_radians()),
-        rival: (step == 1).then_some(65f64.to_radians()),
-        rival_ratio: (step == 1).then_some(0.99),
+        secondary: (step == 1).then_some(65f64.to_radians()),
+        secondary_ratio: (step == 1).then_some(0.99),
         increment: if is_last { 0.0 } else { 0.04 * crack.length() / (1.0 + i as f64) },
         rate: 4e-6 / (1.0 + i as f64),
         stop: None,
@@ -207,7 +208,15 @@ fn faces(size: Size, cracks: &[Crack], xc: &[f64]) -> FaceRecord {
         let length = crack.length();
         for j in 0..size.face_points {
             let s = length * (j as f64 + 0.5) / size.face_points as f64;
-            points.push(FacePoint { crack: i, segment: usize::from(s > 6.0), s });
+            let (position, tangent) = (Vec2::default(), Vec2::unit(0.0));
+            points.push(FacePoint {
+                crack: i,
+                segment: usize::from(s > 6.0),
+                s,
+                position,
+                tangent,
+                weight: 1.0,
+            });
         }
     }
     let state = |x: f64, s: f64| {

@@ -1,8 +1,9 @@
 //! `faces.csv`: the crack faces during the stabilised passage.
 
 use super::{Rows, header};
+use railcrack::body::FacePoint;
 use railcrack::contact::FaceStatus;
-use railcrack::growth::{FacePoint, StepRecord};
+use railcrack::growth::StepRecord;
 
 pub const FACES_FILE: &str = "faces.csv";
 

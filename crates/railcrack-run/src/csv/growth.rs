@@ -59,8 +59,8 @@ pub fn growth_rows(rows: &mut Rows, record: &StepRecord) {
         rows.real(dkii, tip.delta_kii / MPA_SQRT_MM);
         rows.real(dkeq, tip.delta_keq / MPA_SQRT_MM);
         rows.optional(kink, tip.kink.map(f64::to_degrees));
-        rows.optional(rival, tip.rival.map(f64::to_degrees));
-        rows.optional(ratio, tip.rival_ratio);
+        rows.optional(rival, tip.secondary.map(f64::to_degrees));
+        rows.optional(ratio, tip.secondary_ratio);
         rows.real(increment, tip.increment);
         rows.real(rate, tip.rate);
         rows.real(cycles, record.load_cycles);

@@ -52,8 +52,8 @@ pub fn sif_rows(rows: &mut Rows, record: &StepRecord, scale: SifScale) {
                 rows.count(i + 1);
                 rows.real(xc_mm, xc);
                 rows.real(xc_over_a, scale.over_a(xc));
-                rows.real(ki, sif.k1 / MPA_SQRT_MM);
-                rows.real(kii, sif.k2 / MPA_SQRT_MM);
+                rows.real(ki, sif.ki_mpa_sqrt_m());
+                rows.real(kii, sif.kii_mpa_sqrt_m());
                 rows.end();
             }
         }

@@ -2,19 +2,19 @@
 
 use super::{RunError, RunObserver};
 use crate::{OutputError, Recorder, Summary};
-use railcrack::growth::{Growth, GrowthError, GrowthState, StepRecord, Watch};
+use railcrack::growth::{Growth, GrowthError, GrowthState, Observer, StepRecord};
 use std::sync::mpsc::{SyncSender, sync_channel};
 
 /// What computes steps: [`Growth`], and synthetic runs in tests.
 pub trait StepSource {
     /// The next step; none when the run has ended. On an error the state is that before the step.
-    fn next_step(&mut self, watch: &dyn Watch) -> Result<Option<StepRecord>, GrowthError>;
+    fn next_step(&mut self, watch: &dyn Observer) -> Result<Option<StepRecord>, GrowthError>;
     /// The state after the last computed step.
     fn state(&self) -> &GrowthState;
 }
 
 impl StepSource for Growth {
-    fn next_step(&mut self, watch: &dyn Watch) -> Result<Option<StepRecord>, GrowthError> {
+    fn next_step(&mut self, watch: &dyn Observer) -> Result<Option<StepRecord>, GrowthError> {
         Growth::next_step(self, watch)
     }
 
@@ -35,7 +35,7 @@ pub enum Ending {
 /// Hands an observer of the run to the computation of a step.
 struct OfSteps<'a>(&'a dyn RunObserver);
 
-impl Watch for OfSteps<'_> {
+impl Observer for OfSteps<'_> {
     fn progress(&self, fraction: f64) {
         self.0.fraction(fraction);
     }

@@ -1,16 +1,13 @@
 //! The trait that both engines implement.
 
 use super::{BodyError, BodyFields, FieldLoad};
-use crate::crack::CrackEnd;
+use crate::crack::CrackTip;
 use crate::math::{Matrix, Stress, Vec2};
 use serde::{Deserialize, Serialize};
 
-/// A tip as the body knows it: an end of a crack that is neither a mouth nor at a junction.
-pub type BodyTip = CrackEnd;
-
 /// A face point: where the law of the faces holds.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct MeshPoint {
+pub struct FacePoint {
     /// Index of its crack in the network, from 0.
     pub crack: usize,
     /// Index of the straight segment of the crack, from 0.
@@ -40,7 +37,7 @@ pub struct FaceSample {
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct FaceMesh {
     /// The face points, crack by crack along the walk.
-    pub points: Vec<MeshPoint>,
+    pub points: Vec<FacePoint>,
     /// The quadrature points.
     pub samples: Vec<FaceSample>,
 }
@@ -97,7 +94,7 @@ pub trait CrackedBody: Sync {
     /// The face points.
     fn faces(&self) -> &FaceMesh;
     /// The tips, in order of crack and tip.
-    fn tips(&self) -> &[BodyTip];
+    fn tips(&self) -> &[CrackTip];
     /// C, 2p × 2p, mm per N/mm; symmetric positive definite.
     fn compliance(&self) -> &Matrix;
     /// A = C⁻¹, 2p × 2p, N/mm per mm.

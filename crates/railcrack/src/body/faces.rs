@@ -1,6 +1,6 @@
 //! Jumps along the cracks that are linear in the parameter g of their walk.
 
-use super::{FaceMesh, FaceSample, MeshPoint};
+use super::{FaceMesh, FacePoint, FaceSample};
 use crate::crack::{End, Walk};
 use crate::math::{Vec2, gauss_legendre};
 
@@ -49,7 +49,7 @@ pub fn discretise(walks: &[Walk], nodes: &[Vec<f64>]) -> (Vec<FaceElement>, Face
                 // The mouth is where the crack says, free of round-off.
                 let (s, position) =
                     if i == 0 { (0.0, walk.first_point()) } else { (walk.s(g), walk.position(segment, g)) };
-                faces.points.push(MeshPoint { crack, segment, s, position, tangent, weight: 0.0 });
+                faces.points.push(FacePoint { crack, segment, s, position, tangent, weight: 0.0 });
                 faces.points.len() - 1
             });
             if i > 0 && !breaks {

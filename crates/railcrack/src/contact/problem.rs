@@ -110,12 +110,12 @@ impl FaceSolution {
         let total: Vec<f64> = self.contact.iter().zip(load).map(|(c, l)| c + l).collect();
         let influence = body.sif_influence();
         let row = |i: usize| dot(influence.row(i), &total);
-        (0..influence.rows() / 2).map(|tip| Sif { k1: row(2 * tip), k2: row(2 * tip + 1) }).collect()
+        (0..influence.rows() / 2).map(|tip| Sif { ki: row(2 * tip), kii: row(2 * tip + 1) }).collect()
     }
 
     /// What each face point does, in stresses.
     pub fn face_states(&self, problem: &FaceProblem) -> Vec<FaceState> {
-        let state = |(j, point): (usize, &crate::body::MeshPoint)| {
+        let state = |(j, point): (usize, &crate::body::FacePoint)| {
             let status = match self.status[j] {
                 PointStatus::Open => FaceStatus::Open,
                 PointStatus::Stick => FaceStatus::Stick,

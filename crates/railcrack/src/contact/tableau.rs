@@ -7,22 +7,22 @@ use crate::math::{Matrix, add_rows_to_each, axpy};
 /// The equations A w = load + q of the faces under a condition for each component: its jump w_i is held, or it is free with
 /// q_i + c_i q_{i+1} = 0, where c_i ≠ 0 couples the shear of a slipping point to its pressure.
 ///
-/// A base of such conditions has a tableau: with the prescribed quantity of each component as input (w_i, or with p = A w the force
-/// p_i + c_i p_{i+1}) and the other one as output (p_i, or w_i), output = T · input. Where the conditions of today differ from those of the base,
+/// A basis of such conditions has a tableau: with the prescribed quantity of each component as input (w_i, or with p = A w the force
+/// p_i + c_i p_{i+1}) and the other one as output (p_i, or w_i), output = T · input. Where the conditions of today differ from those of the basis,
 /// the inputs there are unknown instead, and follow from as many equations, all of whose coefficients are entries of T. So a
 /// change of status costs nothing but a row of a small system, and to undo it costs nothing at all. Many
-/// differences together become a new base, by a block principal pivot (Cottle, Pang & Stone, The Linear Complementarity Problem, 2.3).
+/// differences together become a new basis, by a block principal pivot (Cottle, Pang & Stone, The Linear Complementarity Problem, 2.3).
 pub(super) struct Tableau<'a> {
     stiffness: &'a Matrix,
     /// Unit (N/mm per mm) of the forces in the tableau over those of the jumps: stiffnesses and compliances are about one then.
     unit: f64,
-    /// Conditions of the base; of held components the jump does not count.
-    base: Vec<Condition>,
+    /// Conditions of the basis; of held components the jump does not count.
+    basis: Vec<Condition>,
     /// Tᵀ: the outputs for a unit of each input.
     responses: Matrix,
     now: Vec<Condition>,
     kept: Vec<Condition>,
-    /// Where the base holds components (mm), zero where it does not, and its outputs for that: what is held seldom moves.
+    /// Where the basis holds components (mm), zero where it does not, and its outputs for that: what is held seldom moves.
     held: Vec<f64>,
     of_held: Vec<f64>,
     probe: Probe,
@@ -32,15 +32,15 @@ pub(super) struct Tableau<'a> {
     differences: Differences,
 }
 
-/// Nodal forces, and what the base makes of them.
+/// Nodal forces, and what the basis makes of them.
 struct Load {
     /// N/mm.
     forces: Vec<f64>,
-    /// The base where all that it holds is held at zero; none before that is asked for.
+    /// The basis where all that it holds is held at zero; none before that is asked for.
     answer: Option<Answer>,
 }
 
-/// The base under some action.
+/// The basis under some action.
 #[derive(Debug, Default)]
 struct Answer {
     input: Vec<f64>,
@@ -74,7 +74,7 @@ impl FaceRate {
     }
 }
 
-/// Where the conditions of today differ from those of the base.
+/// Where the conditions of today differ from those of the basis.
 #[derive(Default)]
 struct Differences {
     /// In the order in which they came.
@@ -86,7 +86,7 @@ struct Differences {
 }
 
 impl Differences {
-    /// Takes note that the condition of `component` has changed, and whether it `differs` from that of the base.
+    /// Takes note that the condition of `component` has changed, and whether it `differs` from that of the basis.
     fn change(&mut self, component: usize, differs: bool) {
         self.whole = None;
         if let Some(place) = self.components.iter().position(|&other| other == component) {
@@ -126,14 +126,14 @@ impl Probe {
     }
 }
 
-/// Components per difference that it takes to make a new base, and how many differences at least and at most: a system of more costs
-/// more than a base.
+/// Components per difference that it takes to make a new basis, and how many differences at least and at most: a system of more costs
+/// more than a basis.
 const MANY: usize = 12;
 const FEW: usize = 10;
 const MOST: usize = 80;
-/// A new base is made at once beyond this multiple of that number.
+/// A new basis is made at once beyond this multiple of that number.
 const URGENT: usize = 3;
-/// Residual of the probe, relative to its terms so far, above which a base is made afresh.
+/// Residual of the probe, relative to its terms so far, above which a basis is made afresh.
 const DRIFT: f64 = 1e-13;
 
 impl<'a> Tableau<'a> {
@@ -145,7 +145,7 @@ impl<'a> Tableau<'a> {
         Self {
             stiffness,
             unit,
-            base: held.clone(),
+            basis: held.clone(),
             responses: in_units(stiffness, unit),
             now: held.clone(),
             kept: held,
@@ -172,7 +172,7 @@ impl<'a> Tableau<'a> {
     /// coupling or held.
     pub(super) fn set(&mut self, component: usize, condition: Condition) {
         if !condition.is_like(self.now[component]) {
-            self.differences.change(component, !condition.is_like(self.base[component]));
+            self.differences.change(component, !condition.is_like(self.basis[component]));
         }
         self.now[component] = condition;
     }
@@ -197,13 +197,13 @@ impl<'a> Tableau<'a> {
     ///
     /// Errors: conditions that leave a component without equation.
     pub(super) fn solve(&mut self, jump: &mut [f64], contact: &mut [f64]) -> Result<(), Degenerate> {
-        self.rebase_beyond(self.many());
+        self.change_basis_beyond(self.many());
         self.solve_checked(jump, contact)
     }
 
     /// [`Tableau::solve`] in an iteration, whose conditions may well be undone.
     pub(super) fn solve_again(&mut self, jump: &mut [f64], contact: &mut [f64]) -> Result<(), Degenerate> {
-        self.rebase_beyond(URGENT * self.many());
+        self.change_basis_beyond(URGENT * self.many());
         self.solve_checked(jump, contact)
     }
 
@@ -211,7 +211,7 @@ impl<'a> Tableau<'a> {
     ///
     /// Errors: conditions that leave a component without equation.
     pub(super) fn rates(&mut self, first: usize, rates: &mut [FaceRate]) -> Result<(), Degenerate> {
-        self.rebase_beyond(self.many());
+        self.change_basis_beyond(self.many());
         let action = |k| Action { load: Some(first + k), held: false };
         let actions: Vec<Action> = (0..rates.len()).map(action).collect();
         let answers = self.answers(&actions)?;
@@ -222,15 +222,15 @@ impl<'a> Tableau<'a> {
         Ok(())
     }
 
-    /// Makes a base of the present conditions, if more than `most` differ.
-    fn rebase_beyond(&mut self, most: usize) {
+    /// Makes a basis of the present conditions, if more than `most` differ.
+    fn change_basis_beyond(&mut self, most: usize) {
         if self.differences.components.len() > most {
             // Where that fails, the differences remain, and their own system decides.
-            let _ = self.rebase();
+            let _ = self.change_basis();
         }
     }
 
-    /// Jumps and contact forces under the first load. A base whose numbers turn out wrong is made afresh.
+    /// Jumps and contact forces under the first load. A basis whose numbers turn out wrong is made afresh.
     fn solve_checked(&mut self, jump: &mut [f64], contact: &mut [f64]) -> Result<(), Degenerate> {
         let sound = self.equilibrium(jump, contact);
         if sound.is_ok() && self.fulfils(jump, contact) {
@@ -254,14 +254,14 @@ impl<'a> Tableau<'a> {
         sum.abs() <= DRIFT * self.probe.size
     }
 
-    /// Lets the base answer all loads that it has not answered yet, in one pass over it.
+    /// Lets the basis answer all loads that it has not answered yet, in one pass over it.
     fn answer(&mut self) {
         let n = self.now.len();
         let open: Vec<usize> = (0..self.loads.len()).filter(|&k| self.loads[k].answer.is_none()).collect();
         if open.is_empty() {
             return;
         }
-        let free: Vec<usize> = (0..n).filter(|&i| self.base[i].held().is_none()).collect();
+        let free: Vec<usize> = (0..n).filter(|&i| self.basis[i].held().is_none()).collect();
         let driven = |&k: &usize| (0..n).map(|i| self.driven_input(&self.loads[k].forces, i)).collect();
         let inputs: Vec<Vec<f64>> = open.iter().map(driven).collect();
         let chosen = |input: &Vec<f64>| free.iter().map(|&i| input[i]).collect();
@@ -283,7 +283,7 @@ impl<'a> Tableau<'a> {
         Ok(())
     }
 
-    /// The base under each of `actions` with the inputs at which the conditions of today are met.
+    /// The basis under each of `actions` with the inputs at which the conditions of today are met.
     fn answers(&mut self, actions: &[Action]) -> Result<Vec<Answer>, Degenerate> {
         self.answer();
         self.factor()?;
@@ -306,7 +306,7 @@ impl<'a> Tableau<'a> {
         Ok(answers)
     }
 
-    /// Factors the equations of what differs from the base.
+    /// Factors the equations of what differs from the basis.
     fn factor(&mut self) -> Result<(), Degenerate> {
         let mut differences = std::mem::take(&mut self.differences);
         let entry =
@@ -332,16 +332,16 @@ impl<'a> Tableau<'a> {
 
     /// Jumps and contact forces of `answer` to `load`, with what is held in place or at zero.
     fn write(&self, load: usize, held: bool, answer: &Answer, (jump, contact): (&mut [f64], &mut [f64])) {
-        let conditions = self.base.iter().zip(&self.now);
+        let conditions = self.basis.iter().zip(&self.now);
         let answers = answer.input.iter().zip(&answer.output).zip(&self.loads[load].forces);
         let results = jump.iter_mut().zip(contact);
         // From the last component on: a coupled one needs the next.
         let (mut force, mut next_contact) = (0.0, 0.0);
-        for (((base, now), ((&input, &output), load)), (jump, contact)) in
+        for (((basis, now), ((&input, &output), load)), (jump, contact)) in
             conditions.zip(answers).zip(results).rev()
         {
             let free_jump;
-            (free_jump, force) = base.state(input, output, force);
+            (free_jump, force) = basis.state(input, output, force);
             (*jump, *contact) = match *now {
                 // Exactly, so that what sticks does not creep and what slips is on the cone.
                 Condition::Held(at) => (if held { at } else { 0.0 }, force * self.unit - load),
@@ -351,7 +351,7 @@ impl<'a> Tableau<'a> {
         }
     }
 
-    /// The base under `action`, in the memory of `answer`.
+    /// The basis under `action`, in the memory of `answer`.
     fn answer_to(&self, action: Action, mut answer: Answer) -> Answer {
         match action.load.and_then(|k| self.loads[k].answer.as_ref()) {
             Some(of_load) => {
@@ -367,18 +367,18 @@ impl<'a> Tableau<'a> {
             }
         }
         if action.held {
-            // Where the base holds nothing, this is zero.
+            // Where the basis holds nothing, this is zero.
             axpy(1.0, &self.held, &mut answer.input);
             axpy(1.0, &self.of_held, &mut answer.output);
         }
         answer
     }
 
-    /// Moves what is held, as in the base, but elsewhere than before. Where the base holds what is free now, the input is unknown, and
+    /// Moves what is held, as in the basis, but elsewhere than before. Where the basis holds what is free now, the input is unknown, and
     /// what it was last a good guess.
     fn move_held(&mut self) {
         for i in 0..self.now.len() {
-            if let (Condition::Held(_), Condition::Held(at)) = (self.base[i], self.now[i])
+            if let (Condition::Held(_), Condition::Held(at)) = (self.basis[i], self.now[i])
                 && at != self.held[i]
             {
                 axpy(at - self.held[i], self.responses.row(i), &mut self.of_held);
@@ -388,29 +388,29 @@ impl<'a> Tableau<'a> {
     }
 
     /// What a unit of the input of component `input` adds to the left-hand side of the condition of `component` today, which is another one than in the
-    /// base.
+    /// basis.
     fn coefficient(&self, component: usize, input: usize) -> f64 {
         let response = self.responses.row(input);
         let own = f64::from(component == input);
-        let next = || match self.base[component + 1] {
+        let next = || match self.basis[component + 1] {
             Condition::Held(_) => response[component + 1],
             Condition::Free(_) => f64::from(component + 1 == input),
         };
-        match (self.base[component], self.now[component]) {
+        match (self.basis[component], self.now[component]) {
             (Condition::Held(_), Condition::Free(coupling)) => response[component] + times(coupling, next),
             (Condition::Free(before), Condition::Free(coupling)) => own + times(coupling - before, next),
             (_, Condition::Held(_)) => response[component],
         }
     }
 
-    /// What `input` and `output` of the base lack for the condition of component `i` today.
+    /// What `input` and `output` of the basis lack for the condition of component `i` today.
     fn defect(&self, i: usize, action: Action, input: &[f64], output: &[f64]) -> f64 {
         let driven = |coupling| action.load.map_or(0.0, |k| self.driven(&self.loads[k].forces, i, coupling));
-        let next = || match self.base[i + 1] {
+        let next = || match self.basis[i + 1] {
             Condition::Held(_) => output[i + 1],
             Condition::Free(_) => input[i + 1],
         };
-        match (self.base[i], self.now[i]) {
+        match (self.basis[i], self.now[i]) {
             (Condition::Held(_), Condition::Free(coupling)) => {
                 driven(coupling) - output[i] - times(coupling, next)
             }
@@ -421,9 +421,9 @@ impl<'a> Tableau<'a> {
         }
     }
 
-    /// The input of component `i` under `load`; zero where the base holds the jump.
+    /// The input of component `i` under `load`; zero where the basis holds the jump.
     fn driven_input(&self, load: &[f64], i: usize) -> f64 {
-        match self.base[i] {
+        match self.basis[i] {
             Condition::Held(_) => 0.0,
             Condition::Free(coupling) => self.driven(load, i, coupling),
         }
@@ -434,27 +434,27 @@ impl<'a> Tableau<'a> {
         (load[i] + times(coupling, || load[i + 1])) / self.unit
     }
 
-    /// Makes the present conditions a base of their own, from A.
+    /// Makes the present conditions a basis of their own, from A.
     fn refresh(&mut self) -> Result<(), Degenerate> {
-        self.base.fill(Condition::Held(0.0));
+        self.basis.fill(Condition::Held(0.0));
         self.responses = in_units(self.stiffness, self.unit);
-        self.begin_base();
+        self.begin_basis();
         self.differences.components = (0..self.now.len()).filter(|&i| self.now[i].held().is_none()).collect();
-        self.rebase().map_err(|_| Degenerate)
+        self.change_basis().map_err(|_| Degenerate)
     }
 
-    /// A base that has not answered yet: everything that is held moves there from zero with the next response.
-    fn begin_base(&mut self) {
+    /// A basis that has not answered yet: everything that is held moves there from zero with the next response.
+    fn begin_basis(&mut self) {
         self.differences = Differences::default();
         self.loads.iter_mut().for_each(|load| load.answer = None);
         self.held.fill(0.0);
         self.of_held.fill(0.0);
     }
 
-    /// Makes the present conditions the base. With K the components that differ, R the coefficients of all inputs in their conditions and
+    /// Makes the present conditions the basis. With K the components that differ, R the coefficients of all inputs in their conditions and
     /// Z = R_K⁻¹, the inputs of K are u_K = Z (s − R u) in terms of their new ones s and of the others u.
-    fn rebase(&mut self) -> Result<(), LinearError> {
-        // What the loads do under the new conditions is known without the new base.
+    fn change_basis(&mut self) -> Result<(), LinearError> {
+        // What the loads do under the new conditions is known without the new basis.
         self.move_held();
         let loads = (0..self.loads.len()).map(|k| Action { load: Some(k), held: false });
         let actions: Vec<Action> = loads.chain([Action { load: None, held: true }]).collect();
@@ -481,10 +481,10 @@ impl<'a> Tableau<'a> {
             let response = self.responses.row_mut(j);
             for (p, &i) in differences.iter().enumerate() {
                 let old_input = inputs[(j, p)];
-                match (self.base[i], self.now[i]) {
+                match (self.basis[i], self.now[i]) {
                     (Condition::Held(_), _) => response[i] = old_input,
                     (Condition::Free(coupling), Condition::Held(_)) => {
-                        let next = || match self.base[i + 1] {
+                        let next = || match self.basis[i + 1] {
                             // Not written over yet: components come in order.
                             Condition::Held(_) => response[i + 1],
                             Condition::Free(_) => match differences.get(p + 1) {
@@ -498,15 +498,15 @@ impl<'a> Tableau<'a> {
                 }
             }
         }
-        self.base.clone_from(&self.now);
-        self.begin_base();
+        self.basis.clone_from(&self.now);
+        self.begin_basis();
         if let Ok(answers) = answers {
             self.take_over(answers);
         }
         Ok(())
     }
 
-    /// Inputs and outputs under the conditions of today of `answers` of the base before.
+    /// Inputs and outputs under the conditions of today of `answers` of the basis before.
     fn renewed(&self, answers: &[Answer]) -> Vec<Answer> {
         let renewed = |answer: &Answer| {
             let n = self.now.len();
@@ -516,7 +516,7 @@ impl<'a> Tableau<'a> {
             for i in (0..n).rev() {
                 next = force;
                 let jump;
-                (jump, force) = self.base[i].state(answer.input[i], answer.output[i], next);
+                (jump, force) = self.basis[i].state(answer.input[i], answer.output[i], next);
                 (new.input[i], new.output[i]) = match self.now[i] {
                     Condition::Held(_) => (jump, force),
                     Condition::Free(coupling) => (force + times(coupling, || next), jump),
@@ -527,10 +527,10 @@ impl<'a> Tableau<'a> {
         answers.iter().map(renewed).collect()
     }
 
-    /// Makes `answers`, those to all loads and to what is held, those of the base.
+    /// Makes `answers`, those to all loads and to what is held, those of the basis.
     fn take_over(&mut self, mut answers: Vec<Answer>) {
         if let Some(of_held) = answers.pop() {
-            self.held = self.base.iter().map(|condition| condition.held().unwrap_or(0.0)).collect();
+            self.held = self.basis.iter().map(|condition| condition.held().unwrap_or(0.0)).collect();
             self.of_held = of_held.output;
         }
         for (load, answer) in self.loads.iter_mut().zip(answers) {
@@ -540,7 +540,7 @@ impl<'a> Tableau<'a> {
 }
 
 impl Condition {
-    /// Jump (mm) and A w (in units) of a component of which the base has this condition, from its input and output; `next` is A w of the one after it.
+    /// Jump (mm) and A w (in units) of a component of which the basis has this condition, from its input and output; `next` is A w of the one after it.
     fn state(self, input: f64, output: f64, next: f64) -> (f64, f64) {
         match self {
             Self::Held(_) => (input, output),

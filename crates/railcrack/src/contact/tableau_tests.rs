@@ -57,7 +57,7 @@ proptest! {
             }
             match action {
                 0 => {
-                    tableau.rebase().unwrap();
+                    tableau.change_basis().unwrap();
                     prop_assert!(tableau.differences.components.is_empty());
                     prop_assert!(defect(&mut tableau, &conditions, false) < ROUND_OFF);
                 }
@@ -86,7 +86,7 @@ fn a_base_with_wrong_numbers_is_found_out() {
         conditions[i] = Free(0.0);
         tableau.set(i, Free(0.0));
     }
-    tableau.rebase().unwrap();
+    tableau.change_basis().unwrap();
     tableau.responses[(3, 2)] *= 1.0 + 1e-6;
     assert!(defect(&mut tableau, &conditions, false) < 1e-14);
 }
@@ -98,9 +98,9 @@ fn conditions_without_a_solution_are_refused_and_others_are_met_afterwards() {
     let stiffness = Matrix::from_fn(3, 3, |i, j| rows[i][j]);
     let mut tableau = Tableau::new(&stiffness);
     let (mut w, mut q) = ([0.0; 3], [0.0; 3]);
-    // A base with forces for inputs, which what comes after a refusal must not take for jumps.
+    // A basis with forces for inputs, which what comes after a refusal must not take for jumps.
     tableau.set(1, Free(0.0));
-    tableau.rebase().unwrap();
+    tableau.change_basis().unwrap();
     tableau.load([vec![1.0, 2.0, 1.0]]);
     tableau.solve(&mut w, &mut q).unwrap();
     tableau.set(1, Held(0.0));
@@ -137,12 +137,12 @@ fn rates_are_what_a_load_adds_before_and_after_a_new_base() {
             assert!((with.0[i] - without.0[i] - jump[i]).abs() < 1e-16, "{step}, {i}");
             assert!((with.1[i] - without.1[i] - contact[i]).abs() < 1e-11, "{step}, {i}");
         }
-        // The loads have been answered: the new base takes that over.
+        // The loads have been answered: the new basis takes that over.
         tableau.set(0, Free(0.3));
         tableau.set(3, if step == 0 { Held(0.0) } else { Free(0.0) });
         tableau.set(2, Held(1e-4 * f64::from(step)));
         if step > 0 {
-            tableau.rebase().unwrap();
+            tableau.change_basis().unwrap();
             assert!(tableau.loads.iter().all(|load| load.answer.is_some()));
             // What was the input of a coupled component is missing at another condition.
             tableau.set(0, Free(-0.2));

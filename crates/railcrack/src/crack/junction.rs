@@ -13,6 +13,24 @@ pub struct CrackEnd {
     pub end: End,
 }
 
+/// A tip: which crack of the network (from 0) and which of its ends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub struct CrackTip {
+    /// Index of the crack, from 0.
+    pub crack: usize,
+    /// Index among the ends of the crack that lie below the surface, from 0; ends that have joined a crack count.
+    pub tip: usize,
+    /// Which end of the crack it is.
+    pub end: End,
+}
+
+impl CrackTip {
+    /// The end of the crack that it is.
+    pub fn crack_end(self) -> CrackEnd {
+        CrackEnd { crack: self.crack, end: self.end }
+    }
+}
+
 /// What a crack does at one of its ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum EndKind {

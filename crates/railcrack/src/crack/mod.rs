@@ -1,14 +1,14 @@
 //! Polyline cracks and networks of them.
 
 mod distance;
+mod intersection;
 mod junction;
-mod meeting;
 mod network;
 mod polyline;
 mod walk;
 
 pub use distance::{point_to_segment, segment_distance};
-pub use junction::{CrackEnd, EndKind, Junction, JunctionPoint, Passing};
+pub use junction::{CrackEnd, CrackTip, EndKind, Junction, JunctionPoint, Passing};
 pub use network::{CrackNetwork, NetworkError};
 pub use polyline::{Crack, CrackError, End};
 pub use walk::Walk;

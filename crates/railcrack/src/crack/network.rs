@@ -1,7 +1,7 @@
 //! Several cracks in one rail.
 
-use super::meeting::meet_elsewhere;
-use super::{Crack, CrackEnd, End, EndKind, Junction, JunctionPoint, Passing, Walk};
+use super::intersection::intersect_elsewhere;
+use super::{Crack, CrackEnd, CrackTip, End, EndKind, Junction, JunctionPoint, Passing, Walk};
 use thiserror::Error;
 
 /// Cracks that cannot stand side by side.
@@ -82,7 +82,7 @@ impl CrackNetwork {
         for (i, one) in cracks.iter().enumerate() {
             for (j, other) in cracks.iter().enumerate().skip(i + 1) {
                 let shared = points.iter().find(|point| point.holds(i) && point.holds(j));
-                if meet_elsewhere(one, other, shared.map(|point| point.position)) {
+                if intersect_elsewhere(one, other, shared.map(|point| point.position)) {
                     return Err(NetworkError::Meeting { first: i + 1, second: j + 1 });
                 }
             }
@@ -123,9 +123,12 @@ impl CrackNetwork {
     }
 
     /// All tips, in order of crack and end: neither mouths nor ends at junctions.
-    pub fn tips(&self) -> Vec<CrackEnd> {
-        let of_crack = |crack| self.tips_of(crack).into_iter().map(move |end| CrackEnd { crack, end });
-        (0..self.cracks.len()).flat_map(of_crack).collect()
+    pub fn tips(&self) -> Vec<CrackTip> {
+        let below_surface = |(crack, one): (usize, &Crack)| {
+            one.tips().into_iter().enumerate().map(move |(tip, end)| CrackTip { crack, tip, end }).collect()
+        };
+        let ends = self.cracks.iter().enumerate().flat_map(|one| -> Vec<CrackTip> { below_surface(one) });
+        ends.filter(|tip| self.end_kind(tip.crack_end()) == EndKind::Tip).collect()
     }
 
     /// The walk along each crack, with the square-root parameter at its tips.

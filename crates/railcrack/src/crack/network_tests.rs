@@ -21,7 +21,7 @@ fn t_junction_takes_a_tip_and_leaves_the_others() {
     let cracks = vec![crack(&[(1.0, 0.0), (0.3, -5.0)]), receiving()];
     assert_eq!(CrackNetwork::new(cracks.clone()), Err(NetworkError::Meeting { first: 1, second: 2 }));
     let network = CrackNetwork::joined(cracks, vec![junction(0, End::Last, 1)]).unwrap();
-    let tips = [CrackEnd { crack: 1, end: End::First }, CrackEnd { crack: 1, end: End::Last }];
+    let tips = [(0, End::First), (1, End::Last)].map(|(tip, end)| CrackTip { crack: 1, tip, end });
     assert_eq!(network.tips(), tips);
     let kind = |crack, end| network.end_kind(CrackEnd { crack, end });
     assert_eq!([kind(0, End::First), kind(0, End::Last)], [EndKind::Mouth, EndKind::Junction]);

@@ -3,8 +3,8 @@
 use super::assembly::stiffness;
 use super::junctions::{Core, Ties, cores};
 use super::nodes::{self, FaceResolution};
-use crate::body::{BodyEngine, BodyError, BodyTip, CrackedBody, FaceMesh, discretise};
-use crate::crack::{CrackNetwork, End, Walk, point_to_segment};
+use crate::body::{BodyEngine, BodyError, CrackedBody, FaceMesh, discretise};
+use crate::crack::{CrackNetwork, CrackTip, End, Walk, point_to_segment};
 use crate::linear::{LinearError, spd_inverse};
 use crate::material::IsotropicElastic;
 use crate::math::{Matrix, Vec2};
@@ -25,7 +25,7 @@ pub enum DislocationError {
 #[derive(Debug, Clone)]
 pub struct DislocationBody {
     faces: FaceMesh,
-    tips: Vec<BodyTip>,
+    tips: Vec<CrackTip>,
     stiffness: Matrix,
     compliance: Matrix,
     sif_influence: Matrix,
@@ -104,7 +104,7 @@ impl CrackedBody for DislocationBody {
         &self.faces
     }
 
-    fn tips(&self) -> &[BodyTip] {
+    fn tips(&self) -> &[CrackTip] {
         &self.tips
     }
 

@@ -8,7 +8,7 @@
 //! the core follows from these: constant down to a tenth of its radius, from there linear to
 //! p_k = w_k − σ_k (Σ σ_j w_j)/n at the junction, the nearest jumps without a net Burgers vector.
 
-use crate::body::{FaceElement, FaceMesh, FaceSample, MeshPoint};
+use crate::body::{FaceElement, FaceMesh, FacePoint, FaceSample};
 use crate::crack::{CrackNetwork, End, Walk};
 
 /// Fraction of the radius of a core over which the jumps of the arms are made compatible. The
@@ -155,12 +155,12 @@ impl Ties {
             *node = number(*node);
         }
         let ties = Self { follows, own };
-        let points = free.iter().map(|&i| MeshPoint { weight: 0.0, ..faces.points[i] }).collect();
+        let points = free.iter().map(|&i| FacePoint { weight: 0.0, ..faces.points[i] }).collect();
         let reduced = ties.reduced(points, faces);
         (ties, reduced)
     }
 
-    fn reduced(&self, mut points: Vec<MeshPoint>, faces: &FaceMesh) -> FaceMesh {
+    fn reduced(&self, mut points: Vec<FacePoint>, faces: &FaceMesh) -> FaceMesh {
         // The length of a point is that on its own arm: the shares from other arms have other
         // directions.
         for (&own, point) in self.own.iter().zip(&faces.points) {

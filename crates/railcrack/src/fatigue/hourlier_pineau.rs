@@ -30,13 +30,13 @@ pub struct Kink {
     /// Δk2 of the virtual kink, MPa √mm.
     pub delta_k2: f64,
     /// The best other direction, if there is one.
-    pub rival: Option<Rival>,
+    pub secondary: Option<SecondaryMaximum>,
 }
 
 /// A secondary maximum of the criterion, at least 15° from the chosen one. An end of the searched
 /// range is none.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Rival {
+pub struct SecondaryMaximum {
     /// β, radians.
     pub angle: f64,
     /// Its value over the largest one: of the growth rate (without threshold) for
@@ -47,7 +47,7 @@ pub struct Rival {
 /// Step of the coarse search, radians: the kink functions change by 2 % over it.
 const GRID_STEP: f64 = std::f64::consts::PI / 180.0;
 /// Least distance of a secondary maximum from the chosen direction, radians.
-pub(crate) const RIVAL_DISTANCE: f64 = 15.0 * std::f64::consts::PI / 180.0;
+pub(crate) const SECONDARY_DISTANCE: f64 = 15.0 * std::f64::consts::PI / 180.0;
 /// Maxima whose criteria differ by less, relatively, are ties: round-off of the history must not
 /// decide between them.
 const TIE: f64 = 1e-9;
@@ -70,7 +70,7 @@ impl HourlierPineau {
     /// positive (counter-clockwise) one; apart from this last rule, a history with K_II reversed
     /// gives exactly the opposite angle.
     pub fn kink(&self, history: &SifHistory) -> Option<Kink> {
-        if !history.samples.iter().all(|k| k.k1.is_finite() && k.k2.is_finite()) {
+        if !history.samples.iter().all(|k| k.ki.is_finite() && k.kii.is_finite()) {
             return None;
         }
         let extremes = convex_hull(&history.samples);
@@ -80,20 +80,20 @@ impl HourlierPineau {
             return None;
         }
         let best = maxima.iter().filter(|m| m.value >= top * (1.0 - TIE)).copied().reduce(preferred)?;
-        let rival = maxima
+        let secondary = maxima
             .iter()
-            .filter(|m| (m.angle - best.angle).abs() >= RIVAL_DISTANCE && m.value > 0.0)
+            .filter(|m| (m.angle - best.angle).abs() >= SECONDARY_DISTANCE && m.value > 0.0)
             .filter(|m| m.angle.abs() < KINK_ANGLES.end() - SAME_ANGLE)
             .copied()
             .reduce(|a, b| if b.value > a.value * (1.0 + TIE) { b } else { a })
-            .map(|m| Rival { angle: m.angle, ratio: self.ratio(m.value, best.value) });
+            .map(|m| SecondaryMaximum { angle: m.angle, ratio: self.ratio(m.value, best.value) });
         let ranges = KinkRanges::of(&extremes, best.angle);
         Some(Kink {
             angle: best.angle,
             rate: self.law.rate(ranges.delta_k1, ranges.delta_k2),
             delta_k1: ranges.delta_k1,
             delta_k2: ranges.delta_k2,
-            rival,
+            secondary,
         })
     }
 

@@ -14,7 +14,7 @@ fn with(criterion: DirectionCriterion) -> HourlierPineau {
 }
 
 fn history(samples: impl IntoIterator<Item = (f64, f64)>) -> SifHistory {
-    SifHistory { samples: samples.into_iter().map(|(k1, k2)| Sif { k1, k2 }).collect() }
+    SifHistory { samples: samples.into_iter().map(|(ki, kii)| Sif { ki, kii }).collect() }
 }
 
 /// A passage that is neither proportional nor symmetric, K_I noisy at zero while closed.
@@ -38,12 +38,12 @@ fn pure_mode_one_goes_straight_ahead() {
 #[test]
 fn pulsating_mode_two_kinks_to_the_side_on_which_it_opens() {
     // K_II > 0 opens at −76.6°, with k1 = 1.2316 K_II.
-    for (k2, sign) in [(100.0, -1.0), (-100.0, 1.0)] {
+    for (kii, sign) in [(100.0, -1.0), (-100.0, 1.0)] {
         for criterion in [DirectionCriterion::MaxDeltaK1, DirectionCriterion::MaxK1] {
-            let kink = with(criterion).kink(&history([(0.0, 0.0), (0.0, k2)])).unwrap();
+            let kink = with(criterion).kink(&history([(0.0, 0.0), (0.0, kii)])).unwrap();
             assert!((kink.angle.to_degrees() - 76.6 * sign).abs() < 0.05, "{criterion:?}: {kink:?}");
             assert!((kink.delta_k1 - 123.16).abs() < 0.01, "{kink:?}");
-            assert!(kink.rival.is_none(), "{kink:?}");
+            assert!(kink.secondary.is_none(), "{kink:?}");
         }
     }
 }
@@ -52,9 +52,9 @@ fn pulsating_mode_two_kinks_to_the_side_on_which_it_opens() {
 fn alternating_mode_two_is_a_tie_that_goes_to_the_positive_angle() {
     let alternating = history([(0.0, 100.0), (0.0, -100.0)]);
     let kink = with(DirectionCriterion::MaxK1).kink(&alternating).unwrap();
-    let rival = kink.rival.unwrap();
+    let secondary = kink.secondary.unwrap();
     assert!((kink.angle.to_degrees() - 76.6).abs() < 0.05, "{kink:?}");
-    assert_eq!((rival.angle, rival.ratio), (-kink.angle, 1.0));
+    assert_eq!((secondary.angle, secondary.ratio), (-kink.angle, 1.0));
 }
 
 #[test]
@@ -76,9 +76,9 @@ fn counting_negative_k1_makes_alternating_mode_two_branch() {
     let kink = mode_1.kink(&alternating).unwrap();
     assert!((kink.angle.to_degrees() - 76.6).abs() < 0.05, "{kink:?}");
     let kink = rule.kink(&alternating).unwrap();
-    let rival = kink.rival.unwrap();
+    let secondary = kink.secondary.unwrap();
     assert!((kink.angle.to_degrees() - 76.6).abs() < 10.0, "{kink:?}");
-    assert_eq!((rival.angle, rival.ratio), (-kink.angle, 1.0));
+    assert_eq!((secondary.angle, secondary.ratio), (-kink.angle, 1.0));
 }
 
 #[test]
@@ -104,15 +104,16 @@ fn the_secondary_maximum_is_another_local_maximum() {
     // Opening under positive K_II, then reversed shear while closed.
     let samples = history([(0.0, 0.0), (60.0, 100.0), (0.0, -80.0)]).samples;
     let kink = rule.kink(&SifHistory { samples: samples.clone() }).unwrap();
-    let rival = kink.rival.unwrap();
-    assert!((rival.angle - kink.angle).abs() >= RIVAL_DISTANCE);
-    assert!(rival.ratio > 0.0 && rival.ratio < 1.0, "{kink:?}");
+    let secondary = kink.secondary.unwrap();
+    assert!((secondary.angle - kink.angle).abs() >= SECONDARY_DISTANCE);
+    assert!(secondary.ratio > 0.0 && secondary.ratio < 1.0, "{kink:?}");
     let value = |beta: f64| rule.value(&samples, beta);
     assert!(
-        value(rival.angle) >= value(rival.angle - 0.01) && value(rival.angle) >= value(rival.angle + 0.01)
+        value(secondary.angle) >= value(secondary.angle - 0.01)
+            && value(secondary.angle) >= value(secondary.angle + 0.01)
     );
-    let ratio = (value(rival.angle) / value(kink.angle)).powf(rule.law.m);
-    assert!((ratio - rival.ratio).abs() < 1e-12); // same formula, other summation order
+    let ratio = (value(secondary.angle) / value(kink.angle)).powf(rule.law.m);
+    assert!((ratio - secondary.ratio).abs() < 1e-12); // same formula, other summation order
 }
 
 #[test]
@@ -122,7 +123,7 @@ fn an_end_of_the_searched_range_is_no_secondary_maximum() {
     let rule = with(DirectionCriterion::MaxRate);
     let end = *KINK_ANGLES.end();
     assert!(rule.value(&rising.samples, end) > rule.value(&rising.samples, end - 0.01));
-    assert_eq!(rule.kink(&rising).unwrap().rival, None);
+    assert_eq!(rule.kink(&rising).unwrap().secondary, None);
 }
 
 #[test]
@@ -130,11 +131,14 @@ fn mirrored_history_gives_the_opposite_angle_to_the_bit() {
     for criterion in ALL {
         let history = passage(1501);
         let mirrored =
-            SifHistory { samples: history.samples.iter().map(|k| Sif { k1: k.k1, k2: -k.k2 }).collect() };
+            SifHistory { samples: history.samples.iter().map(|k| Sif { ki: k.ki, kii: -k.kii }).collect() };
         let (kink, other) =
             (with(criterion).kink(&history).unwrap(), with(criterion).kink(&mirrored).unwrap());
-        let opposite =
-            Kink { angle: -other.angle, rival: other.rival.map(|r| Rival { angle: -r.angle, ..r }), ..other };
+        let opposite = Kink {
+            angle: -other.angle,
+            secondary: other.secondary.map(|r| SecondaryMaximum { angle: -r.angle, ..r }),
+            ..other
+        };
         assert_eq!(kink, opposite);
     }
 }

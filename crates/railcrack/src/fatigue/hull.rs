@@ -10,10 +10,10 @@ use crate::math::{Orientation, Vec2, orientation};
 /// Andrew's monotone chain with an exact orientation test; all samples finite.
 pub(super) fn convex_hull(samples: &[Sif]) -> Vec<Sif> {
     // Adding zero turns −0 into +0: they are one value, and must not be sorted apart.
-    let mut points: Vec<Vec2> = samples.iter().map(|k| Vec2::new(k.k1 + 0.0, k.k2 + 0.0)).collect();
+    let mut points: Vec<Vec2> = samples.iter().map(|k| Vec2::new(k.ki + 0.0, k.kii + 0.0)).collect();
     points.sort_unstable_by(|p, q| p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)));
     points.dedup();
-    let to_sif = |p: &Vec2| Sif { k1: p.x, k2: p.y };
+    let to_sif = |p: &Vec2| Sif { ki: p.x, kii: p.y };
     if points.len() < 3 {
         return points.iter().map(to_sif).collect();
     }
@@ -43,8 +43,8 @@ fn half_hull(points: impl Iterator<Item = Vec2>) -> Vec<Vec2> {
 mod tests {
     use super::*;
 
-    fn k(k1: f64, k2: f64) -> Sif {
-        Sif { k1, k2 }
+    fn k(ki: f64, kii: f64) -> Sif {
+        Sif { ki, kii }
     }
 
     #[test]

@@ -3,6 +3,15 @@
 use crate::fracture::Sif;
 use std::f64::consts::PI;
 
+/// Stress intensity factors of a virtual kink at the tip, MPa √mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct KinkSif {
+    /// k1, of opening.
+    pub k1: f64,
+    /// k2, of shear.
+    pub k2: f64,
+}
+
 /// The four functions of the kink angle in k1 = F11 K_I + F12 K_II, k2 = F21 K_I + F22 K_II.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct KinkFunctions {
@@ -91,10 +100,9 @@ impl KinkFunctions {
         Self { f11: series(&F11), f12: m * series(&F12), f21: m * series(&F21), f22: series(&F22) }
     }
 
-    /// k1 and k2 of the virtual kink for the stress intensity factors `sif` of the tip, in the same
-    /// unit.
-    pub fn kinked(&self, sif: Sif) -> Sif {
-        Sif { k1: self.f11 * sif.k1 + self.f12 * sif.k2, k2: self.f21 * sif.k1 + self.f22 * sif.k2 }
+    /// k1 and k2 of the virtual kink for K_I and K_II of the actual `tip`, in its units.
+    pub fn kinked(&self, tip: Sif) -> KinkSif {
+        KinkSif { k1: self.f11 * tip.ki + self.f12 * tip.kii, k2: self.f21 * tip.ki + self.f22 * tip.kii }
     }
 }
 

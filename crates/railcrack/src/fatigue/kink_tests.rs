@@ -161,7 +161,7 @@ fn series_equals_the_mapped_kink() {
 
 #[test]
 fn largest_k1_of_mode_two_is_at_minus_76_6_degrees() {
-    let k1 = |degrees: f64| KinkFunctions::at(degrees.to_radians()).kinked(Sif { k1: 0.0, k2: 1.0 }).k1;
+    let k1 = |degrees: f64| KinkFunctions::at(degrees.to_radians()).kinked(Sif { ki: 0.0, kii: 1.0 }).k1;
     let best = (-1100..=1100).map(|i| 0.1 * f64::from(i)).max_by(|a, b| k1(*a).total_cmp(&k1(*b))).unwrap();
     assert!((best + 76.6).abs() < 0.06, "{best}"); // grid of 0.1°
     assert!((k1(best) - 1.2316).abs() < 1e-4, "{}", k1(best)); // digits quoted

@@ -10,9 +10,9 @@ mod law;
 mod ranges;
 
 pub use dang_van::{DangVan, DangVanValue};
-pub(crate) use hourlier_pineau::RIVAL_DISTANCE;
-pub use hourlier_pineau::{HourlierPineau, Kink, Rival};
+pub(crate) use hourlier_pineau::SECONDARY_DISTANCE;
+pub use hourlier_pineau::{HourlierPineau, Kink, SecondaryMaximum};
 pub use initiation::{DepthValue, Initiation};
-pub use kink::KinkFunctions;
+pub use kink::{KinkFunctions, KinkSif};
 pub use law::{DirectionCriterion, KINK_ANGLES, ParisLaw};
 pub use ranges::SifRanges;

@@ -19,10 +19,10 @@ impl SifRanges {
         let Some(first) = history.samples.first() else { return Self::default() };
         let (mut low, mut high) = (*first, *first);
         for k in &history.samples {
-            (low.k1, high.k1) = (low.k1.min(k.k1), high.k1.max(k.k1));
-            (low.k2, high.k2) = (low.k2.min(k.k2), high.k2.max(k.k2));
+            (low.ki, high.ki) = (low.ki.min(k.ki), high.ki.max(k.ki));
+            (low.kii, high.kii) = (low.kii.min(k.kii), high.kii.max(k.kii));
         }
-        Self { ki_max: high.k1, delta_ki: high.k1.max(0.0) - low.k1.max(0.0), delta_kii: high.k2 - low.k2 }
+        Self { ki_max: high.ki, delta_ki: high.ki.max(0.0) - low.ki.max(0.0), delta_kii: high.kii - low.kii }
     }
 }
 
@@ -33,7 +33,7 @@ mod tests {
 
     #[test]
     fn mode_one_is_clipped_and_mode_two_is_not() {
-        let samples = vec![Sif { k1: -3.0, k2: -5.0 }, Sif { k1: 4.0, k2: 1.0 }, Sif { k1: 1.0, k2: 2.0 }];
+        let samples = vec![Sif { ki: -3.0, kii: -5.0 }, Sif { ki: 4.0, kii: 1.0 }, Sif { ki: 1.0, kii: 2.0 }];
         let ranges = SifRanges::of(&SifHistory { samples });
         assert_eq!(ranges, SifRanges { ki_max: 4.0, delta_ki: 4.0, delta_kii: 7.0 });
         assert_eq!(SifRanges::of(&SifHistory::default()), SifRanges::default());
@@ -41,7 +41,7 @@ mod tests {
 
     #[test]
     fn a_crack_that_never_closes_keeps_its_smaller_range() {
-        let samples = vec![Sif { k1: 2.0, k2: 0.0 }, Sif { k1: 5.0, k2: 0.0 }];
+        let samples = vec![Sif { ki: 2.0, kii: 0.0 }, Sif { ki: 5.0, kii: 0.0 }];
         assert_eq!(SifRanges::of(&SifHistory { samples }).delta_ki, 3.0);
     }
 }

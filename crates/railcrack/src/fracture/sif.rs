@@ -1,5 +1,6 @@
 //! Stress intensity factors of a tip, and their history.
 
+use crate::math::MPA_SQRT_MM;
 use std::ops::{Add, Mul};
 
 /// Stress intensity factors of a tip, MPa √mm. K_II > 0 means τ12 > 0 ahead of the tip: the + face
@@ -7,22 +8,34 @@ use std::ops::{Add, Mul};
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Sif {
     /// K_I.
-    pub k1: f64,
+    pub ki: f64,
     /// K_II.
-    pub k2: f64,
+    pub kii: f64,
+}
+
+impl Sif {
+    /// K_I, MPa √m.
+    pub fn ki_mpa_sqrt_m(self) -> f64 {
+        self.ki / MPA_SQRT_MM
+    }
+
+    /// K_II, MPa √m.
+    pub fn kii_mpa_sqrt_m(self) -> f64 {
+        self.kii / MPA_SQRT_MM
+    }
 }
 
 impl Add for Sif {
     type Output = Self;
     fn add(self, o: Self) -> Self {
-        Self { k1: self.k1 + o.k1, k2: self.k2 + o.k2 }
+        Self { ki: self.ki + o.ki, kii: self.kii + o.kii }
     }
 }
 
 impl Mul<f64> for Sif {
     type Output = Self;
     fn mul(self, s: f64) -> Self {
-        Self { k1: self.k1 * s, k2: self.k2 * s }
+        Self { ki: self.ki * s, kii: self.kii * s }
     }
 }
 
@@ -37,6 +50,6 @@ pub struct SifHistory {
 impl SifHistory {
     /// The largest |K_I| or |K_II|, MPa √mm.
     pub fn peak(&self) -> f64 {
-        self.samples.iter().fold(0.0, |m, k| m.max(k.k1.abs()).max(k.k2.abs()))
+        self.samples.iter().fold(0.0, |m, k| m.max(k.ki.abs()).max(k.kii.abs()))
     }
 }

@@ -44,7 +44,7 @@ impl WilliamsField {
     /// The field of a tip with the stress intensity factors `k` (MPa √mm): λ = 1/2, A = (K_I − i
     /// K_II)/√(2π) (Williams 1957, in the form of Muskhelishvili's potentials).
     pub fn of(k: Sif, steel: &IsotropicElastic) -> Self {
-        Self::new(0.5, Complex64::new(k.k1, -k.k2) / std::f64::consts::TAU.sqrt(), steel)
+        Self::new(0.5, Complex64::new(k.ki, -k.kii) / std::f64::consts::TAU.sqrt(), steel)
     }
 
     /// −∂/∂x1 of [`WilliamsField::of`], its change as the tip advances: λ = −1/2, displacements
@@ -54,7 +54,7 @@ impl WilliamsField {
     /// the integral over a small circle ∮ (t(u)·v − t(v)·u) ds = (2/E′) (K_I k_I + K_II k_II)
     /// (Betti; equal to the interaction integral).
     pub fn dual(k: Sif, steel: &IsotropicElastic) -> Self {
-        Self::new(-0.5, Complex64::new(-k.k1, k.k2) * 0.5 / std::f64::consts::TAU.sqrt(), steel)
+        Self::new(-0.5, Complex64::new(-k.ki, k.kii) * 0.5 / std::f64::consts::TAU.sqrt(), steel)
     }
 
     fn new(exponent: f64, phi: Complex64, steel: &IsotropicElastic) -> Self {
@@ -120,7 +120,7 @@ mod tests {
         IsotropicElastic::new(210e3, 0.3).unwrap()
     }
 
-    const MODES: [Sif; 2] = [Sif { k1: 1.0, k2: 0.0 }, Sif { k1: 0.0, k2: 1.0 }];
+    const MODES: [Sif; 2] = [Sif { ki: 1.0, kii: 0.0 }, Sif { ki: 0.0, kii: 1.0 }];
 
     #[test]
     fn stress_ahead_and_opening_behind_define_the_intensity_factors() {
@@ -128,12 +128,12 @@ mod tests {
         for k in MODES {
             let field = WilliamsField::of(k, &steel());
             let ahead = field.at(r, 0.0, 0.3).stress;
-            assert!((ahead.yy - k.k1 / (TAU * r).sqrt()).abs() < 1e-14);
-            assert!((ahead.xy - k.k2 / (TAU * r).sqrt()).abs() < 1e-14);
+            assert!((ahead.yy - k.ki / (TAU * r).sqrt()).abs() < 1e-14);
+            assert!((ahead.xy - k.kii / (TAU * r).sqrt()).abs() < 1e-14);
             let jump = field.at(r, PI, 0.3).displacement - field.at(r, -PI, 0.3).displacement;
             let factor = 8.0 / steel().plane_strain_modulus() * (r / TAU).sqrt();
-            assert!((jump.y - factor * k.k1).abs() < 1e-18, "{jump:?}");
-            assert!((jump.x - factor * k.k2).abs() < 1e-18, "{jump:?}");
+            assert!((jump.y - factor * k.ki).abs() < 1e-18, "{jump:?}");
+            assert!((jump.x - factor * k.kii).abs() < 1e-18, "{jump:?}");
         }
     }
 

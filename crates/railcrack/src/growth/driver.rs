@@ -1,13 +1,13 @@
 //! The run: an iterator of growth steps that can be stored and taken up again.
 
 use super::{
-    BreakOut, CrackTip, FieldRecord, FieldSettings, GrowthSettings, PassageError, PassageSettings,
+    BreakOut, DeferredGrowth, FieldRecord, FieldSettings, GrowthSettings, PassageError, PassageSettings,
     PhaseTimes, RailBox, RailLoad, RunStop, StabilisedPassage, StepRecord, StepState, TipDrive, TipRecord,
-    TipStop, WaitingGrowth, Warning, advance, fields, stabilised_passage,
+    TipStop, Warning, WarningKind, advance, fields, stabilised_passage,
 };
 use crate::body::{BodyEngine, BodyError, CrackedBody};
 use crate::contact::{ContactSolver, FaceProblem};
-use crate::crack::{Crack, CrackNetwork, EndKind, Junction, NetworkError};
+use crate::crack::{Crack, CrackNetwork, CrackTip, Junction, NetworkError};
 use crate::fatigue::{HourlierPineau, Kink, SifRanges};
 use crate::field::StressField;
 use crate::load::HertzianContact;
@@ -29,8 +29,8 @@ pub struct GrowthState {
     pub load_cycles: f64,
     /// `stopped[crack][tip]`: why a tip no longer grows; the tips of a crack are its ends below the surface, joined ones counted.
     pub stopped: Vec<Vec<Option<TipStop>>>,
-    /// `waiting[crack][tip]`: growth that is not in the cracks yet.
-    pub waiting: Vec<Vec<WaitingGrowth>>,
+    /// `deferred[crack][tip]`: growth that is not in the cracks yet.
+    pub deferred: Vec<Vec<DeferredGrowth>>,
     /// Set when the run has ended.
     pub ended: Option<RunStop>,
 }
@@ -46,19 +46,19 @@ impl GrowthState {
             break_outs: Vec::new(),
             load_cycles: 0.0,
             stopped: tips().map(|tips| vec![None; tips]).collect(),
-            waiting: tips().map(|tips| vec![WaitingGrowth::default(); tips]).collect(),
+            deferred: tips().map(|tips| vec![DeferredGrowth::default(); tips]).collect(),
             ended: None,
         }
     }
 
     /// Growth at the tips of crack `crack` (from 0) that is not in it yet, mm.
-    fn waiting_at(&self, crack: usize) -> f64 {
-        self.waiting[crack].iter().map(|waiting| waiting.length).sum()
+    fn deferred_at(&self, crack: usize) -> f64 {
+        self.deferred[crack].iter().map(|deferred| deferred.length).sum()
     }
 }
 
 /// Someone who watches a step being computed, and may interrupt it.
-pub trait Watch: Sync {
+pub trait Observer: Sync {
     /// The fraction (0 to 1) of the current passage that is done.
     fn progress(&self, fraction: f64);
     /// Whether to give up the current step now.
@@ -67,9 +67,9 @@ pub trait Watch: Sync {
 
 /// Nobody: the step is computed in silence and to its end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Unwatched;
+pub struct Unobserved;
 
-impl Watch for Unwatched {
+impl Observer for Unobserved {
     fn progress(&self, _: f64) {}
 
     fn interrupted(&self) -> bool {
@@ -161,7 +161,7 @@ impl Growth {
     /// Computes the next step; `None` when the run has ended. On an error the state is that before the step.
     ///
     /// Each step starts on virgin faces: slip of the step before is not carried over to the longer cracks.
-    pub fn next_step(&mut self, watch: &dyn Watch) -> Result<Option<StepRecord>, GrowthError> {
+    pub fn next_step(&mut self, observer: &dyn Observer) -> Result<Option<StepRecord>, GrowthError> {
         if self.state.ended.is_some() {
             return Ok(None);
         }
@@ -176,9 +176,9 @@ impl Growth {
         let body_s = started.elapsed().as_secs_f64();
 
         let started = Instant::now();
-        let remark = |text: &String| Warning { step, kind: "engine".into(), text: text.clone() };
+        let remark = |text: &String| Warning { step, kind: WarningKind::Engine, text: text.clone() };
         let mut warnings: Vec<Warning> = body.remarks().iter().map(remark).collect();
-        let passage = self.stabilise(body.as_ref(), watch, &mut warnings)?;
+        let passage = self.stabilise(body.as_ref(), observer, &mut warnings)?;
         let contact_s = started.elapsed().as_secs_f64();
 
         let started = Instant::now();
@@ -232,7 +232,7 @@ impl Growth {
         };
         for (TipRecord { tip, .. }, ahead) in record.tips.iter().zip(&way.tips) {
             self.state.stopped[tip.crack][tip.tip] = ahead.stop;
-            self.state.waiting[tip.crack][tip.tip] = ahead.waiting;
+            self.state.deferred[tip.crack][tip.tip] = ahead.deferred;
         }
         self.state.step += 1;
         self.state.cracks = way.cracks;
@@ -269,21 +269,21 @@ impl Growth {
     fn stabilise(
         &self,
         body: &dyn CrackedBody,
-        watch: &dyn Watch,
+        observer: &dyn Observer,
         warnings: &mut Vec<Warning>,
     ) -> Result<StabilisedPassage, GrowthError> {
         let step = self.state.step;
         let faces = FaceProblem::new(body, &self.problem.crack_friction);
         let load = self.load();
         let settings = &self.problem.passages;
-        let first = stabilised_passage(&faces, self.problem.solver.as_ref(), load, settings, watch);
+        let first = stabilised_passage(&faces, self.problem.solver.as_ref(), load, settings, observer);
         let result = match first {
             Err(PassageError::NotConverged { .. }) => {
                 let second =
-                    stabilised_passage(&faces, self.problem.fallback.as_ref(), load, settings, watch);
+                    stabilised_passage(&faces, self.problem.fallback.as_ref(), load, settings, observer);
                 if let (Err(failure), Ok(_)) = (&first, &second) {
                     let text = format!("the other contact solver did this step, since: {failure}");
-                    warnings.push(Warning { step, kind: "contact-fallback".into(), text });
+                    warnings.push(Warning { step, kind: WarningKind::ContactFallback, text });
                 }
                 if matches!(second, Err(PassageError::NotConverged { .. })) { first } else { second }
             }
@@ -299,45 +299,42 @@ impl Growth {
     fn tip_records(&self, network: &CrackNetwork, passage: &StabilisedPassage) -> Vec<TipRecord> {
         let law = self.problem.growth.law;
         let direction = HourlierPineau { law, criterion: self.problem.growth.criterion };
-        let ends = network.cracks().iter().enumerate().flat_map(|(crack, one)| {
-            one.tips().into_iter().enumerate().map(move |(tip, end)| (CrackTip { crack, tip, end }, one))
-        });
-        let ends = ends.filter(|(tip, _)| network.end_kind(tip.crack_end()) == EndKind::Tip);
-        ends.zip(&passage.histories)
-            .map(|((tip, crack), history)| {
-                let ranges = SifRanges::of(history);
-                let kink = direction.kink(history);
-                let rival = kink.as_ref().and_then(|kink: &Kink| kink.rival);
-                let at = crack.tip(tip.end);
-                TipRecord {
-                    tip,
-                    x: at.x,
-                    y: at.y,
-                    length: crack.length() + self.state.waiting_at(tip.crack),
-                    waiting: self.state.waiting[tip.crack][tip.tip],
-                    ki_max: ranges.ki_max,
-                    delta_ki: ranges.delta_ki,
-                    delta_kii: ranges.delta_kii,
-                    delta_keq: law.equivalent_range(ranges.delta_ki, ranges.delta_kii),
-                    kink: kink.map(|kink| kink.angle),
-                    rival: rival.map(|rival| rival.angle),
-                    rival_ratio: rival.map(|rival| rival.ratio),
-                    increment: 0.0,
-                    rate: law.rate(ranges.delta_ki, ranges.delta_kii),
-                    stop: None,
-                }
-            })
-            .collect()
+        let tips = network.tips().into_iter().zip(&passage.histories);
+        tips.map(|(tip, history)| {
+            let crack = &network.cracks()[tip.crack];
+            let ranges = SifRanges::of(history);
+            let kink = direction.kink(history);
+            let secondary = kink.as_ref().and_then(|kink: &Kink| kink.secondary);
+            let at = crack.tip(tip.end);
+            TipRecord {
+                tip,
+                x: at.x,
+                y: at.y,
+                length: crack.length() + self.state.deferred_at(tip.crack),
+                deferred: self.state.deferred[tip.crack][tip.tip],
+                ki_max: ranges.ki_max,
+                delta_ki: ranges.delta_ki,
+                delta_kii: ranges.delta_kii,
+                delta_keq: law.equivalent_range(ranges.delta_ki, ranges.delta_kii),
+                kink: kink.map(|kink| kink.angle),
+                secondary: secondary.map(|secondary| secondary.angle),
+                secondary_ratio: secondary.map(|secondary| secondary.ratio),
+                increment: 0.0,
+                rate: law.rate(ranges.delta_ki, ranges.delta_kii),
+                stop: None,
+            }
+        })
+        .collect()
     }
 
     fn drive(&self, tip: &TipRecord) -> TipDrive {
         let CrackTip { crack, tip: index, .. } = tip.tip;
-        let (waiting, stopped) = (self.state.waiting[crack][index], self.state.stopped[crack][index]);
-        TipDrive { tip: tip.tip, kink: tip.kink, rate: tip.rate, waiting, stopped }
+        let (deferred, stopped) = (self.state.deferred[crack][index], self.state.stopped[crack][index]);
+        TipDrive { tip: tip.tip, kink: tip.kink, rate: tip.rate, deferred, stopped }
     }
 
     fn near_tie(&self, tip: &TipRecord) -> Option<Warning> {
-        let (kink, rival, ratio) = (tip.kink?, tip.rival?, tip.rival_ratio?);
+        let (kink, secondary, ratio) = (tip.kink?, tip.secondary?, tip.secondary_ratio?);
         if ratio <= NEAR_TIE || self.state.stopped[tip.tip.crack][tip.tip.tip].is_some() {
             return None;
         }
@@ -346,9 +343,9 @@ impl Growth {
             tip.tip.crack + 1,
             tip.tip.tip + 1,
             kink.to_degrees(),
-            rival.to_degrees()
+            secondary.to_degrees()
         );
-        Some(Warning { step: self.state.step, kind: "near-tie".into(), text })
+        Some(Warning { step: self.state.step, kind: WarningKind::NearTie, text })
     }
 
     fn unrepeated(&self, passage: &StabilisedPassage) -> Option<Warning> {
@@ -356,7 +353,7 @@ impl Growth {
         let tolerance = self.problem.passages.passage_tolerance;
         (change > tolerance).then(|| Warning {
             step: self.state.step,
-            kind: "passages".into(),
+            kind: WarningKind::Passages,
             text: format!(
                 "K still changes by {change:.2e} of its peak after {} passages, tolerance {tolerance:.1e}",
                 passage.counts.passages

@@ -2,7 +2,7 @@
 
 use super::face_load::{FaceLoad, Part};
 use super::{RailLoad, StabilisedPassage};
-use crate::body::{BodyError, Face, FieldGrid, FieldLoad, MeshPoint};
+use crate::body::{BodyError, Face, FacePoint, FieldGrid, FieldLoad};
 use crate::contact::{FaceProblem, FaceState, LoadPath};
 use crate::field::{HertzDisplacement, HertzField};
 use crate::math::{Stress, Vec2};
@@ -102,7 +102,7 @@ fn nearest(xc: &[f64], wanted: &[f64]) -> Vec<usize> {
 }
 
 /// What the opposite face exerts at the points of the faces, MPa: the contact traction on the + face, its negative on the other.
-fn tractions(grid: &FieldGrid, faces: &[MeshPoint], states: &[FaceState]) -> Vec<Vec2> {
+fn tractions(grid: &FieldGrid, faces: &[FacePoint], states: &[FaceState]) -> Vec<Vec2> {
     let at_face_point = |j: usize| {
         let tangent = faces[j].tangent;
         tangent * -states[j].s12 + tangent.left() * -states[j].s22

@@ -1,11 +1,11 @@
 //! From rates to increments, cycles and longer cracks.
 
+use super::coalescence::{Coalescence, coalescences};
+use super::deferred::{DeferredGrowth, KEEPS_PACE};
 use super::joining::{Outcome, grow, spall};
-use super::meetings::{Meeting, meetings};
 use super::stops::{RailBox, Step, run_stop, spent_ligament, stop_of_one};
-use super::waiting::{KEEPS_PACE, WaitingGrowth};
-use super::{BreakOut, CrackTip, GrowthSettings, Piece, RunStop, TipStop};
-use crate::crack::{Crack, Junction, point_to_segment};
+use super::{BreakOut, GrowthSettings, Piece, RunStop, TipStop};
+use crate::crack::{Crack, CrackTip, Junction, point_to_segment};
 use crate::math::Vec2;
 
 /// What the passage asks of one tip.
@@ -18,7 +18,7 @@ pub struct TipDrive {
     /// da/dN of the actual tip, mm per cycle: zero at or below the threshold.
     pub rate: f64,
     /// Its growth of earlier steps that is not in the crack yet.
-    pub waiting: WaitingGrowth,
+    pub deferred: DeferredGrowth,
     /// Why it stopped in an earlier step, if it did.
     pub stopped: Option<TipStop>,
 }
@@ -45,10 +45,10 @@ pub struct StepState<'a> {
 }
 
 impl StepState<'_> {
-    /// The length of crack `crack` (from 0), with what waits at its tips, mm.
+    /// The length of crack `crack` (from 0), with the deferred growth of its tips, mm.
     pub fn length(&self, crack: usize) -> f64 {
         let own = self.tips.iter().filter(|tip| tip.tip.crack == crack);
-        self.cracks[crack].length() + own.map(|tip| tip.waiting.length).sum::<f64>()
+        self.cracks[crack].length() + own.map(|tip| tip.deferred.length).sum::<f64>()
     }
 }
 
@@ -56,10 +56,10 @@ impl StepState<'_> {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TipAdvance {
     /// Increment, mm; 0 for a tip that does not grow and in the last step. Negative for a tip that joins a crack which lies across what
-    /// waited.
+    /// was deferred.
     pub increment: f64,
     /// Its growth that is not in the crack of the next step.
-    pub waiting: WaitingGrowth,
+    pub deferred: DeferredGrowth,
     /// Why it does not grow, or not any more, if so.
     pub stop: Option<TipStop>,
 }
@@ -89,7 +89,7 @@ pub struct Advance {
 /// ΔN = Δa_max / rate_max (explicit Euler: the rate at the start of the step holds through it). A step that would
 /// exceed the cycles to stop after is shortened to end on them.
 ///
-/// Growth of a tip that is much slower waits until it is a whole increment ([`WaitingGrowth`]). It counts: in the length of the crack,
+/// Growth of a tip that is much slower is deferred until it is a whole increment ([`DeferredGrowth`]). It counts: in the length of the crack,
 /// and when the tip comes to the surface, to the ends of the rail or to another crack.
 ///
 /// A tip that is arrested, or whose increment cannot be made, stops and does not set the pace: the increments of the
@@ -110,15 +110,15 @@ pub fn advance(state: &StepState<'_>, settings: &GrowthSettings) -> Advance {
         let pace = Pace::of(state, settings, &stops);
         let ways = planned(state, &pace, settings, &stops);
         let steps: Vec<Option<Step>> = ways.iter().map(|way| way.map(|way| way.step)).collect();
-        let met = meetings(&steps, state.cracks, state.resolution);
-        let ways = beside_meetings(state, ways, &met);
+        let met = coalescences(&steps, state.cracks, state.resolution);
+        let ways = beside_coalescences(state, ways, &met);
         let blocked = blocked_steps(state, &steps, &met);
         if blocked.is_empty() {
             let made: Vec<Option<Step>> = ways.iter().map(|way| way.and_then(Way::made)).collect();
             match grow(state, &made, &met) {
                 Outcome::Impossible(blamed) => {
                     for i in blamed {
-                        stops[i] = Some(TipStop::MeetsCrack);
+                        stops[i] = Some(TipStop::Coalescence);
                     }
                 }
                 outcome => break (pace, ways, met, outcome),
@@ -136,8 +136,8 @@ pub fn advance(state: &StepState<'_>, settings: &GrowthSettings) -> Advance {
     let stop = run_stop(settings, state)
         .or_else(|| matches!(outcome, Outcome::Detached(_)).then_some(RunStop::Detached))
         .or_else(|| nothing_grows(state, &stops));
-    for (stop, meeting) in stops.iter_mut().zip(&met) {
-        *stop = stop.or(meeting.map(|_| TipStop::MeetsCrack));
+    for (stop, coalescence) in stops.iter_mut().zip(&met) {
+        *stop = stop.or(coalescence.map(|_| TipStop::Coalescence));
     }
     let standing = Advance {
         tips: standing_tips(state, &stops),
@@ -162,20 +162,24 @@ pub fn advance(state: &StepState<'_>, settings: &GrowthSettings) -> Advance {
 
 /// The tips of a step that is not made.
 fn standing_tips(state: &StepState<'_>, stops: &[Option<TipStop>]) -> Vec<TipAdvance> {
-    let standing = |(tip, &stop): (&TipDrive, _)| TipAdvance { increment: 0.0, waiting: tip.waiting, stop };
+    let standing = |(tip, &stop): (&TipDrive, _)| TipAdvance { increment: 0.0, deferred: tip.deferred, stop };
     state.tips.iter().zip(stops).map(standing).collect()
 }
 
 /// The tips of a step that is made, of those of one that is not.
-fn growing_tips(standing: &[TipAdvance], ways: &[Option<Way>], met: &[Option<Meeting>]) -> Vec<TipAdvance> {
-    let growing = |(tip, (way, meeting)): (&TipAdvance, (&Option<Way>, &Option<Meeting>))| {
+fn growing_tips(
+    standing: &[TipAdvance],
+    ways: &[Option<Way>],
+    met: &[Option<Coalescence>],
+) -> Vec<TipAdvance> {
+    let growing = |(tip, (way, coalescence)): (&TipAdvance, (&Option<Way>, &Option<Coalescence>))| {
         let Some(way) = way else { return *tip };
-        let increment = match meeting {
-            Some(meeting) => (meeting.at - way.step.from).length() - tip.waiting.length,
+        let increment = match coalescence {
+            Some(coalescence) => (coalescence.at - way.step.from).length() - tip.deferred.length,
             None => way.increment,
         };
-        let waiting = if way.waits { way.growth } else { WaitingGrowth::default() };
-        TipAdvance { increment, waiting, stop: tip.stop }
+        let deferred = if way.deferred { way.growth } else { DeferredGrowth::default() };
+        TipAdvance { increment, deferred, stop: tip.stop }
     };
     standing.iter().zip(ways.iter().zip(met)).map(growing).collect()
 }
@@ -184,7 +188,7 @@ fn growing_tips(standing: &[TipAdvance], ways: &[Option<Way>], met: &[Option<Mee
 fn blocked_steps(
     state: &StepState<'_>,
     steps: &[Option<Step>],
-    met: &[Option<Meeting>],
+    met: &[Option<Coalescence>],
 ) -> Vec<(usize, TipStop)> {
     let blocked = |i: usize| {
         let step = steps[i].as_ref()?;
@@ -193,8 +197,10 @@ fn blocked_steps(
         let ligament = spent_ligament(crack, state.resolution);
         match met[i] {
             // A mouth is on the surface already.
-            Some(meeting) if -meeting.at.y >= ligament => stop.filter(|stop| *stop != TipStop::BreakOut),
-            Some(meeting) if meeting.at.y >= 0.0 => Some(TipStop::BreakOut),
+            Some(coalescence) if -coalescence.at.y >= ligament => {
+                stop.filter(|stop| *stop != TipStop::BreakOut)
+            }
+            Some(coalescence) if coalescence.at.y >= 0.0 => Some(TipStop::BreakOut),
             _ => stop,
         }
     };
@@ -257,16 +263,16 @@ struct Way {
     /// Its own increment, mm.
     increment: f64,
     /// All growth that is not in its crack yet, the increment included.
-    growth: WaitingGrowth,
+    growth: DeferredGrowth,
     /// The segment that this makes.
     step: Step,
     /// Whether the segment is too short to be made.
-    waits: bool,
+    deferred: bool,
 }
 
 impl Way {
     fn made(self) -> Option<Step> {
-        (!self.waits).then_some(self.step)
+        (!self.deferred).then_some(self.step)
     }
 }
 
@@ -281,13 +287,13 @@ fn planned(
         let crack = &state.cracks[drive.tip.crack];
         let (from, ahead) = (crack.tip(drive.tip.end), crack.ahead(drive.tip.end));
         let increment = pace.increment(drive.rate);
-        let growth = drive.waiting.and(increment, Vec2::unit(ahead.angle() + drive.kink?));
+        let growth = drive.deferred.and(increment, Vec2::unit(ahead.angle() + drive.kink?));
         let to = from + growth.direction * growth.length;
         let length = state.length(drive.tip.crack);
         let keeps_pace = increment >= KEEPS_PACE * pace.share * length;
-        let waits = !keeps_pace && growth.length < settings.increment * length;
-        let step = Step { tip: drive.tip, from, to, waited: growth.share_of(drive.waiting) };
-        Some(Way { increment, growth, step, waits })
+        let deferred = !keeps_pace && growth.length < settings.increment * length;
+        let step = Step { tip: drive.tip, from, to, deferred: growth.share_of(drive.deferred) };
+        Some(Way { increment, growth, step, deferred })
     };
     state
         .tips
@@ -297,18 +303,18 @@ fn planned(
         .collect()
 }
 
-/// The ways beside `met`: a tip that joins a crack does not wait, nor does one whose way another tip ends on.
-fn beside_meetings(
+/// The ways beside `met`: a tip that joins a crack is not deferred, nor is one whose way another tip ends on.
+fn beside_coalescences(
     state: &StepState<'_>,
     ways: Vec<Option<Way>>,
-    met: &[Option<Meeting>],
+    met: &[Option<Coalescence>],
 ) -> Vec<Option<Way>> {
-    let ends_on = |meeting: &Meeting, Step { tip, from, to, .. }: Step| {
-        meeting.onto == tip.crack && point_to_segment(meeting.at, from, to) < state.resolution
+    let ends_on = |coalescence: &Coalescence, Step { tip, from, to, .. }: Step| {
+        coalescence.onto == tip.crack && point_to_segment(coalescence.at, from, to) < state.resolution
     };
-    let beside = |way: Way, own: &Option<Meeting>| {
-        let is_met = own.is_some() || met.iter().flatten().any(|meeting| ends_on(meeting, way.step));
-        Way { waits: way.waits && !is_met, ..way }
+    let beside = |way: Way, own: &Option<Coalescence>| {
+        let is_met = own.is_some() || met.iter().flatten().any(|coalescence| ends_on(coalescence, way.step));
+        Way { deferred: way.deferred && !is_met, ..way }
     };
     ways.into_iter().zip(met).map(|(way, own)| way.map(|way| beside(way, own))).collect()
 }
@@ -326,8 +332,8 @@ fn nothing_grows(state: &StepState<'_>, stops: &[Option<TipStop>]) -> Option<Run
 mod tests;
 
 #[cfg(test)]
-#[path = "waiting_tests.rs"]
-mod waiting_tests;
+#[path = "deferred_tests.rs"]
+mod deferred_tests;
 
 #[cfg(test)]
 #[path = "joining_tests.rs"]

@@ -13,7 +13,13 @@ fn slanted(mouth: f64, length: f64, degrees: f64) -> Crack {
 
 fn drive(crack: usize, degrees: f64, rate: f64) -> TipDrive {
     let tip = CrackTip { crack, tip: 0, end: End::Last };
-    TipDrive { tip, kink: Some(degrees.to_radians()), rate, waiting: WaitingGrowth::default(), stopped: None }
+    TipDrive {
+        tip,
+        kink: Some(degrees.to_radians()),
+        rate,
+        deferred: DeferredGrowth::default(),
+        stopped: None,
+    }
 }
 
 fn state<'a>(cracks: &'a [Crack], tips: &'a [TipDrive]) -> StepState<'a> {
@@ -33,7 +39,7 @@ fn fastest_tip_sets_the_pace() {
     assert!((next.tips[1].increment - 0.4).abs() < ROUNDING, "{next:?}");
     assert!((next.tips[0].increment - 0.1).abs() < ROUNDING, "{next:?}");
     assert!((next.cycles / 1e5 - 1.0).abs() < ROUNDING, "{next:?}");
-    assert!((next.tips[0].waiting.length - 0.1).abs() < ROUNDING && next.stop.is_none());
+    assert!((next.tips[0].deferred.length - 0.1).abs() < ROUNDING && next.stop.is_none());
     assert_eq!(next.cracks[0], cracks[0]);
     let deeper = next.cracks[1].ahead(End::Last).angle().to_degrees();
     assert!((deeper + 40.0).abs() < 1e-11, "{deeper}"); // degrees, round-off of atan2 over a short segment
@@ -67,12 +73,12 @@ fn slow_and_unloaded_tips_are_arrested_and_the_run_with_them() {
 #[test]
 fn stopped_tip_stays_stopped_and_does_not_set_the_pace() {
     let cracks = [slanted(0.0, 6.0, 30.0), slanted(20.0, 10.0, 30.0)];
-    let stopped = TipDrive { stopped: Some(TipStop::MeetsCrack), ..drive(1, 0.0, 4e-6) };
+    let stopped = TipDrive { stopped: Some(TipStop::Coalescence), ..drive(1, 0.0, 4e-6) };
     let next = advance(&state(&cracks, &[drive(0, 0.0, 1e-6), stopped]), &SETTINGS);
     assert!((next.tips[0].increment - 0.24).abs() < ROUNDING, "{next:?}");
     assert_eq!(
         next.tips[1],
-        TipAdvance { increment: 0.0, waiting: WaitingGrowth::default(), stop: Some(TipStop::MeetsCrack) }
+        TipAdvance { increment: 0.0, deferred: DeferredGrowth::default(), stop: Some(TipStop::Coalescence) }
     );
     assert_eq!(next.stop, None);
 }
@@ -97,14 +103,14 @@ fn tip_that_would_meet_another_crack_or_itself_stops() {
     // The horizontal tip ends 0.3 mm before the vertical crack; its increment is 0.2 mm and more.
     let wall = slanted(4.45, 6.0, 90.0);
     let near = polyline(&[(0.0, 0.0), (0.5, -2.0), (4.15, -2.0)]);
-    assert_eq!(stop_of_first(&[near.clone(), wall.clone()], 0.0), Some(TipStop::MeetsCrack));
+    assert_eq!(stop_of_first(&[near.clone(), wall.clone()], 0.0), Some(TipStop::Coalescence));
     assert_eq!(stop_of_first(&[near, wall.moved(0.3)], 0.0), None);
     // A hook that turns back on its own faces, and a straight crack of many short segments, which does not.
     let hook = polyline(&[(0.0, 0.0), (0.0, -4.0), (3.0, -4.0), (3.0, -3.0), (0.2, -3.0)]);
-    assert_eq!(stop_of_first(&[hook], 0.0), Some(TipStop::MeetsCrack));
+    assert_eq!(stop_of_first(&[hook], 0.0), Some(TipStop::Coalescence));
     // Faces crossed 0.15 mm behind the tip.
     let curl = polyline(&[(0.0, 0.0), (0.0, -4.0), (2.0, -4.0), (2.0, -3.95), (1.95, -3.95)]);
-    assert_eq!(stop_of_first(std::slice::from_ref(&curl), 90.0), Some(TipStop::MeetsCrack));
+    assert_eq!(stop_of_first(std::slice::from_ref(&curl), 90.0), Some(TipStop::Coalescence));
     let short: Vec<(f64, f64)> = (0..=100).map(|i| (0.02 * f64::from(i), -0.02 * f64::from(i))).collect();
     assert_eq!(stop_of_first(&[polyline(&short)], 60.0), None);
 }

@@ -1,6 +1,6 @@
 //! The cracks of the next step: longer by the increments, with new junctions.
 
-use super::meetings::Meeting;
+use super::coalescence::Coalescence;
 use super::pieces::{CrackGraph, Piece, PieceKind};
 use super::stops::Step;
 use super::{BreakOut, StepState};
@@ -23,41 +23,46 @@ pub(super) enum Outcome {
     Impossible(Vec<usize>),
 }
 
-/// Makes `steps`, which end at `meetings` where they have one.
-pub(super) fn grow(state: &StepState<'_>, steps: &[Option<Step>], meetings: &[Option<Meeting>]) -> Outcome {
+/// Makes `steps`, which end at `coalescences` where they have one.
+pub(super) fn grow(
+    state: &StepState<'_>,
+    steps: &[Option<Step>],
+    coalescences: &[Option<Coalescence>],
+) -> Outcome {
     let mut paths: Vec<Vec<Vec2>> = state.cracks.iter().map(|crack| crack.points().to_vec()).collect();
     for (i, step) in steps.iter().enumerate() {
         let Some(step) = step else { continue };
-        let to = meetings[i].map_or(step.to, |meeting| meeting.at);
-        let is_junction = |meeting: &Meeting| meeting.at == step.from;
-        let short = meetings[i].is_some()
+        let to = coalescences[i].map_or(step.to, |coalescence| coalescence.at);
+        let is_junction = |coalescence: &Coalescence| coalescence.at == step.from;
+        let short = coalescences[i].is_some()
             && (to - step.from).length() < state.resolution
-            && !meetings.iter().flatten().any(is_junction);
+            && !coalescences.iter().flatten().any(is_junction);
         lengthen(&mut paths[step.tip.crack], step.tip.end, to, if short { Last::Moves } else { Last::Stays });
     }
-    for (step, meeting) in steps.iter().zip(meetings) {
-        if let (Some(step), Some(meeting)) = (step, meeting) {
-            let own = (meeting.onto == step.tip.crack && meeting.with.is_none()).then_some(step.tip.end);
-            insert(&mut paths[meeting.onto], meeting.at, own);
+    for (step, coalescence) in steps.iter().zip(coalescences) {
+        if let (Some(step), Some(coalescence)) = (step, coalescence) {
+            let own =
+                (coalescence.onto == step.tip.crack && coalescence.with.is_none()).then_some(step.tip.end);
+            insert(&mut paths[coalescence.onto], coalescence.at, own);
         }
     }
-    let pieces = detached(state, steps, meetings, &paths);
+    let pieces = detached(state, steps, coalescences, &paths);
     if !pieces.is_empty() {
         return Outcome::Detached(pieces);
     }
     let mut cracks = Vec::new();
     for (crack, path) in paths.into_iter().enumerate() {
         let Ok(longer) = Crack::polyline(path) else {
-            return impossible(steps, meetings, |i| {
+            return impossible(steps, coalescences, |i| {
                 steps[i].is_some_and(|step| step.tip.crack == crack)
-                    || meetings[i].is_some_and(|meeting| meeting.onto == crack)
+                    || coalescences[i].is_some_and(|coalescence| coalescence.onto == crack)
             });
         };
         cracks.push(longer);
     }
-    let junctions = junctions(state, steps, meetings);
+    let junctions = junctions(state, steps, coalescences);
     if CrackNetwork::joined(cracks.clone(), junctions.clone()).is_err() {
-        return impossible(steps, meetings, |i| meetings[i].is_some());
+        return impossible(steps, coalescences, |i| coalescences[i].is_some());
     }
     Outcome::Grown { cracks, junctions }
 }
@@ -65,10 +70,10 @@ pub(super) fn grow(state: &StepState<'_>, steps: &[Option<Step>], meetings: &[Op
 /// The steps to `blame`; all of them where there are none.
 fn impossible(
     steps: &[Option<Step>],
-    meetings: &[Option<Meeting>],
+    coalescences: &[Option<Coalescence>],
     blame: impl Fn(usize) -> bool,
 ) -> Outcome {
-    let made: Vec<usize> = (0..meetings.len()).filter(|&i| steps[i].is_some()).collect();
+    let made: Vec<usize> = (0..coalescences.len()).filter(|&i| steps[i].is_some()).collect();
     let blamed: Vec<usize> = made.iter().copied().filter(|&i| blame(i)).collect();
     Outcome::Impossible(if blamed.is_empty() { made } else { blamed })
 }
@@ -110,25 +115,29 @@ fn insert(path: &mut Vec<Vec2>, at: Vec2, own: Option<End>) {
     }
 }
 
-/// The junctions so far and those of `meetings`: where tip meets tip, that of the earlier one.
-fn junctions(state: &StepState<'_>, steps: &[Option<Step>], meetings: &[Option<Meeting>]) -> Vec<Junction> {
+/// The junctions so far and those of `coalescences`: where tip meets tip, that of the earlier one.
+fn junctions(
+    state: &StepState<'_>,
+    steps: &[Option<Step>],
+    coalescences: &[Option<Coalescence>],
+) -> Vec<Junction> {
     let mut junctions = state.junctions.to_vec();
-    for (i, (step, meeting)) in steps.iter().zip(meetings).enumerate() {
-        if let (Some(step), Some(meeting)) = (step, meeting)
-            && meeting.with.is_none_or(|other| other > i)
+    for (i, (step, coalescence)) in steps.iter().zip(coalescences).enumerate() {
+        if let (Some(step), Some(coalescence)) = (step, coalescence)
+            && coalescence.with.is_none_or(|other| other > i)
         {
             let joining = CrackEnd { crack: step.tip.crack, end: step.tip.end };
-            junctions.push(Junction { joining, onto: meeting.onto });
+            junctions.push(Junction { joining, onto: coalescence.onto });
         }
     }
     junctions
 }
 
-/// The pieces that the last segments before `meetings` close off.
+/// The pieces that the last segments before `coalescences` close off.
 fn detached(
     state: &StepState<'_>,
     steps: &[Option<Step>],
-    meetings: &[Option<Meeting>],
+    coalescences: &[Option<Coalescence>],
     paths: &[Vec<Vec2>],
 ) -> Vec<Piece> {
     let mut graph = CrackGraph::default();
@@ -138,8 +147,8 @@ fn detached(
             let of_end = |step: &Step| (step.tip.crack, step.tip.end) == (crack, end);
             steps
                 .iter()
-                .zip(meetings)
-                .any(|(step, meeting)| step.as_ref().is_some_and(of_end) && meeting.is_some())
+                .zip(coalescences)
+                .any(|(step, coalescence)| step.as_ref().is_some_and(of_end) && coalescence.is_some())
         };
         let (mut from, mut to) = (0, path.len() - 1);
         if meets(End::First) {

@@ -17,7 +17,7 @@ fn drive(crack: usize, end: End, tip: usize, kink: f64, rate: f64) -> TipDrive {
         tip: CrackTip { crack, tip, end },
         kink: Some(kink),
         rate,
-        waiting: WaitingGrowth::default(),
+        deferred: DeferredGrowth::default(),
         stopped: None,
     }
 }
@@ -59,7 +59,7 @@ fn tip_joins_the_crack_that_its_increment_crosses() {
     let next = next(&cracks, &tips);
     let junction = Junction { joining: CrackEnd { crack: 0, end: End::Last }, onto: 1 };
     assert_eq!((&next.junctions[..], next.stop), (&[junction][..], None));
-    assert_eq!(next.tips[0].stop, Some(TipStop::MeetsCrack));
+    assert_eq!(next.tips[0].stop, Some(TipStop::Coalescence));
     assert!((next.tips[0].increment - 0.2).abs() < ROUNDING, "{next:?}");
     let at = next.cracks[0].tip(End::Last);
     assert!((at - Vec2::new(0.2, -4.0)).length() < ROUNDING, "{at:?}");
@@ -115,7 +115,7 @@ fn tips_that_come_together_meet_where_they_are_at_the_same_time() {
     assert_eq!(at, next.cracks[1].tip(End::Last));
     assert!((at - Vec2::new(0.25 * 2.0 / 3.0 + 0.025, -4.0)).length() < 1e-9, "{at:?}");
     assert_eq!(next.junctions, [Junction { joining: CrackEnd { crack: 0, end: End::Last }, onto: 1 }]);
-    assert_eq!(next.tips.iter().map(|tip| tip.stop).collect::<Vec<_>>(), [Some(TipStop::MeetsCrack); 2]);
+    assert_eq!(next.tips.iter().map(|tip| tip.stop).collect::<Vec<_>>(), [Some(TipStop::Coalescence); 2]);
 }
 
 #[test]
@@ -124,7 +124,7 @@ fn later_tip_joins_what_the_earlier_one_left_behind() {
     let rising = crack(&[(0.06, -10.2), (0.06, -4.2)]);
     let tips = [ahead(0, 1e-6), drive(1, End::Last, 1, 0.0, 1e-6)];
     let next = next(&[coming(0.0), rising], &tips);
-    assert_eq!([next.tips[0].stop, next.tips[1].stop], [None, Some(TipStop::MeetsCrack)]);
+    assert_eq!([next.tips[0].stop, next.tips[1].stop], [None, Some(TipStop::Coalescence)]);
     let at = next.cracks[1].tip(End::Last);
     assert!((at - Vec2::new(0.06, -4.0)).length() < ROUNDING, "{at:?}");
     assert_eq!(next.cracks[0].vertex_at(at), Some(3));
@@ -258,12 +258,15 @@ fn any_network() -> impl Strategy<Value = (Vec<Crack>, Vec<TipDrive>)> {
                 return None;
             }
             let ends = (0..cracks.len()).flat_map(|c| [(c, End::First, 0), (c, End::Last, 1)]);
-            let tips = ends.zip(drives).map(|((c, end, tip), (kink, rate, waits))| {
+            let tips = ends.zip(drives).map(|((c, end, tip), (kink, rate, deferred))| {
                 let direction = Vec2::unit(cracks[c].ahead(end).angle() + kink + 0.1);
-                let length = waits * LARGE.increment * cracks[c].length();
-                let waiting =
-                    if waits < 0.5 { WaitingGrowth::default() } else { WaitingGrowth { length, direction } };
-                TipDrive { waiting, ..drive(c, end, tip, kink, 1e-6 * rate) }
+                let length = deferred * LARGE.increment * cracks[c].length();
+                let deferred = if deferred < 0.5 {
+                    DeferredGrowth::default()
+                } else {
+                    DeferredGrowth { length, direction }
+                };
+                TipDrive { deferred, ..drive(c, end, tip, kink, 1e-6 * rate) }
             });
             let tips = tips.collect();
             Some((cracks, tips))
@@ -292,8 +295,8 @@ fn any_step_makes_a_network_and_knows_neither_order_nor_hand() {
         prop_assert!(CrackNetwork::joined(next.cracks.clone(), next.junctions.clone()).is_ok());
         let mirror: Vec<Crack> = cracks.iter().map(mirrored_crack).collect();
         let turned = tips.iter().map(|tip| {
-            let waiting = WaitingGrowth { direction: mirrored(tip.waiting.direction), ..tip.waiting };
-            TipDrive { kink: tip.kink.map(|k| -k), waiting, ..*tip }
+            let deferred = DeferredGrowth { direction: mirrored(tip.deferred.direction), ..tip.deferred };
+            TipDrive { kink: tip.kink.map(|k| -k), deferred, ..*tip }
         });
         let other = advance(&state(&mirror, &turned.collect::<Vec<_>>()), &LARGE);
         prop_assert_eq!((other.stop, other.junctions.len()), (next.stop, next.junctions.len()));

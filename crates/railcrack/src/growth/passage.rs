@@ -2,7 +2,7 @@
 
 use super::face_load::{FaceLoad, Part};
 use super::tip_sifs::{TipMark, TipSifs};
-use super::{FacePoint, FaceRecord, PassageRecord, SolverCounts, Watch};
+use super::{FaceRecord, Observer, PassageRecord, SolverCounts};
 use crate::contact::{
     ContactSolver, FaceProblem, FaceSolution, FaceState, StepControl, Stepper, SteppingError,
 };
@@ -80,12 +80,12 @@ pub fn stabilised_passage(
     solver: &dyn ContactSolver,
     load: RailLoad,
     settings: &PassageSettings,
-    watch: &dyn Watch,
+    observer: &dyn Observer,
 ) -> Result<StabilisedPassage, PassageError> {
     let xc = settings.passage.abscissae();
     let face_load = FaceLoad::new(problem, load);
     let expected = face_load.expected_slip(&xc);
-    let interrupted = || watch.interrupted();
+    let interrupted = || observer.interrupted();
     let stepper = Stepper::new(problem, solver, settings.step_tolerance, &expected)
         .with_control(settings.step_control)
         .with_interruption(&interrupted);
@@ -106,7 +106,7 @@ pub fn stabilised_passage(
     let mut passages: Vec<PassageRecord> = Vec::new();
     let mut before: Option<Pass> = None;
     loop {
-        let pass = wheel.pass(passages.len() + 1, before.as_ref(), &mut tips, watch)?;
+        let pass = wheel.pass(passages.len() + 1, before.as_ref(), &mut tips, observer)?;
         let mut last_change = passages.last().map(|before| change(before, &pass.record));
         passages.push(pass.record.clone());
         let mut repeats = last_change.is_some_and(|change| change <= settings.passage_tolerance);
@@ -116,8 +116,7 @@ pub fn stabilised_passage(
             (last_change, repeats) = (Some(0.0), true);
         }
         if repeats || passages.len() >= settings.max_passages || !problem.has_friction() {
-            let points = problem.body().faces().points.iter();
-            let points = points.map(|p| FacePoint { crack: p.crack, segment: p.segment, s: p.s }).collect();
+            let points = problem.body().faces().points.clone();
             return Ok(StabilisedPassage {
                 counts: wheel.counts(passages.len()),
                 passages,
@@ -205,7 +204,7 @@ impl Wheel<'_> {
         number: usize,
         before: Option<&Pass>,
         tips: &mut TipSifs,
-        watch: &dyn Watch,
+        observer: &dyn Observer,
     ) -> Result<Pass, PassageError> {
         let problem = self.problem;
         let (first, last) = (self.xc[0], self.xc[self.xc.len() - 1]);
@@ -242,7 +241,7 @@ impl Wheel<'_> {
             pass.record.sifs.iter_mut().zip(tips.sifs()).for_each(|(tip, k)| tip.push(k));
             pass.states.push(self.stepper.solution().face_states(self.problem));
             pass.marks.push(Mark { faces: self.stepper.solution().clone(), tips: tips.mark() });
-            watch.progress((i + 1) as f64 / self.xc.len() as f64);
+            observer.progress((i + 1) as f64 / self.xc.len() as f64);
             if let Some(before) = before
                 && self.stepper.is_like(&before.marks[i].faces)
                 && tips.is_like(&before.marks[i].tips)
@@ -343,8 +342,8 @@ fn change(before: &PassageRecord, after: &PassageRecord) -> f64 {
     let pairs = before.sifs.iter().flatten().zip(after.sifs.iter().flatten());
     let (mut difference, mut peak) = (0.0f64, 0.0f64);
     for (a, b) in pairs {
-        difference = difference.max((a.k1 - b.k1).abs()).max((a.k2 - b.k2).abs());
-        for k in [a.k1, a.k2, b.k1, b.k2] {
+        difference = difference.max((a.ki - b.ki).abs()).max((a.kii - b.kii).abs());
+        for k in [a.ki, a.kii, b.ki, b.kii] {
             peak = peak.max(k.abs());
         }
     }

@@ -1,9 +1,9 @@
 //! What a growth step leaves behind.
 
-use super::{FieldRecord, Piece, WaitingGrowth};
-use crate::body::BodyTimes;
+use super::{DeferredGrowth, FieldRecord, Piece};
+use crate::body::{BodyTimes, FacePoint};
 use crate::contact::FaceState;
-use crate::crack::{Crack, CrackEnd, End, Junction};
+use crate::crack::{Crack, CrackEnd, CrackTip, Junction};
 use crate::fatigue::{DirectionCriterion, ParisLaw};
 use crate::fracture::Sif;
 use crate::math::Vec2;
@@ -28,24 +28,6 @@ pub struct GrowthSettings {
     pub stop_after_cycles: Option<f64>,
 }
 
-/// A tip: which crack of the network (from 0) and which of its ends.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub struct CrackTip {
-    /// Index of the crack, from 0.
-    pub crack: usize,
-    /// Index of the tip within its crack, from 0.
-    pub tip: usize,
-    /// Which end of the crack it is.
-    pub end: End,
-}
-
-impl CrackTip {
-    /// The end of the crack that it is.
-    pub fn crack_end(self) -> CrackEnd {
-        CrackEnd { crack: self.crack, end: self.end }
-    }
-}
-
 /// A tip that broke out, and where its ligament ends on the running surface.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct BreakOut {
@@ -64,7 +46,7 @@ pub enum TipStop {
     BreakOut,
     /// It joins a crack, with the increment of this step where the step is made; without an increment, it came so close that no
     /// junction can be made.
-    MeetsCrack,
+    Coalescence,
     /// The next increment would leave the rail.
     LeavesRail,
 }
@@ -75,7 +57,7 @@ impl TipStop {
         match self {
             Self::Arrest => "arrest",
             Self::BreakOut => "break-out",
-            Self::MeetsCrack => "meets-crack",
+            Self::Coalescence => "meets-crack",
             Self::LeavesRail => "leaves-rail",
         }
     }
@@ -118,17 +100,6 @@ pub struct PassageRecord {
     pub sifs: Vec<Vec<Sif>>,
 }
 
-/// A point of the crack faces.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct FacePoint {
-    /// Index of the crack, from 0.
-    pub crack: usize,
-    /// Index of the straight segment of the crack, from 0.
-    pub segment: usize,
-    /// Arc length from the first point of the crack, mm.
-    pub s: f64,
-}
-
 /// The faces during the stabilised passage.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FaceRecord {
@@ -147,10 +118,10 @@ pub struct TipRecord {
     pub x: f64,
     /// Ordinate of the tip, mm.
     pub y: f64,
-    /// Length of its crack, with what waits at its tips, mm.
+    /// Length of its crack, with the deferred growth of its tips, mm.
     pub length: f64,
     /// Its growth that is not in the crack yet.
-    pub waiting: WaitingGrowth,
+    pub deferred: DeferredGrowth,
     /// Largest K_I of the stabilised passage, MPa √mm.
     pub ki_max: f64,
     /// Range of K_I (clipped at zero), MPa √mm.
@@ -162,11 +133,11 @@ pub struct TipRecord {
     /// Chosen kink, radians, counter-clockwise positive; none for a tip that does not load at all.
     pub kink: Option<f64>,
     /// The best other local maximum at least 15° away, radians.
-    pub rival: Option<f64>,
+    pub secondary: Option<f64>,
     /// Its rate over the best rate.
-    pub rival_ratio: Option<f64>,
-    /// Increment to the next step, mm, in the crack or waiting; 0 in the last step and for a stopped tip. Negative for a tip that joins a
-    /// crack which lies across what waited.
+    pub secondary_ratio: Option<f64>,
+    /// Increment to the next step, mm, in the crack or deferred; 0 in the last step and for a stopped tip. Negative for a tip that joins a
+    /// crack which lies across its deferred growth.
     pub increment: f64,
     /// da/dN, mm per cycle.
     pub rate: f64,
@@ -204,13 +175,42 @@ pub struct PhaseTimes {
     pub growth_s: f64,
 }
 
+/// What a warning is about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum WarningKind {
+    /// How the engine represents the cracks.
+    Engine,
+    /// The other contact solver took over.
+    ContactFallback,
+    /// Two kinks are nearly as good.
+    NearTie,
+    /// The history of K still changes from passage to passage.
+    Passages,
+    /// The residual stress, and how it was balanced.
+    ResidualStress,
+}
+
+impl WarningKind {
+    /// The name in output files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Engine => "engine",
+            Self::ContactFallback => "contact-fallback",
+            Self::NearTie => "near-tie",
+            Self::Passages => "passages",
+            Self::ResidualStress => "residual-stress",
+        }
+    }
+}
+
 /// Something the reader of the results must know.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Warning {
     /// The step at which it arose.
     pub step: usize,
-    /// A short name, `near-tie` for instance.
-    pub kind: String,
+    /// What it is about.
+    pub kind: WarningKind,
     /// One sentence with its numbers.
     pub text: String,
 }

@@ -1,7 +1,7 @@
 //! Why a tip, or the run, goes no further.
 
-use super::{CrackTip, GrowthSettings, RunStop, StepState, TipStop};
-use crate::crack::Crack;
+use super::{GrowthSettings, RunStop, StepState, TipStop};
+use crate::crack::{Crack, CrackTip};
 use crate::math::Vec2;
 
 /// The rail as a rectangle below y = 0.
@@ -32,7 +32,7 @@ pub(super) struct Step {
     /// Where it would be.
     pub to: Vec2,
     /// The share of the way that it has made in earlier steps.
-    pub waited: f64,
+    pub deferred: f64,
 }
 
 /// The ligament to the running surface (mm) that a tip of `crack` may still leave; `resolution` (mm) is the length that the engine

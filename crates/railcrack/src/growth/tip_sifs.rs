@@ -1,6 +1,6 @@
 //! K of the tips from load step to load step.
 
-use crate::body::MeshPoint;
+use crate::body::FacePoint;
 use crate::contact::{FaceProblem, FaceSolution, PointStatus};
 use crate::crack::End;
 use crate::fracture::{Sif, SifHistory};
@@ -57,7 +57,7 @@ impl TipSifs {
         let body = problem.body();
         let points = &body.faces().points;
         let nearest = |crack: usize, end: End| {
-            let own = |point: &MeshPoint| point.crack == crack;
+            let own = |point: &FacePoint| point.crack == crack;
             let place =
                 if end == End::First { points.iter().position(own) } else { points.iter().rposition(own) };
             // A crack has a face point at least.
@@ -92,8 +92,8 @@ impl TipSifs {
             if closed && moved.abs() <= STILL * tip.largest {
                 tip.held = true;
             } else {
-                tip.held &= closed && (sif.k2 - tip.sif.k2) * moved < 0.0;
-                tip.sif = if tip.held { Sif { k2: tip.sif.k2, ..sif } } else { sif };
+                tip.held &= closed && (sif.kii - tip.sif.kii) * moved < 0.0;
+                tip.sif = if tip.held { Sif { kii: tip.sif.kii, ..sif } } else { sif };
                 tip.slip = slip;
             }
             tip.history.samples.push(tip.sif);
@@ -115,7 +115,7 @@ impl TipSifs {
     pub fn is_like(&self, mark: &TipMark) -> bool {
         self.tips.iter().zip(&mark.tips).all(|(tip, (sif, held))| {
             let near = |one: f64, other: f64| (one - other).abs() <= ALIKE * tip.history.peak();
-            tip.held == *held && near(tip.sif.k1, sif.k1) && near(tip.sif.k2, sif.k2)
+            tip.held == *held && near(tip.sif.ki, sif.ki) && near(tip.sif.kii, sif.kii)
         })
     }
 

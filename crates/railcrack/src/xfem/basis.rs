@@ -71,7 +71,7 @@ struct TipBasis<'a> {
 }
 
 /// K_I alone and K_II alone, 1 MPa √mm.
-pub(super) const MODES: [Sif; 2] = [Sif { k1: 1.0, k2: 0.0 }, Sif { k1: 0.0, k2: 1.0 }];
+pub(super) const MODES: [Sif; 2] = [Sif { ki: 1.0, kii: 0.0 }, Sif { ki: 0.0, kii: 1.0 }];
 
 impl<'a> CellBasis<'a> {
     /// The first functions, those of the nodes.

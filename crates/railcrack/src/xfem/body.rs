@@ -11,9 +11,9 @@ use super::interface::{Interface, Station};
 use super::sif::{SifContext, SifFunctional};
 use super::space::Space;
 use super::trace;
-use crate::body::{BodyError, BodyFields, BodyTimes, BodyTip, CrackedBody, FaceMesh, FieldLoad, RailEnds};
+use crate::body::{BodyError, BodyFields, BodyTimes, CrackedBody, FaceMesh, FieldLoad, RailEnds};
 use crate::bulk::{BlockCorrection, BulkError, BulkRail, CorrectionAtPoints};
-use crate::crack::CrackNetwork;
+use crate::crack::{CrackNetwork, CrackTip};
 use crate::linear::{LinearError, spd_inverse};
 use crate::load::HertzianContact;
 use crate::math::{Matrix, Stress, Vec2};
@@ -85,7 +85,7 @@ impl Default for XfemSettings {
 #[derive(Debug, Clone)]
 pub struct XfemBody {
     pub(super) inside: Inside,
-    tips: Vec<BodyTip>,
+    tips: Vec<CrackTip>,
     compliance: Matrix,
     stiffness: Matrix,
     sif_influence: Matrix,
@@ -160,7 +160,7 @@ impl XfemBody {
         let Condensed { compliance, sif_influence, elimination } = system.condensed(columns)?;
         let stiffness = spd_inverse(&compliance)?;
         times.condensation_s = lap();
-        let tips = cuts.tips.iter().map(|tip| BodyTip { crack: tip.crack, end: tip.end }).collect();
+        let tips = network.tips();
         let dofs = background.factor().order() + space.unknowns();
         let rail = Arc::clone(background);
         Ok(Self {
@@ -251,7 +251,7 @@ impl CrackedBody for XfemBody {
         &self.inside.interface.faces
     }
 
-    fn tips(&self) -> &[BodyTip] {
+    fn tips(&self) -> &[CrackTip] {
         &self.tips
     }
 

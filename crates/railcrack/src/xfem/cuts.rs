@@ -2,7 +2,7 @@
 
 use super::arrangement::{Arrangement, Border, CutLine};
 use super::path::{CutPath, STRAIGHT, TipPath};
-use crate::crack::{CrackEnd, CrackNetwork};
+use crate::crack::{CrackNetwork, CrackTip};
 use crate::math::{Orientation, Vec2, orientation};
 use crate::mesh::{Edge, Element, QuadMesh};
 use std::collections::BTreeMap;
@@ -100,7 +100,7 @@ pub(super) struct Cuts {
 impl Cuts {
     pub(super) fn new(mesh: &QuadMesh, network: &CrackNetwork) -> Self {
         let paths: Vec<CutPath> = network.cracks().iter().map(CutPath::new).collect();
-        let tip = |tip: CrackEnd| TipPath::new(tip.crack, &paths[tip.crack], tip.end);
+        let tip = |tip: CrackTip| TipPath::new(tip.crack, &paths[tip.crack], tip.end);
         let tips: Vec<TipPath> = network.tips().into_iter().map(tip).collect();
         let mut poles = tips.clone();
         for (crack, path) in paths.iter().enumerate() {

@@ -118,7 +118,7 @@ fn the_stress_ahead_of_the_tip_is_k_over_the_root_of_two_pi_r() {
     let body = body(degrees, 0.1);
     let (forces, grid, field) = under_tension(&body, 1.0);
     let k = body.sif_influence().times(&forces);
-    let williams = WilliamsField::of(Sif { k1: k[0], k2: k[1] }, &steel());
+    let williams = WilliamsField::of(Sif { ki: k[0], kii: k[1] }, &steel());
     let ahead = Vec2::unit(-degrees.to_radians());
     let mut ratios = Vec::new();
     for (point, stress) in grid.inside.iter().zip(&field.stress) {

@@ -189,7 +189,7 @@ fn williams_field_on_a_patch() {
         });
         let k = dense.sifs(&dense.solve(&forces, |i| held.contains(&i)));
         println!("{name} = 1: K_I {:.6}, K_II {:.6}", k[0], k[1]);
-        assert!((k[0] - mode.k1).abs() < PATCH && (k[1] - mode.k2).abs() < PATCH, "{name}: {k:?}");
+        assert!((k[0] - mode.ki).abs() < PATCH && (k[1] - mode.kii).abs() < PATCH, "{name}: {k:?}");
     }
 }
 

@@ -1,6 +1,6 @@
 //! Where the mesh is fine.
 
-use crate::crack::{Crack, CrackEnd, CrackNetwork, End};
+use crate::crack::{Crack, CrackNetwork, CrackTip, End};
 use crate::math::Vec2;
 use crate::mesh::{MeshError, QuadMesh};
 
@@ -139,7 +139,7 @@ impl Window {
             mouth: crack.is_surface_breaking().then(|| crack.points()[0].x),
         };
         let cracks: Vec<Resolved> = network.cracks().iter().zip(sizes).map(resolved).collect();
-        let ahead = network.tips().into_iter().flat_map(|CrackEnd { crack: index, end }| {
+        let ahead = network.tips().into_iter().flat_map(|CrackTip { crack: index, end, .. }| {
             let crack = &network.cracks()[index];
             let far = (expected_growth - 1.0).max(0.0) * crack.length();
             let (tip, angle) = (crack.tip(end), crack.ahead(end).angle());
@@ -178,7 +178,7 @@ impl Window {
 
     /// Whether a tip of `network` has left the window with the last segment of its crack.
     pub fn was_left_by(&self, network: &CrackNetwork) -> bool {
-        network.tips().into_iter().any(|CrackEnd { crack, end }| {
+        network.tips().into_iter().any(|CrackTip { crack, end, .. }| {
             let crack = &network.cracks()[crack];
             let points = crack.points();
             let before = match end {

@@ -6,7 +6,7 @@ use railcrack::contact::{self, ContactSolver, FaceProblem, Newton};
 use railcrack::crack::{Crack, CrackNetwork};
 use railcrack::dislocation::FaceResolution;
 use railcrack::field::StressField;
-use railcrack::growth::{PassageSettings, RailLoad, StabilisedPassage, Unwatched, stabilised_passage};
+use railcrack::growth::{PassageSettings, RailLoad, StabilisedPassage, Unobserved, stabilised_passage};
 use railcrack::load::{HertzianContact, Passage};
 use std::fmt;
 
@@ -113,6 +113,6 @@ impl Rolling<'_> {
             step_control: self.steps.control,
         };
         let load = RailLoad { contact: self.contact(), poisson: 0.3, residual: self.residual };
-        stabilised_passage(problem, solver, load, &settings, &Unwatched).unwrap()
+        stabilised_passage(problem, solver, load, &settings, &Unobserved).unwrap()
     }
 }

@@ -47,7 +47,7 @@ pub fn table_histories(file: &str) -> Vec<History> {
         }
         let history = &mut histories[crack as usize - 1];
         history.xc_over_a.push(xc[row]);
-        history.sifs.push(Sif { k1: k1[row] * root, k2: k2[row] * root });
+        history.sifs.push(Sif { ki: k1[row] * root, kii: k2[row] * root });
     }
     histories
 }

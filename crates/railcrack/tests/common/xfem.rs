@@ -134,12 +134,12 @@ fn largest_eigenvalue(matrix: &Matrix) -> f64 {
 pub fn misfit(result: &StabilisedPassage, reference: &[History]) -> (f64, String) {
     let passage = &result.passages[result.passages.len() - 1];
     let all = || reference.iter().flat_map(|h| &h.sifs);
-    let peak = all().fold(0.0f64, |m, k| m.max(k.k1.abs()).max(k.k2.abs()));
+    let peak = all().fold(0.0f64, |m, k| m.max(k.ki.abs()).max(k.kii.abs()));
     let mut worst = (0.0, String::new());
     for (crack, history) in reference.iter().enumerate() {
         assert_eq!(history.sifs.len(), passage.sifs[crack].len());
         for (i, (want, got)) in history.sifs.iter().zip(&passage.sifs[crack]).enumerate() {
-            for (name, want, got) in [("K_I", want.k1, got.k1), ("K_II", want.k2, got.k2)] {
+            for (name, want, got) in [("K_I", want.ki, got.ki), ("K_II", want.kii, got.kii)] {
                 let error = (got - want).abs() / peak;
                 if error > worst.0 {
                     let xc = history.xc_over_a[i];

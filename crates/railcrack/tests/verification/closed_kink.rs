@@ -9,7 +9,7 @@ use railcrack::fracture::{Sif, SifHistory};
 /// co-planar, and the second branches.
 #[test]
 fn alternating_mode_two() {
-    let history = SifHistory { samples: [100.0, -100.0].map(|k2| Sif { k1: 0.0, k2 }).to_vec() };
+    let history = SifHistory { samples: [100.0, -100.0].map(|kii| Sif { ki: 0.0, kii }).to_vec() };
     let kink = |criterion, mode_2_weight| {
         let law = ParisLaw { mode_2_weight, ..ParisLaw::RAIL_STEEL };
         HourlierPineau { law, criterion }.kink(&history).unwrap()

@@ -20,17 +20,17 @@ fn closed_tips_have_no_opening_mode() {
         {
             let rolling = Rolling::over(vec![crack.clone()], friction, wheel);
             let result = rolling.solve_by(solver);
-            let peak = result.histories[0].samples.iter().fold(0.0f64, |m, k| m.max(k.k2.abs()));
+            let peak = result.histories[0].samples.iter().fold(0.0f64, |m, k| m.max(k.kii.abs()));
             let passage = &result.passages[result.passages.len() - 1];
             let closed: Vec<f64> = (passage.sifs[0].iter().zip(&result.faces.states))
                 .filter(|(_, states)| states[states.len() - 1].status != FaceStatus::Open)
-                .map(|(k, _)| k.k1 / peak)
+                .map(|(k, _)| k.ki / peak)
                 .collect();
             // An unstable multiplier space would show as some per cent; LATIN's indicator on K is
             // 1e-9.
             close(largest(closed.iter().copied()), 0.0, Absolute(1e-8), name);
             assert!(closed.len() > 100, "{name}: closed at {} positions only", closed.len());
-            let negative = result.histories[0].samples.iter().fold(0.0f64, |m, k| m.max(-k.k1)) / peak;
+            let negative = result.histories[0].samples.iter().fold(0.0f64, |m, k| m.max(-k.ki)) / peak;
             let violation = result.counts.complementarity_max;
             close(violation, 0.0, Absolute(1e-9), "largest violation of the contact conditions");
             close(negative, 0.0, Absolute(1e-8), "faces never overlap at the tip");

@@ -137,7 +137,7 @@ fn holds_for(cases: u32, solver: Checked) {
     let rng = TestRng::deterministic_rng(RngAlgorithm::ChaCha);
     let property = |rolling: Rolling| {
         let result = rolling.solve_by(&solver);
-        let finite = |k: &railcrack::fracture::Sif| k.k1.is_finite() && k.k2.is_finite();
+        let finite = |k: &railcrack::fracture::Sif| k.ki.is_finite() && k.kii.is_finite();
         prop_assert!(result.histories.iter().all(|history| history.samples.iter().all(finite)));
         Ok(())
     };

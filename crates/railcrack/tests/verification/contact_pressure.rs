@@ -1,11 +1,11 @@
 //! The contact pressure along the faces does not oscillate.
 
 use crate::common::{Of, Rolling, body, close, default_elements, largest, surface_crack};
-use railcrack::body::CrackedBody;
+use railcrack::body::{CrackedBody, FacePoint};
 use railcrack::contact::{FaceProblem, FaceState, FaceStatus, LoadPath, Newton, Stepper};
 use railcrack::crack::{Crack, End};
 use railcrack::field::{DepthProfile, StressField};
-use railcrack::growth::{FacePoint, FaceRecord};
+use railcrack::growth::FaceRecord;
 
 /// Number of points on either side that must share the status of a point for it to count as away
 /// from changes of status.
@@ -119,5 +119,5 @@ fn stuck_faces_transmit_the_uncracked_stress() {
         close(state.s12, xx * sin * cos, Of(0.01, 400.0), reason);
     }
     let sifs = stepper.solution().sifs(&body, stepper.load());
-    close(largest(sifs.iter().flat_map(|k| [k.k1, k.k2])), 0.0, Of(1e-12, 400.0), "no slip");
+    close(largest(sifs.iter().flat_map(|k| [k.ki, k.kii])), 0.0, Of(1e-12, 400.0), "no slip");
 }

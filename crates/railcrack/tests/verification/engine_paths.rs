@@ -1,7 +1,7 @@
 //! Paths of the two engines over 25 increments.
 
 use crate::common::measured;
-use railcrack::growth::Unwatched;
+use railcrack::growth::Unobserved;
 use railcrack::math::Vec2;
 use railcrack_case::{Case, Overrides};
 use std::path::Path;
@@ -29,7 +29,7 @@ impl Rolled {
         let case = Case::parse_with(&text, "case.toml", Path::new(""), &overrides).unwrap();
         let mut run = case.prepare(None).unwrap().growth(None);
         let mut path = Vec::new();
-        while let Some(step) = run.next_step(&Unwatched).unwrap() {
+        while let Some(step) = run.next_step(&Unobserved).unwrap() {
             path.push(Vec2::new(step.tips[0].x, step.tips[0].y));
         }
         path

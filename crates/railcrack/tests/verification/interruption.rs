@@ -7,7 +7,7 @@ use railcrack::contact::{
     SteppingError,
 };
 use railcrack::growth::{
-    PassageError, PassageSettings, RailLoad, StabilisedPassage, Unwatched, Watch, stabilised_passage,
+    Observer, PassageError, PassageSettings, RailLoad, StabilisedPassage, Unobserved, stabilised_passage,
 };
 use railcrack::load::{HertzianContact, Passage};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -15,7 +15,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// Output positions: few, so that most requests fall between them.
 const POSITIONS: usize = 5;
 
-fn passage(solver: &dyn ContactSolver, watch: &dyn Watch) -> Result<StabilisedPassage, PassageError> {
+fn passage(solver: &dyn ContactSolver, watch: &dyn Observer) -> Result<StabilisedPassage, PassageError> {
     let body = body(&[surface_crack(0.0, 6.0, 15.0)], 24);
     let problem = FaceProblem::new(&body, &[0.5]);
     let contact = HertzianContact { peak_pressure: 845.0, half_width: 6.75, friction: 0.025 };
@@ -36,7 +36,7 @@ struct Impatient {
     asked: AtomicUsize,
 }
 
-impl Watch for Impatient {
+impl Observer for Impatient {
     fn progress(&self, _: f64) {}
 
     fn interrupted(&self) -> bool {
@@ -92,7 +92,7 @@ impl<'a> StepSolver<'a> for MoodySteps<'a> {
 
 #[test]
 fn gives_up_where_contact_finds_no_solution() {
-    let error = passage(&Moody(AtomicUsize::new(0)), &Unwatched).unwrap_err();
+    let error = passage(&Moody(AtomicUsize::new(0)), &Unobserved).unwrap_err();
     let PassageError::NotConverged { source: SteppingError::NotConverged { failure, .. }, .. } = error else {
         panic!("{error}");
     };

@@ -2,7 +2,7 @@
 
 use crate::common::{Absolute, Relative, Rolling, close, default_elements, joined_body, largest};
 use railcrack::contact::{FaceProblem, Newton};
-use railcrack::growth::{GrowthState, PieceKind, StepRecord, TipStop, Unwatched};
+use railcrack::growth::{GrowthState, PieceKind, StepRecord, TipStop, Unobserved};
 use railcrack_case::{Case, Overrides};
 use std::path::PathBuf;
 
@@ -15,7 +15,7 @@ fn case() -> Case {
 fn steps(case: &Case, state: Option<GrowthState>, last: usize) -> Vec<(StepRecord, GrowthState)> {
     let mut growth = case.prepare(None).unwrap().growth(state);
     let mut records = Vec::new();
-    while let Some(record) = growth.next_step(&Unwatched).unwrap() {
+    while let Some(record) = growth.next_step(&Unobserved).unwrap() {
         let step = record.step;
         records.push((record, growth.state().clone()));
         if step == last {
@@ -35,7 +35,7 @@ fn area_of_the_spall() {
     let case = case();
     let records = steps(&case, None, 10);
     let joins =
-        records.iter().position(|(record, _)| record.tips[0].stop == Some(TipStop::MeetsCrack)).unwrap();
+        records.iter().position(|(record, _)| record.tips[0].stop == Some(TipStop::Coalescence)).unwrap();
     let (before, after) = (&records[joins].0, &records[joins + 1].0);
     assert_eq!([before.tips.len(), after.tips.len(), after.junctions.len()], [3, 2, 1]);
     assert_eq!(
@@ -72,7 +72,7 @@ fn against_a_finer_mesh() {
         let body = joined_body(&record.cracks, &record.junctions, elements);
         let result = rolling.on(&FaceProblem::new(&body, &[0.1; 2]), &Newton::default());
         let passage = &result.passages[result.passages.len() - 1];
-        passage.sifs.iter().flatten().flat_map(|k| [k.k1, k.k2]).collect::<Vec<f64>>()
+        passage.sifs.iter().flatten().flat_map(|k| [k.ki, k.kii]).collect::<Vec<f64>>()
     };
     let (k, fine) = (histories(default_elements()), histories(4 * default_elements()));
     let difference = largest(k.iter().zip(&fine).map(|(a, b)| a - b)) / largest(fine.iter().copied());
@@ -92,7 +92,7 @@ fn by_finite_elements() {
     let case = Case::read_with(&path, &overrides).unwrap();
     let records = steps(&case, None, 10);
     let stops = |tip: usize| records.iter().filter_map(move |(record, _)| record.tips.get(tip)?.stop).next();
-    assert_eq!(stops(0), Some(TipStop::MeetsCrack));
+    assert_eq!(stops(0), Some(TipStop::Coalescence));
     let spalls: Vec<_> = records.iter().flat_map(|(record, _)| &record.pieces).collect();
     assert_eq!(spalls.len(), 1);
     close(spalls[0].area, SPALL, Relative(1e-2), "0.03 %; paths of different engines");

@@ -85,8 +85,8 @@ fn surface_crack_in_two_pieces_under_the_wheel() {
         let body = joined_body(&cracks, &junctions, default_elements());
         let pieces = rolling.on(&FaceProblem::new(&body, &[friction; 2]), &Newton::default());
         let (k, want) = (&pieces.passages[0].sifs[0], &whole.passages[0].sifs[0]);
-        let peak = largest(want.iter().flat_map(|k| [k.k1, k.k2]));
-        let difference = largest(k.iter().zip(want).flat_map(|(a, b)| [a.k1 - b.k1, a.k2 - b.k2])) / peak;
+        let peak = largest(want.iter().flat_map(|k| [k.ki, k.kii]));
+        let difference = largest(k.iter().zip(want).flat_map(|(a, b)| [a.ki - b.ki, a.kii - b.kii])) / peak;
         close(difference, 0.0, Absolute(3e-3), "discretisation error of either");
         let violation = pieces.counts.complementarity_max;
         close(violation, 0.0, Absolute(1e-9), "violation of the contact conditions");
@@ -231,10 +231,10 @@ fn closed_branch_is_no_branch() {
     let k = stepper.solution().sifs(&body, stepper.load());
     let want = (3.0 * PI).sqrt();
     for tip in [0, 1] {
-        close(k[tip].k1, want, Of(WHOLE, want), "the crack without a branch");
-        close(k[tip].k2, 0.0, Of(WHOLE, want), "no shear");
+        close(k[tip].ki, want, Of(WHOLE, want), "the crack without a branch");
+        close(k[tip].kii, 0.0, Of(WHOLE, want), "no shear");
     }
-    close(largest([k[2].k1, k[2].k2]), 0.0, Of(WHOLE, want), "nothing at the tip of the branch");
+    close(largest([k[2].ki, k[2].kii]), 0.0, Of(WHOLE, want), "nothing at the tip of the branch");
 }
 
 /// A branch changes K of the main tips by the square of its length.
@@ -324,7 +324,7 @@ fn mirrored_junctions() {
         let body = joined_body(cracks, &junctions, default_elements());
         let result = rolling.on(&FaceProblem::new(&body, &[0.3; 2]), &Newton::default());
         let passage = &result.passages[result.passages.len() - 1];
-        passage.sifs.iter().flatten().map(|k| (k.k1, k.k2)).collect::<Vec<_>>()
+        passage.sifs.iter().flatten().map(|k| (k.ki, k.kii)).collect::<Vec<_>>()
     };
     let (k, m) = (histories(&rolling, &cracks), histories(&mirror, &reflected));
     let peak = largest(k.iter().flat_map(|k| [k.0, k.1]));

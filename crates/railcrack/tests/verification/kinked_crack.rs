@@ -17,7 +17,7 @@ fn short_kink(stress: Stress, degrees: f64, kink: f64, elements: usize) -> Sif {
     let kinked = straight.extended(End::Last, kink * HALF, degrees.to_radians()).unwrap();
     let k = open_sifs(&[kinked], elements, |_| stress);
     let scale = (std::f64::consts::PI * HALF).sqrt();
-    Sif { k1: k[2] / scale, k2: k[3] / scale }
+    Sif { ki: k[2] / scale, kii: k[3] / scale }
 }
 
 /// The limit of an infinitesimal kink. Without stress along the crack the first correction is
@@ -39,11 +39,11 @@ const SHORT_KINK: f64 = 6e-4;
 fn kink_functions_from_a_real_kink() {
     for degrees in [-100.0, -76.6, -60.0, -30.0, -10.0, 20.0, 45.0, 70.0, 90.0_f64] {
         let functions = KinkFunctions::at(degrees.to_radians());
-        for (stress, sif) in [(PRESSURE, Sif { k1: 1.0, k2: 0.0 }), (SHEAR, Sif { k1: 0.0, k2: 1.0 })] {
+        for (stress, sif) in [(PRESSURE, Sif { ki: 1.0, kii: 0.0 }), (SHEAR, Sif { ki: 0.0, kii: 1.0 })] {
             let want = functions.kinked(sif);
             let got = infinitesimal(stress, degrees, default_elements());
-            close(got.k1, want.k1, Absolute(SHORT_KINK), "default elements");
-            close(got.k2, want.k2, Absolute(SHORT_KINK), "default elements");
+            close(got.ki, want.k1, Absolute(SHORT_KINK), "default elements");
+            close(got.kii, want.k2, Absolute(SHORT_KINK), "default elements");
         }
     }
 }
@@ -51,7 +51,7 @@ fn kink_functions_from_a_real_kink() {
 /// For K_II > 0 the largest k1 is 1.2316 K_II, at −76.6°.
 #[test]
 fn largest_opening_of_a_kink_in_shear() {
-    let k1 = |degrees| infinitesimal(SHEAR, degrees, default_elements()).k1;
+    let k1 = |degrees| infinitesimal(SHEAR, degrees, default_elements()).ki;
     close(k1(-76.6), 1.2316, Absolute(SHORT_KINK), "default elements");
     // The vertex of the parabola through three angles; the curvature there is 1e-4 per square
     // degree.

@@ -52,7 +52,7 @@ impl BothSteps<'_> {
         seen.largest_traction = seen.largest_traction.max(largest(tractions.iter().copied()));
         seen.traction = seen.traction.max(difference(tractions, self.tractions(latin)));
         let sifs = |faces: &FaceSolution| -> Vec<f64> {
-            faces.sifs(self.problem.body(), load).iter().flat_map(|k| [k.k1, k.k2]).collect()
+            faces.sifs(self.problem.body(), load).iter().flat_map(|k| [k.ki, k.kii]).collect()
         };
         let (newton, latin) = (sifs(newton), sifs(latin));
         seen.largest_sif = seen.largest_sif.max(largest(newton.iter().copied()));

@@ -5,7 +5,7 @@ use railcrack::growth::StabilisedPassage;
 
 fn samples(result: &StabilisedPassage) -> Vec<(f64, f64)> {
     let passage = &result.passages[result.passages.len() - 1];
-    passage.sifs.iter().flatten().map(|k| (k.k1, k.k2)).collect()
+    passage.sifs.iter().flatten().map(|k| (k.ki, k.kii)).collect()
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Cracks in a rail with plastic stress, balanced on the mesh of the rail.
 
 use crate::common::{measured, measured_as};
-use railcrack::growth::{StepRecord, Unwatched};
+use railcrack::growth::{StepRecord, Unobserved};
 use railcrack::math::{Stress, Vec2};
 use railcrack::mesh::{Array, CellBlock, CellShape, UnstructuredGrid};
 use railcrack::residual::PlasticField;
@@ -31,7 +31,7 @@ fn case(engine: &str, pressure: f64, friction: f64, sections: &str) -> Case {
 }
 
 fn first_step(case: &Case, rolled: Option<&PlasticField>) -> StepRecord {
-    case.prepare(rolled).unwrap().growth(None).next_step(&Unwatched).unwrap().unwrap()
+    case.prepare(rolled).unwrap().growth(None).next_step(&Unobserved).unwrap().unwrap()
 }
 
 /// The largest difference of the last passages, relative to the largest |K|.
@@ -39,8 +39,8 @@ fn difference(one: &StepRecord, other: &StepRecord) -> f64 {
     let last = |record: &StepRecord| record.passages.last().unwrap().sifs[0].clone();
     let (mut apart, mut peak) = (0.0f64, 0.0f64);
     for (a, b) in last(one).iter().zip(&last(other)) {
-        apart = apart.max((a.k1 - b.k1).abs()).max((a.k2 - b.k2).abs());
-        peak = peak.max(a.k1.abs()).max(a.k2.abs());
+        apart = apart.max((a.ki - b.ki).abs()).max((a.kii - b.kii).abs());
+        peak = peak.max(a.ki.abs()).max(a.kii.abs());
     }
     apart / peak
 }

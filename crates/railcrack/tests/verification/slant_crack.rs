@@ -61,8 +61,8 @@ fn closed_in_compression() {
             }
             let k = stepper.solution().sifs(&body, stepper.load());
             for tip in [0, 1] {
-                close(k[tip].k1, 0.0, Of(1e-9, unit()), "closed tip: round-off, the indicator of LATIN");
-                close(k[tip].k2, want, Of(5e-4, unit()), "as the open crack");
+                close(k[tip].ki, 0.0, Of(1e-9, unit()), "closed tip: round-off, the indicator of LATIN");
+                close(k[tip].kii, want, Of(5e-4, unit()), "as the open crack");
             }
         }
     }

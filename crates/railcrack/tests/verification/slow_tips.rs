@@ -6,7 +6,7 @@ use railcrack::body::CrackedBody;
 use railcrack::contact::{FaceProblem, Newton};
 use railcrack::crack::Crack;
 use railcrack::fracture::Sif;
-use railcrack::growth::{GrowthState, StepRecord, Unwatched};
+use railcrack::growth::{GrowthState, StepRecord, Unobserved};
 use railcrack::math::Vec2;
 use railcrack_case::{Case, Overrides};
 use std::path::PathBuf;
@@ -22,7 +22,7 @@ fn steps(case: &Case, state: Option<GrowthState>, last: usize) -> Vec<(StepRecor
     let mut growth = case.prepare(None).unwrap().growth(state);
     let mut records = Vec::new();
     while records.last().is_none_or(|(record, _): &(StepRecord, _)| record.step < last) {
-        let record = growth.next_step(&Unwatched).unwrap().unwrap();
+        let record = growth.next_step(&Unobserved).unwrap().unwrap();
         records.push((record, growth.state().clone()));
     }
     records
@@ -42,8 +42,8 @@ fn wanted(cracks: &[Crack]) -> Vec<Vec<Sif>> {
 
 /// The largest difference of K of the second tip at any position, relative to its largest |K|.
 fn misfit(k: &[Vec<Sif>], want: &[Vec<Sif>]) -> f64 {
-    let off = largest(k[1].iter().zip(&want[1]).flat_map(|(a, b)| [a.k1 - b.k1, a.k2 - b.k2]));
-    off / largest(want[1].iter().flat_map(|k| [k.k1, k.k2]))
+    let off = largest(k[1].iter().zip(&want[1]).flat_map(|(a, b)| [a.ki - b.ki, a.kii - b.kii]));
+    off / largest(want[1].iter().flat_map(|k| [k.ki, k.kii]))
 }
 
 /// K of the slow tip along its path in a run by finite elements at the defaults.
@@ -57,7 +57,7 @@ fn k_of_the_slow_tip_of_a_squat() {
             "step {}: {:.2} %, {:.3} mm deferred",
             record.step,
             100.0 * off,
-            record.tips[1].waiting.length
+            record.tips[1].deferred.length
         );
         close(off, 0.0, Absolute(0.04), "2.5 elements behind a kink of 76 degrees");
         assert_eq!(record.warnings, []);
@@ -75,7 +75,7 @@ fn resumed_while_growth_is_deferred() {
         let case = squat(engine);
         let records = steps(&case, None, 7);
         let state = &records[2].1;
-        assert!(state.waiting[1][0].length > 0.1, "{:?}", state.waiting);
+        assert!(state.deferred[1][0].length > 0.1, "{:?}", state.deferred);
         // Through the bytes of a checkpoint.
         let stored = postcard::to_stdvec(state).unwrap();
         let again = steps(&case, Some(postcard::from_bytes(&stored).unwrap()), 7);
@@ -86,7 +86,7 @@ fn resumed_while_growth_is_deferred() {
         let tip = records[7].0.tips[1];
         assert!(tip.y > records[0].0.tips[1].y, "put in");
         let lengths =
-            records.iter().map(|(record, _)| (record.tips[1].length, record.tips[1].waiting.length));
+            records.iter().map(|(record, _)| (record.tips[1].length, record.tips[1].deferred.length));
         (lengths.collect::<Vec<_>>(), Vec2::new(tip.x, tip.y))
     });
     let [(dislocations, at), (finite, also_at)] = &waits;

@@ -8,7 +8,7 @@ use railcrack::growth::StabilisedPassage;
 /// K at the 241 output positions of the stabilised passage; `every` accounts for finer output.
 fn sifs(result: &StabilisedPassage, every: usize) -> Vec<f64> {
     let passage = &result.passages[result.passages.len() - 1];
-    passage.sifs[0].iter().step_by(every).flat_map(|k| [k.k1, k.k2]).collect()
+    passage.sifs[0].iter().step_by(every).flat_map(|k| [k.ki, k.kii]).collect()
 }
 
 /// Largest errors of K over its peak at `positions` output positions for `tolerances`, against 2401

@@ -177,7 +177,7 @@ fn steps(run: &RunFolder) -> Section {
         "ΔK_{II} (MPa√m)",
         "ΔK_{eq} (MPa√m)",
         "Kink (°)",
-        "Rival (°)",
+        "SecondaryMaximum (°)",
         "Its rate, relative",
         "Rate (mm/cycle)",
         "Load cycles",

@@ -4,6 +4,7 @@ use super::stored::RunFolder;
 use crate::numbers::{fixed, significant};
 use crate::shown::ShownRun;
 use railcrack::growth::Warning;
+use railcrack::growth::WarningKind;
 use std::fmt::Write;
 
 /// Warnings of a kind that are shown before the others are counted.
@@ -23,10 +24,10 @@ pub(super) fn warnings(run: &RunFolder) -> Vec<String> {
         );
     }
     let all = &run.summary.warnings;
-    let mut kinds: Vec<&str> = Vec::new();
+    let mut kinds: Vec<WarningKind> = Vec::new();
     for warning in all {
-        if !kinds.contains(&warning.kind.as_str()) {
-            kinds.push(&warning.kind);
+        if !kinds.contains(&warning.kind) {
+            kinds.push(warning.kind);
         }
     }
     for kind in kinds {
@@ -36,14 +37,13 @@ pub(super) fn warnings(run: &RunFolder) -> Vec<String> {
     texts
 }
 
-fn grouped_text(kind: &str, warnings: &[&Warning]) -> String {
+fn grouped_text(kind: WarningKind, warnings: &[&Warning]) -> String {
     let heading = match kind {
-        "near-tie" => "Near ties of directions: read the path as one of several",
-        "passages" => "Passages did not repeat within their limit",
-        "contact-fallback" => "The other contact solver took over",
-        "engine" => "The engine remarks",
-        "residual-stress" => "Residual stress",
-        other => other,
+        WarningKind::NearTie => "Near ties of directions: read the path as one of several",
+        WarningKind::Passages => "Passages did not repeat within their limit",
+        WarningKind::ContactFallback => "The other contact solver took over",
+        WarningKind::Engine => "The engine remarks",
+        WarningKind::ResidualStress => "Residual stress",
     };
     let mut text = format!("{heading}. ");
     let several =

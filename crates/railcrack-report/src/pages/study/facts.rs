@@ -3,6 +3,7 @@
 use super::{StudyRun, values};
 use crate::Fact;
 use crate::numbers::{fixed, grouped, significant};
+use railcrack::growth::WarningKind;
 use railcrack_run::leader::cycles_to;
 use railcrack_run::study::{RunState, StudyPlan};
 use std::collections::BTreeMap;
@@ -181,10 +182,10 @@ pub(super) fn warnings(all: &[StudyRun]) -> Vec<String> {
     let with = |is_so: &dyn Fn(&StudyRun) -> bool| -> Vec<usize> {
         all.iter().filter(|run| is_so(run)).map(StudyRun::number).collect()
     };
-    let mut kinds: Vec<&str> = Vec::new();
+    let mut kinds: Vec<WarningKind> = Vec::new();
     for warning in all.iter().filter_map(|run| run.row.summary.as_ref()).flat_map(|s| &s.warnings) {
-        if !kinds.contains(&warning.kind.as_str()) {
-            kinds.push(&warning.kind);
+        if !kinds.contains(&warning.kind) {
+            kinds.push(warning.kind);
         }
     }
     for kind in kinds {
@@ -192,12 +193,11 @@ pub(super) fn warnings(all: &[StudyRun]) -> Vec<String> {
             run.row.summary.as_ref().is_some_and(|s| s.warnings.iter().any(|warning| warning.kind == kind))
         };
         let heading = match kind {
-            "near-tie" => "Near ties of directions: read the path as one of several",
-            "passages" => "Passages did not repeat within their limit",
-            "contact-fallback" => "The other contact solver took over",
-            "engine" => "The engine remarks on something",
-            "residual-stress" => "Remarks on the residual stress",
-            other => other,
+            WarningKind::NearTie => "Near ties of directions: read the path as one of several",
+            WarningKind::Passages => "Passages did not repeat within their limit",
+            WarningKind::ContactFallback => "The other contact solver took over",
+            WarningKind::Engine => "The engine remarks on something",
+            WarningKind::ResidualStress => "Remarks on the residual stress",
         };
         list(heading, with(&has));
     }

@@ -24,7 +24,7 @@ fn tractions() -> [Loading; 3] {
 /// Parameter g of the walk and slip and opening at the face points of a crack, with the tip.
 fn jumps(body: &dyn CrackedBody, walk: &Walk, forces: &[f64]) -> Vec<(f64, [f64; 2])> {
     let jumps = body.compliance().times(forces);
-    let at = |(j, point): (usize, &railcrack::body::MeshPoint)| {
+    let at = |(j, point): (usize, &railcrack::body::FacePoint)| {
         (walk.g(point.s), [jumps[2 * j], jumps[2 * j + 1]])
     };
     let mut all: Vec<(f64, [f64; 2])> = body.faces().points.iter().enumerate().map(at).collect();

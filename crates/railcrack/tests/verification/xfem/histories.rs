@@ -24,14 +24,14 @@ const OVERLAP: f64 = 1e-4;
 /// peak of |K_II|.
 fn opening_mode_of_closed_tips(result: &StabilisedPassage) -> f64 {
     let passage = &result.passages[result.passages.len() - 1];
-    let peak = largest(passage.sifs.iter().flatten().map(|k| k.k2));
+    let peak = largest(passage.sifs.iter().flatten().map(|k| k.kii));
     let next_to = |crack: usize| result.faces.points.iter().rposition(|p| p.crack == crack).unwrap();
     let closed = |crack: usize, sifs: &[Sif]| {
         let tip = next_to(crack);
         largest(
             (sifs.iter().zip(&result.faces.states))
                 .filter(|(_, states)| states[tip].status != FaceStatus::Open)
-                .map(|(k, _)| k.k1),
+                .map(|(k, _)| k.ki),
         )
     };
     largest(passage.sifs.iter().enumerate().map(|(crack, sifs)| closed(crack, sifs))) / peak

@@ -26,7 +26,7 @@ fn histories(body: &dyn CrackedBody, rolling: &Rolling, friction: f64) -> Vec<f6
     let passages = rolling.on(&FaceProblem::new(body, &vec![friction; cracks]), &Newton::default());
     assert!(passages.counts.complementarity_max < 1e-9, "the contact conditions");
     let passage = &passages.passages[passages.passages.len() - 1];
-    passage.sifs.iter().flatten().flat_map(|k| [k.k1, k.k2]).collect()
+    passage.sifs.iter().flatten().flat_map(|k| [k.ki, k.kii]).collect()
 }
 
 fn difference(k: &[f64], want: &[f64]) -> f64 {

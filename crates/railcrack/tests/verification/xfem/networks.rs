@@ -81,9 +81,9 @@ fn differences_by_position(
     };
     let (k, want) = (sifs(meshed.as_ref()), sifs(&joined_body(cracks, &[], ELEMENTS)));
     let of_crack = |(k, want): (&Vec<railcrack::fracture::Sif>, &Vec<railcrack::fracture::Sif>)| {
-        let peak = largest(want.iter().flat_map(|k| [k.k1, k.k2]));
+        let peak = largest(want.iter().flat_map(|k| [k.ki, k.kii]));
         let off = |(a, b): (&railcrack::fracture::Sif, &railcrack::fracture::Sif)| {
-            largest([a.k1 - b.k1, a.k2 - b.k2]) / peak
+            largest([a.ki - b.ki, a.kii - b.kii]) / peak
         };
         k.iter().zip(want).map(off).collect()
     };
@@ -130,14 +130,14 @@ fn a_tip_that_sticks_keeps_its_k() {
     let k = &result.passages[result.passages.len() - 1].sifs[0];
     let last = result.faces.points.len() - 1;
     let at_tip = || result.faces.states.iter().map(|faces| faces[last]);
-    let peak = largest(k.iter().map(|k| k.k2));
+    let peak = largest(k.iter().map(|k| k.kii));
     let mut stuck = 0;
     for ((pair, before), after) in k.windows(2).zip(at_tip()).zip(at_tip().skip(1)) {
         if [before.status, after.status] == [FaceStatus::Stick; 2] && before.slip == after.slip {
             assert_eq!(pair[0], pair[1]);
             stuck += 1;
         }
-        close((pair[1].k2 - pair[0].k2) / peak, 0.0, Absolute(0.05), "over 0.02 mm of wheel travel");
+        close((pair[1].kii - pair[0].kii) / peak, 0.0, Absolute(0.05), "over 0.02 mm of wheel travel");
     }
     assert!(stuck > 500, "{stuck}");
 }

@@ -30,8 +30,8 @@ fn misfit(elements: f64, turn: f64, increments: usize) -> (f64, Vec<String>) {
     let meshed = Meshed { expected_growth: 1.5, ..Meshed::of_size(SIZE) };
     let body = meshed.engine(&[start]).body(&CrackNetwork::from(crack.clone())).unwrap();
     let (k, want) = (histories(body.as_ref()), histories(&joined_body(&[crack], &[], FINE)));
-    let off = largest(k.iter().zip(&want).flat_map(|(a, b)| [a.k1 - b.k1, a.k2 - b.k2]));
-    (off / largest(want.iter().flat_map(|k| [k.k1, k.k2])), body.remarks().to_vec())
+    let off = largest(k.iter().zip(&want).flat_map(|(a, b)| [a.ki - b.ki, a.kii - b.kii]));
+    (off / largest(want.iter().flat_map(|k| [k.ki, k.kii])), body.remarks().to_vec())
 }
 
 /// As long as the first increments of a run at the defaults: 4 % of the crack.

@@ -65,7 +65,7 @@ fn closed_with_friction() {
         let histories = with_domains(&meshed, &[crack], |body| {
             let result = rolling.on(&FaceProblem::new(body as &dyn CrackedBody, &[0.5]), &Newton::default());
             let passage = &result.passages[result.passages.len() - 1];
-            passage.sifs[0].iter().flat_map(|k| [k.k1, k.k2]).collect::<Vec<f64>>()
+            passage.sifs[0].iter().flat_map(|k| [k.ki, k.kii]).collect::<Vec<f64>>()
         });
         println!("{name}: {:.3} %", 100.0 * spread(&histories));
         close(spread(&histories), 0.0, Of(SPREAD, 1.0), name);

@@ -67,11 +67,11 @@ fn closed_in_compression() {
         for k in k {
             println!(
                 "{degrees}°, friction {friction}: K_I {:+.2e}, K_II {:+.2e}",
-                k.k1 / unit(),
-                (k.k2 - want) / unit()
+                k.ki / unit(),
+                (k.kii - want) / unit()
             );
-            close(k.k1, 0.0, Of(CLOSED, unit()), "closed tip");
-            close(k.k2, want, Of(ERROR, unit()), "as the open crack");
+            close(k.ki, 0.0, Of(CLOSED, unit()), "closed tip");
+            close(k.kii, want, Of(ERROR, unit()), "as the open crack");
         }
     }
 }

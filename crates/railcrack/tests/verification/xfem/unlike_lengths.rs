@@ -43,8 +43,8 @@ fn a_short_crack_beside_a_long_one() {
             passages[passages.len() - 1].sifs.clone()
         };
         for (k, want) in histories(meshed.as_ref()).iter().zip(histories(&other)) {
-            let most = largest(k.iter().zip(&want).flat_map(|(a, b)| [a.k1 - b.k1, a.k2 - b.k2]));
-            off.push(most / largest(want.iter().flat_map(|k| [k.k1, k.k2])));
+            let most = largest(k.iter().zip(&want).flat_map(|(a, b)| [a.ki - b.ki, a.kii - b.kii]));
+            off.push(most / largest(want.iter().flat_map(|k| [k.ki, k.kii])));
         }
         println!("{name}: {off:.4?} of its own peak; {:.2} of the unknowns", meshed.dofs() as f64 / alone);
         for off in off {

@@ -4,7 +4,7 @@ use super::Crack;
 use crate::math::{Orientation, Vec2, orientation, segments_touch};
 
 /// Whether two cracks have a point in common other than `shared`, a vertex of both; exact.
-pub(super) fn meet_elsewhere(one: &Crack, other: &Crack, shared: Option<Vec2>) -> bool {
+pub(super) fn intersect_elsewhere(one: &Crack, other: &Crack, shared: Option<Vec2>) -> bool {
     one.points().windows(2).any(|p| other.points().windows(2).any(|q| segments_meet(p, q, shared)))
 }
 

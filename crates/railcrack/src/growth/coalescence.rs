@@ -1,7 +1,7 @@
 //! Where increments meet cracks, and each other.
 //!
-//! All tips of a step grow at the same time, each straight and evenly to the end of its increment, from the end of what waits there. A tip that comes closer than the
-//! resolution to another crack, or to what another tip has left behind by then, ends there; the others go on. The first meeting is
+//! All tips of a step grow at the same time, each straight and evenly to the end of its increment, from the end of its deferred growth. A tip that comes closer than the
+//! resolution to another crack, or to what another tip has left behind by then, ends there; the others go on. The first coalescence is
 //! settled first, so that neither the order of the cracks nor a mirror changes what happens.
 
 use super::stops::Step;
@@ -23,7 +23,7 @@ const SECTIONS: usize = 48;
 
 /// Where the increment of a tip ends on a crack.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Meeting {
+pub(super) struct Coalescence {
     /// The end of the increment, mm.
     pub at: Vec2,
     /// Index of the crack that is met, from 0; the tip's own where it closes a loop.
@@ -32,13 +32,17 @@ pub(super) struct Meeting {
     pub with: Option<usize>,
 }
 
-/// The meetings of `steps`, none for a tip that meets nothing or does not grow; `resolution` (mm) is the length that the engine
+/// The coalescences of `steps`, none for a tip that meets nothing or does not grow; `resolution` (mm) is the length that the engine
 /// resolves.
-pub(super) fn meetings(steps: &[Option<Step>], cracks: &[Crack], resolution: f64) -> Vec<Option<Meeting>> {
+pub(super) fn coalescences(
+    steps: &[Option<Step>],
+    cracks: &[Crack],
+    resolution: f64,
+) -> Vec<Option<Coalescence>> {
     let mut tips: Vec<Moving> =
         steps.iter().flatten().map(|step| Moving { step: *step, end: None }).collect();
     let numbers: Vec<usize> = (0..steps.len()).filter(|&i| steps[i].is_some()).collect();
-    let mut meetings: Vec<Option<Meeting>> = vec![None; tips.len()];
+    let mut coalescences: Vec<Option<Coalescence>> = vec![None; tips.len()];
     while let Some(event) = first_event(&tips, cracks, resolution) {
         let Event { tip, time, obstacle, .. } = event;
         match obstacle {
@@ -46,21 +50,21 @@ pub(super) fn meetings(steps: &[Option<Step>], cracks: &[Crack], resolution: f64
                 let at = (tips[tip].position(time) + tips[other].position(time)) * 0.5;
                 for (one, two) in [(tip, other), (other, tip)] {
                     let onto = tips[two].step.tip.crack;
-                    meetings[one] = Some(Meeting { at, onto, with: Some(numbers[two]) });
+                    coalescences[one] = Some(Coalescence { at, onto, with: Some(numbers[two]) });
                 }
                 tips[tip].end = Some((at, time));
                 tips[other].end = Some((at, time));
             }
             Obstacle::Faces(crack) => {
                 let at = landing(&tips, tip, time, crack, cracks, resolution);
-                meetings[tip] = Some(Meeting { at, onto: crack, with: None });
+                coalescences[tip] = Some(Coalescence { at, onto: crack, with: None });
                 tips[tip].end = Some((at, time));
             }
         }
     }
     let mut all = vec![None; steps.len()];
-    for (number, meeting) in numbers.into_iter().zip(meetings) {
-        all[number] = meeting;
+    for (number, coalescence) in numbers.into_iter().zip(coalescences) {
+        all[number] = coalescence;
     }
     all
 }
@@ -83,7 +87,7 @@ impl Moving {
 
     /// The share of its way that it has made at `time`; a part may have been made before the step.
     fn share(&self, time: f64) -> f64 {
-        self.step.waited + (1.0 - self.step.waited) * time
+        self.step.deferred + (1.0 - self.step.deferred) * time
     }
 }
 

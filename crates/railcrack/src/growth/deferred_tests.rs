@@ -1,4 +1,4 @@
-//! Growth of slow tips, which waits until it makes a segment.
+//! Growth of slow tips, which deferred until it makes a segment.
 
 use super::*;
 use crate::crack::End;
@@ -20,15 +20,15 @@ struct Run {
     settings: GrowthSettings,
     step: usize,
     cracks: Vec<Crack>,
-    waiting: Vec<WaitingGrowth>,
+    deferred: Vec<DeferredGrowth>,
     cycles: f64,
     stop: Option<RunStop>,
 }
 
 impl Run {
     fn new(cracks: Vec<Crack>, settings: GrowthSettings) -> Self {
-        let waiting = vec![WaitingGrowth::default(); cracks.len()];
-        Self { settings, step: 0, cracks, waiting, cycles: 0.0, stop: None }
+        let deferred = vec![DeferredGrowth::default(); cracks.len()];
+        Self { settings, step: 0, cracks, deferred, cycles: 0.0, stop: None }
     }
 
     /// One step in which crack i kinks by `kinks[i]` (radians) and grows at `rates[i]`.
@@ -37,7 +37,7 @@ impl Run {
             tip: CrackTip { crack, tip: 0, end: End::Last },
             kink: Some(kinks[crack]),
             rate: rates[crack],
-            waiting: self.waiting[crack],
+            deferred: self.deferred[crack],
             stopped: None,
         };
         let tips = [drive(0), drive(1)];
@@ -49,19 +49,19 @@ impl Run {
         let next = advance(&state, &self.settings);
         self.step += 1;
         self.cracks.clone_from(&next.cracks);
-        self.waiting = next.tips.iter().map(|tip| tip.waiting).collect();
+        self.deferred = next.tips.iter().map(|tip| tip.deferred).collect();
         self.cycles += next.cycles;
         self.stop = next.stop;
         next
     }
 
     fn length(&self, crack: usize) -> f64 {
-        self.cracks[crack].length() + self.waiting[crack].length
+        self.cracks[crack].length() + self.deferred[crack].length
     }
 
-    /// Where the tip of crack `crack` is, with what waits.
+    /// Where the tip of crack `crack` is, with what deferred.
     fn tip(&self, crack: usize) -> Vec2 {
-        self.cracks[crack].tip(End::Last) + self.waiting[crack].direction * self.waiting[crack].length
+        self.cracks[crack].tip(End::Last) + self.deferred[crack].direction * self.deferred[crack].length
     }
 }
 
@@ -76,7 +76,7 @@ fn a_slow_tip_grows_by_its_rate() {
             let rate = 1e-6 * ratio * (1.0 + f64::from(step) / 120.0);
             let next = run.grow([0.0, 0.01], [1e-6, rate]);
             grown += rate * next.cycles;
-            waited += usize::from(run.waiting[1].length > 0.0);
+            waited += usize::from(run.deferred[1].length > 0.0);
             assert!((run.length(1) - 2.0 - grown).abs() < ROUNDING, "{ratio}, step {step}");
         }
         assert!(waited > 2, "{ratio}: {waited}");
@@ -98,15 +98,15 @@ fn fast_tips_do_not_wait() {
             let start = pair()[i].clone();
             let [tip, to] = [start.tip(End::Last), run.cracks[i].tip(End::Last)];
             let direction = Vec2::unit(start.ahead(End::Last).angle() + [0.1, -0.2][i]);
-            let waits = i == 0 && first < second;
-            let want = if waits { tip } else { tip + direction * increments.tips[i].increment };
-            assert_eq!((to, run.waiting[i].length > 0.0), (want, waits), "{first} {second} crack {i}");
+            let deferred = i == 0 && first < second;
+            let want = if deferred { tip } else { tip + direction * increments.tips[i].increment };
+            assert_eq!((to, run.deferred[i].length > 0.0), (want, deferred), "{first} {second} crack {i}");
         }
     }
 }
 
 /// A slow tip whose path bends and whose rate rises with its length: position and length after the same cycles converge to those of the
-/// closed form, to first order in the increment, as steps without waiting do.
+/// closed form, to first order in the increment, as steps without deferred do.
 #[test]
 fn paths_converge_with_the_increment() {
     // dL/dN = r (1 + g (L − 2)); the direction turns by L − 2 over a radius of 3 mm.
@@ -121,7 +121,7 @@ fn paths_converge_with_the_increment() {
         let settings = GrowthSettings { increment, stop_after_cycles: Some(CYCLES), ..SETTINGS };
         let mut run = Run::new(pair(), settings);
         while run.stop.is_none() {
-            // What the passage tells is the state of the crack without what waits.
+            // What the passage tells is the state of the crack without what deferred.
             let length = run.cracks[1].length() - 2.0;
             let heading = run.cracks[1].ahead(End::Last).angle() + std::f64::consts::FRAC_PI_2;
             let first = 1e-6 * run.cracks[0].length() / 6.0;
@@ -139,7 +139,7 @@ fn paths_converge_with_the_increment() {
     }
 }
 
-/// What waits keeps to the branch that it has begun, and its length counts whatever the direction.
+/// What deferred keeps to the branch that it has begun, and its length counts whatever the direction.
 #[test]
 fn a_tip_between_two_branches_takes_the_first() {
     let mut run = Run::new(pair(), SETTINGS);
@@ -154,22 +154,22 @@ fn a_tip_between_two_branches_takes_the_first() {
     let (from, to) = run.cracks[1].segment(1);
     let down = -std::f64::consts::FRAC_PI_2;
     assert!(((to - from) - Vec2::unit(down - 1.2) * grown).length() < ROUNDING, "{from:?} {to:?}");
-    assert_eq!(run.waiting[1], WaitingGrowth::default());
+    assert_eq!(run.deferred[1], DeferredGrowth::default());
 }
 
-fn slow(crack: usize, kink: f64, rate: f64, waiting: WaitingGrowth) -> TipDrive {
+fn slow(crack: usize, kink: f64, rate: f64, deferred: DeferredGrowth) -> TipDrive {
     TipDrive {
         tip: CrackTip { crack, tip: 0, end: End::Last },
         kink: Some(kink),
         rate,
-        waiting,
+        deferred,
         stopped: None,
     }
 }
 
 /// The step of `cracks`; the last one is far from the others and sets the pace with 1e-6 mm per cycle.
 fn next(mut cracks: Vec<Crack>, mut tips: Vec<TipDrive>) -> Advance {
-    tips.push(slow(cracks.len(), 0.0, 1e-6, WaitingGrowth::default()));
+    tips.push(slow(cracks.len(), 0.0, 1e-6, DeferredGrowth::default()));
     cracks.push(crack(&[(100.0, 0.0), (100.0, -6.0)]));
     let state = StepState { step: 3, ..fixtures::state(&cracks, &tips, RESOLUTION) };
     advance(&state, &SETTINGS)
@@ -180,7 +180,7 @@ fn shelf() -> Crack {
     crack(&[(-1.5, 0.0), (-1.5, -4.0), (0.0, -4.0)])
 }
 
-const RIGHT: WaitingGrowth = WaitingGrowth { length: 0.1, direction: Vec2 { x: 1.0, y: 0.0 } };
+const RIGHT: DeferredGrowth = DeferredGrowth { length: 0.1, direction: Vec2 { x: 1.0, y: 0.0 } };
 const SLOW: f64 = 0.02 / 0.24 * 1e-6;
 
 #[test]
@@ -189,12 +189,12 @@ fn what_waits_joins_a_crack() {
     let still = |end: End, tip: usize| TipDrive {
         tip: CrackTip { crack: 1, tip, end },
         stopped: Some(TipStop::Arrest),
-        ..slow(1, 0.0, 0.0, WaitingGrowth::default())
+        ..slow(1, 0.0, 0.0, DeferredGrowth::default())
     };
-    let to = |x: f64, waiting: WaitingGrowth| {
+    let to = |x: f64, deferred: DeferredGrowth| {
         next(
             vec![shelf(), wall(x)],
-            vec![slow(0, 0.0, SLOW, waiting), still(End::First, 0), still(End::Last, 1)],
+            vec![slow(0, 0.0, SLOW, deferred), still(End::First, 0), still(End::Last, 1)],
         )
     };
     // 0.12 mm of way, and the resolution.
@@ -203,13 +203,13 @@ fn what_waits_joins_a_crack() {
     assert!((joined.cracks[0].tip(End::Last) - Vec2::new(0.13, -4.0)).length() < ROUNDING, "{joined:?}");
     assert!((joined.tips[0].increment - 0.03).abs() < ROUNDING, "{:?}", joined.tips);
     assert_eq!(
-        (joined.tips[0].waiting, joined.tips[0].stop),
-        (WaitingGrowth::default(), Some(TipStop::MeetsCrack))
+        (joined.tips[0].deferred, joined.tips[0].stop),
+        (DeferredGrowth::default(), Some(TipStop::Coalescence))
     );
-    // Farther away, or with less that waits, it waits on.
-    for waits in [to(0.15, RIGHT), to(0.13, WaitingGrowth { length: 0.05, ..RIGHT })] {
-        assert_eq!((waits.junctions.len(), waits.tips[0].stop), (0, None));
-        assert_eq!(waits.cracks[0], shelf());
+    // Farther away, or with less that deferred, it deferred on.
+    for deferred in [to(0.15, RIGHT), to(0.13, DeferredGrowth { length: 0.05, ..RIGHT })] {
+        assert_eq!((deferred.junctions.len(), deferred.tips[0].stop), (0, None));
+        assert_eq!(deferred.cracks[0], shelf());
     }
 }
 
@@ -220,11 +220,11 @@ fn another_tip_joins_what_waits() {
     let still = TipDrive {
         tip: CrackTip { crack: 1, tip: 0, end: End::First },
         stopped: Some(TipStop::Arrest),
-        ..slow(1, 0.0, 0.0, WaitingGrowth::default())
+        ..slow(1, 0.0, 0.0, DeferredGrowth::default())
     };
     let rising = TipDrive {
         tip: CrackTip { crack: 1, tip: 1, end: End::Last },
-        ..slow(1, 0.0, 0.9e-6, WaitingGrowth::default())
+        ..slow(1, 0.0, 0.9e-6, DeferredGrowth::default())
     };
     let met = next(vec![shelf(), below], vec![slow(0, 0.0, SLOW, RIGHT), still, rising]);
     let at = met.cracks[1].tip(End::Last);
@@ -233,26 +233,26 @@ fn another_tip_joins_what_waits() {
     // The segment that it joins is there now, and the tip goes on.
     assert_eq!(met.cracks[0].vertex_at(at), Some(3));
     assert!((met.cracks[0].tip(End::Last) - Vec2::new(0.12, -4.0)).length() < ROUNDING, "{met:?}");
-    assert_eq!((met.tips[0].waiting, met.tips[0].stop), (WaitingGrowth::default(), None));
+    assert_eq!((met.tips[0].deferred, met.tips[0].stop), (DeferredGrowth::default(), None));
 }
 
 #[test]
 fn what_waits_breaks_out() {
-    let up = WaitingGrowth { direction: Vec2::new(0.0, 1.0), ..RIGHT };
-    let rising = |waiting| {
+    let up = DeferredGrowth { direction: Vec2::new(0.0, 1.0), ..RIGHT };
+    let rising = |deferred| {
         let shallow = crack(&[(-6.0, 0.0), (-5.5, -0.17), (0.0, -0.17)]);
-        next(vec![shallow], vec![slow(0, std::f64::consts::FRAC_PI_2, SLOW, waiting)])
+        next(vec![shallow], vec![slow(0, std::f64::consts::FRAC_PI_2, SLOW, deferred)])
     };
     let out = rising(up);
     assert_eq!((out.tips[0].stop, out.tips[0].increment), (Some(TipStop::BreakOut), 0.0));
-    assert_eq!(out.tips[0].waiting, up, "it has grown");
+    assert_eq!(out.tips[0].deferred, up, "it has grown");
     assert_eq!((out.pieces.len(), out.break_outs[0].surface.x.abs() < ROUNDING), (1, true));
-    assert_eq!(rising(WaitingGrowth { length: 0.05, ..up }).tips[0].stop, None);
+    assert_eq!(rising(DeferredGrowth { length: 0.05, ..up }).tips[0].stop, None);
 }
 
 #[test]
 fn what_waits_counts_in_the_critical_length() {
-    let long = WaitingGrowth { length: 0.14, ..RIGHT };
+    let long = DeferredGrowth { length: 0.14, ..RIGHT };
     let tips = [slow(0, 0.0, SLOW, long)];
     let cracks = [shelf()];
     let state = fixtures::state(&cracks, &tips, RESOLUTION);

@@ -1,4 +1,4 @@
-//! Growth that waits: increments too short to be segments of a crack.
+//! Deferred growth: increments too short to be segments of a crack.
 //!
 //! The tips that are slower than the fastest make shorter increments, down to nothing. A segment much shorter than the others is
 //! resolved by no engine, and behind a turn it decides K. So the growth of a slow tip is gathered until it is a whole increment, as the tip
@@ -6,7 +6,7 @@
 //! crack, the slow ones at longer intervals. What the crack is behind by meanwhile is less than an increment, within the error of
 //! explicit Euler steps. Nothing in it depends on the engine, and it vanishes with the increment.
 
-use crate::fatigue::RIVAL_DISTANCE;
+use crate::fatigue::SECONDARY_DISTANCE;
 use crate::math::Vec2;
 use serde::{Deserialize, Serialize};
 
@@ -16,14 +16,14 @@ pub(super) const KEEPS_PACE: f64 = 2.0 / 3.0;
 
 /// Growth of a tip that is not in its crack yet.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-pub struct WaitingGrowth {
+pub struct DeferredGrowth {
     /// Its length, mm: the sum of the increments.
     pub length: f64,
-    /// Its direction, a unit vector; zero where nothing waits.
+    /// Its direction, a unit vector; zero where none is deferred.
     pub direction: Vec2,
 }
 
-impl WaitingGrowth {
+impl DeferredGrowth {
     /// This and an `increment` (mm) in `direction` (a unit vector).
     ///
     /// Lengths add up, so that the cycles of the tip are right; a sum of vectors would be shorter. Directions are weighted by length. Only
@@ -35,7 +35,7 @@ impl WaitingGrowth {
         }
         let length = self.length + increment;
         let same_branch =
-            self.direction.cross(direction).atan2(self.direction.dot(direction)).abs() < RIVAL_DISTANCE;
+            self.direction.cross(direction).atan2(self.direction.dot(direction)).abs() < SECONDARY_DISTANCE;
         if !same_branch {
             return Self { length, ..self };
         }
