@@ -1,4 +1,4 @@
-//! Passage after passage, until nothing changes any more.
+//! Iteration over passages to the stabilised state.
 
 use super::bounds::{shakedown_limit_ratio, utilisation};
 use super::cycle;
@@ -12,7 +12,7 @@ use super::strain::PlasticStrain;
 use super::streamline::FlowLaw;
 use crate::math::{Stress, Vec2};
 
-/// How the stabilised state is sought.
+/// Settings of the computation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stabilisation {
     /// The way.
@@ -86,7 +86,7 @@ pub fn stabilise(
     Err(ShakedownError::Bottomless { depth: grid.fine_depth })
 }
 
-/// Whether [`stabilise`] can take `rail`.
+/// Checks that [`stabilise`] can compute `rail`.
 ///
 /// Errors: a load, contact or initial residual stress outside of the range of the model.
 pub fn check_rail(rail: &RolledRail) -> Result<(), ShakedownError> {

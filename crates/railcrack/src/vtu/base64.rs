@@ -1,4 +1,4 @@
-//! Base64 (RFC 4648, section 4), as VTK files hold it.
+//! Base64 (RFC 4648, section 4) of VTK files.
 
 const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 

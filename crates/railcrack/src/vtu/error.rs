@@ -3,10 +3,10 @@
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
-/// Parts of a grid that do not fit together.
+/// An inconsistent grid.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum GridError {
-    /// Nodes that do not make whole cells.
+    /// A number of nodes that does not make whole cells.
     #[error("block {block} of the cells has {found} nodes, which is not a number of cells of {nodes} nodes")]
     PartialCell {
         /// Block, from 0.
@@ -16,7 +16,7 @@ pub enum GridError {
         /// Nodes of one cell.
         nodes: usize,
     },
-    /// A cell names a point that is not there.
+    /// A cell with a point that does not exist.
     #[error("block {block} of the cells names point {point}: points are numbered from 0, there are {points}")]
     NoSuchPoint {
         /// Block, from 0.
@@ -26,7 +26,7 @@ pub enum GridError {
         /// Number of points.
         points: usize,
     },
-    /// Data of another length than what it belongs to.
+    /// Data whose length does not fit the points or cells.
     #[error("`{name}` has {found} values, not {components} for each of {entries} points or cells")]
     Length {
         /// The data.
@@ -79,7 +79,7 @@ pub enum VtuError {
         /// The system's reason.
         reason: std::io::Error,
     },
-    /// The parts of the grid do not fit together.
+    /// The grid is inconsistent.
     #[error("{}: {reason}", path.display())]
     Grid {
         /// The file.
@@ -87,7 +87,7 @@ pub enum VtuError {
         /// The inconsistency.
         reason: GridError,
     },
-    /// The file does not hold what the format asks for.
+    /// The contents of the file violate the format.
     #[error("{}: {part}: {reason}", path.display())]
     Malformed {
         /// The file.

@@ -23,7 +23,7 @@ pub(super) enum Compression {
     Zlib,
 }
 
-/// Where the numbers of one array are.
+/// Location of the numbers of one array.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Payload<'a> {
     /// Decimal numbers.

@@ -1,4 +1,4 @@
-//! Reading a grid.
+//! Reader of `.vtu` files.
 
 use super::error::Fault;
 use super::numbers::{ByteOrder, NumberType};
