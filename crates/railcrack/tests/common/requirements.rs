@@ -1,10 +1,10 @@
 //! Requirements on the accuracy of results, in one sentence each.
 
-/// A requirement and the test that holds it.
+/// A requirement and the test that checks it.
 pub struct Requirement {
     /// Path of the test in the test program `verification`.
     pub test: &'static str,
-    /// Which of its measurements; empty for the only one.
+    /// The measurement of the test that is meant; empty for the only one.
     pub quantity: &'static str,
     /// The requirement.
     pub says: &'static str,

@@ -16,7 +16,7 @@ fn admissible_at_a_third_of_the_cost() {
         let (direct, passes) = (direct(&rail), stabilised(&rail));
         assert_eq!(direct.state, passes.state);
         assert!(direct.admissibility.overshoot < ADMISSIBLE, "{:?}", direct.admissibility);
-        // It repeats: what leaves is what enters.
+        // Periodic: the strain that leaves is the one that enters.
         assert!(direct.admissibility.drift < 1e-6, "{:?}", direct.admissibility);
         let (cost, whole) = (direct.iterations(), passes.iterations());
         assert!(3 * cost <= whole, "{pressure}, {friction}: {cost} of {whole}");

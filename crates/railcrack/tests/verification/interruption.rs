@@ -30,7 +30,7 @@ fn passage(solver: &dyn ContactSolver, watch: &dyn Watch) -> Result<StabilisedPa
     stabilised_passage(&problem, solver, load, &settings, watch)
 }
 
-/// Asks to stop when it has been asked `after` times.
+/// Requests a stop when it has been asked `after` times.
 struct Impatient {
     after: usize,
     asked: AtomicUsize,

@@ -8,10 +8,10 @@ use railcrack::crack::{Crack, CrackNetwork};
 use railcrack::field::{DepthProfile, HertzField, StressField};
 use railcrack::math::Stress;
 
-/// Part of the way of the wheel.
+/// A stage of the travel of the wheel.
 #[derive(Clone, Copy)]
 enum Part {
-    /// No wheel; the share of the residual stress.
+    /// No wheel; the fraction of the residual stress.
     Ramp,
     /// From or to infinity on this side, x_c = side / s.
     Far(f64),
