@@ -227,7 +227,7 @@ mod tests {
     }
 
     #[test]
-    fn sign_of_the_friction_does_not_matter() {
+    fn sign_of_the_friction_has_no_effect() {
         assert_eq!(shakedown_limit_ratio(0.2, 0.3).ratio, shakedown_limit_ratio(-0.2, 0.3).ratio);
         let (one, other) = (first_yield_ratio(0.2, 0.3), first_yield_ratio(-0.2, 0.3));
         assert_eq!((one.ratio, one.x_over_a), (other.ratio, -other.x_over_a));

@@ -25,7 +25,7 @@ pub struct RolledRail {
     pub contact: HertzianContact,
     /// Direction of travel of the wheel.
     pub travel: Travel,
-    /// Balanced residual stress of manufacturing, present before the first passage.
+    /// Balanced residual stress from manufacturing, present before the first passage.
     pub initial: Option<DepthProfile>,
 }
 

@@ -54,8 +54,8 @@ const STRAIN_TOLERANCE: f64 = 1e-2;
 const MOST_ITERATIONS: usize = 3000;
 /// Number of times that the even layers are extended downwards because there is flow below them.
 const EXTENSIONS: usize = 8;
-/// A layer alternates if its plastic path in a passage is this many times the plastic strain that
-/// it retains: in one that settles the two are equal; …
+/// A layer alternates if its accumulated plastic strain in a passage is this many times the plastic
+/// strain that it retains: in one that settles the two are equal; …
 const ALTERNATING: f64 = 4.0;
 /// … and if the path is at least this fraction of the longest: shorter ones, in single layers at
 /// the surface, come and go with the number of columns.

@@ -118,7 +118,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_base64_is_refused_where_it_stands() {
+    fn invalid_base64_is_located() {
         for (text, at) in [("Zm9-", 3), ("Zg=v", 3), ("=Zg=", 0), ("Zm9vY", 5), ("Zg=", 3)] {
             assert_eq!(decode(text.as_bytes(), usize::MAX), Err(at), "{text}");
         }

@@ -7,7 +7,9 @@ use thiserror::Error;
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum GridError {
     /// A number of nodes that does not make whole cells.
-    #[error("block {block} of the cells has {found} nodes, which is not a number of cells of {nodes} nodes")]
+    #[error(
+        "block {block} of the cells has {found} nodes, which is not a multiple of the {nodes} nodes of a cell"
+    )]
     PartialCell {
         /// Block, from 0.
         block: usize,
@@ -49,7 +51,7 @@ pub enum GridError {
         accepted: &'static str,
     },
     /// Two arrays of one name.
-    #[error("`{name}` is there twice")]
+    #[error("`{name}` occurs twice")]
     SameName {
         /// The name.
         name: String,

@@ -30,7 +30,7 @@ fn admissible_at_a_third_of_the_cost() {
 /// An elastic-shakedown state is not unique: the direct one differs from that of the passages by
 /// far more than the error of either.
 #[test]
-fn another_state() {
+fn differs_from_the_state_of_passages() {
     let rail = rail(1100.0, 0.1, 20e3);
     let (direct, passes) = (direct(&rail), stabilised(&rail));
     assert_eq!((direct.state, passes.state), (RailState::ElasticShakedown, RailState::ElasticShakedown));

@@ -45,7 +45,7 @@ impl Watch for Impatient {
 }
 
 #[test]
-fn asked_between_load_steps() {
+fn stops_between_load_steps() {
     let patient = Impatient { after: usize::MAX, asked: AtomicUsize::new(0) };
     passage(&Newton::default(), &patient).unwrap();
     let asked = patient.asked.load(Ordering::Relaxed);
@@ -91,7 +91,7 @@ impl<'a> StepSolver<'a> for MoodySteps<'a> {
 }
 
 #[test]
-fn gives_up_where_contact_finds_no_solution() {
+fn fails_where_contact_has_no_solution() {
     let error = passage(&Moody(AtomicUsize::new(0)), &Unwatched).unwrap_err();
     let PassageError::NotConverged { source: SteppingError::NotConverged { failure, .. }, .. } = error else {
         panic!("{error}");
