@@ -61,8 +61,8 @@ const ALTERNATING: f64 = 4.0;
 /// the surface, come and go with the number of columns.
 const ALTERNATING_SHARE: f64 = 1e-2;
 
-/// The state to which repeated passages over `rail` lead. `watch` is told of every passage, and
-/// again from the first one on where the plastic zone turns out to need more layers.
+/// The state to which repeated passages over `rail` lead. `watch` receives every passage, and again
+/// from the first one on where the plastic zone turns out to need more layers.
 ///
 /// Errors: a load or contact outside of the range of the model; a passage that does not converge.
 ///
