@@ -1,4 +1,5 @@
-//! Files that are wrong: an error that names the file, the part and what is wrong with it, and no panic.
+//! Files that are wrong: an error that names the file, the part and what is wrong with it, and no
+//! panic.
 
 use super::{grid_of_every_shape, scratch};
 use railcrack::vtu::{read_vtu, write_vtu};
@@ -96,8 +97,8 @@ fn a_file_cut_anywhere_is_an_error() {
 fn lies_about_lengths_are_errors() {
     let path = scratch("lies").join("bad.vtu");
     let samples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../verification/vtu/samples");
-    // Bytes of the first header: where compressed, number of blocks, and size of the only block after two more counts;
-    // else the size.
+    // Bytes of the first header: where compressed, number of blocks, and size of the only block
+    // after two more counts; else the size.
     let first_count = [0, 1, 2, 3];
     let lengths = [
         ("vtk_appended_raw.vtu", &first_count[..]),
