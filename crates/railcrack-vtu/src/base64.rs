@@ -1,4 +1,4 @@
-//! Base64 (RFC 4648, section 4), as VTK files hold it.
+//! Base64 (RFC 4648, section 4) of VTK files.
 
 const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
@@ -117,7 +117,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_base64_is_refused_where_it_stands() {
+    fn invalid_base64_is_located() {
         for (text, at) in [("Zm9-", 3), ("Zg=v", 3), ("=Zg=", 0), ("Zm9vY", 5), ("Zg=", 3)] {
             assert_eq!(decode(text.as_bytes(), usize::MAX), Err(at), "{text}");
         }

@@ -55,7 +55,7 @@ impl BlockCorrection {
     /// correction: far below that of the mesh.
     pub const TOLERANCE: f64 = 1e-8;
 
-    /// Most positions that are solved.
+    /// Largest number of positions solved.
     const MOST_POSITIONS: usize = 200;
 
     /// The correction of `rail` for a wheel whose `contact` is centred anywhere in `range` (mm).
@@ -120,7 +120,7 @@ impl BlockCorrection {
     }
 }
 
-/// How many positions interpolate the correction.
+/// Number of positions that interpolate the correction.
 fn positions_needed(
     rail: &BulkRail,
     contact: &HertzianContact,

@@ -38,7 +38,7 @@ fn largest(stress: Stress) -> f64 {
     stress.xx.abs().max(stress.yy.abs()).max(stress.zz.abs()).max(stress.xy.abs())
 }
 
-/// The wheel's force on the rail.
+/// The force of the wheel on the rail.
 fn wheel() -> Vec2 {
     Vec2::new(CONTACT.friction, -1.0) * CONTACT.line_load()
 }
@@ -241,7 +241,7 @@ fn agrees_with_a_full_solution_of_the_block() {
         }
         println!("{boundary:?}: corrections up to {moved:.1} MPa, difference / p0 {worst:.1e}");
         assert!(worst < TOLERANCE, "{boundary:?}: {worst:e}");
-        // The check means something only if the ends matter.
+        // The check is meaningful only if the ends have an effect.
         assert!(moved > 50.0 * TOLERANCE * CONTACT.peak_pressure, "{boundary:?}: {moved}");
     }
 }

@@ -1,4 +1,4 @@
-//! The cracked half-plane as two matrices.
+//! The cracked half-plane by dislocations: C, A and S.
 
 use super::assembly::stiffness;
 use super::junctions::{Core, Ties, cores};

@@ -29,7 +29,7 @@ pub struct Kink {
     pub delta_k1: f64,
     /// Δk2 of the virtual kink, MPa √mm.
     pub delta_k2: f64,
-    /// The best other direction, if there is one.
+    /// The largest secondary maximum, if any.
     pub secondary: Option<SecondaryMaximum>,
 }
 
@@ -144,7 +144,7 @@ impl HourlierPineau {
     }
 }
 
-/// The one to take of two equally good maxima.
+/// The preferred one of two tied maxima.
 fn preferred(a: Maximum, b: Maximum) -> Maximum {
     let difference = a.angle.abs() - b.angle.abs();
     if difference.abs() > SAME_ANGLE {

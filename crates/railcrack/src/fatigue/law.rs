@@ -12,7 +12,7 @@ pub struct ParisLaw {
     pub m: f64,
     /// w, weight of mode II.
     pub mode_2_weight: f64,
-    /// ΔK_eq (MPa√m) at or below which nothing grows.
+    /// Threshold ΔK_eq (MPa√m), at or below which no crack grows.
     pub threshold: f64,
 }
 

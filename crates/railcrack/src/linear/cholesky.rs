@@ -67,7 +67,7 @@ impl SparseFactor {
         self.structure.supernodes.iter().map(|s| s.entries()).sum()
     }
 
-    /// Memory that it holds, bytes.
+    /// Memory in bytes.
     pub fn memory_bytes(&self) -> usize {
         size_of_val(&*self.tiles) + self.structure.memory_bytes()
     }

@@ -35,7 +35,7 @@ pub enum XfemError {
         /// Its length, mm.
         length: f64,
     },
-    /// Grid lines that make no mesh.
+    /// Grid lines that do not form a mesh.
     #[error("the mesh cannot be made: {0}")]
     Mesh(#[from] MeshError),
     /// The uncracked rail.
@@ -50,11 +50,11 @@ pub enum XfemError {
 /// tip.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct XfemSettings {
-    /// Nodes within it carry √r functions.
+    /// Radius within which nodes carry √r functions.
     pub enrichment: EnrichmentRadius,
     /// Radius up to which the weight of the domain of integration of the SIFs is 1.
     pub domain_inner: f64,
-    /// It falls to 0 here.
+    /// Radius at which the weight has fallen to 0.
     pub domain_outer: f64,
     /// Distance between face points away from mouth, tips and kinks, mm; `None`: the length of
     /// crack in an element.
@@ -95,7 +95,7 @@ pub struct XfemBody {
     ends: Option<BlockEnds>,
 }
 
-/// The ends of a block as the faces see them.
+/// Effect of the ends of a block on the faces.
 #[derive(Debug, Clone)]
 struct BlockEnds {
     points: usize,
@@ -190,7 +190,7 @@ impl XfemBody {
         Ok(())
     }
 
-    /// Adds something the user must know.
+    /// Adds a remark for the user.
     pub(super) fn remark(&mut self, text: String) {
         self.remarks.push(text);
     }

@@ -1,4 +1,4 @@
-//! How far the domain of integration of a tip reaches.
+//! Size of the domain of integration of a tip.
 
 use super::body::XfemSettings;
 use super::cuts::{Cuts, SHARP_KINK};

@@ -17,7 +17,7 @@ use std::time::Instant;
 pub enum RailEnd {
     /// The running surface only: the mesh is held so far away that this has no influence.
     HalfPlane {
-        /// Abscissa of the middle of the mesh, mm.
+        /// Abscissa of the centre of the mesh, mm.
         centre: f64,
     },
     /// A block on supports.
@@ -30,7 +30,7 @@ pub enum RailEnd {
         sides: SideSupport,
         /// The wheel that rolls over it.
         contact: HertzianContact,
-        /// Positions that the wheel may take, mm.
+        /// Range of wheel positions, mm.
         positions: RangeInclusive<f64>,
     },
 }
@@ -38,7 +38,7 @@ pub enum RailEnd {
 /// Half-width and depth of the mesh of a half-plane, over the extent of the window. A boundary held
 /// at this distance changes K by about (l/R)² × 8: less than 1e-3.
 const FAR: f64 = 150.0;
-/// Enlargements of the window that are tried.
+/// Largest number of enlargements of the window.
 const ENLARGEMENTS: usize = 20;
 
 impl RailEnd {
@@ -86,7 +86,7 @@ pub struct XfemEngine {
     steel: IsotropicElastic,
     end: RailEnd,
     settings: XfemSettings,
-    /// The window of the cracks at the beginning.
+    /// The window of the initial cracks.
     initial: Window,
     /// That of the mesh.
     window: Window,

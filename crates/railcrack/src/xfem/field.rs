@@ -1,4 +1,4 @@
-//! The field behind the face points.
+//! Displacement and stress fields of the cracked body.
 
 use super::basis::{CellBasis, Elasticity, Function};
 use super::body::XfemError;

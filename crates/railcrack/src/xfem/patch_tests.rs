@@ -37,7 +37,7 @@ fn patch() -> (QuadMesh, CrackNetwork) {
     let lines = |from: f64, n: usize| (0..=n).map(|i| from + 0.2 * i as f64).collect();
     let mesh = QuadMesh::new(lines(-1.5, 15), lines(-2.0, 10)).unwrap();
     let crack = Crack::surface_breaking(-0.63, 1.17, 0.9).unwrap();
-    // The last line is the surface to round-off.
+    // The last grid line is the surface, up to round-off.
     let y: Vec<f64> = mesh.y_lines().iter().map(|y| if y.abs() < 1e-9 { 0.0 } else { *y }).collect();
     (QuadMesh::new(mesh.x_lines().to_vec(), y).unwrap(), crack.into())
 }

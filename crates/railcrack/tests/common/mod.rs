@@ -22,14 +22,14 @@ use railcrack::dislocation::{DislocationBody, FaceResolution};
 use railcrack::material::IsotropicElastic;
 use railcrack::math::{Stress, Vec2};
 
-/// How far a number may be from its reference.
+/// The allowed difference of a number from its reference.
 #[derive(Debug, Clone, Copy)]
 pub enum Tolerance {
-    /// As a share of the reference.
+    /// As a fraction of the reference.
     Relative(f64),
     /// In the unit of the reference.
     Absolute(f64),
-    /// As a share of the second number: a peak, a scale.
+    /// As a fraction of the second number: a peak, a scale.
     Of(f64, f64),
 }
 

@@ -91,7 +91,7 @@ fn small_second_difference_on_straight_cracks() {
     }
 }
 
-/// A residual stress put on in proportion.
+/// A residual stress applied in proportion.
 struct Ramp<'a>(&'a dyn CrackedBody, &'a DepthProfile);
 
 impl LoadPath for Ramp<'_> {

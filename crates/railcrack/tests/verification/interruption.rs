@@ -30,7 +30,7 @@ fn passage(solver: &dyn ContactSolver, watch: &dyn Observer) -> Result<Stabilise
     stabilised_passage(&problem, solver, load, &settings, watch)
 }
 
-/// Asks to stop when it has been asked `after` times.
+/// Requests a stop when it has been asked `after` times.
 struct Impatient {
     after: usize,
     asked: AtomicUsize,
@@ -45,7 +45,7 @@ impl Observer for Impatient {
 }
 
 #[test]
-fn asked_between_load_steps() {
+fn stops_between_load_steps() {
     let patient = Impatient { after: usize::MAX, asked: AtomicUsize::new(0) };
     passage(&Newton::default(), &patient).unwrap();
     let asked = patient.asked.load(Ordering::Relaxed);
@@ -91,7 +91,7 @@ impl<'a> StepSolver<'a> for MoodySteps<'a> {
 }
 
 #[test]
-fn gives_up_where_contact_finds_no_solution() {
+fn fails_where_contact_has_no_solution() {
     let error = passage(&Moody(AtomicUsize::new(0)), &Unobserved).unwrap_err();
     let PassageError::NotConverged { source: SteppingError::NotConverged { failure, .. }, .. } = error else {
         panic!("{error}");

@@ -8,10 +8,10 @@ use railcrack::crack::{Crack, CrackNetwork};
 use railcrack::field::{DepthProfile, HertzField, StressField};
 use railcrack::math::Stress;
 
-/// Part of the way of the wheel.
+/// A stage of the travel of the wheel.
 #[derive(Clone, Copy)]
 enum Part {
-    /// No wheel; the share of the residual stress.
+    /// No wheel; the fraction of the residual stress.
     Ramp,
     /// From or to infinity on this side, x_c = side / s.
     Far(f64),
@@ -94,7 +94,7 @@ fn second_passage(rolling: &Rolling, tolerance: f64) -> Vec<Vec<FaceState>> {
 /// A shallow crack, one that leans the other way and retains locked slip, a kinked one, one that
 /// goes straight down and joins late, and a pair.
 #[test]
-fn the_rest_of_a_joined_passage_is_as_computed() {
+fn a_joined_passage_equals_the_computed_one() {
     let pair: Vec<Crack> = vec![surface_crack(0.0, 6.0, 15.0), surface_crack(-1.0, 6.0, 165.0)];
     let kinked = vec![polyline(&[(0.0, 0.0), (3.9, -1.0), (4.9, -2.7)])];
     // Compression that closes the faces until the wheel comes for the first time: the second

@@ -171,7 +171,7 @@ fn order_and_walk_of_the_arms() {
 /// integrated over the faces: a translation of the part on one side of the whole crack, or between
 /// the branch and one half of it.
 #[test]
-fn junction_loses_and_doubles_no_traction() {
+fn junction_conserves_tractions() {
     let branch = [(0.3, DEEP), (1.1, DEEP - 0.9)];
     let cracks = [polyline(&[(-1.0, DEEP), branch[0], (1.0, DEEP + 0.2)]), polyline(&branch)];
     let body = joined_body(&cracks, &[junction(1, End::First, 0)], default_elements());
@@ -217,7 +217,7 @@ impl LoadPath for Growing<'_> {
 
 /// A closed branch that sticks has no effect.
 #[test]
-fn closed_branch_is_no_branch() {
+fn closed_sticking_branch_has_no_effect() {
     let cracks =
         [polyline(&[(-3.0, DEEP), (0.5, DEEP), (3.0, DEEP)]), polyline(&[(0.5, DEEP), (0.2, DEEP - 2.0)])];
     let body = joined_body(&cracks, &[junction(1, End::First, 0)], default_elements());
@@ -291,7 +291,7 @@ fn energy_is_continuous_at_the_junction() {
 /// Down to where the engine resolves it the energy release rate is that of K,
 /// (K_I² + K_II²)/E′ = dE/da.
 #[test]
-fn energy_release_of_a_tip_that_comes_to_a_free_crack() {
+fn energy_release_rate_of_an_approaching_tip() {
     for gap in [0.64, 0.16, 0.04, 0.02] {
         let change = energy(&coming(0.98 * gap)) - energy(&coming(1.02 * gap));
         let k = sifs_of(&coming(gap), |_| MIXED);

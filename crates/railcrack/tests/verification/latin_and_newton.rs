@@ -67,7 +67,7 @@ impl<'a> StepSolver<'a> for BothSteps<'a> {
         let newton = faces.solution().clone();
         self.latin.solve(step, faces).unwrap_or_else(|failure| panic!("LATIN: {failure}"));
         self.compare(&newton, faces.solution(), step.forces);
-        // The passage goes on from Newton's solution.
+        // The passage continues from Newton's solution.
         self.newton.solve(step, faces)
     }
 

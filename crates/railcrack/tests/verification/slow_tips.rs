@@ -34,7 +34,7 @@ fn histories(body: &dyn CrackedBody, cracks: &[Crack]) -> Vec<Vec<Sif>> {
     rolling.on(&FaceProblem::new(body, &[0.5; 2]), &Newton::default()).passages.pop().unwrap().sifs
 }
 
-/// By fine elements of the engine without a mesh.
+/// By fine elements of the dislocation engine.
 fn wanted(cracks: &[Crack]) -> Vec<Vec<Sif>> {
     const FINE: usize = 120;
     histories(&joined_body(cracks, &[], FINE), cracks)

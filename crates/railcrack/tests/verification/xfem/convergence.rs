@@ -34,7 +34,7 @@ fn fitted_order(errors: &[f64]) -> f64 {
     sums.0 / sums.1
 }
 
-/// Lines with each interval cut into equal parts.
+/// Lines with each interval divided into equal parts.
 fn cut(lines: &[f64], parts: usize) -> Vec<f64> {
     let within = |pair: &[f64]| {
         let (from, to) = (pair[0], pair[1]);

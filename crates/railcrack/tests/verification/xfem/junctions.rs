@@ -35,7 +35,7 @@ fn difference(k: &[f64], want: &[f64]) -> f64 {
 }
 
 #[test]
-fn a_crack_in_two_pieces_is_that_crack() {
+fn a_crack_in_two_pieces_equals_the_whole() {
     for degrees in [15.0, 60.0] {
         let size = Meshed::of_size(0.2);
         let whole = size.body(&[surface_crack(0.0, 6.0, degrees)]);
@@ -83,7 +83,7 @@ fn from_other_engine(network: &CrackNetwork, sizes: &[f64]) -> Vec<[f64; 3]> {
 }
 
 #[test]
-fn a_t_junction_is_that_of_the_other_engine() {
+fn a_t_junction_agrees_with_the_other_engine() {
     for (name, right, sizes) in [("straight", STRAIGHT, &[0.2][..]), ("kinked", KINKED, &[0.2, 0.1])] {
         let off = from_other_engine(&t_junction(right), sizes);
         println!("{name}: {off:?}");
@@ -101,7 +101,7 @@ fn a_t_junction_is_that_of_the_other_engine() {
 /// The nodal forces of a stress sum to its resultant on the joining crack and on each side of the
 /// junction.
 #[test]
-fn no_traction_is_lost_or_doubled() {
+fn tractions_are_conserved() {
     let network = t_junction(KINKED);
     let body = Meshed::of_size(0.2).body_of(&network);
     let stress = Stress { xx: -0.7, yy: 1.0, xy: 0.4, zz: 0.0 };

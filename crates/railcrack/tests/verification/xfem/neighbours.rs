@@ -42,7 +42,7 @@ fn misfit(network: &CrackNetwork, settings: XfemSettings) -> (f64, Vec<String>) 
     (off, body.remarks().to_vec())
 }
 
-/// A name, and the cracks by the distance of a tip, mm.
+/// A name, and the cracks as a function of the distance of a tip, mm.
 type Case = (&'static str, fn(f64) -> CrackNetwork);
 
 /// The warning that names the tip and its distance.

@@ -121,7 +121,7 @@ fn nine_parallel_cracks_of_a_run() {
 /// While the face point next to a tip sticks, K is the same to the last bit, and it does not jump
 /// as that point begins to slip.
 #[test]
-fn a_tip_that_sticks_keeps_its_k() {
+fn k_of_a_sticking_tip_is_constant() {
     let cracks = vec![surface_crack(0.0, 6.0, 15.0)];
     let body = Meshed::of_size(0.2).body(&cracks);
     let mut rolling = Rolling::over(cracks, 0.5, 0.1);

@@ -49,7 +49,7 @@ fn sifs(crack: &Crack, at: Vec2, shift: Vec2, stress: Stress) -> Vec<f64> {
 }
 
 fn spread(name: &str, crack: &Crack, at: Vec2, stress: Stress) {
-    // Both together, and apart.
+    // Both shifts together, and separately.
     let along = SHIFTS.map(|s| Vec2::new(s, 0.37));
     let across = SHIFTS.map(|s| Vec2::new(0.37, s));
     let both = SHIFTS.map(|s| Vec2::new(s, s));

@@ -58,7 +58,7 @@ fn a_short_crack_beside_a_long_one() {
 /// C is independent of the unit of length, K under a stress grows with the root of the size. A
 /// power of two as factor changes no digits.
 #[test]
-fn no_unit_of_length() {
+fn unit_of_length() {
     let scaled = |crack: &[(f64, f64)], by: f64| {
         polyline(&crack.iter().map(|&(x, y)| (x * by, y * by)).collect::<Vec<_>>())
     };
