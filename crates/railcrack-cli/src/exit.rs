@@ -67,6 +67,13 @@ pub enum Failure {
         /// The case file.
         path: PathBuf,
     },
+    /// A build without PNG files.
+    #[cfg(not(feature = "png"))]
+    #[error(
+        "this build of railcrack draws no PNG files; build it with them: \
+         cargo install --path crates/railcrack-cli --features png"
+    )]
+    NoPng,
     /// A file that is already there.
     #[error("{} is already there; --force replaces it", path.display())]
     Exists {
@@ -100,6 +107,8 @@ impl Failure {
                 PaperError::Output(_) | PaperError::Threads(_) => Exit::CannotReadOrWrite,
             },
             Self::Run(error) => exit_of_run(error),
+            #[cfg(not(feature = "png"))]
+            Self::NoPng => Exit::BadInput,
             Self::Exists { .. } | Self::CannotWrite { .. } | Self::Stdout(_) => Exit::CannotReadOrWrite,
         }
     }

@@ -83,26 +83,72 @@ fn the_table_keeps_its_own_promises() {
     assert_none(&rules.broken_promises());
 }
 
-#[test]
-fn only_linear_names_the_linear_algebra_crate() {
-    let mut violations: Vec<String> = library()
-        .iter()
-        .filter(|file| file.module() != "linear")
-        .flat_map(|file| file.lines_naming("faer"))
+/// The crates of the workspace, by name.
+fn crates() -> Vec<(String, PathBuf)> {
+    let mut crates: Vec<(String, PathBuf)> = std::fs::read_dir(workspace().join("crates"))
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+        .filter(|path| path.join("Cargo.toml").is_file())
+        .map(|path| (path.file_name().unwrap().to_string_lossy().into_owned(), path))
         .collect();
-    for folder in ["crates/railcrack/tests", "crates/railcrack/benches", "crates/railcrack-cli"] {
-        for path in rust_files(&workspace().join(folder)) {
-            let file = SourceFile::read(&path, &std::fs::read_to_string(&path).unwrap());
-            violations.extend(file.lines_naming("faer"));
-        }
+    crates.sort();
+    crates
+}
+
+fn sources_of(path: &Path) -> Vec<SourceFile> {
+    let read = |file: PathBuf| {
+        let text = std::fs::read_to_string(&file).unwrap();
+        SourceFile::read(file.strip_prefix(workspace().join("crates")).unwrap(), &text)
+    };
+    rust_files(path).into_iter().map(read).collect()
+}
+
+#[test]
+fn crates_depend_only_on_what_the_table_allows() {
+    let text = std::fs::read_to_string(workspace().join("ARCHITECTURE.md")).unwrap();
+    let allowed = rules::crates(&text);
+    let mut violations = Vec::new();
+    for (name, path) in crates() {
+        let Some(may) = allowed.get(&name) else {
+            violations.push(format!("{name} has no row"));
+            continue;
+        };
+        let manifest = std::fs::read_to_string(path.join("Cargo.toml")).unwrap();
+        let dependencies = rules::dependencies(&manifest);
+        let ours = dependencies.iter().filter(|name| name.starts_with("railcrack"));
+        violations.extend(ours.filter(|on| !may.contains(*on)).map(|on| format!("{name} depends on {on}")));
     }
-    let command = std::fs::read_to_string(workspace().join("crates/railcrack-cli/Cargo.toml")).unwrap();
-    assert!(!command.contains("faer"), "the command depends on the linear-algebra crate");
     assert_none(&violations);
 }
 
 #[test]
-fn the_library_prints_nothing() {
-    let violations: Vec<String> = library().iter().flat_map(SourceFile::printing_lines).collect();
+fn only_linear_names_the_linear_algebra_crate() {
+    let mut violations: Vec<String> = Vec::new();
+    for (name, path) in crates() {
+        let is_linear = |file: &SourceFile| file.path.starts_with("railcrack/src/linear");
+        let files = sources_of(&path).into_iter().filter(|file| !is_linear(file));
+        violations.extend(files.flat_map(|file| file.lines_naming("faer")));
+        let manifest = std::fs::read_to_string(path.join("Cargo.toml")).unwrap();
+        if name != "railcrack" && rules::dependencies(&manifest).contains("faer") {
+            violations.push(format!("{name} depends on the linear-algebra crate"));
+        }
+    }
     assert_none(&violations);
+}
+
+#[test]
+fn the_mechanics_has_no_files() {
+    let names = ["fs", "File", "Path", "PathBuf", "include_str", "include_bytes"];
+    let naming =
+        |file: &SourceFile| names.iter().flat_map(|name| file.lines_naming(name)).collect::<Vec<_>>();
+    assert_none(&library().iter().flat_map(naming).collect::<Vec<_>>());
+}
+
+#[test]
+fn only_the_command_prints() {
+    let of_crate = |(name, path): (String, PathBuf)| {
+        let sources = if name == "railcrack-cli" { Vec::new() } else { sources_of(&path.join("src")) };
+        sources.iter().flat_map(SourceFile::printing_lines).collect::<Vec<_>>()
+    };
+    assert_none(&crates().into_iter().flat_map(of_crate).collect::<Vec<_>>());
 }
