@@ -51,7 +51,12 @@ impl Tell for Progress {
     fn finished(&self, record: &StepRecord) {
         self.step.store(record.step + 1, Ordering::Relaxed);
         for warning in &record.warnings {
-            self.display.say(&format!("warning, step {}, {}: {}", warning.step, warning.kind, warning.text));
+            self.display.say(&format!(
+                "warning, step {}, {}: {}",
+                warning.step,
+                warning.kind.name(),
+                warning.text
+            ));
         }
         for event in events(record) {
             self.display.say(&format!("step {}: {event}", record.step));

@@ -9,8 +9,9 @@
 //! ```
 //! use railcrack::contact::{FaceProblem, Newton, StepControl};
 //! use railcrack::crack::Crack;
-//! use railcrack::dislocation::{DislocationBody, FaceResolution};
+//! use railcrack::dislocation::{FaceResolution, cracked_body};
 //! use railcrack::fatigue::{DirectionCriterion, HourlierPineau, ParisLaw, SifRanges};
+//! use railcrack::field::HertzWheel;
 //! use railcrack::growth::{PassageSettings, RailLoad, Unobserved, stabilised_passage};
 //! use railcrack::load::{HertzianContact, Passage};
 //! use railcrack::material::IsotropicElastic;
@@ -19,9 +20,9 @@
 //! let steel = IsotropicElastic::new(210e3, 0.3)?; // E in MPa
 //! let crack = Crack::surface_breaking(0.0, 6.0, 15f64.to_radians())?; // mouth, length in mm
 //! let wheel = HertzianContact { peak_pressure: 845.0, half_width: 6.75, friction: 0.025 };
-//! let body = DislocationBody::new(&crack.into(), &steel, FaceResolution::default())?; // C and S
-//! let faces = FaceProblem::new(&body, &[0.5]); // friction of the crack
-//! let load = RailLoad { contact: wheel, poisson: steel.poisson(), residual: None };
+//! let body = cracked_body(&crack.into(), &steel, FaceResolution::default())?; // C and S
+//! let faces = FaceProblem::new(&body, &[0.5])?; // friction of the crack
+//! let load = RailLoad { wheel: &HertzWheel::new(&wheel, &steel)?, residual: None };
 //! let settings = PassageSettings {
 //!     passage: Passage { from: -40.5, to: 40.5, positions: 241 },
 //!     max_passages: 5,

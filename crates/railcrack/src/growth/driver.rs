@@ -1,17 +1,20 @@
 //! The run: an iterator of growth steps that can be stored and taken up again.
 
+use super::face_load::FaceLoad;
+use super::passage::passages_under;
 use super::{
     BreakOut, DeferredGrowth, FieldRecord, FieldSettings, GrowthSettings, PassageError, PassageSettings,
     PhaseTimes, RailBox, RailLoad, RunStop, StabilisedPassage, StepRecord, StepState, TipDrive, TipRecord,
-    TipStop, Warning, WarningKind, advance, fields, stabilised_passage,
+    TipStop, Warning, WarningKind, advance, fields,
 };
 use crate::body::{BodyEngine, BodyError, CrackedBody};
-use crate::contact::{ContactSolver, FaceProblem};
+use crate::contact::{ContactSolver, CrackFrictionError, FaceProblem};
 use crate::crack::{Crack, CrackNetwork, CrackTip, Junction, NetworkError};
 use crate::fatigue::{HourlierPineau, Kink, SifRanges};
-use crate::field::StressField;
-use crate::load::HertzianContact;
+use crate::field::{EndField, EndsError, RailEnds, StressField, Wheel};
+use crate::math::OutOfRange;
 use serde::{Deserialize, Serialize};
+use std::sync::Arc;
 use std::time::Instant;
 
 /// What a run needs in order to go on after a step: everything else follows from the case.
@@ -79,7 +82,14 @@ impl Observer for Unobserved {
 
 /// Why a step could not be computed.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum GrowthError {
+    /// Settings under which nothing can be computed.
+    #[error(transparent)]
+    Settings(#[from] OutOfRange),
+    /// Crack-face friction that does not fit the cracks.
+    #[error(transparent)]
+    Friction(#[from] CrackFrictionError),
     /// The watcher interrupted the step; the state before it is intact.
     #[error("interrupted at step {step}")]
     Interrupted {
@@ -123,9 +133,7 @@ pub struct GrowthProblem {
     /// μ_c of each crack.
     pub crack_friction: Vec<f64>,
     /// The wheel.
-    pub contact: HertzianContact,
-    /// ν.
-    pub poisson: f64,
+    pub wheel: Box<dyn Wheel>,
     /// Balanced residual stress.
     pub residual: Option<Box<dyn StressField>>,
     /// The passages.
@@ -142,6 +150,8 @@ pub struct GrowthProblem {
 pub struct Growth {
     problem: GrowthProblem,
     state: GrowthState,
+    /// The ends of the rail of the last step, and what they add under the wheel.
+    ends: Option<(Arc<dyn RailEnds>, Arc<dyn EndField>)>,
 }
 
 /// A secondary kink whose rate comes this close to the best is a near tie.
@@ -150,7 +160,7 @@ pub(crate) const NEAR_TIE: f64 = 0.98;
 impl Growth {
     /// A run of `problem` from `state` on.
     pub fn new(problem: GrowthProblem, state: GrowthState) -> Self {
-        Self { problem, state }
+        Self { problem, state, ends: None }
     }
 
     /// The state after the last computed step: give it to a new run to go on from there.
@@ -165,6 +175,8 @@ impl Growth {
         if self.state.ended.is_some() {
             return Ok(None);
         }
+        self.problem.passages.check()?;
+        self.problem.growth.check()?;
         let step = self.state.step;
         let started = Instant::now();
         let network = CrackNetwork::joined(self.state.cracks.clone(), self.state.junctions.clone())
@@ -177,12 +189,16 @@ impl Growth {
 
         let started = Instant::now();
         let remark = |text: &String| Warning { step, kind: WarningKind::Engine, text: text.clone() };
-        let mut warnings: Vec<Warning> = body.remarks().iter().map(remark).collect();
-        let passage = self.stabilise(body.as_ref(), observer, &mut warnings)?;
+        let mut warnings: Vec<Warning> = body.remarks.iter().map(remark).collect();
+        let ends = self.ends_under_wheel(&body)?;
+        let faces = FaceProblem::new(&body, &self.problem.crack_friction)?;
+        let face_load = FaceLoad::new(&faces, self.load(), ends.as_deref())
+            .map_err(|source| self.off_the_rail(source))?;
+        let passage = self.stabilise(&face_load, observer, &mut warnings)?;
         let contact_s = started.elapsed().as_secs_f64();
 
         let started = Instant::now();
-        let fields = self.fields(body.as_ref(), &passage)?;
+        let fields = self.fields(&face_load, &passage)?;
         let body_s = body_s + started.elapsed().as_secs_f64();
 
         let started = Instant::now();
@@ -217,11 +233,11 @@ impl Growth {
             faces: passage.faces,
             fields,
             load_cycles: self.state.load_cycles,
-            dofs: body.dofs(),
+            dofs: body.dofs,
             counts: passage.counts,
             times: PhaseTimes {
                 body_s,
-                parts: body.times(),
+                parts: body.times,
                 contact_s,
                 growth_s: started.elapsed().as_secs_f64(),
             },
@@ -243,44 +259,55 @@ impl Growth {
         Ok(Some(record))
     }
 
-    fn load(&self) -> RailLoad<'_> {
-        RailLoad {
-            contact: self.problem.contact,
-            poisson: self.problem.poisson,
-            residual: self.problem.residual.as_deref(),
+    /// What the ends of the rail add under the wheel: kept for as long as the engine keeps the rail.
+    fn ends_under_wheel(&mut self, body: &CrackedBody) -> Result<Option<Arc<dyn EndField>>, GrowthError> {
+        let Some(rail) = &body.ends else { return Ok(None) };
+        if let Some((known, field)) = &self.ends
+            && std::ptr::addr_eq(Arc::as_ptr(known), Arc::as_ptr(rail))
+        {
+            return Ok(Some(Arc::clone(field)));
         }
+        let field = self.load().at_ends(rail, &self.problem.passages);
+        let field = field.map_err(|source| self.off_the_rail(source))?;
+        self.ends = Some((Arc::clone(rail), Arc::clone(&field)));
+        Ok(Some(field))
+    }
+
+    fn off_the_rail(&self, source: EndsError) -> GrowthError {
+        GrowthError::Body { step: self.state.step, source: BodyError { reason: Box::new(source) } }
+    }
+
+    fn load(&self) -> RailLoad<'_> {
+        RailLoad { wheel: self.problem.wheel.as_ref(), residual: self.problem.residual.as_deref() }
     }
 
     /// The fields of this step, where they are wanted.
     fn fields(
         &self,
-        body: &dyn CrackedBody,
+        face_load: &FaceLoad,
         passage: &StabilisedPassage,
     ) -> Result<Option<FieldRecord>, GrowthError> {
         let step = self.state.step;
         let wanted = self.problem.fields.as_ref().filter(|fields| step.is_multiple_of(fields.every.get()));
         let Some(settings) = wanted else { return Ok(None) };
-        let faces = FaceProblem::new(body, &self.problem.crack_friction);
-        fields::record_fields(&faces, self.load(), passage, settings)
+        fields::record_fields(face_load, self.load(), passage, settings)
             .map_err(|source| GrowthError::Body { step, source })
     }
 
     /// The passages, by the solver or, where it fails, by the other one.
     fn stabilise(
         &self,
-        body: &dyn CrackedBody,
+        face_load: &FaceLoad,
         observer: &dyn Observer,
         warnings: &mut Vec<Warning>,
     ) -> Result<StabilisedPassage, GrowthError> {
         let step = self.state.step;
-        let faces = FaceProblem::new(body, &self.problem.crack_friction);
-        let load = self.load();
-        let settings = &self.problem.passages;
-        let first = stabilised_passage(&faces, self.problem.solver.as_ref(), load, settings, observer);
+        let (load, settings) = (self.load(), &self.problem.passages);
+        let by = |solver: &dyn ContactSolver| passages_under(face_load, load, solver, settings, observer);
+        let first = by(self.problem.solver.as_ref());
         let result = match first {
             Err(PassageError::NotConverged { .. }) => {
-                let second =
-                    stabilised_passage(&faces, self.problem.fallback.as_ref(), load, settings, observer);
+                let second = by(self.problem.fallback.as_ref());
                 if let (Err(failure), Ok(_)) = (&first, &second) {
                     let text = format!("the other contact solver did this step, since: {failure}");
                     warnings.push(Warning { step, kind: WarningKind::ContactFallback, text });
@@ -291,7 +318,7 @@ impl Growth {
         };
         result.map_err(|source| match source {
             PassageError::Interrupted => GrowthError::Interrupted { step },
-            source @ PassageError::NotConverged { .. } => GrowthError::Passage { step, source },
+            source => GrowthError::Passage { step, source },
         })
     }
 

@@ -6,7 +6,7 @@ use crate::contact::FaceState;
 use crate::crack::{Crack, CrackEnd, CrackTip, Junction};
 use crate::fatigue::{DirectionCriterion, ParisLaw};
 use crate::fracture::Sif;
-use crate::math::Vec2;
+use crate::math::{OutOfRange, Vec2};
 use serde::{Deserialize, Serialize};
 
 /// How cracks grow and when a run ends.
@@ -26,6 +26,34 @@ pub struct GrowthSettings {
     pub critical_length: Option<f64>,
     /// This many load cycles end the run.
     pub stop_after_cycles: Option<f64>,
+}
+
+/// As a case file that says nothing: the reference values of the paper.
+impl Default for GrowthSettings {
+    fn default() -> Self {
+        Self {
+            steps: 25,
+            increment: 0.04,
+            law: ParisLaw::RAIL_STEEL,
+            arrest_rate: 1e-9,
+            criterion: DirectionCriterion::MaxRate,
+            critical_length: None,
+            stop_after_cycles: None,
+        }
+    }
+}
+
+impl GrowthSettings {
+    /// Refuses an increment that is none, and limits that are not numbers.
+    pub fn check(&self) -> Result<(), OutOfRange> {
+        let fraction = self.increment > 0.0 && self.increment.is_finite();
+        OutOfRange::unless(fraction, "increment over the crack length", self.increment, "positive")?;
+        let at_least_zero =
+            |quantity, value: f64| OutOfRange::unless(value >= 0.0, quantity, value, "zero or more");
+        at_least_zero("arrest rate (mm per cycle)", self.arrest_rate)?;
+        at_least_zero("critical length (mm)", self.critical_length.unwrap_or(0.0))?;
+        at_least_zero("cycles to stop after", self.stop_after_cycles.unwrap_or(0.0))
+    }
 }
 
 /// A tip that broke out, and where its ligament ends on the running surface.

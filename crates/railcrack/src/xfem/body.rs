@@ -11,12 +11,12 @@ use super::interface::{Interface, Station};
 use super::sif::{SifContext, SifFunctional};
 use super::space::Space;
 use super::trace;
-use crate::body::{BodyError, BodyFields, BodyTimes, CrackedBody, FaceMesh, FieldLoad, RailEnds};
-use crate::bulk::{BlockCorrection, BulkError, BulkRail, CorrectionAtPoints};
-use crate::crack::{CrackNetwork, CrackTip};
+use crate::body::{BodyTimes, CrackedBody};
+use crate::bulk::{Boundary, BulkError, BulkRail};
+use crate::crack::CrackNetwork;
+use crate::field::RailEnds;
 use crate::linear::{LinearError, spd_inverse};
-use crate::load::HertzianContact;
-use crate::math::{Matrix, Stress, Vec2};
+use crate::math::Vec2;
 use crate::mesh::{MeshError, QuadMesh};
 use std::sync::Arc;
 use std::time::Instant;
@@ -79,119 +79,78 @@ impl Default for XfemSettings {
     }
 }
 
-/// The cracked rail: C, A, S at the face points.
-#[derive(Debug, Clone)]
-pub struct XfemBody {
-    pub(super) inside: Inside,
-    tips: Vec<CrackTip>,
-    compliance: Matrix,
-    stiffness: Matrix,
-    sif_influence: Matrix,
-    dofs: usize,
-    remarks: Vec<String>,
-    pub(super) times: BodyTimes,
-    ends: Option<BlockEnds>,
+/// The rail on `background` with `network` of cracks.
+pub fn cracked_body(
+    background: &Arc<BulkRail>,
+    network: &CrackNetwork,
+    settings: XfemSettings,
+) -> Result<CrackedBody, XfemError> {
+    cracked_body_with(background, network, settings, &mut ColumnStore::default())
 }
 
-/// The ends of a block as the faces see them.
-#[derive(Debug, Clone)]
-struct BlockEnds {
-    points: usize,
-    correction: CorrectionAtPoints,
-    contact: HertzianContact,
+/// [`cracked_body`] with what was computed for other cracks on the same background.
+pub fn cracked_body_with(
+    background: &Arc<BulkRail>,
+    network: &CrackNetwork,
+    settings: XfemSettings,
+    columns: &mut ColumnStore,
+) -> Result<CrackedBody, XfemError> {
+    let (body, inside) = reduced(background, network, settings, columns)?;
+    Ok(CrackedBody { fields: Some(Arc::new(inside)), ..body })
 }
 
-impl RailEnds for BlockEnds {
-    fn stresses(&self, xc: f64) -> Vec<Stress> {
-        let wheel = self.correction.wheel_nearest(xc);
-        (0..self.points).map(|k| wheel.stress(k)).collect()
+/// [`cracked_body`], and what its fields follow from.
+pub(super) fn reduced(
+    background: &Arc<BulkRail>,
+    network: &CrackNetwork,
+    settings: XfemSettings,
+    columns: &mut ColumnStore,
+) -> Result<(CrackedBody, Inside), XfemError> {
+    let mut times = BodyTimes::default();
+    let mut clock = Instant::now();
+    let mut lap = || std::mem::replace(&mut clock, Instant::now()).elapsed().as_secs_f64();
+    let mesh = background.mesh();
+    let Discretisation { cuts, sizes, space, interface } = Discretisation::new(mesh, network, &settings)?;
+    times.enrichment_s = lap();
+    let elasticity = Elasticity::new(*background.steel());
+    let border = Border::new(&cuts, &space, &elasticity);
+    times.border_s = lap();
+    let context =
+        SifContext { mesh, cuts: &cuts, space: &space, interface: &interface, elasticity: &elasticity };
+    let mut remarks = Vec::new();
+    let mut functionals: Vec<SifFunctional> = Vec::new();
+    for (tip, &size) in sizes.iter().enumerate() {
+        let (domain, remark) = domain_of(&cuts, tip, size, &settings);
+        functionals.extend(context.functionals(tip, domain));
+        remarks.extend(remark);
+        remarks.extend(short_part(&cuts, tip, size));
     }
-}
-
-impl XfemBody {
-    /// The rail on `background` with `network` of cracks.
-    pub fn new(
-        background: &Arc<BulkRail>,
-        network: &CrackNetwork,
-        settings: XfemSettings,
-    ) -> Result<Self, XfemError> {
-        Self::with_columns(background, network, settings, &mut ColumnStore::default())
-    }
-
-    /// [`XfemBody::new`] with what was computed for other cracks on the same background.
-    pub fn with_columns(
-        background: &Arc<BulkRail>,
-        network: &CrackNetwork,
-        settings: XfemSettings,
-        columns: &mut ColumnStore,
-    ) -> Result<Self, XfemError> {
-        let mut times = BodyTimes::default();
-        let mut clock = Instant::now();
-        let mut lap = || std::mem::replace(&mut clock, Instant::now()).elapsed().as_secs_f64();
-        let mesh = background.mesh();
-        let Discretisation { cuts, sizes, space, interface } = Discretisation::new(mesh, network, &settings)?;
-        times.enrichment_s = lap();
-        let elasticity = Elasticity::new(*background.steel());
-        let border = Border::new(&cuts, &space, &elasticity);
-        times.border_s = lap();
-        let context =
-            SifContext { mesh, cuts: &cuts, space: &space, interface: &interface, elasticity: &elasticity };
-        let mut remarks = Vec::new();
-        let mut functionals: Vec<SifFunctional> = Vec::new();
-        for (tip, &size) in sizes.iter().enumerate() {
-            let (domain, remark) = domain_of(&cuts, tip, size, &settings);
-            functionals.extend(context.functionals(tip, domain));
-            remarks.extend(remark);
-            remarks.extend(short_part(&cuts, tip, size));
-        }
-        times.sif_s = lap();
-        let jumps = trace::jumps(background, &cuts, &space, &interface);
-        let duality = interface.duality();
-        let system = System {
-            rail: background,
-            space: &space,
-            border: &border,
-            jumps: &jumps,
-            functionals: &functionals,
-            duality: &duality,
-        };
-        let Condensed { compliance, sif_influence, elimination } = system.condensed(columns)?;
-        let stiffness = spd_inverse(&compliance)?;
-        times.condensation_s = lap();
-        let tips = network.tips();
-        let dofs = background.factor().order() + space.unknowns();
-        let rail = Arc::clone(background);
-        Ok(Self {
-            inside: Inside { rail, cuts, space, interface, duality, elimination },
-            tips,
-            compliance,
-            stiffness,
-            sif_influence,
-            dofs,
-            remarks,
-            times,
-            ends: None,
-        })
-    }
-}
-
-impl XfemBody {
-    /// Adds what the ends of a block do to the stress under the wheel.
-    pub(super) fn add_ends(
-        &mut self,
-        correction: &BlockCorrection,
-        contact: &HertzianContact,
-    ) -> Result<(), BulkError> {
-        let points: Vec<Vec2> = self.faces().samples.iter().map(|sample| sample.point).collect();
-        self.ends =
-            Some(BlockEnds { points: points.len(), correction: correction.at(&points)?, contact: *contact });
-        Ok(())
-    }
-
-    /// Adds something the user must know.
-    pub(super) fn remark(&mut self, text: String) {
-        self.remarks.push(text);
-    }
+    times.sif_s = lap();
+    let jumps = trace::jumps(background, &cuts, &space, &interface);
+    let duality = interface.duality();
+    let system = System {
+        rail: background,
+        space: &space,
+        border: &border,
+        jumps: &jumps,
+        functionals: &functionals,
+        duality: &duality,
+    };
+    let Condensed { compliance, sif_influence, elimination } = system.condensed(columns)?;
+    let stiffness = spd_inverse(&compliance)?;
+    times.condensation_s = lap();
+    let matrices = [compliance, stiffness, sif_influence];
+    let ends = (background.boundary() != Boundary::HalfPlane)
+        .then(|| -> Arc<dyn RailEnds> { Arc::<BulkRail>::clone(background) });
+    let body = CrackedBody {
+        dofs: background.factor().order() + space.unknowns(),
+        ends,
+        times,
+        remarks,
+        ..CrackedBody::new(interface.faces.clone(), network.tips(), matrices)
+    };
+    let rail = Arc::clone(background);
+    Ok((body, Inside { rail, cuts, space, interface, duality, elimination }))
 }
 
 /// Everything about the cracks in the mesh that does not need its stiffness.
@@ -241,50 +200,4 @@ const COVERAGE: f64 = 1e-8;
 fn element_size(mesh: &QuadMesh, at: Vec2) -> f64 {
     let size = mesh.element(mesh.locate(at).unwrap_or(0)).size();
     size.x.max(size.y)
-}
-
-impl CrackedBody for XfemBody {
-    fn faces(&self) -> &FaceMesh {
-        &self.inside.interface.faces
-    }
-
-    fn tips(&self) -> &[CrackTip] {
-        &self.tips
-    }
-
-    fn compliance(&self) -> &Matrix {
-        &self.compliance
-    }
-
-    fn stiffness(&self) -> &Matrix {
-        &self.stiffness
-    }
-
-    fn sif_influence(&self) -> &Matrix {
-        &self.sif_influence
-    }
-
-    fn dofs(&self) -> usize {
-        self.dofs
-    }
-
-    fn ends(&self) -> Option<&dyn RailEnds> {
-        self.ends.as_ref().map(|ends| ends as &dyn RailEnds)
-    }
-
-    fn fields(&self, loads: &[FieldLoad]) -> Result<Option<BodyFields>, BodyError> {
-        let contact = self.ends.as_ref().map(|ends| &ends.contact);
-        match self.inside.fields(loads, contact) {
-            Ok(fields) => Ok(Some(fields)),
-            Err(reason) => Err(BodyError { reason: Box::new(reason) }),
-        }
-    }
-
-    fn times(&self) -> BodyTimes {
-        self.times
-    }
-
-    fn remarks(&self) -> &[String] {
-        &self.remarks
-    }
 }

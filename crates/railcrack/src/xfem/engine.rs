@@ -1,19 +1,17 @@
 //! The engine: one mesh and factor for all steps of a run.
 
-use super::body::{Discretisation, XfemBody, XfemError, XfemSettings};
+use super::body::{Discretisation, XfemError, XfemSettings, cracked_body_with};
 use super::columns::ColumnStore;
 use super::window::{Layers, MeshSettings, Outline, Window};
 use crate::body::{BodyEngine, BodyError, CrackedBody};
-use crate::bulk::{BlockCorrection, BottomSupport, Boundary, BulkRail, SideSupport};
+use crate::bulk::{BottomSupport, Boundary, BulkRail, SideSupport};
 use crate::crack::CrackNetwork;
-use crate::load::HertzianContact;
 use crate::material::IsotropicElastic;
-use std::ops::RangeInclusive;
 use std::sync::Arc;
 use std::time::Instant;
 
 /// What the rail of the finite-element engine ends at.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum RailEnd {
     /// Nothing but the running surface: held so far away that it is not felt.
     HalfPlane {
@@ -28,10 +26,6 @@ pub enum RailEnd {
         bottom: BottomSupport,
         /// What holds its sides.
         sides: SideSupport,
-        /// The wheel that rolls over it.
-        contact: HertzianContact,
-        /// Positions that the wheel may take, mm.
-        positions: RangeInclusive<f64>,
     },
 }
 
@@ -91,8 +85,6 @@ pub struct XfemEngine {
     window: Window,
     background: Option<Arc<BulkRail>>,
     columns: ColumnStore,
-    /// Of a block: what its ends do, for all positions of the wheel.
-    correction: Option<Arc<BlockCorrection>>,
 }
 
 impl XfemEngine {
@@ -122,7 +114,6 @@ impl XfemEngine {
             window,
             background: None,
             columns: ColumnStore::default(),
-            correction: None,
         }
     }
 
@@ -150,9 +141,6 @@ impl XfemEngine {
         }
         self.background = other.background.clone();
         self.columns = other.columns.clone();
-        if self.end == other.end {
-            self.correction = other.correction.clone();
-        }
     }
 
     /// How large the system of `network` is, without factoring it.
@@ -189,32 +177,23 @@ impl XfemEngine {
         if window != self.window || self.background.is_none() {
             let mesh = window.mesh(self.end.outline(&window))?;
             self.background = Some(Arc::new(BulkRail::new(mesh, &self.steel, self.end.boundary())?));
-            self.correction = None;
             self.columns = ColumnStore::default();
             self.window = window;
         }
-        let rail = self.background.as_ref().expect("made above");
-        // Depends on the wheel too, and is therefore not taken over with every rail.
-        if let (RailEnd::Block { contact, positions, .. }, None) = (&self.end, &self.correction) {
-            self.correction = Some(Arc::new(BlockCorrection::new(rail, contact, positions.clone())?));
-        }
-        Ok(rail)
+        Ok(self.background.as_ref().expect("made above"))
     }
 
-    fn cracked(&mut self, network: &CrackNetwork) -> Result<XfemBody, XfemError> {
+    fn cracked(&mut self, network: &CrackNetwork) -> Result<CrackedBody, XfemError> {
         let started = Instant::now();
         self.background(network)?;
         let mesh_s = started.elapsed().as_secs_f64();
         let background = self.background.as_ref().expect("made above");
-        let mut body = XfemBody::with_columns(background, network, self.settings, &mut self.columns)?;
+        let mut body = cracked_body_with(background, network, self.settings, &mut self.columns)?;
         body.times.mesh_s = mesh_s;
-        if let (RailEnd::Block { contact, .. }, Some(correction)) = (&self.end, &self.correction) {
-            body.add_ends(correction, contact)?;
-        }
         // Told by the crack alone, so that a run that is taken up here says the same.
         let (window, before) = self.window_for(network);
         if before.is_some_and(|before| before.was_left_by(network)) {
-            body.remark(format!(
+            body.remarks.push(format!(
                 "a crack left the fine part of the mesh, which now reaches from x = {:.1} to {:.1} mm and to a depth of {:.1} mm",
                 window.lower.x, window.upper.x, -window.lower.y
             ));
@@ -224,11 +203,8 @@ impl XfemEngine {
 }
 
 impl BodyEngine for XfemEngine {
-    fn body(&mut self, network: &CrackNetwork) -> Result<Box<dyn CrackedBody>, BodyError> {
-        match self.cracked(network) {
-            Ok(body) => Ok(Box::new(body)),
-            Err(reason) => Err(BodyError { reason: Box::new(reason) }),
-        }
+    fn body(&mut self, network: &CrackNetwork) -> Result<CrackedBody, BodyError> {
+        self.cracked(network).map_err(|reason| BodyError { reason: Box::new(reason) })
     }
 
     fn forget(&mut self) {
@@ -252,11 +228,11 @@ mod tests {
         let (end, settings) = (RailEnd::HalfPlane { centre: 0.0 }, XfemSettings::default());
         let mesh = MeshSettings { element_size: 0.5, expected_growth: 1.0 };
         let mut engine = XfemEngine::new(&network, steel, mesh, end, settings);
-        let bits = |body: &dyn CrackedBody| body.compliance().entries().to_vec();
+        let bits = |body: &CrackedBody| body.compliance.entries().to_vec();
         let before = engine.body(&network).unwrap();
         assert!(engine.columns.is_kept());
         engine.forget();
         assert!(!engine.columns.is_kept());
-        assert_eq!(bits(engine.body(&network).unwrap().as_ref()), bits(before.as_ref()));
+        assert_eq!(bits(&engine.body(&network).unwrap()), bits(&before));
     }
 }

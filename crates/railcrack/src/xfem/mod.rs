@@ -21,7 +21,7 @@ mod space;
 mod trace;
 mod window;
 
-pub use body::{EnrichmentRadius, XfemBody, XfemError, XfemSettings};
+pub use body::{EnrichmentRadius, XfemError, XfemSettings, cracked_body, cracked_body_with};
 pub use columns::ColumnStore;
 pub use engine::{RailEnd, XfemEngine, XfemSize};
 pub use sif::SifDomain;
