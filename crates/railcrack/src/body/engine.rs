@@ -1,18 +1,7 @@
 //! What turns cracks into a body.
 
-use super::CrackedBody;
+use super::{BodyError, CrackedBody};
 use crate::crack::CrackNetwork;
-use std::error::Error;
-use thiserror::Error;
-
-/// Cracks that an engine cannot represent, with the engine's reason.
-#[derive(Debug, Error)]
-#[error("{reason}")]
-pub struct BodyError {
-    /// The engine's own error.
-    #[source]
-    pub reason: Box<dyn Error + Send + Sync>,
-}
 
 /// A method of computing cracked bodies.
 pub trait BodyEngine {

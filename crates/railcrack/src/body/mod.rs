@@ -3,11 +3,13 @@
 mod cracked;
 mod elements;
 mod engine;
+mod error;
 mod face_mesh;
 mod fields;
 
 pub use cracked::{BodyTimes, CrackedBody, FieldSolver};
 pub use elements::{FaceElement, FacePiece, discretise};
-pub use engine::{BodyEngine, BodyError};
+pub use engine::BodyEngine;
+pub use error::BodyError;
 pub use face_mesh::{FaceMesh, FacePoint, FaceSample};
 pub use fields::{BodyFields, Face, FieldGrid, FieldLine, FieldLoad, PointField};

@@ -96,6 +96,13 @@ pub struct DislocationEngine {
     pub resolution: FaceResolution,
 }
 
+impl DislocationEngine {
+    /// The engine for cracks in `steel`, with the default number of elements.
+    pub fn new(steel: IsotropicElastic) -> Self {
+        Self { steel, resolution: FaceResolution::default() }
+    }
+}
+
 /// Distance that is resolved, over the length of the shortest crack: elements there follow the distance, but below this
 /// the stress between the faces says nothing about a real crack.
 const RESOLVED: f64 = 0.005;

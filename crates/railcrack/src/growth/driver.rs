@@ -3,82 +3,18 @@
 use super::face_load::FaceLoad;
 use super::passage::passages_under;
 use super::{
-    BreakOut, DeferredGrowth, FieldRecord, FieldSettings, GrowthSettings, PassageError, PassageSettings,
-    PhaseTimes, RailBox, RailLoad, RunStop, StabilisedPassage, StepRecord, StepState, TipDrive, TipRecord,
-    TipStop, Warning, WarningKind, advance, fields,
+    FieldRecord, FieldSettings, GrowthSettings, GrowthState, Observer, PassageError, PassageSettings,
+    PhaseTimes, RailBox, RailLoad, StabilisedPassage, StepRecord, StepState, TipDrive, TipRecord, Warning,
+    WarningKind, advance, fields,
 };
 use crate::body::{BodyEngine, BodyError, CrackedBody};
-use crate::contact::{ContactSolver, CrackFrictionError, FaceProblem};
-use crate::crack::{Crack, CrackNetwork, CrackTip, Junction, NetworkError};
+use crate::contact::{ContactSolver, CrackFrictionError, FaceProblem, Latin, Newton};
+use crate::crack::{CrackNetwork, CrackTip, NetworkError};
 use crate::fatigue::{HourlierPineau, Kink, SifRanges};
 use crate::field::{EndField, EndsError, RailEnds, StressField, Wheel};
 use crate::math::OutOfRange;
-use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use std::time::Instant;
-
-/// What a run needs in order to go on after a step: everything else follows from the case.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct GrowthState {
-    /// The step to compute next.
-    pub step: usize,
-    /// The cracks at its start.
-    pub cracks: Vec<Crack>,
-    /// Where they have joined each other.
-    pub junctions: Vec<Junction>,
-    /// Tips that have broken out.
-    pub break_outs: Vec<BreakOut>,
-    /// Load cycles at its start.
-    pub load_cycles: f64,
-    /// `stopped[crack][tip]`: why a tip no longer grows; the tips of a crack are its ends below the surface, joined ones counted.
-    pub stopped: Vec<Vec<Option<TipStop>>>,
-    /// `deferred[crack][tip]`: growth that is not in the cracks yet.
-    pub deferred: Vec<Vec<DeferredGrowth>>,
-    /// Set when the run has ended.
-    pub ended: Option<RunStop>,
-}
-
-impl GrowthState {
-    /// The beginning of a run with `cracks`.
-    pub fn initial(cracks: &CrackNetwork) -> Self {
-        let tips = || cracks.cracks().iter().map(|crack| crack.tips().len());
-        Self {
-            step: 0,
-            cracks: cracks.cracks().to_vec(),
-            junctions: cracks.junctions().to_vec(),
-            break_outs: Vec::new(),
-            load_cycles: 0.0,
-            stopped: tips().map(|tips| vec![None; tips]).collect(),
-            deferred: tips().map(|tips| vec![DeferredGrowth::default(); tips]).collect(),
-            ended: None,
-        }
-    }
-
-    /// Growth at the tips of crack `crack` (from 0) that is not in it yet, mm.
-    fn deferred_at(&self, crack: usize) -> f64 {
-        self.deferred[crack].iter().map(|deferred| deferred.length).sum()
-    }
-}
-
-/// Someone who watches a step being computed, and may interrupt it.
-pub trait Observer: Sync {
-    /// The fraction (0 to 1) of the current passage that is done.
-    fn progress(&self, fraction: f64);
-    /// Whether to give up the current step now.
-    fn interrupted(&self) -> bool;
-}
-
-/// Nobody: the step is computed in silence and to its end.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Unobserved;
-
-impl Observer for Unobserved {
-    fn progress(&self, _: f64) {}
-
-    fn interrupted(&self) -> bool {
-        false
-    }
-}
 
 /// Why a step could not be computed.
 #[derive(Debug, thiserror::Error)]
@@ -144,6 +80,29 @@ pub struct GrowthProblem {
     pub growth: GrowthSettings,
     /// The rail.
     pub rail: RailBox,
+}
+
+impl GrowthProblem {
+    /// Cracks with `crack_friction` under `wheel`, by `engine`: everything else as in a case file that
+    /// says nothing.
+    pub fn new(
+        engine: impl BodyEngine + 'static,
+        wheel: impl Wheel + 'static,
+        crack_friction: Vec<f64>,
+    ) -> Self {
+        Self {
+            engine: Box::new(engine),
+            solver: Box::new(Newton::default()),
+            fallback: Box::new(Latin::default()),
+            crack_friction,
+            wheel: Box::new(wheel),
+            residual: None,
+            passages: PassageSettings::default(),
+            fields: None,
+            growth: GrowthSettings::default(),
+            rail: RailBox::default(),
+        }
+    }
 }
 
 /// A run over growth steps. [`Growth::next_step`] computes one step; [`Growth::state`] is what to store after it.

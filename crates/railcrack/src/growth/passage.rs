@@ -2,78 +2,14 @@
 
 use super::face_load::{FaceLoad, Part};
 use super::tip_sifs::{TipMark, TipSifs};
-use super::{FaceRecord, Observer, PassageRecord, SolverCounts};
+use super::{FaceRecord, Observer, PassageRecord, PassageSettings, RailLoad, SolverCounts};
 use crate::contact::{
     ContactSolver, FaceProblem, FaceSolution, FaceState, StepControl, Stepper, SteppingError,
 };
-use crate::field::{EndField, EndsError, RailEnds, StressField, Wheel};
+use crate::field::EndsError;
 use crate::fracture::SifHistory;
-use crate::load::Passage;
 use crate::math::OutOfRange;
-use std::sync::Arc;
 use thiserror::Error;
-
-/// The wheel's passages.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PassageSettings {
-    /// Output positions.
-    pub passage: Passage,
-    /// Passages at most.
-    pub max_passages: usize,
-    /// Change of K between two passages, relative to its peak, below which the history repeats.
-    pub passage_tolerance: f64,
-    /// Tolerance of the load steps on K, relative to its peak; of no meaning to fixed steps.
-    pub step_tolerance: f64,
-    /// How load steps are chosen; fixed ones go from output position to output position.
-    pub step_control: StepControl,
-}
-
-/// As a case file that says nothing, with the passage of the reference case.
-impl Default for PassageSettings {
-    fn default() -> Self {
-        Self {
-            passage: Passage::default(),
-            max_passages: 5,
-            passage_tolerance: 1e-3,
-            step_tolerance: 2e-3,
-            step_control: StepControl::Adaptive,
-        }
-    }
-}
-
-impl PassageSettings {
-    /// Refuses a passage that is none, no passages at all, and tolerances that are not positive.
-    pub fn check(&self) -> Result<(), OutOfRange> {
-        self.passage.check()?;
-        let passages = self.max_passages as f64;
-        OutOfRange::unless(self.max_passages >= 1, "passages at most", passages, "at least 1")?;
-        OutOfRange::unless_positive("tolerance of the passages", self.passage_tolerance)?;
-        OutOfRange::unless_positive("tolerance of the load steps", self.step_tolerance)
-    }
-}
-
-/// What loads the uncracked rail.
-#[derive(Clone, Copy)]
-pub struct RailLoad<'a> {
-    /// The wheel.
-    pub wheel: &'a dyn Wheel,
-    /// Balanced residual stress.
-    pub residual: Option<&'a dyn StressField>,
-}
-
-impl RailLoad<'_> {
-    /// What the ends of a `rail` add to the field of the wheel on its way.
-    ///
-    /// Errors: the wheel leaves the rail, or comes too close to an end.
-    pub(super) fn at_ends(
-        &self,
-        rail: &Arc<dyn RailEnds>,
-        settings: &PassageSettings,
-    ) -> Result<Arc<dyn EndField>, EndsError> {
-        let Passage { from, to, .. } = settings.passage;
-        Arc::clone(rail).under(self.wheel, from.min(to)..=from.max(to))
-    }
-}
 
 /// The stabilised passage and those before it.
 #[derive(Debug, Clone, PartialEq)]

@@ -2,9 +2,8 @@
 //! 1992). The front of a supernode is the dense matrix of its columns and the rows below them; what its elimination leaves of it is added to
 //! the front of its parent.
 
-use super::cholesky::Tile;
 use super::dense::eliminate;
-use super::lanes::ROWS;
+use super::lanes::{ROWS, Tile};
 use super::structure::{Structure, Supernode};
 use super::{ElementSum, LinearError};
 use crate::math::axpy;

@@ -6,78 +6,22 @@ use super::columns::ColumnStore;
 use super::condense::{Condensed, System};
 use super::cuts::Cuts;
 use super::domain::{domain_of, short_part};
+use super::error::XfemError;
 use super::field::Inside;
 use super::interface::{Interface, Station};
+use super::settings::{EnrichmentRadius, XfemSettings};
 use super::sif::{SifContext, SifFunctional};
 use super::space::Space;
 use super::trace;
 use crate::body::{BodyTimes, CrackedBody};
-use crate::bulk::{Boundary, BulkError, BulkRail};
+use crate::bulk::{Boundary, BulkRail};
 use crate::crack::CrackNetwork;
 use crate::field::RailEnds;
-use crate::linear::{LinearError, spd_inverse};
+use crate::linear::spd_inverse;
 use crate::math::Vec2;
-use crate::mesh::{MeshError, QuadMesh};
+use crate::mesh::QuadMesh;
 use std::sync::Arc;
 use std::time::Instant;
-use thiserror::Error;
-
-/// Cracks that the finite-element engine cannot represent.
-#[derive(Debug, Clone, PartialEq, Error)]
-pub enum XfemError {
-    /// A crack that leaves the mesh.
-    #[error("crack {crack} leaves the mesh: {covered} of {length} mm lie inside")]
-    OutsideMesh {
-        /// Number of the crack, from 1.
-        crack: usize,
-        /// Length inside of the mesh, mm.
-        covered: f64,
-        /// Its length, mm.
-        length: f64,
-    },
-    /// Grid lines that make no mesh.
-    #[error("the mesh cannot be made: {0}")]
-    Mesh(#[from] MeshError),
-    /// The uncracked rail.
-    #[error("the rail cannot be computed: {0}")]
-    Bulk(#[from] BulkError),
-    /// Linear algebra.
-    #[error("the enriched system cannot be solved: {0}")]
-    Linear(#[from] LinearError),
-}
-
-/// Resolution around the tips and along the faces. Numbers without unit count elements at the tip.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct XfemSettings {
-    /// Nodes within it carry √r functions.
-    pub enrichment: EnrichmentRadius,
-    /// The weight of the domain of integration of the SIFs is 1 up to here.
-    pub domain_inner: f64,
-    /// It falls to 0 here.
-    pub domain_outer: f64,
-    /// Distance between face points away from mouth, tip and kinks, mm; the length of crack in an element where none.
-    pub interface_spacing: Option<f64>,
-}
-
-/// Radius of the √r functions around a tip.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum EnrichmentRadius {
-    /// In elements at the tip.
-    Elements(f64),
-    /// In mm.
-    Fixed(f64),
-}
-
-impl Default for XfemSettings {
-    fn default() -> Self {
-        Self {
-            enrichment: EnrichmentRadius::Elements(2.5),
-            domain_inner: 1.5,
-            domain_outer: 4.5,
-            interface_spacing: None,
-        }
-    }
-}
 
 /// The rail on `background` with `network` of cracks.
 pub fn cracked_body(

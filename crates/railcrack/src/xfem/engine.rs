@@ -1,7 +1,9 @@
 //! The engine: one mesh and factor for all steps of a run.
 
-use super::body::{Discretisation, XfemError, XfemSettings, cracked_body_with};
+use super::body::{Discretisation, cracked_body_with};
 use super::columns::ColumnStore;
+use super::error::XfemError;
+use super::settings::XfemSettings;
 use super::window::{Layers, MeshSettings, Outline, Window};
 use crate::body::{BodyEngine, BodyError, CrackedBody};
 use crate::bulk::{BottomSupport, Boundary, BulkRail, SideSupport};

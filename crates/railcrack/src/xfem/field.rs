@@ -1,9 +1,9 @@
 //! The field behind the face points.
 
 use super::basis::{CellBasis, Elasticity, Function};
-use super::body::XfemError;
 use super::condense::{Elimination, Unknowns};
 use super::cuts::{CellPlace, Cuts};
+use super::error::XfemError;
 use super::field_grid::Layout;
 use super::interface::{Duality, Interface};
 use super::space::Space;
