@@ -7,7 +7,7 @@ use railcrack::body::BodyEngine;
 use railcrack::bulk::Boundary;
 use railcrack::contact::{self, Latin, Newton};
 use railcrack::dislocation::{DislocationEngine, FaceResolution};
-use railcrack::field::HertzDisplacement;
+use railcrack::field::HertzWheel;
 use railcrack::growth::{FieldSettings, Growth, GrowthProblem, GrowthState, RailBox};
 use railcrack::residual::PlasticField;
 use railcrack::xfem::{
@@ -47,20 +47,15 @@ impl Case {
         };
         let end = match self.rail.boundary {
             Boundary::HalfPlane => RailEnd::HalfPlane { centre: self.rail.centre },
-            Boundary::Block { bottom, sides } => {
-                let passage = self.passages.passage;
-                RailEnd::Block {
-                    outline: Outline {
-                        left: self.rail.centre - 0.5 * self.rail.width,
-                        right: self.rail.centre + 0.5 * self.rail.width,
-                        depth: self.rail.depth,
-                    },
-                    bottom,
-                    sides,
-                    contact: self.contact,
-                    positions: passage.from.min(passage.to)..=passage.from.max(passage.to),
-                }
-            }
+            Boundary::Block { bottom, sides } => RailEnd::Block {
+                outline: Outline {
+                    left: self.rail.centre - 0.5 * self.rail.width,
+                    right: self.rail.centre + 0.5 * self.rail.width,
+                    depth: self.rail.depth,
+                },
+                bottom,
+                sides,
+            },
         };
         XfemEngine::with_window(window, self.steel, end, settings)
     }
@@ -71,8 +66,7 @@ impl Case {
         let mouth = self.cracks.cracks().first()?.points()[0].x;
         let positions: Vec<f64> =
             self.fields.over_a.iter().map(|over_a| mouth + over_a * self.contact.half_width).collect();
-        let displacement = HertzDisplacement::new(&self.contact, &self.steel);
-        (!positions.is_empty()).then_some(FieldSettings { positions, every, displacement })
+        (!positions.is_empty()).then_some(FieldSettings { positions, every })
     }
 
     /// The finite-element engine, with a mesh that also resolves `plastic` stress.
@@ -141,8 +135,7 @@ impl PreparedRun<'_> {
             solver,
             fallback,
             crack_friction: case.crack_friction.clone(),
-            contact: case.contact,
-            poisson: case.steel.poisson(),
+            wheel: Box::new(HertzWheel::new(&case.contact, &case.steel).expect("the case is checked")),
             residual: residual.field,
             passages: case.passages,
             fields: case.field_settings(),

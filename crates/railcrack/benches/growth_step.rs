@@ -7,11 +7,12 @@ use railcrack::body::BodyEngine;
 use railcrack::bulk::{Boundary, BulkRail};
 use railcrack::contact::{FaceProblem, Newton, StepControl};
 use railcrack::crack::{Crack, CrackNetwork, End};
+use railcrack::field::HertzWheel;
 use railcrack::growth::{PassageSettings, RailLoad, Unobserved, stabilised_passage};
 use railcrack::linear::SparseCholesky;
 use railcrack::load::{HertzianContact, Passage};
 use railcrack::material::IsotropicElastic;
-use railcrack::xfem::{MeshSettings, Outline, RailEnd, Window, XfemBody, XfemEngine, XfemSettings};
+use railcrack::xfem::{MeshSettings, Outline, RailEnd, Window, XfemEngine, XfemSettings, cracked_body};
 use std::error::Error;
 use std::sync::Arc;
 use std::time::Instant;
@@ -51,7 +52,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let analysis = analysis?;
     let factor_ms = median((0..REPEATED).map(|_| timed(|| analysis.factor(&rail.stiffness())).0).collect());
     let cold_ms = median(
-        (0..REPEATED).map(|_| timed(|| XfemBody::new(&rail, &first, XfemSettings::default())).0).collect(),
+        (0..REPEATED).map(|_| timed(|| cracked_body(&rail, &first, XfemSettings::default())).0).collect(),
     );
 
     let mut engine =
@@ -63,7 +64,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         step_tolerance: 2e-3,
         step_control: StepControl::Adaptive,
     };
-    let load = RailLoad { contact: wheel, poisson: steel.poisson(), residual: None };
+    let load = RailLoad { wheel: &HertzWheel::new(&wheel, &steel).unwrap(), residual: None };
     engine.body(&first)?;
     let (mut bodies, mut passages, mut steps) = (Vec::new(), Vec::new(), Vec::new());
     for _ in 0..STEPS {
@@ -71,7 +72,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let network: CrackNetwork = crack.clone().into();
         let (body_ms, body) = timed(|| engine.body(&network));
         let body = body?;
-        let faces = FaceProblem::new(body.as_ref(), &[0.5]);
+        let faces = FaceProblem::new(&body, &[0.5]).unwrap();
         let (passage_ms, result) =
             timed(|| stabilised_passage(&faces, &Newton::default(), load, &passage, &Unobserved));
         result?;

@@ -6,6 +6,7 @@
 use railcrack::body::BodyEngine;
 use railcrack::contact::{FaceProblem, Newton, StepControl};
 use railcrack::crack::{Crack, CrackNetwork, End};
+use railcrack::field::HertzWheel;
 use railcrack::growth::{PassageSettings, RailLoad, Unobserved, stabilised_passage};
 use railcrack::load::{HertzianContact, Passage};
 use railcrack::material::IsotropicElastic;
@@ -78,7 +79,7 @@ fn measure(point: Point) -> Result<Cost, Box<dyn Error>> {
         step_tolerance: point.step_tolerance,
         step_control: StepControl::Adaptive,
     };
-    let load = RailLoad { contact: wheel, poisson: steel.poisson(), residual: None };
+    let load = RailLoad { wheel: &HertzWheel::new(&wheel, &steel).unwrap(), residual: None };
     let (mut bodies, mut contacts) = (Vec::new(), Vec::new());
     let mut cost = Cost { unknowns: 0, face_points: 0, solves: 0, body_ms: 0.0, contact_ms: 0.0 };
     let steps = if point.cracks < MANY_CRACKS { STEPS } else { 1 };
@@ -87,14 +88,14 @@ fn measure(point: Point) -> Result<Cost, Box<dyn Error>> {
         let begun = Instant::now();
         let body = engine.body(&network)?;
         let made = Instant::now();
-        let faces = FaceProblem::new(body.as_ref(), &vec![0.5; point.cracks]);
+        let faces = FaceProblem::new(&body, &vec![0.5; point.cracks]).unwrap();
         let result = stabilised_passage(&faces, &Newton::default(), load, &passage, &Unobserved)?;
         // The first body factors the mesh.
         if step > 0 {
             bodies.push((made - begun).as_secs_f64() * 1e3);
             contacts.push(made.elapsed().as_secs_f64() * 1e3);
         }
-        (cost.unknowns, cost.face_points, cost.solves) = (body.dofs(), faces.points(), result.counts.solves);
+        (cost.unknowns, cost.face_points, cost.solves) = (body.dofs, faces.points(), result.counts.solves);
         cracks = cracks
             .iter()
             .map(|crack| crack.extended(End::Last, 0.04 * crack.length(), -0.002))

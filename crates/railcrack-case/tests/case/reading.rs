@@ -1,8 +1,7 @@
 //! Good case files: what they mean, and that writing them back changes nothing.
 
 use proptest::prelude::*;
-use railcrack::body::CrackedBody;
-use railcrack::dislocation::DislocationBody;
+use railcrack::dislocation::cracked_body;
 use railcrack::fatigue::ParisLaw;
 use railcrack::growth::{StepRecord, Unobserved};
 use railcrack_case::{Case, ContactSolver, Engine, Input, Overrides, init_text};
@@ -99,8 +98,8 @@ fn nine_cracks() {
     assert_eq!(case.rail.centre, 13.5);
     assert!(case.to_toml().contains("\ncentre_mm = 13.5\n"), "defaults are filled in");
     assert_eq!(case.growth.steps, 5);
-    let body = DislocationBody::new(&case.cracks, &case.steel, case.face_resolution()).unwrap();
-    assert_eq!(case.size().unknowns, body.dofs());
+    let body = cracked_body(&case.cracks, &case.steel, case.face_resolution()).unwrap();
+    assert_eq!(case.size().unknowns, body.dofs);
 }
 
 #[test]

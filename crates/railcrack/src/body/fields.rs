@@ -1,5 +1,6 @@
 //! The field of a cracked body on cells around its cracks.
 
+use crate::field::Wheel;
 use crate::math::{Stress, Vec2};
 
 /// Cells around the cracks. No cell crosses a crack: cells on both sides of one have points of their own, at the same places.
@@ -38,12 +39,12 @@ pub enum Face {
 }
 
 /// What acts on a body whose field is wanted.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Clone, Copy)]
 pub struct FieldLoad<'a> {
     /// Nodal forces on the + faces, N/mm, 2p.
     pub forces: &'a [f64],
-    /// Position x_c of the wheel (mm), for what the ends of the rail do.
-    pub xc: f64,
+    /// The wheel whose field the ends of the rail cancel, and its position x_c (mm).
+    pub wheel: Option<(&'a dyn Wheel, f64)>,
 }
 
 /// A field at the points of a [`FieldGrid`].

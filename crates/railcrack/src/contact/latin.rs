@@ -69,7 +69,7 @@ struct LatinSteps<'a> {
 
 impl<'a> LatinSteps<'a> {
     fn new(problem: &'a FaceProblem<'a>, settings: Latin) -> Self {
-        let compliance = problem.body().compliance();
+        let compliance = &problem.body().compliance;
         let points = problem.points();
         let direction: Vec<f64> = (0..2 * points)
             .map(|i| {
@@ -130,7 +130,7 @@ impl<'a> StepSolver<'a> for LatinSteps<'a> {
         let Latin { tolerance, max_iterations, .. } = self.settings;
         let failure = |iterations, indicator| NotConverged { iterations, indicator, tolerance };
         let n = 2 * self.problem.points();
-        let influence = self.problem.body().sif_influence();
+        let influence = &self.problem.body().sif_influence;
         let mut extrapolation = Anderson::new(self.settings.history);
         let mut jump = vec![0.0; n];
         let mut force = vec![0.0; n];

@@ -147,16 +147,15 @@ impl<'a> NewtonSteps<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::body::CrackedBody;
-    use crate::contact::fixtures::OnePoint;
+    use crate::contact::fixtures::one_point;
 
     #[test]
     fn a_point_that_can_neither_open_nor_slip_sticks() {
         // Slip forward with friction 2 opens the point by 2 · 0.9 times what its pressure opens it: more pressure closes it.
-        let body = OnePoint::new(1.0, 0.9);
-        let problem = FaceProblem::new(&body, &[2.0]);
+        let body = one_point(1.0, 0.9);
+        let problem = FaceProblem::new(&body, &[2.0]).unwrap();
         // The free jumps (3, −1): the point is ahead of where it touches, and beyond the other face.
-        let forces = body.stiffness().times(&[3.0, -1.0]);
+        let forces = body.stiffness.times(&[3.0, -1.0]);
         let mut faces = FaceResponse::virgin(&problem);
         faces.set_status(0, PointStatus::Open, 0.0);
         faces.load([forces.clone()]);

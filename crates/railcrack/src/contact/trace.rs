@@ -242,7 +242,7 @@ impl Way<'_, '_> {
     fn check(&mut self, point: usize) -> Result<(), Stop> {
         let allowed = (self.accuracy.allowed)(point);
         let body = self.problem.body();
-        let (points, compliance) = (&body.faces().points, body.compliance());
+        let (points, compliance) = (&body.faces.points, &body.compliance);
         let mobility = |i: usize| compliance[(i, i)].sqrt();
         // A point that touches earlier or later does so at another slip.
         let slope = match (self.now.status[point], self.speed(point, self.share)) {

@@ -1,6 +1,5 @@
 use super::*;
-use crate::body::CrackedBody;
-use crate::contact::fixtures::OnePoint;
+use crate::contact::fixtures::one_point;
 use PointStatus::{Open, SlipBackward, SlipForward, Stick};
 use proptest::prelude::*;
 
@@ -16,8 +15,8 @@ fn followed(
     missed: [f64; 2],
     allowed: f64,
 ) -> (Result<Traced, Stop>, FaceSolution) {
-    let body = OnePoint::new(C, 0.0);
-    let problem = FaceProblem::new(&body, &[MU]);
+    let body = one_point(C, 0.0);
+    let problem = FaceProblem::new(&body, &[MU]).unwrap();
     let mut faces = FaceResponse::virgin(&problem);
     faces.set_status(0, current.status[0], current.jump[0]);
     let end = (0..2).map(|i| start[i] + first[i] + second[i]).collect();
@@ -113,13 +112,13 @@ fn a_hold_is_as_accurate_as_its_load() {
 /// Friction 2 with slip that opens the point by more than its pressure: it can neither slip nor open.
 #[test]
 fn a_way_without_next_change_is_lost_where_it_ends() {
-    let body = OnePoint::new(1.0, 0.9);
-    let problem = FaceProblem::new(&body, &[2.0]);
+    let body = one_point(1.0, 0.9);
+    let problem = FaceProblem::new(&body, &[2.0]).unwrap();
     let mut faces = FaceResponse::virgin(&problem);
     let current = point([0.0, 0.5], [0.0, 0.0], Open);
     faces.set_status(0, Open, 0.0);
     // The free jumps go from (0, 1/2) to (3, −1/2): too fast along for a point that touches to stick.
-    let forces = |jump: [f64; 2]| body.stiffness().times(&jump);
+    let forces = |jump: [f64; 2]| body.stiffness.times(&jump);
     faces.load([forces([3.0, -0.5]), forces([3.0, -1.0]), vec![0.0; 2]]);
     let accuracy = Accuracy { missed: &|| vec![0.0; 2], allowed: &|_| 1.0 };
     let scale = FaceScale { jump: 1.0, force: 1.0 };

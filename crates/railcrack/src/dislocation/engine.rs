@@ -3,8 +3,8 @@
 use super::assembly::stiffness;
 use super::junctions::{Core, Ties, cores};
 use super::nodes::{self, FaceResolution};
-use crate::body::{BodyEngine, BodyError, CrackedBody, FaceMesh, discretise};
-use crate::crack::{CrackNetwork, CrackTip, End, Walk, point_to_segment};
+use crate::body::{BodyEngine, BodyError, CrackedBody, discretise};
+use crate::crack::{CrackNetwork, End, Walk, point_to_segment};
 use crate::linear::{LinearError, spd_inverse};
 use crate::material::IsotropicElastic;
 use crate::math::{Matrix, Vec2};
@@ -19,55 +19,44 @@ pub enum DislocationError {
     Unresolved(#[from] LinearError),
 }
 
-/// Cracks in the half-plane y ≤ 0 by a Galerkin method for the displacement jump: continuous,
-/// linear in √r between nodes (so that the tip asymptotics lie in the space), with the closed-form
-/// interaction of dislocations.
-#[derive(Debug, Clone)]
-pub struct DislocationBody {
-    faces: FaceMesh,
-    tips: Vec<CrackTip>,
-    stiffness: Matrix,
-    compliance: Matrix,
-    sif_influence: Matrix,
-}
-
-impl DislocationBody {
-    /// The body with `network` of cracks, of `steel`, resolved by `resolution`.
-    pub fn new(
-        network: &CrackNetwork,
-        steel: &IsotropicElastic,
-        resolution: FaceResolution,
-    ) -> Result<Self, DislocationError> {
-        let walks = network.walks();
-        let cores = cores(network, &walks, |crack, g| nodes::regular_element(&walks[crack], resolution, g));
-        let nodes = nodes(network, &walks, &cores, resolution);
-        let (elements, all) = discretise(&walks, &nodes);
-        let (ties, faces) = Ties::new(&cores, &walks, &elements, &all);
-        let modulus = steel.plane_strain_modulus();
-        let stiffness = stiffness(&walks, &elements, &ties, &faces, modulus);
-        let compliance = spd_inverse(&stiffness)?;
-        let mut tips = Vec::new();
-        let mut rows = Vec::new();
-        for tip in network.tips() {
-            let mut own = elements.iter().filter(|e| e.crack == tip.crack);
-            let (element, node) = match tip.end {
-                End::First => own.next().map(|e| (e, e.ends[1])),
-                End::Last => own.next_back().map(|e| (e, e.ends[0])),
-            }
-            .and_then(|(e, p)| p.map(|p| (e, p)))
-            .expect("a crack has at least four elements");
-            let point = ties.of(node)[0].0;
-            // ⟦w⟧ = W √r / √r_1 on the tip element, and ⟦w⟧ = (8 K / E′) √(r / 2π).
-            let root = walks[tip.crack].root_slope() / (element.range.1 - element.range.0);
-            let factor = modulus * std::f64::consts::TAU.sqrt() / 8.0 * root;
-            for row in [2 * point + 1, 2 * point] {
-                rows.push(compliance.row(row).iter().map(|c| c * factor).collect::<Vec<f64>>());
-            }
-            tips.push(tip);
+/// Cracks in the half-plane y ≤ 0 by a Galerkin method for the displacement jump: continuous, linear in √r between
+/// nodes (so that the tip behaviour is in the space), with the closed-form interaction of dislocations.
+///
+/// The body with `network` of cracks, of `steel`, resolved by `resolution`.
+pub fn cracked_body(
+    network: &CrackNetwork,
+    steel: &IsotropicElastic,
+    resolution: FaceResolution,
+) -> Result<CrackedBody, DislocationError> {
+    let walks = network.walks();
+    let cores = cores(network, &walks, |crack, g| nodes::regular_element(&walks[crack], resolution, g));
+    let nodes = nodes(network, &walks, &cores, resolution);
+    let (elements, all) = discretise(&walks, &nodes);
+    let (ties, faces) = Ties::new(&cores, &walks, &elements, &all);
+    let modulus = steel.plane_strain_modulus();
+    let stiffness = stiffness(&walks, &elements, &ties, &faces, modulus);
+    let compliance = spd_inverse(&stiffness)?;
+    let mut tips = Vec::new();
+    let mut rows = Vec::new();
+    for tip in network.tips() {
+        let mut own = elements.iter().filter(|e| e.crack == tip.crack);
+        let (element, node) = match tip.end {
+            End::First => own.next().map(|e| (e, e.ends[1])),
+            End::Last => own.next_back().map(|e| (e, e.ends[0])),
         }
-        let sif_influence = Matrix::from_fn(rows.len(), compliance.columns(), |i, j| rows[i][j]);
-        Ok(Self { faces, tips, stiffness, compliance, sif_influence })
+        .and_then(|(e, p)| p.map(|p| (e, p)))
+        .expect("a crack has at least four elements");
+        let point = ties.of(node)[0].0;
+        // ⟦w⟧ = W √r / √r_1 on the tip element, and ⟦w⟧ = (8 K / E′) √(r / 2π).
+        let root = walks[tip.crack].root_slope() / (element.range.1 - element.range.0);
+        let factor = modulus * std::f64::consts::TAU.sqrt() / 8.0 * root;
+        for row in [2 * point + 1, 2 * point] {
+            rows.push(compliance.row(row).iter().map(|c| c * factor).collect::<Vec<f64>>());
+        }
+        tips.push(tip);
     }
+    let sif_influence = Matrix::from_fn(rows.len(), compliance.columns(), |i, j| rows[i][j]);
+    Ok(CrackedBody::new(faces, tips, [compliance, stiffness, sif_influence]))
 }
 
 /// Number of face points of `network` at `resolution`.
@@ -99,33 +88,7 @@ fn clearance(network: &CrackNetwork, own: usize, point: Vec2) -> f64 {
     segments.map(|p| point_to_segment(point, p[0], p[1])).fold(f64::INFINITY, f64::min)
 }
 
-impl CrackedBody for DislocationBody {
-    fn faces(&self) -> &FaceMesh {
-        &self.faces
-    }
-
-    fn tips(&self) -> &[CrackTip] {
-        &self.tips
-    }
-
-    fn compliance(&self) -> &Matrix {
-        &self.compliance
-    }
-
-    fn stiffness(&self) -> &Matrix {
-        &self.stiffness
-    }
-
-    fn sif_influence(&self) -> &Matrix {
-        &self.sif_influence
-    }
-
-    fn dofs(&self) -> usize {
-        self.compliance.rows()
-    }
-}
-
-/// The dislocation engine: [`DislocationBody`] for one steel and resolution.
+/// The dislocation engine: [`cracked_body`] for one steel and resolution.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DislocationEngine {
     /// The steel.
@@ -134,16 +97,21 @@ pub struct DislocationEngine {
     pub resolution: FaceResolution,
 }
 
-/// Resolved distance, over the length of the shortest crack: elements follow the distance to a
-/// neighbour, but below this the stress between the faces is meaningless for a real crack.
+impl DislocationEngine {
+    /// The engine for cracks in `steel`, with the default number of elements.
+    pub fn new(steel: IsotropicElastic) -> Self {
+        Self { steel, resolution: FaceResolution::default() }
+    }
+}
+
+/// Distance that is resolved, over the length of the shortest crack: elements there follow the distance, but below this
+/// the stress between the faces says nothing about a real crack.
 const RESOLVED: f64 = 0.005;
 
 impl BodyEngine for DislocationEngine {
-    fn body(&mut self, network: &CrackNetwork) -> Result<Box<dyn CrackedBody>, BodyError> {
-        match DislocationBody::new(network, &self.steel, self.resolution) {
-            Ok(body) => Ok(Box::new(body)),
-            Err(reason) => Err(BodyError { reason: Box::new(reason) }),
-        }
+    fn body(&mut self, network: &CrackNetwork) -> Result<CrackedBody, BodyError> {
+        cracked_body(network, &self.steel, self.resolution)
+            .map_err(|reason| BodyError { reason: Box::new(reason) })
     }
 
     fn resolution(&self, network: &CrackNetwork) -> f64 {

@@ -16,6 +16,13 @@ pub struct ParisLaw {
     pub threshold: f64,
 }
 
+/// [`ParisLaw::RAIL_STEEL`].
+impl Default for ParisLaw {
+    fn default() -> Self {
+        Self::RAIL_STEEL
+    }
+}
+
 impl ParisLaw {
     /// Rail steel as in Trollé et al. 2014, eqs 30 and 31, read in mm per cycle.
     pub const RAIL_STEEL: Self = Self { c: 2e-9, m: 3.33, mode_2_weight: 0.772, threshold: 0.0 };
@@ -36,6 +43,7 @@ impl ParisLaw {
 
 /// The quantity that the direction of growth maximises over the kink angle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum DirectionCriterion {
     /// The growth rate of the virtual kink, from the ranges of k1 and k2 (Hourlier & Pineau).
     #[default]

@@ -4,7 +4,7 @@
 //! resolution to another crack, or to what another tip has left behind by then, ends there; the others go on. The first coalescence is
 //! settled first, so that neither the order of the cracks nor a mirror changes what happens.
 
-use super::stops::Step;
+use super::step_state::Step;
 use crate::crack::{Crack, End, point_to_segment};
 use crate::math::{Vec2, segments_touch};
 

@@ -1,7 +1,7 @@
-//! Growth of slow tips, which deferred until it makes a segment.
+//! Growth of slow tips, which is deferred until it makes a segment.
 
 use super::*;
-use crate::crack::End;
+use crate::crack::{CrackTip, End};
 use crate::growth::fixtures::{self, crack};
 
 const SETTINGS: GrowthSettings = GrowthSettings { steps: 1000, arrest_rate: 1e-12, ..fixtures::SETTINGS };

@@ -3,54 +3,11 @@
 use super::coalescence::{Coalescence, coalescences};
 use super::deferred::{DeferredGrowth, KEEPS_PACE};
 use super::joining::{Outcome, grow, spall};
-use super::stops::{RailBox, Step, run_stop, spent_ligament, stop_of_one};
+use super::step_state::{Step, StepState, TipDrive};
+use super::stops::{run_stop, spent_ligament, stop_of_one};
 use super::{BreakOut, GrowthSettings, Piece, RunStop, TipStop};
-use crate::crack::{Crack, CrackTip, Junction, point_to_segment};
+use crate::crack::{Crack, Junction, point_to_segment};
 use crate::math::Vec2;
-
-/// What the passage asks of one tip.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TipDrive {
-    /// Which tip.
-    pub tip: CrackTip,
-    /// The chosen kink, radians, counter-clockwise; none for a tip that does not load.
-    pub kink: Option<f64>,
-    /// da/dN of the actual tip, mm per cycle: zero at or below the threshold.
-    pub rate: f64,
-    /// Its growth of earlier steps that is not in the crack yet.
-    pub deferred: DeferredGrowth,
-    /// Why it stopped in an earlier step, if it did.
-    pub stopped: Option<TipStop>,
-}
-
-/// The state of a run at the start of a step.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct StepState<'a> {
-    /// Step number, from 0.
-    pub step: usize,
-    /// The cracks.
-    pub cracks: &'a [Crack],
-    /// Where they have joined each other.
-    pub junctions: &'a [Junction],
-    /// Tips that broke out in earlier steps.
-    pub break_outs: &'a [BreakOut],
-    /// All their tips.
-    pub tips: &'a [TipDrive],
-    /// Load cycles so far.
-    pub load_cycles: f64,
-    /// The rail.
-    pub rail: RailBox,
-    /// The length that the engine resolves, mm: its element size.
-    pub resolution: f64,
-}
-
-impl StepState<'_> {
-    /// The length of crack `crack` (from 0), with the deferred growth of its tips, mm.
-    pub fn length(&self, crack: usize) -> f64 {
-        let own = self.tips.iter().filter(|tip| tip.tip.crack == crack);
-        self.cracks[crack].length() + own.map(|tip| tip.deferred.length).sum::<f64>()
-    }
-}
 
 /// What one tip does.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,7 +1,7 @@
 //! Increments, cycles and every stop.
 
 use super::*;
-use crate::crack::End;
+use crate::crack::{CrackTip, End};
 use crate::growth::fixtures::{self, SETTINGS, crack as polyline};
 
 /// Round-off of a few operations.

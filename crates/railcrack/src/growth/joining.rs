@@ -1,9 +1,9 @@
 //! The cracks of the next step: longer by the increments, with new junctions.
 
+use super::BreakOut;
 use super::coalescence::Coalescence;
 use super::pieces::{CrackGraph, Piece, PieceKind};
-use super::stops::Step;
-use super::{BreakOut, StepState};
+use super::step_state::{Step, StepState};
 use crate::crack::{Crack, CrackEnd, CrackNetwork, End, Junction, point_to_segment};
 use crate::math::Vec2;
 

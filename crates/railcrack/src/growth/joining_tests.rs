@@ -1,7 +1,7 @@
 //! Tips that meet cracks, each other, themselves and the surface; what they cut off.
 
 use super::*;
-use crate::crack::{CrackEnd, CrackNetwork, End, segment_distance};
+use crate::crack::{CrackEnd, CrackNetwork, CrackTip, End, segment_distance};
 use crate::growth::PieceKind;
 use crate::growth::fixtures::{self, SETTINGS, crack};
 use proptest::prelude::*;

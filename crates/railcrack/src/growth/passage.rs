@@ -2,40 +2,14 @@
 
 use super::face_load::{FaceLoad, Part};
 use super::tip_sifs::{TipMark, TipSifs};
-use super::{FaceRecord, Observer, PassageRecord, SolverCounts};
+use super::{FaceRecord, Observer, PassageRecord, PassageSettings, RailLoad, SolverCounts};
 use crate::contact::{
     ContactSolver, FaceProblem, FaceSolution, FaceState, StepControl, Stepper, SteppingError,
 };
-use crate::field::StressField;
+use crate::field::EndsError;
 use crate::fracture::SifHistory;
-use crate::load::{HertzianContact, Passage};
+use crate::math::OutOfRange;
 use thiserror::Error;
-
-/// The wheel's passages.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PassageSettings {
-    /// Output positions.
-    pub passage: Passage,
-    /// Passages at most.
-    pub max_passages: usize,
-    /// Change of K between two passages, relative to its peak, below which the history repeats.
-    pub passage_tolerance: f64,
-    /// Tolerance of the load steps on K, relative to its peak; of no meaning to fixed steps.
-    pub step_tolerance: f64,
-    /// How load steps are chosen; fixed ones go from output position to output position.
-    pub step_control: StepControl,
-}
-
-/// What loads the uncracked rail.
-#[derive(Clone, Copy)]
-pub struct RailLoad<'a> {
-    /// The wheel.
-    pub contact: HertzianContact,
-    /// ν.
-    pub poisson: f64,
-    /// Balanced residual stress.
-    pub residual: Option<&'a dyn StressField>,
-}
 
 /// The stabilised passage and those before it.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,8 +27,15 @@ pub struct StabilisedPassage {
 }
 
 /// A passage that could not be computed.
-#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[derive(Debug, Error)]
+#[non_exhaustive]
 pub enum PassageError {
+    /// Settings under which nothing can be computed.
+    #[error(transparent)]
+    Settings(#[from] OutOfRange),
+    /// The ends of the rail.
+    #[error(transparent)]
+    Ends(#[from] EndsError),
     /// Contact did not converge.
     #[error("passage {passage}, {phase}: {source}")]
     NotConverged {
@@ -82,17 +63,32 @@ pub fn stabilised_passage(
     settings: &PassageSettings,
     observer: &dyn Observer,
 ) -> Result<StabilisedPassage, PassageError> {
+    settings.check()?;
+    let ends = problem.body().ends.as_ref().map(|rail| load.at_ends(rail, settings)).transpose()?;
+    let face_load = FaceLoad::new(problem, load, ends.as_deref())?;
+    passages_under(&face_load, load, solver, settings, observer)
+}
+
+/// [`stabilised_passage`] under a load that is known at the faces.
+pub(super) fn passages_under(
+    face_load: &FaceLoad,
+    load: RailLoad,
+    solver: &dyn ContactSolver,
+    settings: &PassageSettings,
+    observer: &dyn Observer,
+) -> Result<StabilisedPassage, PassageError> {
+    let problem = face_load.problem;
     let xc = settings.passage.abscissae();
-    let face_load = FaceLoad::new(problem, load);
     let expected = face_load.expected_slip(&xc);
     let interrupted = || observer.interrupted();
     let stepper = Stepper::new(problem, solver, settings.step_tolerance, &expected)
         .with_control(settings.step_control)
         .with_interruption(&interrupted);
-    let mut wheel = Wheel {
+    let mut wheel = Rolling {
         problem,
-        face_load: &face_load,
-        half_width: load.contact.half_width,
+        face_load,
+        edges: load.wheel.edges(),
+        half_width: load.wheel.half_width(),
         xc: &xc,
         mouths: mouths(problem),
         edge_steps: 0,
@@ -116,7 +112,7 @@ pub fn stabilised_passage(
             (last_change, repeats) = (Some(0.0), true);
         }
         if repeats || passages.len() >= settings.max_passages || !problem.has_friction() {
-            let points = problem.body().faces().points.clone();
+            let points = problem.body().faces.points.clone();
             return Ok(StabilisedPassage {
                 counts: wheel.counts(passages.len()),
                 passages,
@@ -139,9 +135,11 @@ const RAMP_STATIONS: usize = 8;
 const EDGE_STATIONS: [f64; 7] = [-0.03, -0.015, -0.004, 0.0, 0.004, 0.015, 0.03];
 
 /// The wheel on its way over one geometry.
-struct Wheel<'a> {
+struct Rolling<'a> {
     problem: &'a FaceProblem<'a>,
     face_load: &'a FaceLoad<'a>,
+    /// Edges of the contact relative to x_c, mm.
+    edges: &'a [f64],
     /// a, mm.
     half_width: f64,
     /// Output positions, mm.
@@ -187,7 +185,7 @@ impl Pass {
     }
 }
 
-impl Wheel<'_> {
+impl Rolling<'_> {
     fn residual_stress(&mut self, tips: &mut TipSifs) -> Result<(), PassageError> {
         let problem = self.problem;
         let stations = (1..=RAMP_STATIONS).map(|k| k as f64 / RAMP_STATIONS as f64);
@@ -210,7 +208,7 @@ impl Wheel<'_> {
         let (first, last) = (self.xc[0], self.xc[self.xc.len() - 1]);
         let travel = (last - first).signum();
         tips.begin();
-        let bounded = problem.body().ends().is_some();
+        let bounded = problem.body().ends.is_some();
         let ramp = |k: usize| k as f64 / RAMP_STATIONS as f64;
         let near = self.distance(first);
         let share = |k: usize| k as f64 / FAR_STATIONS as f64 / near;
@@ -225,7 +223,7 @@ impl Wheel<'_> {
         arrived.map_err(failure(number, "approach"))?;
 
         let record =
-            PassageRecord { xc: self.xc.to_vec(), sifs: vec![Vec::new(); problem.body().tips().len()] };
+            PassageRecord { xc: self.xc.to_vec(), sifs: vec![Vec::new(); problem.body().tips.len()] };
         let mut pass =
             Pass { record, histories: Vec::new(), states: Vec::new(), marks: Vec::new(), joins: false };
         self.stepper.begin(first);
@@ -274,8 +272,7 @@ impl Wheel<'_> {
         let travel = (to - from).signum();
         let within = |x: &f64| (x - from) * travel > 0.0 && (to - x) * travel > 0.0;
         let mut stations: Vec<f64> = if self.problem.has_friction() && self.control == StepControl::Adaptive {
-            let edges =
-                self.mouths.iter().flat_map(|mouth| [mouth - self.half_width, mouth + self.half_width]);
+            let edges = self.mouths.iter().flat_map(|mouth| self.edges.iter().map(move |edge| mouth - edge));
             edges
                 .flat_map(|edge| EDGE_STATIONS.map(|share| edge + share * self.half_width))
                 .filter(within)
@@ -317,14 +314,14 @@ impl Wheel<'_> {
 
     /// Distance (mm) from `x` to the nearest face along the rail, at least a: what the stress there scales with.
     fn distance(&self, x: f64) -> f64 {
-        let samples = self.problem.body().faces().samples.iter();
+        let samples = self.problem.body().faces.samples.iter();
         samples.map(|s| (s.point.x - x).abs()).fold(f64::INFINITY, f64::min).max(self.half_width)
     }
 }
 
 /// Abscissae of the points of the faces on the running surface, mm.
 fn mouths(problem: &FaceProblem) -> Vec<f64> {
-    let points = problem.body().faces().points.iter();
+    let points = problem.body().faces.points.iter();
     points.filter(|point| point.position.y == 0.0).map(|point| point.position.x).collect()
 }
 

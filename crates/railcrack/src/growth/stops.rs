@@ -1,19 +1,8 @@
 //! Why a tip, or the run, goes no further.
 
-use super::{GrowthSettings, RunStop, StepState, TipStop};
-use crate::crack::{Crack, CrackTip};
-use crate::math::Vec2;
-
-/// The rail as a rectangle below y = 0.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RailBox {
-    /// Width, mm.
-    pub width: f64,
-    /// Depth, mm.
-    pub depth: f64,
-    /// Abscissa of its middle, mm.
-    pub centre: f64,
-}
+use super::step_state::{RailBox, Step, StepState};
+use super::{GrowthSettings, RunStop, TipStop};
+use crate::crack::Crack;
 
 /// A ligament below this many resolved lengths is spent: fewer cannot carry the gradient across it.
 const LIGAMENT_RESOLUTIONS: f64 = 2.0;
@@ -21,19 +10,6 @@ const LIGAMENT_RESOLUTIONS: f64 = 2.0;
 const LIGAMENT_FRACTION: f64 = 0.01;
 /// Cycles that fall short by this fraction are the cycles asked for: rounding of the last, shortened increment.
 const CYCLES_ROUNDING: f64 = 1e-12;
-
-/// A straight increment that a tip would make.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Step {
-    /// The tip.
-    pub tip: CrackTip,
-    /// Where it is.
-    pub from: Vec2,
-    /// Where it would be.
-    pub to: Vec2,
-    /// The share of the way that it has made in earlier steps.
-    pub deferred: f64,
-}
 
 /// The ligament to the running surface (mm) that a tip of `crack` may still leave; `resolution` (mm) is the length that the engine
 /// resolves.

@@ -55,7 +55,7 @@ impl TipSifs {
     /// Unloaded tips of virgin faces.
     pub fn virgin(problem: &FaceProblem) -> Self {
         let body = problem.body();
-        let points = &body.faces().points;
+        let points = &body.faces.points;
         let nearest = |crack: usize, end: End| {
             let own = |point: &FacePoint| point.crack == crack;
             let place =
@@ -71,7 +71,7 @@ impl TipSifs {
             held: true,
             history: SifHistory::default(),
         };
-        Self { tips: body.tips().iter().map(|tip_end| tip(nearest(tip_end.crack, tip_end.end))).collect() }
+        Self { tips: body.tips.iter().map(|tip_end| tip(nearest(tip_end.crack, tip_end.end))).collect() }
     }
 
     /// Begins the histories of a passage.

@@ -1,7 +1,7 @@
 //! Cholesky factorisation of sparse matrices: analysed once per pattern, factored once per matrix.
 
 use super::fronts::eliminated;
-use super::lanes::ROWS;
+use super::lanes::Tile;
 use super::structure::Structure;
 use super::{ElementSum, LinearError};
 use std::sync::Arc;
@@ -44,11 +44,6 @@ pub struct SparseFactor {
     /// L in tiles, supernode by supernode.
     tiles: Vec<Tile>,
 }
-
-/// [`ROWS`] entries of a column. The tiles of a supernode are stored column by column: first the
-/// blocks of the triangle, block b with the columns up to its own, then the blocks below. Rows that
-/// pad the last block are zero; the diagonal contains 1 / L_ii.
-pub(super) type Tile = [f64; ROWS];
 
 impl SparseFactor {
     /// The tiles of a supernode.

@@ -1,19 +1,7 @@
 //! Hertzian line contact of wheel on rail.
 
 use crate::material::IsotropicElastic;
-use thiserror::Error;
-
-/// A contact that cannot exist.
-#[derive(Debug, Clone, Copy, PartialEq, Error)]
-#[error("{quantity} = {value}: must be {accepted}")]
-pub struct LoadError {
-    /// Which quantity.
-    pub quantity: &'static str,
-    /// What was given.
-    pub value: f64,
-    /// What is accepted.
-    pub accepted: &'static str,
-}
+use crate::math::OutOfRange;
 
 /// Hertzian line contact in full sliding: pressure p(x) = p0 √(1 − (x − x_c)²/a²), traction on the rail
 /// t = (μ_w p, −p).
@@ -39,25 +27,25 @@ impl HertzianContact {
         rail_radius: f64,
         material: &IsotropicElastic,
         friction: f64,
-    ) -> Result<Self, LoadError> {
-        let positive = |quantity, value: f64, accepted| {
-            if value > 0.0 && !value.is_nan() { Ok(()) } else { Err(LoadError { quantity, value, accepted }) }
-        };
+    ) -> Result<Self, OutOfRange> {
+        let positive =
+            |quantity, value: f64, accepted| OutOfRange::unless(value > 0.0, quantity, value, accepted);
         positive("line load (N/mm)", line_load, "positive")?;
         positive("wheel radius (mm)", wheel_radius, "positive")?;
         positive("rail radius (mm)", rail_radius, "positive, inf for a flat rail")?;
         let curvature = 1.0 / wheel_radius + 1.0 / rail_radius;
-        if curvature <= 0.0 || curvature.is_nan() {
-            return Err(LoadError {
-                quantity: "1/R_wheel + 1/R_rail (1/mm)",
-                value: curvature,
-                accepted: "positive",
-            });
-        }
+        positive("1/R_wheel + 1/R_rail (1/mm)", curvature, "positive")?;
         let modulus = 0.5 * material.plane_strain_modulus();
         let half_width = (4.0 * line_load / (curvature * std::f64::consts::PI * modulus)).sqrt();
         let peak_pressure = 2.0 * line_load / (std::f64::consts::PI * half_width);
         Ok(Self { peak_pressure, half_width, friction })
+    }
+
+    /// Refuses a contact without pressure or extent, and numbers that are not finite.
+    pub fn check(&self) -> Result<(), OutOfRange> {
+        OutOfRange::unless_positive("peak pressure p0 (MPa)", self.peak_pressure)?;
+        OutOfRange::unless_positive("half-width a of the contact (mm)", self.half_width)?;
+        OutOfRange::unless_finite("wheel\u{2013}rail friction", self.friction)
     }
 
     /// P′ = π a p0 / 2, N/mm.

@@ -1,5 +1,7 @@
 //! The passage of one wheel.
 
+use crate::math::OutOfRange;
+
 /// Wheel positions of one passage at which results are wanted: `positions` abscissae evenly spaced from `from` to
 /// `to` (mm). `from` > `to` is a wheel that runs towards −x.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -12,7 +14,22 @@ pub struct Passage {
     pub positions: usize,
 }
 
+/// The passage of Trollé et al. 2014, Table 1: ±6 a around a mouth at x = 0, a = 6.75 mm.
+impl Default for Passage {
+    fn default() -> Self {
+        Self { from: -40.5, to: 40.5, positions: 241 }
+    }
+}
+
 impl Passage {
+    /// Refuses fewer than two positions, and abscissae that are not finite.
+    pub fn check(&self) -> Result<(), OutOfRange> {
+        OutOfRange::unless_finite("first wheel position (mm)", self.from)?;
+        OutOfRange::unless_finite("last wheel position (mm)", self.to)?;
+        let positions = self.positions as f64;
+        OutOfRange::unless(self.positions >= 2, "output positions of a passage", positions, "at least 2")
+    }
+
     /// The abscissae x_c in the order of travel, mm.
     pub fn abscissae(&self) -> Vec<f64> {
         let last = self.positions.saturating_sub(1).max(1) as f64;

@@ -1,9 +1,9 @@
 //! Condensation of the cracked rail to its face points: C and S.
 
-use super::body::XfemError;
 use super::border::{Border, BorderEntries, Entries};
 use super::columns::{ColumnStore, Eliminated};
 use super::enriched::EnrichedStiffness;
+use super::error::XfemError;
 use super::interface::Duality;
 use super::sif::SifFunctional;
 use super::space::{Enrichment, Space};

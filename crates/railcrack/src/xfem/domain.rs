@@ -1,7 +1,7 @@
 //! Size of the domain of integration of a tip.
 
-use super::body::XfemSettings;
 use super::cuts::{Cuts, SHARP_KINK};
+use super::settings::XfemSettings;
 use super::sif::SifDomain;
 use crate::crack::point_to_segment;
 use crate::math::Vec2;

@@ -18,7 +18,7 @@ pub use xfem::{Meshed, condition, misfit, sifs_under};
 
 use railcrack::body::CrackedBody;
 use railcrack::crack::{Crack, CrackEnd, CrackNetwork, End, Junction};
-use railcrack::dislocation::{DislocationBody, FaceResolution};
+use railcrack::dislocation::{FaceResolution, cracked_body};
 use railcrack::material::IsotropicElastic;
 use railcrack::math::{Stress, Vec2};
 
@@ -67,9 +67,9 @@ pub fn buried_crack(centre: Vec2, half: f64, degrees: f64) -> Crack {
 }
 
 /// The body with `cracks`, `elements` along each.
-pub fn body(cracks: &[Crack], elements: usize) -> DislocationBody {
+pub fn body(cracks: &[Crack], elements: usize) -> CrackedBody {
     let network = CrackNetwork::new(cracks.to_vec()).unwrap();
-    DislocationBody::new(&network, &steel(), FaceResolution { elements }).unwrap()
+    cracked_body(&network, &steel(), FaceResolution { elements }).unwrap()
 }
 
 /// A crack through `points` (mm).
@@ -82,15 +82,15 @@ pub fn junction(crack: usize, end: End, onto: usize) -> Junction {
     Junction { joining: CrackEnd { crack, end }, onto }
 }
 
-/// The body with `cracks` joined at `junctions`, `elements` along each crack.
-pub fn joined_body(cracks: &[Crack], junctions: &[Junction], elements: usize) -> DislocationBody {
+/// The body with `cracks` that meet at `junctions`, `elements` along each crack.
+pub fn joined_body(cracks: &[Crack], junctions: &[Junction], elements: usize) -> CrackedBody {
     let network = CrackNetwork::joined(cracks.to_vec(), junctions.to_vec()).unwrap();
-    DislocationBody::new(&network, &steel(), FaceResolution { elements }).unwrap()
+    cracked_body(&network, &steel(), FaceResolution { elements }).unwrap()
 }
 
 /// K_I and K_II (MPa √mm) per tip of an open body under the stress of the uncracked rail.
-pub fn sifs_of(body: &dyn CrackedBody, stress: impl Fn(Vec2) -> Stress) -> Vec<f64> {
-    body.sif_influence().times(&body.faces().nodal_forces(stress))
+pub fn sifs_of(body: &CrackedBody, stress: impl Fn(Vec2) -> Stress) -> Vec<f64> {
+    body.sif_influence.times(&body.faces.nodal_forces(stress))
 }
 
 /// K_I and K_II (MPa √mm) per tip of open `cracks` under the stress of the uncracked rail.

@@ -1,11 +1,12 @@
 //! The end of a passage: on request of the observer, between two load steps, and with an error when
 //! the contact solver finds no solution.
 
-use crate::common::{body, surface_crack};
+use crate::common::{body, steel, surface_crack};
 use railcrack::contact::{
     ContactSolver, FaceProblem, FaceResponse, LoadStep, Newton, NotConverged, StepControl, StepSolver,
     SteppingError,
 };
+use railcrack::field::HertzWheel;
 use railcrack::growth::{
     Observer, PassageError, PassageSettings, RailLoad, StabilisedPassage, Unobserved, stabilised_passage,
 };
@@ -17,7 +18,7 @@ const POSITIONS: usize = 5;
 
 fn passage(solver: &dyn ContactSolver, watch: &dyn Observer) -> Result<StabilisedPassage, PassageError> {
     let body = body(&[surface_crack(0.0, 6.0, 15.0)], 24);
-    let problem = FaceProblem::new(&body, &[0.5]);
+    let problem = FaceProblem::new(&body, &[0.5]).unwrap();
     let contact = HertzianContact { peak_pressure: 845.0, half_width: 6.75, friction: 0.025 };
     let settings = PassageSettings {
         passage: Passage { from: -40.0, to: 40.0, positions: POSITIONS },
@@ -26,7 +27,7 @@ fn passage(solver: &dyn ContactSolver, watch: &dyn Observer) -> Result<Stabilise
         step_tolerance: 2e-3,
         step_control: StepControl::Adaptive,
     };
-    let load = RailLoad { contact, poisson: 0.3, residual: None };
+    let load = RailLoad { wheel: &HertzWheel::new(&contact, &steel()).unwrap(), residual: None };
     stabilised_passage(&problem, solver, load, &settings, watch)
 }
 
