@@ -12,7 +12,7 @@ use thiserror::Error;
 /// How the program ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Exit {
-    /// What was asked for is done.
+    /// Done.
     Done,
     /// The command line, the case file or a file that it names is wrong.
     BadInput,
@@ -85,7 +85,7 @@ pub enum Failure {
     CannotWrite {
         /// The file.
         path: PathBuf,
-        /// What the system says.
+        /// The system's reason.
         source: std::io::Error,
     },
     /// Standard output that cannot be written.

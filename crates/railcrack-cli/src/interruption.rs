@@ -63,7 +63,7 @@ impl Interruption {
         self.asked.load(Ordering::Relaxed)
     }
 
-    /// What a signal does.
+    /// Acts as a signal does.
     #[cfg(test)]
     pub fn ask(&self) {
         self.asked.store(true, Ordering::Relaxed);

@@ -23,7 +23,7 @@ const MANY_CRACKS: usize = 32;
 /// Distance between cracks, mm.
 const SPACING: f64 = 3.375;
 
-/// What is varied.
+/// The varied quantity.
 #[derive(Debug, Clone, Copy)]
 struct Point {
     study: &'static str,
@@ -47,7 +47,7 @@ fn points() -> Vec<Point> {
     [&unknowns[..], &cracks, &load_steps, &threads, &of_nine].concat()
 }
 
-/// What a point costs.
+/// Cost of a point.
 struct Cost {
     unknowns: usize,
     face_points: usize,

@@ -223,7 +223,7 @@ fn growth(case: &Case) -> Vec<Row> {
     rows
 }
 
-/// What `railcrack shakedown` would compute.
+/// Summary of the stabilised plastic state that `railcrack shakedown` would compute.
 fn plastic_state(case: &Case) -> Vec<Row> {
     let shakedown = &case.shakedown;
     let hardening = &shakedown.hardening;

@@ -24,10 +24,10 @@ pub struct RunArguments {
     /// The run folder [default: the case's name beside it]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// What computes the cracked rail, in place of the case's: xfem or dislocation
+    /// Engine in place of the case's: xfem or dislocation
     #[arg(long, value_name = "ENGINE")]
     pub engine: Option<String>,
-    /// What solves the contact of the crack faces, in place of the case's: latin or newton
+    /// Contact solver in place of the case's: latin or newton
     #[arg(long, value_name = "SOLVER")]
     pub contact: Option<String>,
     /// Number of increments, in place of the case's

@@ -57,7 +57,7 @@ fn blocks(text: &str, language: &str) -> Vec<(usize, String)> {
 const CONTACT: &str = "[contact]\npeak_pressure_mpa = 845.0\nhalf_width_mm = 6.75\nfriction = 0.025\n";
 const CRACK: &str = "[[crack]]\nmouth_mm = 0.0\nlength_mm = 6.0\nangle_deg = 15.0\nfriction = 0.5\n";
 
-/// What `fragment` says in a case that has the rest from the reference case.
+/// A case with the keys of `fragment` and the rest of the reference case.
 fn completed(fragment: &str) -> String {
     let mut text = fragment.to_owned();
     for (section, rest) in [("[contact]", CONTACT), ("[[crack]]", CRACK)] {

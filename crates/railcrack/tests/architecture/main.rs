@@ -1,6 +1,7 @@
 //! Who imports whom: the sources against the tables of ARCHITECTURE.md.
 
 mod circles;
+mod prose;
 mod rules;
 mod source;
 
@@ -174,4 +175,21 @@ fn only_the_command_prints() {
         sources.iter().flat_map(SourceFile::printing_lines).collect::<Vec<_>>()
     };
     assert_none(&crates().into_iter().flat_map(of_crate).collect::<Vec<_>>());
+}
+
+#[test]
+fn prose_is_narrow_and_doc_comments_name_their_subject() {
+    let mut faults = Vec::new();
+    for path in rust_files(&workspace().join("crates")) {
+        faults.extend(prose::faults_of_source(&path, &std::fs::read_to_string(&path).unwrap()));
+    }
+    let docs = workspace().join("docs");
+    let folders = [workspace(), docs.clone(), docs.join("how-to"), docs.join("decisions")];
+    for entry in folders.iter().flat_map(|folder| std::fs::read_dir(folder).unwrap()) {
+        let path = entry.unwrap().path();
+        if path.extension().is_some_and(|ending| ending == "md") {
+            faults.extend(prose::faults_of_page(&path, &std::fs::read_to_string(&path).unwrap()));
+        }
+    }
+    assert_none(&faults);
 }

@@ -30,10 +30,10 @@ pub struct SweepArguments {
     /// Compute runs I, I + N, I + 2 N, … only; other processes compute the others, into the same folder or others
     #[arg(long, value_name = "I/N")]
     shard: Option<Shard>,
-    /// What computes the cracked rail, in place of the study's: xfem or dislocation
+    /// Engine in place of the study's: xfem or dislocation
     #[arg(long, value_name = "ENGINE")]
     engine: Option<String>,
-    /// What solves the contact of the crack faces, in place of the study's: latin or newton
+    /// Contact solver in place of the study's: latin or newton
     #[arg(long, value_name = "SOLVER")]
     contact: Option<String>,
     /// Number of increments of every run, in place of the study's

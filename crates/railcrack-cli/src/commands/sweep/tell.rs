@@ -1,4 +1,4 @@
-//! What a study says at its end.
+//! Result of a study on standard output.
 
 use railcrack_run::simulation::{Ending, FailedRun};
 use railcrack_run::{RunState, StudyFolder, StudyResults};
