@@ -107,6 +107,19 @@ fn every_link_leads_to_a_file() {
     }
 }
 
+/// The program of the README is the tested one of the library's pages.
+#[test]
+fn the_readme_shows_the_tested_program() {
+    let library = std::fs::read_to_string(workspace().join("crates/railcrack/src/lib.rs")).unwrap();
+    let tested: Vec<&str> = library.lines().map(|line| line.trim_start_matches("//!").trim()).collect();
+    let readme = std::fs::read_to_string(workspace().join("README.md")).unwrap();
+    let shown = blocks(&readme, "rust");
+    assert_eq!(shown.len(), 1);
+    for line in shown[0].1.lines().filter(|line| !line.is_empty()) {
+        assert!(tested.contains(&line.trim()), "README.md: not in the tested program: {line}");
+    }
+}
+
 #[test]
 fn reads_blocks_by_language() {
     let text = "a\n```toml\nx = 1\n```\n```sh\nls\n```\n```toml\n```\n";
