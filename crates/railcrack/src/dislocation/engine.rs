@@ -12,6 +12,7 @@ use thiserror::Error;
 
 /// Cracks that the dislocation engine cannot resolve.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum DislocationError {
     /// The energy of the jumps is not positive definite: elements far too coarse for the geometry.
     #[error("the cracks cannot be resolved by dislocations: {0}")]

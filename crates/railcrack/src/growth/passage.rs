@@ -1,4 +1,5 @@
-//! One geometry under the wheel: residual stress, then passages until the history repeats.
+//! Passages of the wheel over fixed cracks: residual stress, then passages until the history
+//! repeats.
 
 use super::face_load::{FaceLoad, Part};
 use super::tip_sifs::{TipMark, TipSifs};
@@ -46,16 +47,17 @@ pub enum PassageError {
         /// Where on its path and how.
         source: SteppingError,
     },
-    /// The watcher asked to stop.
+    /// The observer asked to stop.
     #[error("interrupted")]
     Interrupted,
 }
 
-/// Residual stress is ramped up on virgin faces; then wheels pass until the SIF histories of two consecutive passages
-/// agree. Frictionless faces have no memory: one passage is all. The wheel comes from infinitely far and leaves to
-/// infinitely far; in a rail with ends, its load is ramped up at the first position and down at the last.
+/// Residual stress is ramped up on virgin faces; then wheels pass until the SIF histories of two
+/// consecutive passages agree. Frictionless faces have no memory: one passage is all. The wheel
+/// comes from infinitely far and leaves to infinitely far; in a rail with ends, its load is ramped
+/// up at the first position and down at the last.
 ///
-/// Errors: contact does not converge; `watch` asks to stop.
+/// Errors: contact does not converge; `observer` asks to stop.
 pub fn stabilised_passage(
     problem: &FaceProblem,
     solver: &dyn ContactSolver,
@@ -125,13 +127,15 @@ pub(super) fn passages_under(
     }
 }
 
-/// Stations of the approach from infinity and of the departure to it, evenly spaced in 1/distance: the load grows about
-/// linearly from station to station.
+/// Stations of the approach from infinity and of the departure to it, evenly spaced in 1/distance:
+/// the load grows about linearly from station to station.
 const FAR_STATIONS: usize = 16;
-/// Stations of the ramp of residual stress, and of the wheel's load where it cannot come from far away.
+/// Stations of the ramp of residual stress, and of the wheel's load where it cannot come from far
+/// away.
 const RAMP_STATIONS: usize = 8;
 
-/// Stations around the passage of a contact edge over a mouth, over a: the stress there goes like the root of the distance.
+/// Stations around the passage of a contact edge over a mouth, over a: the stress there goes like
+/// the root of the distance.
 const EDGE_STATIONS: [f64; 7] = [-0.03, -0.015, -0.004, 0.0, 0.004, 0.015, 0.03];
 
 /// The wheel on its way over one geometry.
@@ -152,7 +156,7 @@ struct Rolling<'a> {
     stepper: Stepper<'a>,
 }
 
-/// What one passage leaves behind.
+/// Results of one passage.
 struct Pass {
     record: PassageRecord,
     histories: Vec<SifHistory>,
@@ -163,7 +167,7 @@ struct Pass {
     joins: bool,
 }
 
-/// What determines the rest of a passage.
+/// The state that determines the rest of a passage.
 struct Mark {
     faces: FaceSolution,
     tips: TipMark,
@@ -195,8 +199,9 @@ impl Rolling<'_> {
 
     /// One passage, approach and departure included. `number` counts from 1.
     ///
-    /// The faces forget: what sticks now was held by events of this passage, or else has stuck all the time. So sooner or later they are in the state of
-    /// the passage `before` at the same position, and then the rest of the way is known.
+    /// The faces forget: what sticks now was held by events of this passage, or else has stuck all
+    /// the time. So sooner or later they are in the state of the passage `before` at the same
+    /// position, and then the rest of the way is known.
     fn pass(
         &mut self,
         number: usize,
@@ -266,8 +271,9 @@ impl Rolling<'_> {
         Ok(pass)
     }
 
-    /// Wheel positions between two output positions at which an edge of the contact is over a mouth or close by, in the
-    /// order of travel: the stress at the mouth turns there faster than the steps before and after can tell.
+    /// Wheel positions between two output positions at which an edge of the contact is over a mouth
+    /// or close by, in the order of travel: the stress at the mouth turns there faster than the
+    /// steps before and after can tell.
     fn edges_between(&self, from: f64, to: f64) -> impl Iterator<Item = f64> + use<> {
         let travel = (to - from).signum();
         let within = |x: &f64| (x - from) * travel > 0.0 && (to - x) * travel > 0.0;
@@ -312,7 +318,8 @@ impl Rolling<'_> {
         }
     }
 
-    /// Distance (mm) from `x` to the nearest face along the rail, at least a: what the stress there scales with.
+    /// Distance (mm) from `x` to the nearest face along the rail, at least a: what the stress there
+    /// scales with.
     fn distance(&self, x: f64) -> f64 {
         let samples = self.problem.body().faces.samples.iter();
         samples.map(|s| (s.point.x - x).abs()).fold(f64::INFINITY, f64::min).max(self.half_width)

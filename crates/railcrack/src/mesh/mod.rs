@@ -5,4 +5,5 @@ mod quad;
 mod shape;
 
 pub use quad::{Element, MeshError, QuadMesh};
-pub use shape::{CORNERS, Edge, NODES, shape_functions};
+pub use shape::Edge;
+pub(crate) use shape::{CORNERS, NODES, shape_functions};
