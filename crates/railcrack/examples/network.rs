@@ -17,7 +17,7 @@ fn ranges(cracks: &CrackNetwork) -> Result<Vec<f64>, Box<dyn Error>> {
     Ok(passage.histories.iter().map(|history| SifRanges::of(history).delta_kii / 1000f64.sqrt()).collect())
 }
 
-pub fn main() -> Result<(), Box<dyn Error>> {
+pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let crack = |mouth| Crack::surface_breaking(mouth, 6.0, 15f64.to_radians());
     let alone = ranges(&crack(0.0)?.into())?[0];
     let three = ranges(&CrackNetwork::new(vec![crack(-3.375)?, crack(0.0)?, crack(3.375)?])?)?;

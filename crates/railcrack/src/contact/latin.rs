@@ -11,7 +11,7 @@ use crate::math::{Anderson, Matrix, dot};
 ///
 /// Local stage, point by point on the contact conditions, search direction f̂ − f = k (ŵ − w);
 /// global stage, equilibrium A w = f + f_load, search direction f − f̂ = −k⁻ (w − ŵ) with 1/k⁻ =
-/// 1/k + ξ, where ξ is the stabilisation of eq. (17): condensed, it is nothing but a softer global
+/// 1/k + ξ, where ξ is the stabilisation of eq. (17): condensed, it amounts to a softer global
 /// direction. Both are set a priori, k_j = `direction` / C_jj with the own compliance of each
 /// point, and never change, so that the global stage is one product with a fixed inverse. The
 /// fixed-point iteration is relaxed and extrapolated (Anderson 1965). See `docs/latin.md` for the

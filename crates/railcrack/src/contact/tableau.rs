@@ -10,10 +10,10 @@ use crate::math::{Matrix, add_rows_to_each, axpy};
 ///
 /// A basis of such conditions has a tableau: with the prescribed quantity of each component as
 /// input (w_i, or with p = A w the force p_i + c_i p_{i+1}) and the other one as output (p_i, or
-/// w_i), output = T · input. Where the conditions of today differ from those of the basis, the
+/// w_i), output = T · input. Where the present conditions differ from those of the basis, the
 /// inputs there are unknown instead, and follow from as many equations, all of whose coefficients
-/// are entries of T. So a change of status costs nothing but a row of a small system, and to undo
-/// it costs nothing at all. Many differences together become a new basis, by a block principal
+/// are entries of T. A change of status thus costs one row of a small system, and undoing it
+/// costs nothing. Many differences together become a new basis, by a block principal
 /// pivot (Cottle, Pang & Stone, The Linear Complementarity Problem, 2.3).
 pub(super) struct Tableau<'a> {
     stiffness: &'a Matrix,
@@ -50,7 +50,7 @@ struct Load {
 struct Answer {
     input: Vec<f64>,
     output: Vec<f64>,
-    /// Of the inputs where the conditions of today differ.
+    /// Of the inputs where the present conditions differ.
     changes: Vec<f64>,
 }
 
@@ -79,7 +79,7 @@ impl FaceRate {
     }
 }
 
-/// Where the conditions of today differ from those of the basis.
+/// Where the present conditions differ from those of the basis.
 #[derive(Default)]
 struct Differences {
     /// In the order in which they came.
@@ -113,8 +113,8 @@ impl Differences {
     }
 }
 
-/// A sum of the equations that is quickly made: each with a weight of its own, so that errors do
-/// not cancel.
+/// A weighted sum of all equations, cheap to form: every equation has a weight of its own, so that
+/// errors do not cancel.
 struct Probe {
     weights: Vec<f64>,
     /// A times the weights, N/mm.
@@ -140,7 +140,7 @@ const FEW: usize = 10;
 const MOST: usize = 80;
 /// A new basis is made at once beyond this multiple of that number.
 const URGENT: usize = 3;
-/// Residual of the probe, relative to its terms so far, above which a basis is made afresh.
+/// Residual of the probe, relative to its terms so far, above which a basis is computed anew.
 const DRIFT: f64 = 1e-13;
 
 impl<'a> Tableau<'a> {
@@ -238,8 +238,8 @@ impl<'a> Tableau<'a> {
         }
     }
 
-    /// Jumps and contact forces under the first load. A basis whose numbers turn out wrong is made
-    /// afresh.
+    /// Jumps and contact forces under the first load. A basis that has become inaccurate is
+    /// computed anew.
     fn solve_checked(&mut self, jump: &mut [f64], contact: &mut [f64]) -> Result<(), Degenerate> {
         let sound = self.equilibrium(jump, contact);
         if sound.is_ok() && self.fulfils(jump, contact) {
@@ -293,7 +293,7 @@ impl<'a> Tableau<'a> {
         Ok(())
     }
 
-    /// The basis under each of `actions` with the inputs at which the conditions of today are met.
+    /// The basis under each of `actions` with the inputs at which the present conditions are met.
     fn answers(&mut self, actions: &[Action]) -> Result<Vec<Answer>, Degenerate> {
         self.answer();
         self.factor()?;
@@ -398,7 +398,7 @@ impl<'a> Tableau<'a> {
     }
 
     /// Contribution of a unit of the input of component `input` to the left-hand side of the
-    /// condition of `component` today, which is another one than in the basis.
+    /// condition of `component` today, which differs from that in the basis.
     fn coefficient(&self, component: usize, input: usize) -> f64 {
         let response = self.responses.row(input);
         let own = f64::from(component == input);
@@ -413,7 +413,7 @@ impl<'a> Tableau<'a> {
         }
     }
 
-    /// Deficit of `input` and `output` of the basis in the condition of component `i` today.
+    /// Deficit of `input` and `output` of the basis in the present condition of component `i`.
     fn defect(&self, i: usize, action: Action, input: &[f64], output: &[f64]) -> f64 {
         let driven = |coupling| action.load.map_or(0.0, |k| self.driven(&self.loads[k].forces, i, coupling));
         let next = || match self.basis[i + 1] {
@@ -518,7 +518,7 @@ impl<'a> Tableau<'a> {
         Ok(())
     }
 
-    /// Inputs and outputs under the conditions of today of `answers` of the basis before.
+    /// Inputs and outputs under the present conditions of `answers` of the basis before.
     fn renewed(&self, answers: &[Answer]) -> Vec<Answer> {
         let renewed = |answer: &Answer| {
             let n = self.now.len();

@@ -78,14 +78,14 @@ pub(super) enum Stop {
 /// conditions have no solution there, or the faces have just begun to touch everywhere.
 const MOST_AT_ONCE: usize = 32;
 const MOST_PER_POINT: usize = 4;
-/// Shares of a step that are one moment.
+/// Shares of a step that differ by less are the same moment.
 const MOMENT: f64 = 1e-12;
 
-/// The faces on their way through a step.
+/// The faces followed through a step.
 struct Way<'w, 'a> {
     problem: &'w FaceProblem<'a>,
     faces: &'w mut FaceResponse<'a>,
-    /// Jumps and forces that are round-off.
+    /// Jumps and forces below these are round-off.
     round_off: FaceScale,
     share: f64,
     now: FaceSolution,
@@ -110,9 +110,9 @@ struct Event {
 }
 
 /// Follows the faces from `current` through a step, of whose load `faces` has the coefficients as
-/// loads 1 and 2. Between two changes of status the response is a parabola like the load; so the
-/// changes are found one after the other, in their order. The statuses of `faces` are those at the
-/// end then.
+/// loads 1 and 2. Between two changes of status the response is a parabola like the load, so that
+/// the changes are found one after the other. On return `faces` has the statuses at the end of the
+/// step.
 pub(super) fn follow<'a>(
     problem: &FaceProblem<'a>,
     faces: &mut FaceResponse<'a>,
@@ -179,7 +179,7 @@ impl Way<'_, '_> {
         next
     }
 
-    /// When, before `span` is over, and to what status `point` changes.
+    /// Time within `span` at which `point` changes its status, and the new status.
     fn event_of(&self, point: usize, span: f64) -> Option<(f64, PointStatus)> {
         use PointStatus::{Open, SlipBackward, SlipForward, Stick};
         let (t, n) = (2 * point, 2 * point + 1);

@@ -21,7 +21,7 @@ pub struct TipAdvance {
     pub stop: Option<TipStop>,
 }
 
-/// The way to the next step.
+/// The transition to the next step.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Advance {
     /// One per tip, in the order given.
@@ -47,18 +47,18 @@ pub struct Advance {
 /// ΔN = Δa_max / rate_max (explicit Euler: the rate at the start of the step holds through it). A
 /// step that would exceed the cycles to stop after is shortened to end on them.
 ///
-/// Growth of a tip that is much slower is deferred until it is a whole increment
-/// ([`DeferredGrowth`]). It counts: in the length of the crack, and when the tip comes to the
-/// surface, to the ends of the rail or to another crack.
+/// The growth of a much slower tip is deferred until it amounts to a whole increment
+/// ([`DeferredGrowth`]). Deferred growth counts in the length of the crack, and where the tip
+/// reaches the surface, the ends of the rail or another crack.
 ///
-/// A tip that is arrested, or whose increment cannot be made, stops and does not set the pace: the
-/// increments of the others are those without it. A tip that comes closer than the resolution to a
-/// crack joins it: its increment ends on that crack, and it is a tip no more. A tip that stopped
-/// stays stopped. The names of new stops are given in the last step as well.
+/// A tip that is arrested, or whose increment cannot be made, stops for good and has no influence
+/// on the increments of the others. A tip that comes closer than the resolution to a crack
+/// coalesces with it: its increment ends on that crack, and it ceases to be a tip. New stops are
+/// also reported in the last step.
 ///
-/// A tip that breaks out cuts off a spall where its crack is connected to the running surface. A
-/// tip that meets what it is connected with already, by cracks or by the surface, detaches a piece,
-/// and the run ends.
+/// A tip that breaks out cuts off a spall if its crack is connected to the running surface. A tip
+/// that coalesces with a crack to which it is already connected, through cracks or the surface,
+/// detaches a piece, and the run ends.
 ///
 /// Source: Trollé et al. 2014, eq. 32.
 #[must_use]
@@ -122,13 +122,13 @@ pub fn advance(state: &StepState<'_>, settings: &GrowthSettings) -> Advance {
     }
 }
 
-/// The tips of a step that is not made.
+/// The tips when no increment is made.
 fn standing_tips(state: &StepState<'_>, stops: &[Option<TipStop>]) -> Vec<TipAdvance> {
     let standing = |(tip, &stop): (&TipDrive, _)| TipAdvance { increment: 0.0, deferred: tip.deferred, stop };
     state.tips.iter().zip(stops).map(standing).collect()
 }
 
-/// The tips of a step that is made, of those of one that is not.
+/// The tips when increments are made, from those without.
 fn growing_tips(
     standing: &[TipAdvance],
     ways: &[Option<Way>],

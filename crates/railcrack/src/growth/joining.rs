@@ -23,7 +23,7 @@ pub(super) enum Outcome {
     Impossible(Vec<usize>),
 }
 
-/// Makes `steps`, which end at `coalescences` where they have one.
+/// Grows the cracks by `steps`, each up to its coalescence where it has one.
 pub(super) fn grow(
     state: &StepState<'_>,
     steps: &[Option<Step>],

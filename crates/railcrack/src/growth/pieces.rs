@@ -3,13 +3,13 @@
 use crate::math::Vec2;
 use serde::{Deserialize, Serialize};
 
-/// How a piece came to be.
+/// Kinds of pieces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum PieceKind {
     /// A tip broke out at the running surface: what lies above the crack. Its ligament is still
     /// there, and the run goes on.
     Spall,
-    /// A tip met a crack: nothing holds the piece any more.
+    /// A tip coalesced with a crack: nothing holds the piece any more.
     Detached,
 }
 
@@ -26,7 +26,7 @@ impl PieceKind {
 /// A piece of the rail that is enclosed.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Piece {
-    /// How it came to be.
+    /// Its kind.
     pub kind: PieceKind,
     /// In which step.
     pub step: usize,

@@ -4,9 +4,10 @@ use super::step_state::{RailBox, Step, StepState};
 use super::{GrowthSettings, RunStop, TipStop};
 use crate::crack::Crack;
 
-/// A ligament below this many resolved lengths is spent: fewer cannot carry the gradient across it.
+/// A ligament shorter than this many resolved lengths is used up: fewer cannot resolve the gradient
+/// across it.
 const LIGAMENT_RESOLUTIONS: f64 = 2.0;
-/// A ligament below this fraction of the crack length is spent.
+/// A ligament shorter than this fraction of the crack length is used up.
 const LIGAMENT_FRACTION: f64 = 0.01;
 /// Cycles that fall short by this fraction are the cycles asked for: rounding of the last,
 /// shortened increment.
@@ -18,7 +19,7 @@ pub(super) fn spent_ligament(crack: &Crack, resolution: f64) -> f64 {
     f64::max(LIGAMENT_RESOLUTIONS * resolution, LIGAMENT_FRACTION * crack.length())
 }
 
-/// Why the step cannot be made whatever the cracks do: it would leave the rail, or spend the
+/// Stop of a tip whatever the other cracks do: its increment would leave the rail, or use up the
 /// ligament to the running surface.
 ///
 /// The ligament is the depth of the new tip; it is spent only by a tip that rises.
