@@ -100,7 +100,7 @@ fn blamed_point(error: &CrackError) -> Option<usize> {
         CrackError::NotFinite { index, .. } | CrackError::OutsideRail { index, .. } => index.checked_sub(1),
         CrackError::RepeatedPoint { index } => Some(*index),
         CrackError::SelfCrossing { second, .. } => Some(*second),
-        CrackError::TooFewPoints { .. } | CrackError::Length { .. } | CrackError::Angle { .. } => None,
+        _ => None,
     }
 }
 

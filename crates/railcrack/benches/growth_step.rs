@@ -5,12 +5,12 @@
 
 use railcrack::body::BodyEngine;
 use railcrack::bulk::{Boundary, BulkRail};
-use railcrack::contact::{FaceProblem, Newton, StepControl};
+use railcrack::contact::{FaceProblem, Newton};
 use railcrack::crack::{Crack, CrackNetwork, End};
 use railcrack::field::HertzWheel;
 use railcrack::growth::{PassageSettings, RailLoad, Unobserved, stabilised_passage};
 use railcrack::linear::SparseCholesky;
-use railcrack::load::{HertzianContact, Passage};
+use railcrack::load::HertzianContact;
 use railcrack::material::IsotropicElastic;
 use railcrack::xfem::{MeshSettings, Outline, RailEnd, Window, XfemEngine, XfemSettings, cracked_body};
 use std::error::Error;
@@ -57,13 +57,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let mut engine =
         XfemEngine::new(&first, steel, settings, RailEnd::HalfPlane { centre: 0.0 }, XfemSettings::default());
-    let passage = PassageSettings {
-        passage: Passage { from: -40.5, to: 40.5, positions: 241 },
-        max_passages: 5,
-        passage_tolerance: 1e-3,
-        step_tolerance: 2e-3,
-        step_control: StepControl::Adaptive,
-    };
+    let passage = PassageSettings::default();
     let load = RailLoad { wheel: &HertzWheel::new(&wheel, &steel).unwrap(), residual: None };
     engine.body(&first)?;
     let (mut bodies, mut passages, mut steps) = (Vec::new(), Vec::new(), Vec::new());

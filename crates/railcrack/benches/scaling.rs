@@ -4,11 +4,11 @@
 //! row is a process of its own, so that its peak of memory is its own; what counts are ratios within one table.
 
 use railcrack::body::BodyEngine;
-use railcrack::contact::{FaceProblem, Newton, StepControl};
+use railcrack::contact::{FaceProblem, Newton};
 use railcrack::crack::{Crack, CrackNetwork, End};
 use railcrack::field::HertzWheel;
 use railcrack::growth::{PassageSettings, RailLoad, Unobserved, stabilised_passage};
-use railcrack::load::{HertzianContact, Passage};
+use railcrack::load::HertzianContact;
 use railcrack::material::IsotropicElastic;
 use railcrack::xfem::{MeshSettings, RailEnd, XfemEngine, XfemSettings};
 use rayon::ThreadPoolBuilder;
@@ -72,13 +72,7 @@ fn measure(point: Point) -> Result<Cost, Box<dyn Error>> {
     let end = RailEnd::HalfPlane { centre: 0.0 };
     let mut engine =
         XfemEngine::new(&CrackNetwork::new(cracks.clone())?, steel, mesh, end, XfemSettings::default());
-    let passage = PassageSettings {
-        passage: Passage { from: -40.5, to: 40.5, positions: 241 },
-        max_passages: 5,
-        passage_tolerance: 1e-3,
-        step_tolerance: point.step_tolerance,
-        step_control: StepControl::Adaptive,
-    };
+    let passage = PassageSettings { step_tolerance: point.step_tolerance, ..PassageSettings::default() };
     let load = RailLoad { wheel: &HertzWheel::new(&wheel, &steel).unwrap(), residual: None };
     let (mut bodies, mut contacts) = (Vec::new(), Vec::new());
     let mut cost = Cost { unknowns: 0, face_points: 0, solves: 0, body_ms: 0.0, contact_ms: 0.0 };

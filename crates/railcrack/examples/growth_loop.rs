@@ -4,7 +4,7 @@
 use railcrack::prelude::*;
 use std::error::Error;
 
-pub fn main() -> Result<(), Box<dyn Error>> {
+pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let steel = IsotropicElastic::new(210e3, 0.3)?;
     let contact = HertzianContact { peak_pressure: 845.0, half_width: 6.75, friction: 0.025 };
     let wheel = HertzWheel::new(&contact, &steel)?;

@@ -13,7 +13,7 @@ fn largest_opening(sif: Sif) -> Option<f64> {
     degrees.filter(|angle| KINK_ANGLES.contains(angle)).max_by(|a, b| k1(a).total_cmp(&k1(b)))
 }
 
-pub fn main() -> Result<(), Box<dyn Error>> {
+pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let steel = IsotropicElastic::new(210e3, 0.3)?;
     let contact = HertzianContact { peak_pressure: 845.0, half_width: 6.75, friction: 0.025 };
     let wheel = HertzWheel::new(&contact, &steel)?;

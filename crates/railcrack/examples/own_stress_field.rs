@@ -32,9 +32,9 @@ fn largest_ki(residual: Option<&dyn StressField>) -> Result<f64, Box<dyn Error>>
     Ok(SifRanges::of(&passage.histories[0]).ki_max / 1000f64.sqrt())
 }
 
-pub fn main() -> Result<(), Box<dyn Error>> {
+pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let (as_rolled, peened) = (largest_ki(None)?, largest_ki(Some(&Peened { surface: 200.0, depth: 2.0 }))?);
     println!("largest K_I {as_rolled:.2} MPa√m, peened {peened:.2} MPa√m");
-    assert!((peened / as_rolled - 0.0).abs() < 0.01, "{}", peened / as_rolled);
+    assert!((peened / as_rolled - 0.324).abs() < 0.005, "{} of that without", peened / as_rolled);
     Ok(())
 }

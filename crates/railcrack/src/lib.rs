@@ -31,14 +31,15 @@
 //!
 //! The modules carry the names of the field: [`crack`] and [`load`] say what is computed, [`field`]
 //! gives the stress of the uncracked rail, [`body`] the cracked body as two matrices, [`contact`]
-//! closes the crack faces, [`fatigue`] and [`growth`] turn stress intensity factors into a path and a
-//! number of cycles. [`prelude`] has the names of a whole program. The `examples` show one passage,
-//! growth, a network, a stress field of one's own and a direction criterion of one's own.
+//! closes the crack faces, [`fatigue`] and [`growth`] turn stress intensity factors into a path and
+//! a number of cycles. [`prelude`] has the names of a whole program. The `examples` show one
+//! passage, growth, a network, a stress field of one's own and a direction criterion of one's own.
 //!
-//! Stable are the names in [`prelude`], the traits [`body::BodyEngine`], [`contact::ContactSolver`],
-//! [`field::Wheel`] and [`field::StressField`], and the meaning and unit of every number. The parts
-//! of the engines, of linear algebra and of the meshes are public for the benefit of tests and may
-//! change in any version. Enums that are expected to grow are non-exhaustive.
+//! Stable are the names in [`prelude`], the traits [`body::BodyEngine`],
+//! [`contact::ContactSolver`], [`field::Wheel`] and [`field::StressField`], and the meaning and
+//! unit of every number. The parts of the engines, of linear algebra and of the meshes are public
+//! for the benefit of tests and may change in any version. Enums that are expected to grow are
+//! non-exhaustive.
 //!
 //! Units everywhere inside: mm, N, MPa, radians; stress intensity factors in MPa √mm. Plane strain.
 

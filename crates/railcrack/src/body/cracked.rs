@@ -50,13 +50,13 @@ pub struct CrackedBody {
     pub fields: Option<Arc<dyn FieldSolver>>,
     /// How long its making took.
     pub times: BodyTimes,
-    /// What was said while making it: sentences for the reader of the results.
+    /// Remarks made while computing it: sentences for the reader of the results.
     pub remarks: Vec<String>,
 }
 
 impl CrackedBody {
-    /// The body of the matrices C (`compliance`), A = C⁻¹ (`stiffness`) and S (`sif_influence`) in a
-    /// half-plane, known at its faces only.
+    /// The body of the matrices C (`compliance`), A = C⁻¹ (`stiffness`) and S (`sif_influence`) in
+    /// a half-plane, known at its faces only.
     pub fn new(
         faces: FaceMesh,
         tips: Vec<CrackTip>,

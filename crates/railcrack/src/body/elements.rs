@@ -17,7 +17,8 @@ pub struct FacePiece {
     pub ends: (Vec2, Vec2),
 }
 
-/// A part of the faces between two neighbouring nodes; `ends` are its face points, none at a tip. Jumps are linear in g on it.
+/// A part of the faces between two neighbouring nodes; `ends` are its face points, none at a tip.
+/// Jumps are linear in g on it.
 #[derive(Debug, Clone)]
 pub struct FaceElement {
     /// Index of its crack in the network, from 0.
@@ -30,8 +31,9 @@ pub struct FaceElement {
     pub pieces: Vec<FacePiece>,
 }
 
-/// The elements of all cracks and their face points: every node but the tips. `nodes` are the values of g, ends included,
-/// for each walk; a value that is there twice is a vertex at which the jump may change abruptly, with a face point on each side.
+/// The elements of all cracks and their face points: every node but the tips. `nodes` are the
+/// values of g, ends included, for each walk; a value that is there twice is a vertex at which the
+/// jump may change abruptly, with a face point on each side.
 pub fn discretise(walks: &[Walk], nodes: &[Vec<f64>]) -> (Vec<FaceElement>, FaceMesh) {
     let mut elements = Vec::new();
     let mut faces = FaceMesh::default();
@@ -77,7 +79,8 @@ fn pieces(walk: &Walk, crack: usize, range: (f64, f64), vertices: &[f64]) -> Vec
         .collect()
 }
 
-/// Gauss points per piece for the nodal forces of a field; ds/dg and the shape functions are polynomials.
+/// Gauss points per piece for the nodal forces of a field; ds/dg and the shape functions are
+/// polynomials.
 const FACE_POINTS: usize = 3;
 
 fn sample_faces(walks: &[Walk], elements: &[FaceElement], faces: &mut FaceMesh) {

@@ -26,7 +26,8 @@ pub struct FaceSample {
     pub point: Vec2,
     /// x2 of the face there: the traction taken over is σ·x2.
     pub normal: Vec2,
-    /// Face points that share the traction, with the length (mm) each takes of it; a point without share has 0.
+    /// Face points that share the traction, with the length (mm) each takes of it; a point without
+    /// share has 0.
     pub shares: [(usize, f64); 2],
 }
 
@@ -40,13 +41,16 @@ pub struct FaceMesh {
 }
 
 impl FaceMesh {
-    /// Nodal forces on the + faces, N/mm, of removing a transmitted stress σ: ∫ φ_j σ·x2 ds in the frame of point j,
-    /// `[2 j]` along x1, `[2 j + 1]` along x2. `stress` gives σ (MPa) at a point (mm).
+    /// Nodal forces on the + faces, N/mm, of removing a transmitted stress σ: ∫ φ_j σ·x2 ds in the
+    /// frame of point j, `[2 j]` along x1, `[2 j + 1]` along x2. `stress` gives σ (MPa) at a point
+    /// (mm).
+    #[must_use]
     pub fn nodal_forces(&self, stress: impl Fn(Vec2) -> Stress) -> Vec<f64> {
         self.nodal_forces_of_samples(|_, point| stress(point))
     }
 
     /// [`FaceMesh::nodal_forces`] of a stress that is known by the index of the sample, from 0.
+    #[must_use]
     pub fn nodal_forces_of_samples(&self, stress: impl Fn(usize, Vec2) -> Stress) -> Vec<f64> {
         let mut forces = vec![0.0; 2 * self.points.len()];
         for (k, sample) in self.samples.iter().enumerate() {

@@ -8,7 +8,7 @@ mod face_mesh;
 mod fields;
 
 pub use cracked::{BodyTimes, CrackedBody, FieldSolver};
-pub use elements::{FaceElement, FacePiece, discretise};
+pub(crate) use elements::{FaceElement, FacePiece, discretise};
 pub use engine::BodyEngine;
 pub use error::BodyError;
 pub use face_mesh::{FaceMesh, FacePoint, FaceSample};

@@ -10,6 +10,7 @@ use thiserror::Error;
 
 /// Errors of the uncracked rail.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[non_exhaustive]
 pub enum BulkError {
     /// The mesh does not end at the running surface.
     #[error("the top of the mesh lies at y = {top} mm: must be the running surface, y = 0")]

@@ -1,4 +1,4 @@
-//! What the tests of contact begin with.
+//! Fixtures of the contact tests.
 
 use crate::body::{CrackedBody, FaceMesh, FacePoint};
 use crate::math::{Matrix, Vec2};

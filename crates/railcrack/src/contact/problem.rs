@@ -25,8 +25,9 @@ impl PointStatus {
         self != Self::Open
     }
 
-    /// The status of an open point that touches, having moved by `along` while it closed by `closing` > 0: the law met along that way with equal
-    /// stiffness in shear and pressure.
+    /// The status of an open point that touches, having moved by `along` while it closed by
+    /// `closing` > 0: the contact conditions met along that way with equal stiffness in shear and
+    /// pressure.
     pub(super) fn of_touching(along: f64, closing: f64, friction: f64) -> Self {
         if friction > 0.0 && along.abs() <= friction * closing {
             Self::Stick
@@ -64,7 +65,7 @@ pub enum CrackFrictionError {
     Value {
         /// Number of the crack, from 1.
         crack: usize,
-        /// What was given.
+        /// The value given.
         value: f64,
     },
 }
@@ -138,7 +139,9 @@ impl FaceSolution {
         }
     }
 
-    /// The stress intensity factors of each tip under the nodal forces `load` (N/mm, 2p) of the step.
+    /// The stress intensity factors of each tip under the nodal forces `load` (N/mm, 2p) of the
+    /// step.
+    #[must_use]
     pub fn sifs(&self, body: &CrackedBody, load: &[f64]) -> Vec<Sif> {
         let total: Vec<f64> = self.contact.iter().zip(load).map(|(c, l)| c + l).collect();
         let influence = &body.sif_influence;
@@ -146,7 +149,8 @@ impl FaceSolution {
         (0..influence.rows() / 2).map(|tip| Sif { ki: row(2 * tip), kii: row(2 * tip + 1) }).collect()
     }
 
-    /// What each face point does, in stresses.
+    /// The state of each face point, in stresses.
+    #[must_use]
     pub fn face_states(&self, problem: &FaceProblem) -> Vec<FaceState> {
         let state = |(j, point): (usize, &FacePoint)| {
             let status = match self.status[j] {
@@ -165,8 +169,9 @@ impl FaceSolution {
         problem.body.faces.points.iter().enumerate().map(state).collect()
     }
 
-    /// The largest violation of the law of the faces: negative opening relative to `scale.jump`; tension, shear beyond
-    /// friction, or force across an opening relative to `scale.force`.
+    /// The largest violation of the contact conditions: negative opening relative to `scale.jump`;
+    /// tension, shear beyond friction, or force across an opening relative to `scale.force`.
+    #[must_use]
     pub fn violation(&self, problem: &FaceProblem, scale: FaceScale) -> f64 {
         (0..problem.points()).fold(0.0f64, |worst, j| {
             let (tangential, normal) =
@@ -181,7 +186,7 @@ impl FaceSolution {
 /// Forces and jumps below this fraction of the largest are round-off.
 pub(super) const ROUND_OFF: f64 = 1e-11;
 
-/// What counts as large on the faces: the largest values so far.
+/// Scale of jumps and forces on the faces: the largest values so far.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FaceScale {
     /// Jump, mm.
@@ -199,5 +204,21 @@ impl FaceScale {
         let largest = |values: &[f64], so_far: f64| values.iter().fold(so_far, |m, v| m.max(v.abs()));
         let force = largest(load, largest(&solution.contact, self.force));
         Self { jump: largest(&solution.jump, self.jump), force }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{CrackFrictionError, FaceProblem};
+    use crate::contact::fixtures::one_point;
+
+    #[test]
+    fn crack_friction_that_does_not_fit_is_refused() {
+        let body = one_point(1.0, 0.0);
+        let refused = |friction: &[f64]| FaceProblem::new(&body, friction).err();
+        assert_eq!(refused(&[]), Some(CrackFrictionError::Count { given: 0, cracks: 1 }));
+        assert_eq!(refused(&[0.5, 0.5]), Some(CrackFrictionError::Count { given: 2, cracks: 1 }));
+        assert_eq!(refused(&[-0.1]), Some(CrackFrictionError::Value { crack: 1, value: -0.1 }));
+        assert!(refused(&[f64::NAN]).is_some() && refused(&[0.0]).is_none());
     }
 }

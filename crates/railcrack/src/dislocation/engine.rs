@@ -12,6 +12,7 @@ use thiserror::Error;
 
 /// Cracks that the dislocation engine cannot resolve.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum DislocationError {
     /// The energy of the jumps is not positive definite: the elements are far too coarse for the
     /// geometry.

@@ -68,6 +68,7 @@ impl HourlierPineau {
     /// section, and an end of the range can be chosen. Ties go to the smaller |β|, then to the
     /// positive (counter-clockwise) one; apart from this last rule, a history with K_II reversed
     /// gives exactly the opposite angle.
+    #[must_use]
     pub fn kink(&self, history: &SifHistory) -> Option<Kink> {
         if !history.samples.iter().all(|k| k.ki.is_finite() && k.kii.is_finite()) {
             return None;

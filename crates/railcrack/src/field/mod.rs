@@ -7,7 +7,7 @@ mod wheel;
 
 pub use depth_profile::{DepthProfile, ProfileError};
 pub use hertz_displacement::HertzDisplacement;
-pub use hertz_half_plane::{HertzField, hertz_stress};
+pub use hertz_half_plane::HertzField;
 pub use wheel::{EndField, EndsError, HertzWheel, RailEnds, StressesUnderWheel, Wheel};
 
 use crate::math::{Stress, Vec2};

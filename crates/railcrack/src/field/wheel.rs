@@ -85,7 +85,7 @@ impl Wheel for HertzWheel {
 /// The ends of an uncracked rail. They cancel what the field of any wheel does there to free and
 /// held boundaries; the field that this adds is smooth at the cracks.
 pub trait RailEnds: Debug + Send + Sync {
-    /// What the ends add under `wheel` anywhere in `positions` (mm).
+    /// The field that they add under `wheel` anywhere in `positions` (mm).
     ///
     /// Errors: the wheel leaves the rail, or comes too close to an end.
     fn under(
@@ -95,7 +95,7 @@ pub trait RailEnds: Debug + Send + Sync {
     ) -> Result<Arc<dyn EndField>, EndsError>;
 }
 
-/// What the ends of a rail add to the field of one wheel.
+/// The field that the ends of a rail add to that of one wheel.
 pub trait EndField: Send + Sync {
     /// The stresses (MPa) at fixed `points` (mm), in order, as a function of the wheel position x_c
     /// (mm). Beyond the positions that the field was made for, they are those of the nearest one.
@@ -111,7 +111,22 @@ pub type StressesUnderWheel = Box<dyn Fn(f64) -> Vec<Stress> + Send + Sync>;
 #[derive(Debug, Error)]
 #[error("the rail cannot be computed: {reason}")]
 pub struct EndsError {
-    /// What the rail says.
+    /// The error of the rail.
     #[source]
     pub reason: Box<dyn Error + Send + Sync>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_edges_of_a_hertzian_wheel_are_those_of_its_contact() {
+        let steel = IsotropicElastic::new(210e3, 0.3).unwrap();
+        let contact = HertzianContact { peak_pressure: 845.0, half_width: 6.75, friction: 0.4 };
+        let wheel = HertzWheel::new(&contact, &steel).unwrap();
+        assert_eq!((wheel.half_width(), wheel.edges()), (6.75, [-6.75, 6.75].as_slice()));
+        assert_eq!(wheel.smooth_within(Vec2::new(12.75, -8.0), 0.0), 10.0);
+        assert!(HertzWheel::new(&HertzianContact { half_width: 0.0, ..contact }, &steel).is_err());
+    }
 }

@@ -1,4 +1,4 @@
-//! The run: an iterator of growth steps that can be stored and taken up again.
+//! Growth as an iterator of steps that can be stored and resumed.
 
 use super::face_load::FaceLoad;
 use super::passage::passages_under;
@@ -26,7 +26,7 @@ pub enum GrowthError {
     /// Crack-face friction that does not fit the cracks.
     #[error(transparent)]
     Friction(#[from] CrackFrictionError),
-    /// The watcher interrupted the step; the state before it is intact.
+    /// The observer interrupted the step; the state before it is intact.
     #[error("interrupted at step {step}")]
     Interrupted {
         /// The step that was given up.
@@ -37,7 +37,7 @@ pub enum GrowthError {
     Body {
         /// The step.
         step: usize,
-        /// What the engine says.
+        /// The error of the engine.
         source: BodyError,
     },
     /// Contact did not converge.
@@ -58,7 +58,7 @@ pub enum GrowthError {
     },
 }
 
-/// What does not change in a run.
+/// Everything that does not change in a run.
 pub struct GrowthProblem {
     /// Turns cracks into a body.
     pub engine: Box<dyn BodyEngine>,
@@ -83,8 +83,8 @@ pub struct GrowthProblem {
 }
 
 impl GrowthProblem {
-    /// Cracks with `crack_friction` under `wheel`, by `engine`: everything else as in a case file that
-    /// says nothing.
+    /// Cracks with `crack_friction` under `wheel`, by `engine`: everything else as in a case file
+    /// that says nothing.
     pub fn new(
         engine: impl BodyEngine + 'static,
         wheel: impl Wheel + 'static,
@@ -105,7 +105,8 @@ impl GrowthProblem {
     }
 }
 
-/// A run over growth steps. [`Growth::next_step`] computes one step; [`Growth::state`] is what to store after it.
+/// A run over growth steps. [`Growth::next_step`] computes one step; [`Growth::state`] is what to
+/// store after it.
 pub struct Growth {
     problem: GrowthProblem,
     state: GrowthState,
@@ -127,9 +128,11 @@ impl Growth {
         &self.state
     }
 
-    /// Computes the next step; `None` when the run has ended. On an error the state is that before the step.
+    /// Computes the next step; `None` when the run has ended. On an error the state is that before
+    /// the step.
     ///
-    /// Each step starts on virgin faces: slip of the step before is not carried over to the longer cracks.
+    /// Each step starts on virgin faces: slip of the step before is not carried over to the longer
+    /// cracks.
     pub fn next_step(&mut self, observer: &dyn Observer) -> Result<Option<StepRecord>, GrowthError> {
         if self.state.ended.is_some() {
             return Ok(None);
@@ -218,7 +221,8 @@ impl Growth {
         Ok(Some(record))
     }
 
-    /// What the ends of the rail add under the wheel: kept for as long as the engine keeps the rail.
+    /// The field that the ends of the rail add under the wheel: kept for as long as the engine
+    /// keeps the rail.
     fn ends_under_wheel(&mut self, body: &CrackedBody) -> Result<Option<Arc<dyn EndField>>, GrowthError> {
         let Some(rail) = &body.ends else { return Ok(None) };
         if let Some((known, field)) = &self.ends

@@ -9,7 +9,7 @@ use crate::math::Vec2;
 pub(super) struct FaceLoad<'a> {
     pub(super) problem: &'a FaceProblem<'a>,
     wheel: &'a dyn Wheel,
-    /// What the ends of the rail add at these points; none for a half-plane.
+    /// Stress that the ends of the rail add at these points; none for a half-plane.
     ends: Option<StressesUnderWheel>,
     /// The quadrature points of the faces, mm.
     points: Vec<Vec2>,
@@ -61,7 +61,8 @@ impl<'a> FaceLoad<'a> {
         PartLoad { load: self, part }
     }
 
-    /// The largest slip (mm) of each point over some of the wheel positions `xc`, with the faces free to move.
+    /// The largest slip (mm) of each point over some of the wheel positions `xc`, with the faces
+    /// free to move.
     pub(super) fn expected_slip(&self, xc: &[f64]) -> Vec<f64> {
         let mut slips = vec![0.0f64; self.problem.points()];
         for &x in xc.iter().step_by((xc.len() / EXPECTED_FROM).max(1)) {

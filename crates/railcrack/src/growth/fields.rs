@@ -1,4 +1,5 @@
-//! The field around the cracks at some wheel positions: that of the uncracked rail and that of the cracked body together.
+//! Stress and displacement around the cracks at some wheel positions: those of the uncracked rail
+//! and that of the cracked body together.
 
 use super::face_load::{FaceLoad, Part};
 use super::{RailLoad, StabilisedPassage};
@@ -10,7 +11,8 @@ use std::num::NonZeroUsize;
 /// Where and when fields are wanted.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FieldSettings {
-    /// Wheel positions x_c, mm: of each, the nearest output position of the stabilised passage is taken.
+    /// Wheel positions x_c, mm: of each, the nearest output position of the stabilised passage is
+    /// taken.
     pub positions: Vec<f64>,
     /// Every how many steps, step 0 the first.
     pub every: NonZeroUsize,
@@ -99,7 +101,8 @@ fn nearest(xc: &[f64], wanted: &[f64]) -> Vec<usize> {
     chosen
 }
 
-/// What the opposite face exerts at the points of the faces, MPa: the contact traction on the + face, its negative on the other.
+/// Traction that the opposite face exerts at the points of the faces, MPa: the contact traction on
+/// the + face, its negative on the other.
 fn tractions(grid: &FieldGrid, faces: &[FacePoint], states: &[FaceState]) -> Vec<Vec2> {
     let at_face_point = |j: usize| {
         let tangent = faces[j].tangent;

@@ -1,5 +1,5 @@
-//! Growth of cracks step by step: from a passage over fixed cracks to histories of K, increments and
-//! stops.
+//! Growth of cracks step by step: from a passage over fixed cracks to histories of K, increments
+//! and stops.
 
 mod coalescence;
 mod deferred;

@@ -1,4 +1,5 @@
-//! One geometry under the wheel: residual stress, then passages until the history repeats.
+//! Passages of the wheel over fixed cracks: residual stress, then passages until the history
+//! repeats.
 
 use super::face_load::{FaceLoad, Part};
 use super::tip_sifs::{TipMark, TipSifs};
@@ -46,16 +47,18 @@ pub enum PassageError {
         /// Where on its path and how.
         source: SteppingError,
     },
-    /// The watcher asked to stop.
+    /// The observer asked to stop.
     #[error("interrupted")]
     Interrupted,
 }
 
-/// Residual stress is ramped up on virgin faces; then wheels pass until the SIF histories of two consecutive passages
-/// agree. Frictionless faces have no memory: one passage is all. The wheel comes from infinitely far and leaves to
-/// infinitely far; in a rail with ends, its load is ramped up at the first position and down at the last.
+/// The stabilised passage over fixed cracks. Residual stress is ramped up on virgin faces; then the
+/// wheel passes until the histories of K of two consecutive passages agree. Faces without friction
+/// have no memory, and one passage is enough. The wheel arrives from infinity and leaves to
+/// infinity; in a rail with ends, its load is ramped up at the first position and down at the last.
 ///
-/// Errors: contact does not converge; `watch` asks to stop.
+/// Errors: settings under which nothing can be computed; a wheel that leaves the rail; contact does
+/// not converge; `observer` asks to stop.
 pub fn stabilised_passage(
     problem: &FaceProblem,
     solver: &dyn ContactSolver,
@@ -125,16 +128,18 @@ pub(super) fn passages_under(
     }
 }
 
-/// Stations of the approach from infinity and of the departure to it, evenly spaced in 1/distance: the load grows about
-/// linearly from station to station.
+/// Stations of the approach from infinity and of the departure to it, evenly spaced in 1/distance:
+/// the load grows about linearly from station to station.
 const FAR_STATIONS: usize = 16;
-/// Stations of the ramp of residual stress, and of the wheel's load where it cannot come from far away.
+/// Stations of the ramp of residual stress, and of the wheel's load where it cannot come from far
+/// away.
 const RAMP_STATIONS: usize = 8;
 
-/// Stations around the passage of a contact edge over a mouth, over a: the stress there goes like the root of the distance.
+/// Stations around the passage of a contact edge over a mouth, over a: the stress there goes like
+/// the root of the distance.
 const EDGE_STATIONS: [f64; 7] = [-0.03, -0.015, -0.004, 0.0, 0.004, 0.015, 0.03];
 
-/// The wheel on its way over one geometry.
+/// The passages of the wheel over fixed cracks.
 struct Rolling<'a> {
     problem: &'a FaceProblem<'a>,
     face_load: &'a FaceLoad<'a>,
@@ -152,25 +157,25 @@ struct Rolling<'a> {
     stepper: Stepper<'a>,
 }
 
-/// What one passage leaves behind.
+/// Results of one passage.
 struct Pass {
     record: PassageRecord,
     histories: Vec<SifHistory>,
     states: Vec<Vec<FaceState>>,
     /// At each output position.
     marks: Vec<Mark>,
-    /// Whether from some position on it is the one before it.
+    /// Whether it coincides with the passage before from some position on.
     joins: bool,
 }
 
-/// What determines the rest of a passage.
+/// The state that determines the rest of a passage.
 struct Mark {
     faces: FaceSolution,
     tips: TipMark,
 }
 
 impl Pass {
-    /// Goes on from its last position as `other`, which was there in the same state.
+    /// Continues from its last position as `other`, which had the same state there.
     fn join(&mut self, other: &Self) {
         let from = self.marks.len();
         for (own, sifs) in self.record.sifs.iter_mut().zip(&other.record.sifs) {
@@ -195,8 +200,9 @@ impl Rolling<'_> {
 
     /// One passage, approach and departure included. `number` counts from 1.
     ///
-    /// The faces forget: what sticks now was held by events of this passage, or else has stuck all the time. So sooner or later they are in the state of
-    /// the passage `before` at the same position, and then the rest of the way is known.
+    /// The memory of the faces fades: a point that sticks was stopped by events of this passage, or
+    /// has stuck all along. Sooner or later the faces reach the state that they had at the same
+    /// position in the passage `before`, and the rest of the passage is then known.
     fn pass(
         &mut self,
         number: usize,
@@ -266,8 +272,9 @@ impl Rolling<'_> {
         Ok(pass)
     }
 
-    /// Wheel positions between two output positions at which an edge of the contact is over a mouth or close by, in the
-    /// order of travel: the stress at the mouth turns there faster than the steps before and after can tell.
+    /// Wheel positions between two output positions at which an edge of the contact is at a mouth
+    /// or close to it, in the order of travel: the stress at the mouth varies there too fast to be
+    /// seen from the neighbouring positions.
     fn edges_between(&self, from: f64, to: f64) -> impl Iterator<Item = f64> + use<> {
         let travel = (to - from).signum();
         let within = |x: &f64| (x - from) * travel > 0.0 && (to - x) * travel > 0.0;
@@ -312,7 +319,8 @@ impl Rolling<'_> {
         }
     }
 
-    /// Distance (mm) from `x` to the nearest face along the rail, at least a: what the stress there scales with.
+    /// Distance (mm) from `x` to the nearest face along the rail, at least a: the length scale of
+    /// the stress there.
     fn distance(&self, x: f64) -> f64 {
         let samples = self.problem.body().faces.samples.iter();
         samples.map(|s| (s.point.x - x).abs()).fold(f64::INFINITY, f64::min).max(self.half_width)

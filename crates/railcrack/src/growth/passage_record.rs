@@ -1,4 +1,4 @@
-//! What a passage leaves behind.
+//! Records of a passage: histories of K and states of the crack faces.
 
 use crate::body::FacePoint;
 use crate::contact::FaceState;
@@ -23,7 +23,7 @@ pub struct FaceRecord {
     pub states: Vec<Vec<FaceState>>,
 }
 
-/// What the solvers did in one step.
+/// Effort of the contact solver in one growth step.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct SolverCounts {
     /// Passages until the history repeated.
@@ -36,6 +36,6 @@ pub struct SolverCounts {
     pub iterations: usize,
     /// The most iterations of one solution.
     pub iterations_max: usize,
-    /// Largest violation of the law of the faces, relative to the largest traction and jump.
+    /// Largest violation of the contact conditions, relative to the largest traction and jump.
     pub complementarity_max: f64,
 }

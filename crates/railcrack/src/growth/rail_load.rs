@@ -5,7 +5,7 @@ use crate::field::{EndField, EndsError, RailEnds, StressField, Wheel};
 use crate::load::Passage;
 use std::sync::Arc;
 
-/// What loads the uncracked rail.
+/// Load of the uncracked rail: a wheel that passes, and residual stress.
 #[derive(Clone, Copy)]
 pub struct RailLoad<'a> {
     /// The wheel.
@@ -15,7 +15,7 @@ pub struct RailLoad<'a> {
 }
 
 impl RailLoad<'_> {
-    /// What the ends of a `rail` add to the field of the wheel on its way.
+    /// The field that the ends of a `rail` add to that of the wheel on its way.
     ///
     /// Errors: the wheel leaves the rail, or comes too close to an end.
     pub(super) fn at_ends(

@@ -1,4 +1,4 @@
-//! What a growth step leaves behind.
+//! Records of a growth step.
 
 use super::{
     DeferredGrowth, FaceRecord, FieldRecord, PassageRecord, Piece, RunStop, SolverCounts, TipStop, Warning,
@@ -34,8 +34,8 @@ pub struct TipRecord {
     pub secondary: Option<f64>,
     /// Its rate over the best rate.
     pub secondary_ratio: Option<f64>,
-    /// Increment to the next step, mm, in the crack or deferred; 0 in the last step and for a stopped tip. Negative for a tip that joins a
-    /// crack which lies across its deferred growth.
+    /// Increment to the next step, mm, in the crack or deferred; 0 in the last step and for a
+    /// stopped tip. Negative for a tip that joins a crack which lies across its deferred growth.
     pub increment: f64,
     /// da/dN, mm per cycle.
     pub rate: f64,
@@ -56,7 +56,8 @@ pub struct PhaseTimes {
     pub growth_s: f64,
 }
 
-/// One growth step: the cracks at its start, their stabilised passage, and the increments to the next step.
+/// One growth step: the cracks at its start, their stabilised passage, and the increments to the
+/// next step.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StepRecord {
     /// Step number; 0 is the initial geometry.

@@ -90,3 +90,25 @@ impl GrowthSettings {
         at_least_zero("cycles to stop after", self.stop_after_cycles.unwrap_or(0.0))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_defaults_can_be_computed() {
+        assert!(PassageSettings::default().check().is_ok() && GrowthSettings::default().check().is_ok());
+    }
+
+    #[test]
+    fn settings_under_which_nothing_can_be_computed_are_refused() {
+        let (passages, growth) = (PassageSettings::default(), GrowthSettings::default());
+        let none = Passage { positions: 0, ..Passage::default() };
+        assert!(PassageSettings { passage: none, ..passages }.check().is_err());
+        assert!(PassageSettings { max_passages: 0, ..passages }.check().is_err());
+        assert!(PassageSettings { passage_tolerance: 0.0, ..passages }.check().is_err());
+        assert!(PassageSettings { step_tolerance: f64::NAN, ..passages }.check().is_err());
+        assert!(GrowthSettings { increment: 0.0, ..growth }.check().is_err());
+        assert!(GrowthSettings { critical_length: Some(f64::NAN), ..growth }.check().is_err());
+    }
+}

@@ -4,7 +4,7 @@ use super::{BreakOut, DeferredGrowth, RunStop, TipStop};
 use crate::crack::{Crack, CrackNetwork, Junction};
 use serde::{Deserialize, Serialize};
 
-/// What a run needs in order to go on after a step: everything else follows from the case.
+/// State of a run after a step: all that it needs to go on, beside the case.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct GrowthState {
     /// The step to compute next.
@@ -17,7 +17,8 @@ pub struct GrowthState {
     pub break_outs: Vec<BreakOut>,
     /// Load cycles at its start.
     pub load_cycles: f64,
-    /// `stopped[crack][tip]`: why a tip no longer grows; the tips of a crack are its ends below the surface, joined ones counted.
+    /// `stopped[crack][tip]`: why a tip no longer grows; the tips of a crack are its ends below the
+    /// surface, joined ones counted.
     pub stopped: Vec<Vec<Option<TipStop>>>,
     /// `deferred[crack][tip]`: growth that is not in the cracks yet.
     pub deferred: Vec<Vec<DeferredGrowth>>,
@@ -27,6 +28,7 @@ pub struct GrowthState {
 
 impl GrowthState {
     /// The beginning of a run with `cracks`.
+    #[must_use]
     pub fn initial(cracks: &CrackNetwork) -> Self {
         let tips = || cracks.cracks().iter().map(|crack| crack.tips().len());
         Self {

@@ -22,7 +22,7 @@ impl Default for RailBox {
     }
 }
 
-/// What the passage asks of one tip.
+/// Direction and rate of growth of one tip, with its state.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TipDrive {
     /// Which tip.

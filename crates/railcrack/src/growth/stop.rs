@@ -15,13 +15,14 @@ pub struct BreakOut {
 
 /// Why a tip stopped.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub enum TipStop {
     /// ΔK_eq at or below the threshold, or a rate below the arrest rate.
     Arrest,
     /// The ligament to the running surface is spent: a spall.
     BreakOut,
-    /// It joins a crack, with the increment of this step where the step is made; without an increment, it came so close that no
-    /// junction can be made.
+    /// It joins a crack, with the increment of this step where the step is made; without an
+    /// increment, it came so close that no junction can be made.
     Coalescence,
     /// The next increment would leave the rail.
     LeavesRail,
@@ -41,6 +42,7 @@ impl TipStop {
 
 /// Why the run ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub enum RunStop {
     /// All increments done.
     StepsDone,

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-/// What a warning is about.
+/// Kinds of warnings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum WarningKind {
@@ -36,7 +36,7 @@ impl WarningKind {
 pub struct Warning {
     /// The step at which it arose.
     pub step: usize,
-    /// What it is about.
+    /// Its kind.
     pub kind: WarningKind,
     /// One sentence with its numbers.
     pub text: String,

@@ -3,8 +3,8 @@
 use crate::material::IsotropicElastic;
 use crate::math::OutOfRange;
 
-/// Hertzian line contact in full sliding: pressure p(x) = p0 √(1 − (x − x_c)²/a²), traction on the rail
-/// t = (μ_w p, −p).
+/// Hertzian line contact in full sliding: pressure p(x) = p0 √(1 − (x − x_c)²/a²), traction on the
+/// rail t = (μ_w p, −p).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HertzianContact {
     /// p0, MPa, positive.
@@ -16,8 +16,8 @@ pub struct HertzianContact {
 }
 
 impl HertzianContact {
-    /// The contact of a cylinder: `line_load` P′ in N/mm, radii in mm (an infinite rail radius is a flat rail),
-    /// `material` of both bodies, signed `friction`.
+    /// The contact of a cylinder: `line_load` P′ in N/mm, radii in mm (an infinite rail radius is a
+    /// flat rail), `material` of both bodies, signed `friction`.
     ///
     /// 1/R = 1/R_wheel + 1/R_rail, E* = E / (2 (1 − ν²)), a² = 4 P′ R / (π E*), p0 = 2 P′ / (π a)
     /// (Johnson, Contact Mechanics, 4.43–4.45).
@@ -49,6 +49,7 @@ impl HertzianContact {
     }
 
     /// P′ = π a p0 / 2, N/mm.
+    #[must_use]
     pub fn line_load(&self) -> f64 {
         0.5 * std::f64::consts::PI * self.half_width * self.peak_pressure
     }
@@ -65,5 +66,15 @@ mod tests {
         assert!((hertz.peak_pressure - 845.0).abs() < 0.05, "{hertz:?}");
         assert!((hertz.half_width - 6.75).abs() < 5e-4, "{hertz:?}");
         assert!((hertz.line_load() - 8959.4).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_contact_without_extent_is_refused() {
+        let contact = HertzianContact { peak_pressure: 845.0, half_width: 0.0, friction: 0.0 };
+        let text = "half-width a of the contact (mm) = 0: must be positive and finite";
+        assert_eq!(contact.check().unwrap_err().to_string(), text);
+        assert!(HertzianContact { half_width: 6.75, ..contact }.check().is_ok());
+        assert!(HertzianContact { half_width: 6.75, friction: f64::INFINITY, ..contact }.check().is_err());
+        assert!(HertzianContact { half_width: 6.75, peak_pressure: -1.0, ..contact }.check().is_err());
     }
 }

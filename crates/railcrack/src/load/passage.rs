@@ -2,8 +2,8 @@
 
 use crate::math::OutOfRange;
 
-/// Wheel positions of one passage at which results are wanted: `positions` abscissae evenly spaced from `from` to
-/// `to` (mm). `from` > `to` is a wheel that runs towards −x.
+/// Wheel positions of one passage at which results are wanted: `positions` abscissae evenly spaced
+/// from `from` to `to` (mm). `from` > `to` is a wheel that runs towards −x.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Passage {
     /// First abscissa of the Hertz centre, mm.
@@ -31,8 +31,24 @@ impl Passage {
     }
 
     /// The abscissae x_c in the order of travel, mm.
+    #[must_use]
     pub fn abscissae(&self) -> Vec<f64> {
         let last = self.positions.saturating_sub(1).max(1) as f64;
         (0..self.positions).map(|i| self.from + (self.to - self.from) * (i as f64 / last)).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Passage;
+
+    #[test]
+    fn a_passage_that_is_none_is_refused() {
+        let refused = |passage: Passage| passage.check().unwrap_err().to_string();
+        let default = Passage::default();
+        assert!(default.check().is_ok());
+        let text = "output positions of a passage = 0: must be at least 2";
+        assert_eq!(refused(Passage { positions: 0, ..default }), text);
+        assert!(refused(Passage { to: f64::NAN, ..default }).contains("must be finite"));
     }
 }

@@ -15,11 +15,11 @@ mod units;
 mod vector;
 
 pub(crate) use anderson::Anderson;
-pub use ball::{Ball, smallest_ball};
-pub use grading::quantiles;
+pub(crate) use ball::smallest_ball;
+pub(crate) use grading::quantiles;
 pub(crate) use kernels::{add_rows_to_each, axpy, dot, inlined};
 pub use matrix::Matrix;
-pub use predicate::{Orientation, orientation, segments_touch};
+pub(crate) use predicate::{Orientation, orientation, segments_touch};
 pub use quadrature::gauss_legendre;
 pub use range::OutOfRange;
 pub use stress::Stress;

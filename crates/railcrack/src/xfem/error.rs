@@ -7,6 +7,7 @@ use thiserror::Error;
 
 /// Cracks that the finite-element engine cannot represent.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum XfemError {
     /// A crack that leaves the mesh.
     #[error("crack {crack} leaves the mesh: {covered} of {length} mm lie inside")]

@@ -1,6 +1,5 @@
 //! A Williams field on a patch, and superposition, against one dense system of all unknowns.
 
-use super::XfemSettings;
 use super::basis::{CellBasis, Elasticity, Function, MODES};
 use super::body::Discretisation;
 use super::border::Border;
@@ -15,7 +14,7 @@ use crate::linear::{SparseColumn, SpdFactor};
 use crate::material::IsotropicElastic;
 use crate::math::{Matrix, Stress, Vec2, gauss_legendre};
 use crate::mesh::{Edge, QuadMesh};
-use crate::xfem::cracked_body;
+use crate::xfem::{XfemSettings, cracked_body};
 use std::sync::Arc;
 
 /// x of K x = b.

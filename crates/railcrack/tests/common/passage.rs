@@ -107,10 +107,9 @@ impl Rolling<'_> {
         let (from, to) = if self.travel > 0.0 { (left, right) } else { (right, left) };
         let settings = PassageSettings {
             passage: Passage { from, to, positions: self.steps.positions },
-            max_passages: 5,
-            passage_tolerance: 1e-3,
             step_tolerance: self.steps.tolerance,
             step_control: self.steps.control,
+            ..PassageSettings::default()
         };
         let load =
             RailLoad { wheel: &HertzWheel::new(&self.contact(), &steel()).unwrap(), residual: self.residual };

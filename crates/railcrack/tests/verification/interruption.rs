@@ -100,3 +100,15 @@ fn fails_where_contact_has_no_solution() {
     assert_eq!(failure.iterations, 200);
     assert!(error.to_string().contains("not converged after 200 iterations"), "{error}");
 }
+
+#[test]
+fn a_passage_without_positions_is_refused() {
+    let body = body(&[surface_crack(0.0, 6.0, 15.0)], 12);
+    let problem = FaceProblem::new(&body, &[0.5]).unwrap();
+    let contact = HertzianContact { peak_pressure: 845.0, half_width: 6.75, friction: 0.025 };
+    let load = RailLoad { wheel: &HertzWheel::new(&contact, &steel()).unwrap(), residual: None };
+    let passage = Passage { positions: 0, ..Passage::default() };
+    let settings = PassageSettings { passage, ..PassageSettings::default() };
+    let result = stabilised_passage(&problem, &Newton::default(), load, &settings, &Unobserved);
+    assert!(matches!(result, Err(PassageError::Settings(refused)) if refused.value == 0.0));
+}
