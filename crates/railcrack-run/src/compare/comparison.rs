@@ -53,7 +53,7 @@ pub struct TipComparison {
     pub load_cycles: [f64; 2],
     /// Chosen kink of each run, degrees.
     pub kink_deg: [Option<f64>; 2],
-    /// SecondaryMaximum direction of each run, degrees.
+    /// Direction of the secondary maximum of each run, degrees.
     pub rival_deg: [Option<f64>; 2],
     /// Growth rate of the rival over that of the chosen direction, of each run.
     pub rival_ratio: [Option<f64>; 2],

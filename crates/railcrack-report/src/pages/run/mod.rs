@@ -177,7 +177,7 @@ fn steps(run: &RunFolder) -> Section {
         "ΔK_{II} (MPa√m)",
         "ΔK_{eq} (MPa√m)",
         "Kink (°)",
-        "SecondaryMaximum (°)",
+        "Rival (°)",
         "Its rate, relative",
         "Rate (mm/cycle)",
         "Load cycles",
