@@ -1,7 +1,8 @@
 //! Plots and pages of results, made by someone above this crate as results come in, or by nobody.
 
+use crate::OutputError;
 use crate::csv::SifScale;
-use crate::{OutputError, StudyFolder, StudyResults};
+use crate::study::{StudyFolder, StudyResults};
 use railcrack::growth::StepRecord;
 use std::fmt::Debug;
 use std::path::Path;

@@ -1,5 +1,6 @@
-//! What the summary says of the residual stress that a run carries.
+//! The residual stress of a run in its summary.
 
+use railcrack::shakedown::RailState;
 use serde::{Deserialize, Serialize};
 
 /// The residual stress of a run and where it comes from.
@@ -7,8 +8,8 @@ use serde::{Deserialize, Serialize};
 pub struct ResidualSummary {
     /// File of `[residual_stress]`, balanced.
     pub balanced_profile: Option<String>,
-    /// Where the plastic stress comes from: `field`, `profile` or `rolled`.
-    pub plastic_source: Option<String>,
+    /// Where the plastic stress comes from.
+    pub plastic_source: Option<PlasticOrigin>,
     /// The stage that computed it.
     pub rolled: Option<RolledSummary>,
     /// What its way to the mesh of the rail lost.
@@ -21,13 +22,26 @@ pub struct ResidualSummary {
     pub notes: Vec<String>,
 }
 
+/// Where a plastic stress comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum PlasticOrigin {
+    /// A field on a mesh.
+    Field,
+    /// A profile by depth.
+    Profile,
+    /// The run computed it first.
+    Rolled,
+}
+
 /// The stabilised plastic state that the run computed first.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RolledSummary {
     /// Its folder in the run folder.
     pub folder: String,
-    /// `elastic`, `elastic shakedown`, `plastic shakedown` or `not stabilised`.
-    pub state: String,
+    /// The stabilised state.
+    #[serde(with = "crate::words")]
+    pub state: RailState,
     /// Passages until the residual stress repeated.
     pub passes: usize,
     /// p0 over the yield stress in shear.

@@ -1,7 +1,7 @@
 //! What two cases say differently.
 
 use crate::OutputError;
-use crate::folder::CASE_FILE;
+use crate::files::CASE_FILE;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::Path;

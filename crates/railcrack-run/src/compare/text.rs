@@ -1,6 +1,10 @@
 //! A comparison as people read it.
 
-use super::{Comparison, Parting, SifDifference, TipComparison};
+use super::comparison::Comparison;
+use super::parting::Parting;
+use super::tip::{SifDifference, TipComparison};
+use crate::words::Word;
+use railcrack::growth::RunStop;
 use std::fmt::Write;
 
 impl Comparison {
@@ -32,9 +36,9 @@ impl Comparison {
     fn runs_text(&self) -> String {
         let mut text = String::new();
         for (run, name) in self.runs.iter().zip(["first ", "second"]) {
-            let stop = run.stop.as_deref().unwrap_or("not ended");
-            let (folder, engine, contact) = (run.folder.display(), &run.engine, &run.contact);
-            let (boundary, steps) = (&run.boundary, run.steps_recorded);
+            let stop = run.stop.map_or("not ended", RunStop::name);
+            let (folder, engine, contact) = (run.folder.display(), run.engine.name(), run.contact.name());
+            let (boundary, steps) = (run.boundary.word(), run.steps_recorded);
             add(
                 &mut text,
                 format_args!("{name}  {folder}: {engine}, {contact}, {boundary}; {steps} steps, {stop}"),
@@ -108,8 +112,7 @@ impl Comparison {
             Some(parting) => add(text, format_args!("{}", parting_text(parting))),
         }
         for tip in self.tips.iter().filter(|tip| tip.stops[0] != tip.stops[1]) {
-            let named = |stop: &str| if stop.is_empty() { "goes on".to_owned() } else { stop.to_owned() };
-            let [first, second] = tip.stops.each_ref().map(|stop| named(stop));
+            let [first, second] = tip.stops.map(|stop| stop.map_or("goes on", RunStop::name));
             let TipComparison { step, crack, tip, .. } = tip;
             add(text, format_args!("step {step}, crack {crack}, tip {tip}: {first} | {second}"));
         }

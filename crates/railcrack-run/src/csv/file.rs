@@ -12,7 +12,7 @@ const CHUNK: usize = 4096;
 
 /// An open table of the run folder.
 #[derive(Debug)]
-pub struct CsvFile {
+pub(crate) struct CsvFile {
     path: PathBuf,
     file: File,
     length: u64,
@@ -20,14 +20,14 @@ pub struct CsvFile {
 
 impl CsvFile {
     /// A new table at `path` that holds `header` only, whatever was there.
-    pub fn create(path: &Path, header: &str) -> Result<Self, OutputError> {
+    pub(crate) fn create(path: &Path, header: &str) -> Result<Self, OutputError> {
         let mut table = Self::open(path, 0)?;
         table.append(header.as_bytes())?;
         Ok(table)
     }
 
     /// The table at `path`, cut back to `length` bytes: what came after was written by a step that did not finish.
-    pub fn cut_back(path: &Path, length: u64) -> Result<Self, OutputError> {
+    pub(crate) fn cut_back(path: &Path, length: u64) -> Result<Self, OutputError> {
         let found = std::fs::metadata(path).map_err(OutputError::io("read", path))?.len();
         if found < length {
             let reason = format!("holds {found} bytes where the finished steps wrote {length}");
@@ -46,7 +46,7 @@ impl CsvFile {
     }
 
     /// Appends whole rows. On an error the table is cut back to what it held before.
-    pub fn append(&mut self, rows: &[u8]) -> Result<(), OutputError> {
+    pub(crate) fn append(&mut self, rows: &[u8]) -> Result<(), OutputError> {
         if let Err(reason) = write_whole_rows(&mut self.file, rows) {
             self.take_back(self.length);
             return Err(OutputError::Io { action: "write", path: self.path.clone(), reason });
@@ -56,19 +56,19 @@ impl CsvFile {
     }
 
     /// Takes rows back that should not have been appended: the table held `length` bytes before. Best effort, since there is another error to report.
-    pub fn take_back(&mut self, length: u64) {
+    pub(crate) fn take_back(&mut self, length: u64) {
         let _ = self.file.set_len(length);
         let _ = self.file.seek(SeekFrom::Start(length));
         self.length = length;
     }
 
     /// Waits until the disk has the rows: a checkpoint must not outlive what it counts on.
-    pub fn sync(&self) -> Result<(), OutputError> {
+    pub(crate) fn sync(&self) -> Result<(), OutputError> {
         self.file.sync_data().map_err(OutputError::io("write", &self.path))
     }
 
     /// Bytes in the table.
-    pub fn length(&self) -> u64 {
+    pub(crate) fn length(&self) -> u64 {
         self.length
     }
 }

@@ -1,6 +1,7 @@
 //! The loop of a run: compute a step, write it, say so.
 
-use super::{RunError, RunObserver};
+use super::error::RunError;
+use super::observer::RunObserver;
 use crate::{OutputError, Recorder, Summary};
 use railcrack::growth::{Growth, GrowthError, GrowthState, Observer, StepRecord};
 use std::sync::mpsc::{SyncSender, sync_channel};

@@ -1,7 +1,8 @@
 //! The stabilised plastic state of a rolled rail, computed into a folder.
 
-use super::{RunError, case_files};
-use crate::rolled::{Extent, ShakedownRecorder, ShakedownResults, ShakedownSummary};
+use super::error::RunError;
+use super::job::case_files;
+use crate::shakedown::{Extent, ShakedownRecorder, ShakedownResults, ShakedownSummary};
 use crate::{Existing, Presentation};
 use railcrack::fatigue::Initiation;
 use railcrack::shakedown::{

@@ -1,9 +1,11 @@
 //! One run: from a case to its folder.
 
-use super::drive::drive;
+use super::drive::{Ending, StepSource, drive};
+use super::error::RunError;
+use super::job::{Job, Stage};
+use super::observer::{RunObserver, Silent};
 use super::residual_stress::{Residual, prepare};
-use super::{Ending, RunError, RunObserver, Silent, StepSource};
-use crate::{CaseFiles, Existing, OutputError, Presentation, Recorder, RunInfo, Summary, TablesOnly};
+use crate::{Existing, OutputError, Presentation, Recorder, Summary, TablesOnly};
 use railcrack::growth::GrowthState;
 use railcrack_case::{Case, SharedRail};
 use std::path::{Path, PathBuf};
@@ -66,53 +68,6 @@ impl<'a> Simulation<'a> {
             Ok((prepared.growth(stage.state), residual))
         })
     }
-}
-
-/// What a run starts from.
-pub struct Stage<'a> {
-    /// The run folder.
-    pub folder: &'a Path,
-    /// Who is told of the run.
-    pub observer: &'a dyn RunObserver,
-    /// Who makes plots and pages.
-    pub presentation: &'a dyn Presentation,
-    /// What another run computed already.
-    pub shared: Option<&'a SharedRail>,
-    /// The state to go on from; none at the beginning.
-    pub state: Option<GrowthState>,
-}
-
-/// What the case says of a run before anything is computed.
-#[derive(Debug)]
-pub struct Job {
-    /// `case.toml` and the files that it names.
-    pub case: CaseFiles,
-    /// What the files say of the run.
-    pub info: RunInfo,
-}
-
-impl Job {
-    /// The run of `case`.
-    pub fn of(case: &Case) -> Self {
-        Self {
-            case: case_files(case),
-            info: RunInfo {
-                title: case.title.clone(),
-                engine: case.engine.name().into(),
-                contact: case.contact_solver.name().into(),
-                boundary: case.rail.boundary_name(),
-                half_width: case.contact.half_width,
-                axle_load: case.axle_load,
-                warnings: Vec::new(),
-            },
-        }
-    }
-}
-
-/// `case.toml` and the files that it names.
-pub fn case_files(case: &Case) -> CaseFiles {
-    let companions = case.companions().into_iter().map(|file| (file.name.into(), file.text.into())).collect();
-    CaseFiles { toml: case.to_toml(), companions }
 }
 
 /// A run that came to an end or was interrupted.

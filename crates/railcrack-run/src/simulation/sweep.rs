@@ -1,9 +1,13 @@
 //! The runs of a study, side by side.
 
-use super::{Ending, RunEntry, RunError, Simulation, StudyObserver};
+use super::drive::Ending;
+use super::error::RunError;
+use super::observer::StudyObserver;
+use super::run::{RunEntry, Simulation};
 use crate::queue::{NextRun, RunQueue, WaitingRun};
 use crate::study::{Outcome, PlannedRun, RunEnd, StudyAxis, StudyFolder, StudyKey, StudyPlan};
 use crate::{OutputError, Presentation, Summary, VERSION};
+use railcrack::growth::RunStop;
 use railcrack::shakedown::ShakedownError;
 use railcrack_case::{Axis, Study, StudyRun, Variation};
 use std::sync::{Mutex, PoisonError};
@@ -156,7 +160,7 @@ fn end_of(error: &RunError) -> RunEnd {
 }
 
 fn done(summary: &Summary) -> String {
-    let stop = summary.stop.as_deref().unwrap_or("ended");
+    let stop = summary.stop.map_or("ended", RunStop::name);
     format!("{stop} at step {}, {:.1} s", summary.steps, summary.wall_s)
 }
 

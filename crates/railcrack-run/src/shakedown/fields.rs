@@ -1,6 +1,6 @@
-//! `plastic.vtu`, what the rail keeps, and `cycle.vtu`, stress and strain around the contact.
+//! `plastic.vtu`, the plastic state as a field of the rail, and `cycle.vtu`, stress and strain around the contact.
 
-use super::ShakedownResults;
+use super::results::ShakedownResults;
 use railcrack::math::{Stress, Vec2};
 use railcrack::mesh::{Array, CellBlock, CellShape, UnstructuredGrid};
 use railcrack::shakedown::PlasticStrain;
