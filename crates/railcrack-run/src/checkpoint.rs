@@ -56,28 +56,29 @@ impl LogFile {
         Ok(log)
     }
 
-    /// The log of the run in `folder`, cut back to what `checkpoint` counts on, with what it holds: the case and the
-    /// finished steps.
-    pub(crate) fn cut_back(
-        folder: &Path,
-        checkpoint: &Checkpoint,
-    ) -> Result<(Self, CaseFiles, RunLog), OutputError> {
+    /// What the log of the run in `folder` holds as far as `checkpoint` counts on it: the case and the finished steps.
+    pub(crate) fn read(folder: &Path, checkpoint: &Checkpoint) -> Result<(CaseFiles, RunLog), OutputError> {
         let path = folder.join(RUN_LOG_FILE);
-        let file = CsvFile::cut_back(&path, checkpoint.lengths.log)?;
         let bytes = folder::read_if_there(&path)?.unwrap_or_default();
-        if checksum(CHECKSUM_OF_NOTHING, &bytes) != checkpoint.log_checksum {
-            return Err(OutputError::damaged(&path, "does not hold what was written (checksum)"));
-        }
+        let counts = usize::try_from(checkpoint.lengths.log).ok().and_then(|length| bytes.get(..length));
+        let bytes = counts.filter(|bytes| checksum(CHECKSUM_OF_NOTHING, bytes) == checkpoint.log_checksum);
+        let bytes =
+            bytes.ok_or_else(|| OutputError::damaged(&path, "does not hold what was written (checksum)"))?;
         let damaged = |reason: postcard::Error| OutputError::damaged(&path, reason.to_string());
-        let (case, mut rest) = postcard::take_from_bytes(&bytes).map_err(damaged)?;
+        let (case, mut rest) = postcard::take_from_bytes(bytes).map_err(damaged)?;
         let mut steps: Vec<StepDigest> = Vec::new();
         while !rest.is_empty() {
             let (step, behind) = postcard::take_from_bytes(rest).map_err(damaged)?;
             steps.push(step);
             rest = behind;
         }
-        let log = RunLog { steps, now: checkpoint.now.clone() };
-        Ok((Self { file, checksum: checkpoint.log_checksum }, case, log))
+        Ok((case, RunLog { steps, now: checkpoint.now.clone() }))
+    }
+
+    /// The log of the run in `folder`, cut back to what `checkpoint` counts on.
+    pub(crate) fn cut_back(folder: &Path, checkpoint: &Checkpoint) -> Result<Self, OutputError> {
+        let file = CsvFile::cut_back(&folder.join(RUN_LOG_FILE), checkpoint.lengths.log)?;
+        Ok(Self { file, checksum: checkpoint.log_checksum })
     }
 
     /// Appends a finished step.

@@ -27,6 +27,7 @@ pub mod shakedown;
 pub mod simulation;
 pub mod study;
 mod summary;
+mod tables;
 mod words;
 
 pub use case_files::CaseFiles;
@@ -43,6 +44,7 @@ pub use run_info::RunInfo;
 pub use shakedown::{ShakedownFolder, ShakedownSummary};
 pub use study::StudyFolder;
 pub use summary::{CrackSummary, JunctionSummary, PhaseSeconds, PieceSummary, Summary, TipSummary};
+pub use tables::table_descriptions;
 pub use words::Word;
 
 /// Version of the program that writes the files.

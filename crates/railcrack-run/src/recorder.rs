@@ -79,7 +79,7 @@ impl Recorder {
             folder::begin(folder, &case, Existing::Replace)?;
             return Ok((Self::from_the_beginning(folder, &case, info, presentation)?, None));
         };
-        let (log_file, stored, log) = LogFile::cut_back(folder, &checkpoint)?;
+        let (stored, log) = LogFile::read(folder, &checkpoint)?;
         same_case(folder, &stored, &case)?;
         folder::restore_case(folder, &case)?;
         let lengths = checkpoint.lengths;
@@ -90,9 +90,9 @@ impl Recorder {
             faces: CsvFile::cut_back(&folder.join(FaceRow::FILE), lengths.faces)?,
             // Once the tables end with the last finished step.
             shown: presentation.resumed_run(folder, log.steps.len())?,
+            log_file: LogFile::cut_back(folder, &checkpoint)?,
             folder: folder.to_path_buf(),
             info,
-            log_file,
             log,
             counted,
             synced: Instant::now(),

@@ -34,6 +34,17 @@ pub enum PlasticOrigin {
     Rolled,
 }
 
+impl PlasticOrigin {
+    /// Its word in results.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Field => "field",
+            Self::Profile => "profile",
+            Self::Rolled => "rolled",
+        }
+    }
+}
+
 /// The stabilised plastic state that the run computed first.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RolledSummary {

@@ -4,10 +4,8 @@ use super::support::{SMALL, Scratch, Size, case, info, record_steps, step};
 use railcrack::body::FacePoint;
 use railcrack::growth::StepRecord;
 use railcrack_report::{Pages, rebuild_report};
-use railcrack_run::{
-    Existing, FACES_COLUMNS, GROWTH_COLUMNS, OutputError, RESIDUAL_COLUMNS, Recorder, ResidualRow,
-    ResidualSummary, SIF_COLUMNS,
-};
+use railcrack_run::csv::{FaceRow, SifRow, TipRow, column_names};
+use railcrack_run::{Existing, OutputError, Recorder, ResidualRow, ResidualSummary};
 use railcrack_vtu::read_vtu;
 use std::collections::BTreeMap;
 use std::fs;
@@ -77,18 +75,18 @@ fn table(folder: &Path, file: &str) -> Vec<String> {
 fn columns_are_those_of_the_contract() {
     let wanted = [
         (
-            SIF_COLUMNS.join(","),
+            column_names::<SifRow>(&[]).join(","),
             "step,passage,crack,tip,position,xc_mm,xc_over_a,ki_mpa_sqrt_m,kii_mpa_sqrt_m",
         ),
         (
-            GROWTH_COLUMNS.join(","),
+            column_names::<TipRow>(&[]).join(","),
             "step,crack,tip,tip_x_mm,tip_y_mm,length_mm,ki_max_mpa_sqrt_m,delta_ki_mpa_sqrt_m,delta_kii_mpa_sqrt_m,delta_keq_mpa_sqrt_m,kink_angle_deg,rival_angle_deg,rival_ratio,increment_mm,rate_mm_per_cycle,load_cycles,stop",
         ),
         (
-            FACES_COLUMNS.join(","),
+            column_names::<FaceRow>(&[]).join(","),
             "step,passage,position,crack,segment,s_mm,opening_mm,slip_mm,s22_mpa,s12_mpa,status",
         ),
-        (RESIDUAL_COLUMNS.join(","), "depth_mm,sxx_mpa,syy_mpa,szz_mpa,sxy_mpa"),
+        (column_names::<ResidualRow>(&[]).join(","), "depth_mm,sxx_mpa,syy_mpa,szz_mpa,sxy_mpa"),
     ];
     for (columns, contract) in wanted {
         assert_eq!(columns, contract);
@@ -101,11 +99,11 @@ fn tables_hold_every_row_with_its_numbers() {
     run_through(scratch.path(), SMALL);
     let steps = SMALL.increments + 1;
     let sif = table(scratch.path(), "sif.csv");
-    assert_eq!(sif[0], SIF_COLUMNS.join(","));
+    assert_eq!(sif[0], column_names::<SifRow>(&[]).join(","));
     assert_eq!(sif.len(), 1 + steps * 2 * SMALL.positions);
     assert!(sif[1].starts_with("0,1,1,1,1,-40.5,-6.0,"), "{}", sif[1]);
     let growth = table(scratch.path(), "growth.csv");
-    assert_eq!(growth[0], GROWTH_COLUMNS.join(","));
+    assert_eq!(growth[0], column_names::<TipRow>(&[]).join(","));
     assert_eq!(growth.len(), 1 + steps);
     let fields = |row: usize| growth[row].split(',').collect::<Vec<_>>();
     let (initial, second, last) = (fields(1), fields(2), fields(steps));
@@ -114,7 +112,7 @@ fn tables_hold_every_row_with_its_numbers() {
     assert_eq!((initial[10], fields(4)[10]), ("-2.0", ""));
     assert_eq!((last[13], last[16]), ("0.0", "steps-done"));
     let faces = table(scratch.path(), "faces.csv");
-    assert_eq!(faces[0], FACES_COLUMNS.join(","));
+    assert_eq!(faces[0], column_names::<FaceRow>(&[]).join(","));
     assert_eq!(faces.len(), 1 + steps * SMALL.positions * SMALL.face_points);
     assert!(faces[1].starts_with("0,2,1,1,1,0.25,"), "{}", faces[1]);
 }
@@ -333,7 +331,7 @@ fn residual_stress_is_a_table_of_its_own() {
     let stress = railcrack::math::Stress { xx: -120.5, yy: 0.0, zz: 1e-7, xy: 0.25 };
     recorder.residual(&[ResidualRow { depth: 0.5, stress }], ResidualSummary::default()).unwrap();
     let rows = table(scratch.path(), "residual.csv");
-    assert_eq!(rows, [RESIDUAL_COLUMNS.join(",").as_str(), "0.5,-120.5,0.0,1e-7,0.25"]);
+    assert_eq!(rows, [column_names::<ResidualRow>(&[]).join(",").as_str(), "0.5,-120.5,0.0,1e-7,0.25"]);
 }
 
 /// Elements of class `class` in the picture `file`; fails where the picture is no well-formed XML.

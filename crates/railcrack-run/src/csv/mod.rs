@@ -20,5 +20,5 @@ pub use read::{StepBlock, StepBlocks, read_table};
 pub use residual::ResidualRow;
 pub use rows::Rows;
 pub use sif::{SifRow, SifScale};
-pub use table::{Cell, Table, column_names, markdown, table};
-pub(crate) use table::{header, header_of, whole};
+pub use table::{Cell, Table, column_names, table};
+pub(crate) use table::{header, header_of, markdown, whole};

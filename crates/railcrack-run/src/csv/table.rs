@@ -55,7 +55,7 @@ pub(crate) fn whole<T: Table>(content: impl IntoIterator<Item = T>) -> Result<Ve
 }
 
 /// The columns of a table as a table of Markdown; columns with the same meaning share a line.
-pub fn markdown<T: Table>() -> String {
+pub(crate) fn markdown<T: Table>() -> String {
     let mut lines: Vec<(Vec<String>, String)> = Vec::new();
     for column in T::COLUMNS {
         let (name, meaning) = (format!("`{}`", column.name), sentence(column.meaning));
@@ -235,3 +235,57 @@ macro_rules! table {
 }
 
 pub use crate::table;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::csv::read_table;
+
+    table! {
+        /// A row with a column of its own for one section.
+        #[derive(Debug, Clone, PartialEq)]
+        pub struct Fluid in "fluid.csv", ["a comment"] {
+            /// Which tip, when.
+            step: usize = "step";
+            /// Which tip, when.
+            tip: usize = "tip";
+            /// K_I, MPa√m.
+            ki: f64 = "ki_mpa_sqrt_m";
+            /// Pressure of the fluid at the
+            /// mouth, MPa.
+            fluid: Option<f64> = "fluid_mpa", with "fluid";
+        }
+    }
+
+    fn text(rows: &[Fluid], sections: &'static [&'static str]) -> String {
+        let mut text = Rows::with_sections(sections);
+        rows.iter().for_each(|row| row.put(&mut text));
+        header::<Fluid>(sections) + std::str::from_utf8(text.text(Fluid::FILE).unwrap()).unwrap()
+    }
+
+    #[test]
+    fn a_section_brings_its_column_behind_the_others() {
+        let rows = [(1, Some(6.0)), (2, None)].map(|(tip, fluid)| Fluid { step: 0, tip, ki: 1e-7, fluid });
+        let with = text(&rows, &["fluid"]);
+        assert!(with.ends_with("step,tip,ki_mpa_sqrt_m,fluid_mpa\n0,1,1e-7,6.0\n0,2,1e-7,\n"), "{with}");
+        let without = text(&rows, &[]);
+        assert!(without.ends_with("# a comment\nstep,tip,ki_mpa_sqrt_m\n0,1,1e-7\n0,2,1e-7\n"), "{without}");
+        let folder = std::env::temp_dir().join(format!("railcrack-table-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).unwrap();
+        for (text, fluid) in [(with, Some(6.0)), (without, None)] {
+            std::fs::write(folder.join(Fluid::FILE), text).unwrap();
+            let read: Vec<Fluid> = read_table(&folder).unwrap();
+            assert_eq!(read, [Fluid { fluid, ..rows[0].clone() }, rows[1].clone()]);
+        }
+        std::fs::remove_dir_all(&folder).unwrap();
+    }
+
+    #[test]
+    fn the_page_has_a_line_for_each_meaning() {
+        assert_eq!(
+            markdown::<Fluid>(),
+            "| column | meaning |\n|---|---|\n| `step`, `tip` | which tip, when |\n\
+             | `ki_mpa_sqrt_m` | K_I, MPa√m |\n| `fluid_mpa` | pressure of the fluid at the mouth, MPa |\n"
+        );
+    }
+}
