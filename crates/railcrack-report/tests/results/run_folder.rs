@@ -2,10 +2,10 @@
 
 use super::support::{SMALL, Scratch, Size, case, info, record_steps, step};
 use railcrack::body::FacePoint;
-use railcrack::growth::StepRecord;
+use railcrack::growth::{GrowthState, StepRecord};
 use railcrack_report::{Pages, rebuild_report};
 use railcrack_run::csv::{FaceRow, SifRow, TipRow, column_names};
-use railcrack_run::{Existing, OutputError, Recorder, ResidualRow, ResidualSummary};
+use railcrack_run::{Existing, OutputError, Recorder, ResidualRow, ResidualSummary, TablesOnly};
 use railcrack_vtu::read_vtu;
 use std::collections::BTreeMap;
 use std::fs;
@@ -161,7 +161,9 @@ fn what_an_unfinished_step_wrote_is_cut_off() {
     let whole = Scratch::new("whole-garbage");
     run_through(whole.path(), SMALL);
     // Killed between tables, within a row, within the summary, within a plot.
-    for damaged in ["sif.csv", "growth.csv", "faces.csv", "summary.json.partial", "plots/ki.svg.partial"] {
+    let cut_short =
+        ["sif.csv", "growth.csv", "faces.csv", "run-log.bin", "summary.json.partial", "plots/ki.svg.partial"];
+    for damaged in cut_short {
         let cut = Scratch::new("garbage");
         let mut recorder = Recorder::start(cut.path(), case(), info(), Existing::Refuse, &Pages).unwrap();
         record_steps(&mut recorder, SMALL, 0, 2).unwrap();
@@ -174,6 +176,28 @@ fn what_an_unfinished_step_wrote_is_cut_off() {
         assert_eq!(resume_to_the_end(cut.path(), SMALL), 2);
         assert_same_run(whole.path(), cut.path(), damaged);
     }
+}
+
+#[test]
+fn a_step_writes_no_more_after_many_steps() {
+    let scratch = Scratch::new("bytes");
+    let size = Size { increments: 2000, positions: 3, face_points: 2, cracks: 1 };
+    let mut recorder =
+        Recorder::start(scratch.path(), case(), info(), Existing::Refuse, &TablesOnly).unwrap();
+    let length = |file: &str| fs::metadata(scratch.path().join(file)).unwrap().len();
+    // The cracks keep their vertices: with each new one the checkpoint grows.
+    let (first, state) = step(size, 0);
+    let (mut before, mut written) = (length("run-log.bin"), Vec::new());
+    for n in 0..=1000 {
+        let record = StepRecord { step: n, fields: None, ..first.clone() };
+        recorder.record(&record, &GrowthState { step: n + 1, ..state.clone() }).unwrap();
+        let log = length("run-log.bin");
+        written.push(log - before + length("checkpoint.bin"));
+        before = log;
+    }
+    // Numbers that count take a byte more from 128 on.
+    assert!(written[1000] <= written[10] + 8, "{} and {} bytes", written[10], written[1000]);
+    println!("checkpoint and run log: {} bytes in step 10, {} in step 1000", written[10], written[1000]);
 }
 
 #[test]
@@ -223,6 +247,16 @@ fn resuming_needs_a_run_of_the_same_case() {
         assert!(expected, "{what}: {refused}");
     }
     fs::write(&checkpoint, intact).unwrap();
+    let log = scratch.path().join("run-log.bin");
+    let intact = fs::read(&log).unwrap();
+    let mut bytes = intact.clone();
+    bytes[300] ^= 4;
+    for damaged in [&bytes[..], &intact[..intact.len() - 1]] {
+        fs::write(&log, damaged).unwrap();
+        let refused = Recorder::resume(scratch.path(), case(), info(), &Pages).unwrap_err();
+        assert!(refused.to_string().contains("run-log.bin: does not hold what was written"), "{refused}");
+    }
+    fs::write(&log, intact).unwrap();
     fs::write(scratch.path().join("faces.csv"), "step\n").unwrap();
     let refused = Recorder::resume(scratch.path(), case(), info(), &Pages).unwrap_err();
     assert!(refused.to_string().contains("faces.csv: holds 5 bytes"), "{refused}");

@@ -3,10 +3,11 @@
 use super::table;
 use railcrack::growth::{RunStop, StepRecord, TipRecord};
 use railcrack::math::MPA_SQRT_MM;
+use serde::{Deserialize, Serialize};
 
 table! {
     /// A tip at the start of a growth step, and its increment, in the units of `growth.csv`.
-    #[derive(Debug, Clone, Copy, PartialEq)]
+    #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
     pub struct TipRow in "growth.csv", [
         "One row per step and tip: the state at the start of the step, and the increment that follows it",
         "step: 0 is the initial geometry; crack: from 1; tip: from 1 within its crack",
