@@ -1,16 +1,17 @@
-//! What a run computes, and whether two runs compute the same.
+//! The case of a run as files, and whether two runs have the same.
 
 use super::OutputError;
 use super::files::CASE_FILE;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
-/// What is computed: the text of `case.toml` and the files that it names.
+/// The text of `case.toml` and the files that it names.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct CaseFiles {
     /// The case, defaults filled in.
     pub toml: String,
-    /// Name in the run folder (`inputs/residual-stress.csv`) and text of each file that the case names.
+    /// Name in the run folder (`inputs/residual-stress.csv`) and text of each file that the case
+    /// names.
     pub companions: Vec<(String, String)>,
 }
 

@@ -1,5 +1,6 @@
-//! The checkpoint and the run log: everything a run needs in order to go on after its last finished step. Each step
-//! appends an entry to the log; the checkpoint is replaced, and says how much of the log and of the tables counts.
+//! The checkpoint and the run log: everything a run needs in order to go on after its last finished
+//! step. Each step appends an entry to the log; the checkpoint is replaced, and says how much of
+//! the log and of the tables counts.
 
 use super::case_files::CaseFiles;
 use super::csv::CsvFile;
@@ -56,7 +57,8 @@ impl LogFile {
         Ok(log)
     }
 
-    /// What the log of the run in `folder` holds as far as `checkpoint` counts on it: the case and the finished steps.
+    /// Content of the log of the run in `folder` as far as `checkpoint` counts on it: the case and
+    /// the finished steps.
     pub(crate) fn read(folder: &Path, checkpoint: &Checkpoint) -> Result<(CaseFiles, RunLog), OutputError> {
         let path = folder.join(RUN_LOG_FILE);
         let bytes = folder::read_if_there(&path)?.unwrap_or_default();

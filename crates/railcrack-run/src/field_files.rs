@@ -25,7 +25,8 @@ fn name(step: usize, position: usize) -> String {
     format!("step-{step:04}-position-{position:04}.vtu")
 }
 
-/// Step and position (from 1) of the field file of this name; none where it is not one that a run writes.
+/// Step and position (from 1) of the field file of this name; none where it is not one that a run
+/// writes.
 pub fn step_and_position(file: &str) -> Option<(usize, usize)> {
     let (step, position) = file.strip_prefix("step-")?.strip_suffix(".vtu")?.split_once("-position-")?;
     let (step, position) = (step.parse().ok()?, position.parse().ok()?);
@@ -37,7 +38,8 @@ pub fn is_field_file(file: &str) -> bool {
     step_and_position(file).is_some()
 }
 
-/// The fields of a step: of each wheel position its number (from 1), the name of its file in the run folder, and what the file holds.
+/// The fields of a step: of each wheel position its number (from 1), the name of its file in the
+/// run folder, and what the file holds.
 pub fn field_grids(record: &StepRecord) -> impl Iterator<Item = (usize, String, UnstructuredGrid)> {
     record.fields.iter().flat_map(|fields| {
         fields.snapshots.iter().map(|snapshot| {

@@ -4,7 +4,7 @@
 pub const CASE_FILE: &str = "case.toml";
 /// State from which a run goes on.
 pub const CHECKPOINT_FILE: &str = "checkpoint.bin";
-/// Run log: what a run remembers of its finished steps.
+/// Run log: an entry per finished growth step.
 pub const RUN_LOG_FILE: &str = "run-log.bin";
 /// A run in numbers.
 pub const SUMMARY_FILE: &str = "summary.json";
@@ -30,7 +30,7 @@ pub const REPORT_FILE: &str = "report.html";
 pub const PLOTS_FOLDER: &str = "plots";
 /// A comparison in numbers.
 pub const COMPARE_FILE: &str = "compare.json";
-/// What a study computes.
+/// Plan of a study.
 pub const PLAN_FILE: &str = "study.json";
 
 /// Every plot of a run or of a stabilised plastic state.
@@ -51,8 +51,8 @@ pub(crate) const PLOT_FILES: [&str; 14] = [
     "field.svg",
 ];
 
-/// Files of a run beside `case.toml`, in the order in which a replaced run is removed: without its checkpoint a run
-/// is one that has not begun.
+/// Files of a run beside `case.toml`, in the order in which a replaced run is removed: without its
+/// checkpoint a run is one that has not begun.
 pub(crate) const RUN_FILES: [&str; 19] = [
     CHECKPOINT_FILE,
     RUN_LOG_FILE,

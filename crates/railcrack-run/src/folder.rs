@@ -1,4 +1,5 @@
-//! The run folder: which files are a run's, when they may be replaced, and how a file is replaced whole.
+//! The run folder on the disk: when the files of a run may be replaced, and how a file is
+//! replaced whole.
 
 use super::OutputError;
 use super::case_files::CaseFiles;
@@ -17,7 +18,7 @@ use std::path::{Path, PathBuf};
 /// Ending of a file that is being written and not yet in place.
 const PARTIAL: &str = "partial";
 
-/// What to do with a run that the folder already holds.
+/// Treatment of a run that the folder already holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Existing {
     /// Leave it alone: an error.
@@ -35,7 +36,8 @@ pub enum Durability {
     Cached,
 }
 
-/// Writes `content` beside `path` and moves it into place: readers see the old file or the new one, never a part.
+/// Writes `content` beside `path` and moves it into place: readers see the old file or the new one,
+/// never a part.
 pub fn replace_file(path: &Path, content: &[u8], durability: Durability) -> Result<(), OutputError> {
     let partial = partial_of(path);
     let refused = || OutputError::io("write", path);
@@ -59,8 +61,8 @@ fn partial_of(path: &Path) -> PathBuf {
     PathBuf::from(name)
 }
 
-/// Makes `folder` a run folder with nothing but the case. From `case.toml` on, the folder holds a run that can be
-/// resumed.
+/// Makes `folder` a run folder with nothing but the case. From `case.toml` on, the folder holds a
+/// run that can be resumed.
 pub(crate) fn begin(folder: &Path, case: &CaseFiles, existing: Existing) -> Result<(), OutputError> {
     if existing == Existing::Refuse
         && let Some(file) = run_file_in(folder)
@@ -73,8 +75,9 @@ pub(crate) fn begin(folder: &Path, case: &CaseFiles, existing: Existing) -> Resu
     }
     fs::create_dir_all(folder).map_err(OutputError::io("create the run folder", folder))?;
     if existing == Existing::Replace {
-        // The order matters to a kill in between: first the old run loses its checkpoint, then the new case takes
-        // the old one's place; whatever is left over then belongs to a run that starts from its beginning.
+        // The order matters to a kill in between: first the old run loses its checkpoint, then the
+        // new case takes the old one's place; whatever is left over then belongs to a run that
+        // starts from its beginning.
         remove(&folder.join(CHECKPOINT_FILE))?;
     }
     replace_file(&folder.join(CASE_FILE), case.toml.as_bytes(), Durability::Synced)?;
@@ -118,7 +121,8 @@ fn clear_results(folder: &Path) -> Result<(), OutputError> {
     let fields = folder.join(FIELDS_FOLDER);
     clear_fields(&fields)?;
     for emptied in [plots, fields, folder.join(INPUTS_FOLDER)] {
-        // Refused where the user keeps files of his own in it, or where it does not exist: both are fine.
+        // Refused where the user keeps files of his own in it, or where it does not exist: both are
+        // fine.
         let _ = fs::remove_dir(emptied);
     }
     Ok(())

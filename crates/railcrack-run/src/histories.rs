@@ -31,7 +31,8 @@ impl History {
         let mut passage = 0;
         for row in rows {
             let row = row?;
-            // The last passage of a step is the stabilised one: a later passage takes the place of an earlier one.
+            // The last passage of a step is the stabilised one: a later passage takes the place of
+            // an earlier one.
             if row.passage != passage {
                 passage = row.passage;
                 histories.clear();

@@ -1,8 +1,8 @@
-//! Runs of railcrack: what `railcrack run`, `shakedown`, `sweep` and `compare` compute, the run folder with its tables,
-//! checkpoint and summary, and how results are read back.
+//! Runs of railcrack: what `railcrack run`, `shakedown`, `sweep` and `compare` compute, the run
+//! folder with its tables, checkpoint and summary, and how results are read back.
 //!
-//! Every file, column, unit and sign is described in `docs/file-formats.md`. Plots and pages are made by someone above
-//! this crate ([`Presentation`]).
+//! Every file, column, unit and sign is described in `docs/file-formats.md`. Plots and pages are
+//! made by someone above this crate ([`Presentation`]).
 
 mod case_files;
 mod checkpoint;

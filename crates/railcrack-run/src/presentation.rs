@@ -33,7 +33,7 @@ pub trait Presentation: Sync {
     fn study(&self, folder: &StudyFolder, results: &StudyResults) -> Result<(), OutputError>;
 }
 
-/// What is shown of one run, gathered step by step.
+/// Plots and page of one run, gathered step by step.
 pub trait RunPresentation: Debug + Send {
     /// Takes what is shown of the step `record`. It counts once the step is [kept](Self::keep).
     ///

@@ -17,15 +17,16 @@ use railcrack::growth::{GrowthState, StepRecord};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-/// Steps faster than this do not each wait for the disk: a kill loses nothing by that, a power failure at most a run
-/// that is quickly computed again.
+/// Steps faster than this do not each wait for the disk: a kill loses nothing by that, a power
+/// failure at most a run that is quickly computed again.
 const SYNC_INTERVAL: Duration = Duration::from_millis(500);
 
 /// Rows are written in pieces of about so many bytes: a step may have millions of them.
 const PIECE: usize = 1 << 16;
 
-/// A run being written. Each finished step is appended to the tables and then sealed by a checkpoint: a run killed at
-/// any moment resumes after its last checkpoint, and its files end up the same.
+/// A run being written. Each finished step is appended to the tables and then sealed by a
+/// checkpoint: a run killed at any moment resumes after its last checkpoint, and its files end up
+/// the same.
 #[derive(Debug)]
 pub struct Recorder {
     folder: PathBuf,
@@ -47,7 +48,8 @@ pub struct Recorder {
 impl Recorder {
     /// Starts a run in `folder`, which is created where it does not exist; `case` goes into it.
     ///
-    /// Errors: the folder holds a run and `existing` says to leave it alone; the system refuses to write.
+    /// Errors: the folder holds a run and `existing` says to leave it alone; the system refuses to
+    /// write.
     pub fn start(
         folder: &Path,
         case: CaseFiles,
@@ -59,11 +61,11 @@ impl Recorder {
         Self::from_the_beginning(folder, &case, info, presentation)
     }
 
-    /// Takes up the run in `folder` after its last finished step. The state to go on from is none where no step has
-    /// finished: then the run starts from its beginning.
+    /// Takes up the run in `folder` after its last finished step. The state to go on from is none
+    /// where no step has finished: then the run starts from its beginning.
     ///
-    /// Errors: no run in the folder; its case is not `case`; another version of the program wrote it; a file of it is
-    /// damaged; the system refuses.
+    /// Errors: no run in the folder; its case is not `case`; another version of the program wrote
+    /// it; a file of it is damaged; the system refuses.
     pub fn resume(
         folder: &Path,
         case: CaseFiles,
@@ -127,15 +129,16 @@ impl Recorder {
         &self.folder
     }
 
-    /// Writes `residual.csv`, the residual stress that the crack mesh carries, and keeps what the summary says of it.
+    /// Writes `residual.csv`, the residual stress on the mesh of the cracks, and takes up its
+    /// `summary`.
     pub fn residual(&mut self, profile: &[ResidualRow], summary: ResidualSummary) -> Result<(), OutputError> {
         self.log.now.residual = Some(summary);
         let table = whole(profile.iter().copied())?;
         folder::replace_file(&self.folder.join(ResidualRow::FILE), &table, Durability::Cached)
     }
 
-    /// Appends a finished step and seals it: `state` is the state of the run after it. A step with a number that is
-    /// not finite is refused whole.
+    /// Appends a finished step and seals it: `state` is the state of the run after it. A step with
+    /// a number that is not finite is refused whole.
     pub fn record(&mut self, record: &StepRecord, state: &GrowthState) -> Result<(), OutputError> {
         let begun = Instant::now();
         finite_summary(record)?;
@@ -178,7 +181,8 @@ impl Recorder {
         Ok(())
     }
 
-    /// Writes summary, plots and report of the finished steps: at the end of a run, and when it is interrupted.
+    /// Writes summary, plots and report of the finished steps: at the end of a run, and when it is
+    /// interrupted.
     pub fn finish(&mut self) -> Result<Summary, OutputError> {
         let begun = Instant::now();
         // Plots and report say what the summary says, so it must stand there first.
@@ -221,7 +225,8 @@ impl Recorder {
         }
     }
 
-    /// Adds the time since the last count to the wall time, and the time since `begun` to that of writing.
+    /// Adds the time since the last count to the wall time, and the time since `begun` to that of
+    /// writing.
     fn count_time(&mut self, begun: Instant) {
         let now = Instant::now();
         self.log.now.output_s += (now - begun).as_secs_f64();

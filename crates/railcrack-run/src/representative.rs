@@ -36,8 +36,9 @@ impl RepresentativeTip {
     }
 }
 
-/// The rows, by step, of the representative tip of a run with the rows `growth`: that of the crack that grew most; of
-/// equals, the one with the largest ΔK_eq in step 0, then the first. None without rows.
+/// The rows, by step, of the representative tip of a run with the rows `growth`: that of the crack
+/// that grew most; of equals, the one with the largest ΔK_eq in step 0, then the first. None
+/// without rows.
 pub fn representative_tip(growth: &[TipRow]) -> Option<Vec<&TipRow>> {
     let mut tips: Vec<Vec<&TipRow>> = Vec::new();
     for row in growth {
@@ -57,8 +58,8 @@ pub fn representative_tip(growth: &[TipRow]) -> Option<Vec<&TipRow>> {
     tips.into_iter().rev().max_by(leads)
 }
 
-/// Load cycles until a crack of these `rows` is `length` long; none where it never is, or was from the
-/// beginning. Between two steps the rate is constant.
+/// Load cycles until a crack of these `rows` is `length` long; none where it never is, or was from
+/// the beginning. Between two steps the rate is constant.
 pub fn cycles_to<R: Borrow<TipRow>>(rows: &[R], length: f64) -> Option<f64> {
     let reached = |pair: &&[R]| pair[0].borrow().length < length && pair[1].borrow().length >= length;
     let pair = rows.windows(2).find(reached)?;

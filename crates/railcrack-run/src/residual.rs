@@ -12,13 +12,13 @@ pub struct ResidualSummary {
     pub plastic_source: Option<PlasticOrigin>,
     /// The stage that computed it.
     pub rolled: Option<RolledSummary>,
-    /// What its way to the mesh of the rail lost.
+    /// Losses on the way to the mesh of the rail.
     pub projection: Option<ProjectionSummary>,
-    /// What the free sides of a block do to the residual stress on the middle line.
+    /// Effect of the free sides of a block on the residual stress of the middle line.
     pub release: Option<ReleaseSummary>,
     /// Wall time of both stages before the first step, s.
     pub wall_s: f64,
-    /// What the reader should know.
+    /// Remarks for the reader.
     pub notes: Vec<String>,
 }
 
@@ -62,12 +62,13 @@ pub struct RolledSummary {
 /// Norms are √∫ p:p dA of the plastic stress p.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct ProjectionSummary {
-    /// Of the values at nodes that were fitted to values on cells: their norm over that of the cells. Null where values were given at
-    /// nodes.
+    /// Of the values at nodes that were fitted to values on cells: their norm over that of the
+    /// cells. Null where values were given at nodes.
     pub nodes_norm_ratio: Option<f64>,
     /// Norm of their difference, over it.
     pub nodes_difference: Option<f64>,
-    /// Of what the mesh of the rail interpolates, within width and depth of the rail: its norm over that of the field.
+    /// Of what the mesh of the rail interpolates, within width and depth of the rail: its norm over
+    /// that of the field.
     pub mesh_norm_ratio: f64,
     /// Norm of their difference, over it.
     pub mesh_difference: f64,
@@ -75,7 +76,7 @@ pub struct ProjectionSummary {
     pub norm_mpa_mm: f64,
 }
 
-/// What the free sides of a block release, where it is most.
+/// Stress released by the free sides of a block, where it is largest.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct ReleaseSummary {
     /// On the middle line, mm.
@@ -84,6 +85,7 @@ pub struct ReleaseSummary {
     pub held_sxx_mpa: f64,
     /// σ_xx with the sides free, MPa.
     pub free_sxx_mpa: f64,
-    /// Whether the run carries the released stress: a plastic stress is balanced on the block, a balanced stress is taken as it is.
+    /// Whether the run carries the released stress: a plastic stress is balanced on the block, a
+    /// balanced stress is taken as it is.
     pub carried: bool,
 }

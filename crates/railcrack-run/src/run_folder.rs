@@ -12,8 +12,8 @@ use railcrack_vtu::read_vtu;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
-/// The folder of a run. Summary and case are read when it is opened, tables and fields when they are asked for; only
-/// finished growth steps count.
+/// The folder of a run. Summary and case are read when it is opened, tables and fields when they
+/// are asked for; only finished growth steps count.
 ///
 /// ```
 /// # use railcrack_run::simulation::{RunEntry, Simulation};

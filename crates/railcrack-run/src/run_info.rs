@@ -1,10 +1,10 @@
-//! What the files of a run say of its case.
+//! Facts of the case that stand in the files of a run.
 
 use railcrack::bulk::Boundary;
 use railcrack::growth::Warning;
 use railcrack_case::{ContactSolver, Engine};
 
-/// What the files say of a run that its step records do not.
+/// Facts of the case that stand in the files of a run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RunInfo {
     /// Title of the case.

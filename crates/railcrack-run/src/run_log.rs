@@ -1,4 +1,4 @@
-//! Run log: what a run remembers of its finished growth steps beyond the tables.
+//! Run log: the finished growth steps as far as the tables do not have them.
 
 use super::field_files::FieldFileEntry;
 use super::residual::ResidualSummary;

@@ -14,7 +14,8 @@ use serde::{Deserialize, Serialize};
 /// Wall time by phase, of the run and its resumptions, seconds.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct PhaseSeconds {
-    /// The residual stress: the plastic state of the rolled rail where it is wanted, projection and balance.
+    /// The residual stress: the plastic state of the rolled rail where it is wanted, projection and
+    /// balance.
     pub residual: f64,
     /// The cracked body.
     pub body: f64,
@@ -99,7 +100,7 @@ pub struct JunctionSummary {
     pub y_mm: f64,
 }
 
-/// What `summary.json` holds. Keys are the fields' names.
+/// `summary.json`: its keys are the names of the fields.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Summary {
     /// Version of the program.

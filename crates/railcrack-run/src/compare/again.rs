@@ -15,7 +15,7 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// What `compare.json` says that the tables do not.
+/// The part of `compare.json` that is not in the tables.
 #[derive(Deserialize)]
 struct Document {
     runs: [RunLabel; 2],

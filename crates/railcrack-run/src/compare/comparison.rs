@@ -33,7 +33,8 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    /// Compares the runs in two folders by their stored tables, for the steps and tips that both have.
+    /// Compares the runs in two folders by their stored tables, for the steps and tips that both
+    /// have.
     ///
     /// Errors: a folder holds no run; a file of it is damaged; the system refuses.
     pub fn of(first: &Path, second: &Path) -> Result<Self, OutputError> {
@@ -71,8 +72,8 @@ impl Comparison {
         percent(k, self.peak)
     }
 
-    /// The largest difference of K_I or K_II, in per cent of the largest |K| of the case; none where the runs have
-    /// nothing in common.
+    /// The largest difference of K_I or K_II, in per cent of the largest |K| of the case; none
+    /// where the runs have nothing in common.
     pub fn largest_percent(&self) -> Option<f64> {
         let all = self.tips.iter().filter_map(|tip| tip.sifs);
         all.map(|sifs| self.percent(sifs.ki.largest.max(sifs.kii.largest))).reduce(f64::max)

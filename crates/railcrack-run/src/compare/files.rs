@@ -20,10 +20,12 @@ const FILES: [&str; 7] =
     [CompareRow::FILE, PositionRow::FILE, COMPARE_FILE, FIRST_STEP, LAST_STEP, PATHS, REPORT_FILE];
 
 impl Comparison {
-    /// Writes tables, `compare.json`, plots and report to `folder`, which is created where it does not exist. `tolerance`: a
-    /// largest difference of K, in per cent of the largest |K| of the case, that `compare.json` is to judge by.
+    /// Writes tables, `compare.json`, plots and report to `folder`, which is created where it does
+    /// not exist. `tolerance`: a largest difference of K, in per cent of the largest |K| of the
+    /// case, that `compare.json` is to judge by.
     ///
-    /// Errors: the folder holds a comparison and `existing` says to leave it alone; the system refuses.
+    /// Errors: the folder holds a comparison and `existing` says to leave it alone; the system
+    /// refuses.
     pub fn write(
         &self,
         folder: &Path,

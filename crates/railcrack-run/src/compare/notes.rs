@@ -1,4 +1,4 @@
-//! What a comparison leaves out or changes, in sentences.
+//! Notes on a comparison: what it leaves out or changes, in sentences.
 
 use super::align::Aligned;
 use super::stored::{StoredRun, TipKey};

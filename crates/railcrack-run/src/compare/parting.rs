@@ -4,9 +4,9 @@ use super::stored::{StoredRun, TipKey};
 use railcrack::growth::NEAR_TIE;
 use serde::{Deserialize, Serialize};
 
-/// Kinks farther apart than this (degrees) are different choices: a secondary maximum is at least 15° away, and where two runs choose
-/// alike their kinks differ by a fraction of a degree. Paths that drift apart by such fractions do not part: the
-/// distance of their tips tells.
+/// Kinks farther apart than this (degrees) are different choices: a secondary maximum is at least
+/// 15° away, and where two runs choose alike their kinks differ by a fraction of a degree. Paths
+/// that drift apart by such fractions do not part: the distance of their tips tells.
 const PARTED_DEG: f64 = 5.0;
 
 /// The first step at which two runs choose different directions.

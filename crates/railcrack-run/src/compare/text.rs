@@ -8,8 +8,9 @@ use railcrack::growth::RunStop;
 use std::fmt::Write;
 
 impl Comparison {
-    /// What differs, for a terminal: runs, cases, a table with the tip that differs most in each step, where paths
-    /// part, and, where there is a `tolerance` (per cent of the largest |K| of the case), whether K is within it.
+    /// What differs, for a terminal: runs, cases, a table with the tip that differs most in each
+    /// step, where paths part, and, where there is a `tolerance` (per cent of the largest |K| of
+    /// the case), whether K is within it.
     pub fn text(&self, tolerance: Option<f64>) -> String {
         let mut text = self.runs_text();
         self.add_cases(&mut text);
@@ -124,7 +125,7 @@ fn add(text: &mut String, line: std::fmt::Arguments) {
     let _ = writeln!(text, "{line}");
 }
 
-/// What orders the tips of a step: the largest difference of K.
+/// Order of the tips of a step: by the largest difference of K.
 fn badness(tip: &TipComparison) -> f64 {
     tip.sifs.map_or(tip.distance, |sifs| sifs.ki.largest.max(sifs.kii.largest))
 }

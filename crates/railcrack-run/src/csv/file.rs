@@ -5,9 +5,10 @@ use std::fs::{File, OpenOptions};
 use std::io::{Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
-/// The most bytes of one write: a kill between two writes leaves whole rows. Within a write it takes effect at the
-/// border of two pages of memory only, so a small write is hardly ever cut (3 in 2000 kills of a program that does
-/// nothing but write); what is cut, [`CsvFile::cut_back`] removes.
+/// The most bytes of one write: a kill between two writes leaves whole rows. Within a write it
+/// takes effect at the border of two pages of memory only, so a small write is hardly ever cut (3
+/// in 2000 kills of a program that does nothing but write); what is cut, [`CsvFile::cut_back`]
+/// removes.
 const CHUNK: usize = 4096;
 
 /// An open table of the run folder.
@@ -26,7 +27,8 @@ impl CsvFile {
         Ok(table)
     }
 
-    /// The table at `path`, cut back to `length` bytes: what came after was written by a step that did not finish.
+    /// The table at `path`, cut back to `length` bytes: what came after was written by a step that
+    /// did not finish.
     pub(crate) fn cut_back(path: &Path, length: u64) -> Result<Self, OutputError> {
         let found = std::fs::metadata(path).map_err(OutputError::io("read", path))?.len();
         if found < length {
@@ -55,7 +57,8 @@ impl CsvFile {
         Ok(())
     }
 
-    /// Takes rows back that should not have been appended: the table held `length` bytes before. Best effort, since there is another error to report.
+    /// Takes rows back that should not have been appended: the table held `length` bytes before.
+    /// Best effort, since there is another error to report.
     pub(crate) fn take_back(&mut self, length: u64) {
         let _ = self.file.set_len(length);
         let _ = self.file.seek(SeekFrom::Start(length));
@@ -73,7 +76,8 @@ impl CsvFile {
     }
 }
 
-/// Writes `rows` by calls of at most [`CHUNK`] bytes that end with a row; a row longer than that goes alone.
+/// Writes `rows` by calls of at most [`CHUNK`] bytes that end with a row; a row longer than that
+/// goes alone.
 fn write_whole_rows(out: &mut impl Write, mut rows: &[u8]) -> std::io::Result<()> {
     while !rows.is_empty() {
         let window = &rows[..rows.len().min(CHUNK)];

@@ -43,16 +43,16 @@ table! {
         rival_deg: Option<f64> = "rival_angle_deg";
         /// Growth rate at the secondary maximum over that at the chosen angle; empty with it.
         rival_ratio: Option<f64> = "rival_ratio";
-        /// Growth to the next step, mm; 0 in the last step and for a stopped tip. At coalescence the
-        /// increment ends on the other crack, and is negative if that crack lies across the deferred
-        /// growth.
+        /// Growth to the next step, mm; 0 in the last step and for a stopped tip. At coalescence
+        /// the increment ends on the other crack, and is negative if that crack lies across the
+        /// deferred growth.
         increment: f64 = "increment_mm";
         /// Rate da/dN, mm per load cycle.
         rate: f64 = "rate_mm_per_cycle";
         /// Load cycles up to the start of the step (explicit Euler).
         load_cycles: f64 = "load_cycles";
-        /// Why the tip stopped; in the last step, for tips without a reason of their own, why the run
-        /// ended; else empty.
+        /// Why the tip stopped; in the last step, for tips without a reason of their own, why the
+        /// run ended; else empty.
         stop: Option<RunStop> = "stop";
     }
 }
@@ -88,14 +88,15 @@ impl TipRow {
         }
     }
 
-    /// Why the tip stopped, or in the last step the run, as the table has it; empty where neither did.
+    /// Why the tip stopped, or in the last step the run, as the table has it; empty where neither
+    /// did.
     pub fn stop_word(&self) -> &'static str {
         self.stop.map_or("", RunStop::name)
     }
 }
 
-/// Deferred growth (mm) of the tip of `row`: its increments since it came to where it is. `growth` holds all rows of
-/// the run.
+/// Deferred growth (mm) of the tip of `row`: its increments since it came to where it is. `growth`
+/// holds all rows of the run.
 pub fn deferred_growth(growth: &[TipRow], row: &TipRow) -> f64 {
     let before = growth
         .iter()

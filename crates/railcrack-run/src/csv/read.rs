@@ -10,7 +10,8 @@ use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 
-/// The whole lines of a table behind its header. A last line without its end, left by a kill, is not a row.
+/// The whole lines of a table behind its header. A last line without its end, left by a kill, is
+/// not a row.
 #[derive(Debug)]
 struct Lines {
     layout: Arc<Layout>,
@@ -83,7 +84,8 @@ impl<T: Table> StepBlock<T> {
     }
 }
 
-/// A table whose first column is the growth step, read step by step: the rows of a step stand together.
+/// A table whose first column is the growth step, read step by step: the rows of a step stand
+/// together.
 #[derive(Debug)]
 pub struct StepBlocks<T> {
     lines: Lines,

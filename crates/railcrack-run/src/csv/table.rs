@@ -8,7 +8,8 @@ use crate::{OutputError, VERSION};
 use railcrack::math::Stress;
 use railcrack::shakedown::PlasticStrain;
 
-/// A row of a table; [`table!`](super::table) declares its struct, columns, writer and reader together.
+/// A row of a table; [`table!`](super::table) declares its struct, columns, writer and reader
+/// together.
 pub trait Table: Sized {
     /// File of the table.
     const FILE: &'static str;
@@ -68,7 +69,8 @@ pub(crate) fn markdown<T: Table>() -> String {
     lines.iter().map(line).fold("| column | meaning |\n|---|---|\n".to_owned(), |page, line| page + &line)
 }
 
-/// A doc comment as a cell of a page: one line, without the full stop, small where it begins with a common word.
+/// A doc comment as a cell of a page: one line, without the full stop, small where it begins with a
+/// common word.
 fn sentence(lines: &[&str]) -> String {
     let text: Vec<&str> = lines.iter().map(|line| line.trim()).collect();
     let text = text.join(" ");
@@ -183,9 +185,10 @@ impl<T: Cell, const N: usize> Cell for [T; N] {
     }
 }
 
-/// Declares a table: the struct of its rows with the columns of each field, and all that follows from it ([`Table`]).
-/// The doc comment of a field is what the columns mean in `docs/file-formats.md`. A field of one section of the case
-/// is an `Option` and ends in `, with "section"`.
+/// Declares a table: the struct of its rows with the columns of each field, and all that follows
+/// from it ([`Table`]). The doc comment of a field is what the columns mean in
+/// `docs/file-formats.md`. A field of one section of the case is an `Option` and ends in `, with
+/// "section"`.
 #[macro_export]
 macro_rules! table {
     (

@@ -56,7 +56,7 @@ pub struct ShakedownSummary {
     pub direct_against_pass_by_pass: Option<MethodComparison>,
     /// Wall time, s.
     pub wall_s: f64,
-    /// What the reader should know.
+    /// Remarks for the reader.
     pub warnings: Vec<String>,
 }
 

@@ -1,4 +1,5 @@
-//! The folder of `railcrack shakedown`: the stabilised plastic state of a rail under repeated passages.
+//! The folder of `railcrack shakedown`: the stabilised plastic state of a rail under repeated
+//! passages.
 
 mod document;
 mod fields;

@@ -30,7 +30,8 @@ impl ShakedownRecorder {
         Ok(Self { folder: folder.to_path_buf(), passes })
     }
 
-    /// Appends a passage. The first one begins the table anew: a computation that needs more layers starts again.
+    /// Appends a passage. The first one begins the table anew: a computation that needs more layers
+    /// starts again.
     ///
     /// Errors: a number that is not finite; the system refuses.
     pub fn pass(&mut self, pass: &PassRecord) -> Result<(), OutputError> {

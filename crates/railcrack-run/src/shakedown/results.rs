@@ -8,7 +8,7 @@ use railcrack::shakedown::{DepthBounds, MapPoint, RolledRail, StabilisedRail};
 pub(crate) struct ShakedownResults {
     /// Heading.
     pub title: String,
-    /// What was computed.
+    /// The rail and its wheel.
     pub rail: RolledRail,
     /// The stabilised state.
     pub stabilised: StabilisedRail,
@@ -18,7 +18,7 @@ pub(crate) struct ShakedownResults {
     pub dang_van: DangVan,
     /// The criterion at the surface, then in every layer.
     pub initiation: Initiation,
-    /// What every depth bears.
+    /// Shakedown limits by depth.
     pub bounds: Vec<DepthBounds>,
     /// First yield and limit of shakedown over friction.
     pub map: Vec<MapPoint>,
@@ -26,7 +26,7 @@ pub(crate) struct ShakedownResults {
     pub extent: Extent,
     /// Wall time, s.
     pub wall_s: f64,
-    /// What the reader should know.
+    /// Remarks for the reader.
     pub warnings: Vec<String>,
 }
 

@@ -22,7 +22,8 @@ table! {
         largest_strain: f64 = "plastic_strain_max";
         /// Largest plastic strain accumulated in the passage, √(2/3) ∫ \|dε_p\|.
         plastic_path: f64 = "plastic_path_max";
-        /// Largest \|σ_xx\| or \|σ_zz\| due to the passages so far, without that of manufacturing, MPa.
+        /// Largest \|σ_xx\| or \|σ_zz\| due to the passages so far, without that of manufacturing,
+        /// MPa.
         left_stress: f64 = "left_stress_max_mpa";
         /// Elastic redistributions in the passage.
         redistributions: usize = "redistributions";

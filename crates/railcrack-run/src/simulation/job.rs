@@ -6,7 +6,7 @@ use railcrack::growth::GrowthState;
 use railcrack_case::{Case, SharedRail};
 use std::path::Path;
 
-/// What a run starts from.
+/// The start of a run.
 pub struct Stage<'a> {
     /// The run folder.
     pub folder: &'a Path,
@@ -14,18 +14,18 @@ pub struct Stage<'a> {
     pub observer: &'a dyn RunObserver,
     /// Who makes plots and pages.
     pub presentation: &'a dyn Presentation,
-    /// What another run computed already.
+    /// A rail that another run has made.
     pub shared: Option<&'a SharedRail>,
     /// The state to go on from; none at the beginning.
     pub state: Option<GrowthState>,
 }
 
-/// What the case says of a run before anything is computed.
+/// A run before anything is computed.
 #[derive(Debug)]
 pub struct Job {
     /// `case.toml` and the files that it names.
     pub case: CaseFiles,
-    /// What the files say of the run.
+    /// Facts of the case for the files of the run.
     pub info: RunInfo,
 }
 

@@ -18,7 +18,7 @@ use railcrack_vtu::read_vtu;
 use std::path::Path;
 use std::time::Instant;
 
-/// What the run folder says of the residual stress.
+/// Residual stress of a run, for its folder.
 #[derive(Debug)]
 pub struct Residual {
     /// `residual.csv`.
@@ -39,9 +39,11 @@ impl Residual {
     }
 }
 
-/// Computes the plastic state of the rolled rail where the case wants it, and balances what the rail carries.
+/// Computes the plastic state of the rolled rail where the case wants it, and balances what the
+/// rail carries.
 ///
-/// Errors: the plastic state cannot be computed, written or read back; the residual stress cannot be balanced.
+/// Errors: the plastic state cannot be computed, written or read back; the residual stress cannot
+/// be balanced.
 pub(super) fn prepare<'a>(
     case: &'a Case,
     stage: &Stage,
@@ -99,7 +101,8 @@ fn rows(case: &Case, carried: &CarriedStress) -> Option<Vec<ResidualRow>> {
     Some(carried.depths.iter().map(at).collect())
 }
 
-/// The stabilised state of the rail, in a folder of its own: computed, or taken from there by a run that goes on.
+/// The stabilised state of the rail, in a folder of its own: computed, or taken from there by a run
+/// that goes on.
 fn rolled_state(case: &Case, stage: &Stage) -> Result<(PlasticField, ShakedownSummary), RunError> {
     let folder = stage.folder.join(ROLLED_FOLDER);
     let stored = match stage.state {

@@ -10,7 +10,7 @@ use railcrack::growth::GrowthState;
 use railcrack_case::{Case, SharedRail};
 use std::path::{Path, PathBuf};
 
-/// What a run does with the folder that it is to write.
+/// Way in which a run enters its folder.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RunEntry {
     /// Begins; a folder that holds a run is left alone: an error.
@@ -58,8 +58,8 @@ impl<'a> Simulation<'a> {
 
     /// Computes the run into `folder`, step by step, until it ends or is interrupted.
     ///
-    /// Errors: the folder may not be written, holds another run or is damaged; the plastic state or a step cannot be
-    /// computed (the steps before it are kept).
+    /// Errors: the folder may not be written, holds another run or is damaged; the plastic state or
+    /// a step cannot be computed (the steps before it are kept).
     pub fn run_in(&self, folder: &Path, entry: RunEntry) -> Result<Finished, RunError> {
         let job = Job::of(self.case);
         run_steps(folder, entry, job, self.observer, self.presentation, |stage| {
@@ -81,8 +81,8 @@ pub struct Finished {
     pub folder: PathBuf,
 }
 
-/// Runs `job` in `folder`: checks and prepares the folder, then has `start` build what computes the steps with the
-/// residual stress that the rail carries, and writes step by step.
+/// Runs `job` in `folder`: checks and prepares the folder, then has `start` build what computes the
+/// steps with the residual stress that the rail carries, and writes step by step.
 ///
 /// Errors: see [`Simulation::run_in`].
 pub fn run_steps<S: StepSource>(

@@ -38,8 +38,8 @@ pub struct FailedRun {
 }
 
 impl StudyComputation<'_> {
-    /// Computes the runs `waiting` (indices) on `threads` threads: one run each, and where there are fewer runs than
-    /// threads, several threads for each. Those that failed.
+    /// Computes the runs `waiting` (indices) on `threads` threads: one run each, and where there
+    /// are fewer runs than threads, several threads for each. Those that failed.
     ///
     /// Errors: the system refuses threads.
     pub fn compute(&self, waiting: &[usize], threads: usize) -> Result<Vec<FailedRun>, RunError> {
@@ -81,8 +81,8 @@ impl StudyComputation<'_> {
         Ok(failed.into_inner().unwrap_or_else(PoisonError::into_inner))
     }
 
-    /// Computes a run, or what is missing of it, into its run folder, and remembers there how it ended. One that is
-    /// interrupted has no end yet.
+    /// Computes a run, or what is missing of it, into its run folder, and remembers there how it
+    /// ended. One that is interrupted has no end yet.
     fn compute_run(&self, next: &NextRun) -> Option<FailedRun> {
         let (run, planned) = (&self.study.runs[next.run], &self.folder.plan().runs[next.run]);
         let computed = self.steps(run, planned, next);
@@ -115,7 +115,8 @@ impl StudyComputation<'_> {
 }
 
 impl StudyFolder {
-    /// The runs of `study` with the numbers `own` that are still to be computed (indices), and those that failed before for good.
+    /// The runs of `study` with the numbers `own` that are still to be computed (indices), and
+    /// those that failed before for good.
     ///
     /// Errors: a file of a run is damaged; the system refuses.
     pub fn left_to_do(
@@ -164,7 +165,8 @@ fn done(summary: &Summary) -> String {
     format!("{stop} at step {}, {:.1} s", summary.steps, summary.wall_s)
 }
 
-/// The study as its folder remembers it; `options` are those of the command line that change what is computed.
+/// The study as its folder remembers it; `options` are those of the command line that change what
+/// is computed.
 pub fn study_plan(study: &Study, options: Vec<String>) -> StudyPlan {
     let axis = |axis: &Axis| {
         let key = |variation: &Variation| StudyKey {

@@ -32,8 +32,8 @@ pub enum Entry {
     ReplacePart,
 }
 
-/// The folder of a study. Each run folder in it belongs to one process at a time; what belongs to all is written whole, and by
-/// everyone the same.
+/// The folder of a study. Each run folder in it belongs to one process at a time; what belongs to
+/// all is written whole, and by everyone the same.
 #[derive(Debug, Clone)]
 pub struct StudyFolder {
     path: PathBuf,
@@ -41,11 +41,11 @@ pub struct StudyFolder {
 }
 
 impl StudyFolder {
-    /// Enters `path`, which is created where it does not exist, with the study `plan` from the file with `text`, to compute the runs
-    /// with the numbers `own`; `cases` are those of all runs.
+    /// Enters `path`, which is created where it does not exist, with the study `plan` from the file
+    /// with `text`, to compute the runs with the numbers `own`; `cases` are those of all runs.
     ///
-    /// Errors: the folder holds another study, a single run, or runs of this one that `entry` does not allow to touch; one of the
-    /// runs to go on with computes another case; the system refuses.
+    /// Errors: the folder holds another study, a single run, or runs of this one that `entry` does
+    /// not allow to touch; one of the runs to go on with computes another case; the system refuses.
     pub fn enter(
         path: &Path,
         plan: StudyPlan,
@@ -175,7 +175,8 @@ impl StudyFolder {
         remove(&self.run_folder(run).join(OUTCOME_FILE))
     }
 
-    /// Puts `content` into a file that several processes may write at once: readers see the file of one of them, whole.
+    /// Puts `content` into a file that several processes may write at once: readers see the file of
+    /// one of them, whole.
     pub fn put(&self, file: &str, content: &[u8]) -> Result<(), OutputError> {
         let path = self.path.join(file);
         if read_if_there(&path)?.as_deref() == Some(content) {

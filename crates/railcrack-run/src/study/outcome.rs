@@ -40,7 +40,8 @@ impl Outcome {
         Self { version: VERSION.into(), end, reason: Some(reason.into()) }
     }
 
-    /// Whether to compute the run again would lead to the same: it is done, or this version cannot do it.
+    /// Whether to compute the run again would lead to the same: it is done, or this version cannot
+    /// do it.
     pub fn is_settled(&self) -> bool {
         match self.end {
             RunEnd::Done => true,

@@ -4,9 +4,8 @@ use super::folder::StudyFolder;
 use super::plan::PlannedRun;
 use super::state::{RunState, StudyRow};
 use crate::files::SUMMARY_FILE;
-use crate::folder::read_json_if_there;
 use crate::representative::RepresentativeTip;
-use crate::{OutputError, RunFolder, Summary};
+use crate::{OutputError, RunFolder};
 
 /// The results of a study: a row per run, in the order of the runs.
 #[derive(Debug, Clone)]
@@ -28,11 +27,12 @@ impl StudyFolder {
         let folder = self.run_folder(run);
         // In this order: a run that ends in between counts as one that has not.
         let outcome = self.outcome(run)?;
-        let summary: Option<Summary> = read_json_if_there(&folder, SUMMARY_FILE)?;
-        let summary = summary.filter(|summary| summary.steps_recorded > 0);
-        let steps = summary.as_ref().map_or(0, |summary| summary.steps_recorded);
-        let representative =
-            if steps > 0 { RepresentativeTip::of(&RunFolder::open(&folder)?)? } else { None };
+        let there = folder.join(SUMMARY_FILE).is_file();
+        let open = if there { Some(RunFolder::open(&folder)?) } else { None };
+        let open = open.filter(|open| open.summary.steps_recorded > 0);
+        let steps = open.as_ref().map_or(0, |open| open.summary.steps_recorded);
+        let representative = open.as_ref().map(RepresentativeTip::of).transpose()?.flatten();
+        let summary = open.map(|open| open.summary);
         Ok(StudyRow { number: run.number, state: RunState::of(outcome, steps), summary, representative })
     }
 }

@@ -8,7 +8,8 @@ use crate::csv::Table;
 use crate::presentation::Presentation;
 
 impl StudyFolder {
-    /// Builds `summary.csv`, `times.csv` and what `presentation` makes of them from the run folders alone, whoever computed them.
+    /// Builds `summary.csv`, `times.csv` and what `presentation` makes of them from the run folders
+    /// alone, whoever computed them.
     ///
     /// Several processes may do so at once: once the last of them has, the files have every run.
     ///
@@ -19,8 +20,9 @@ impl StudyFolder {
             self.put(StudySummaryRow::FILE, &results.table(self.plan())?)?;
             self.put(TimesRow::FILE, &results.times()?)?;
             presentation.study(self, &results)?;
-            // Another process may have finished the last run, and written all results, while this one was about to: what has just been
-            // written would then hide what the other one wrote.
+            // Another process may have finished the last run, and written all results, while this
+            // one was about to: what has just been written would then hide what the other one
+            // wrote.
             if results.are_complete() || !self.is_over()? {
                 return Ok(results);
             }
