@@ -285,6 +285,7 @@ fn a_run_is_replaced_on_request_only_and_alone() {
             "inputs/residual-stress.csv",
             "notes.txt",
             "plots/own.svg",
+            "run-log.bin",
             "sif.csv",
         ]
     );
