@@ -47,6 +47,7 @@ pub use table::{
     SectionPresence,
 };
 pub use validated::{
-    Case, Companion, ContactSolver, Engine, FieldOutput, MeshSettings, PlasticSource, Rail, ShakedownSettings,
+    Case, Companion, ContactSolver, Engine, FieldOutput, MeshSettings, PlasticSource, Rail,
+    ShakedownSettings, boundary_name,
 };
 pub use write::init_text;

@@ -163,24 +163,19 @@ impl ContactSolver {
     }
 }
 
-impl Rail {
-    /// What the rail ends at, in the words of case files.
-    pub fn boundary_name(&self) -> String {
-        match self.boundary {
-            Boundary::HalfPlane => "half-plane".into(),
-            Boundary::Block { bottom, sides } => {
-                let bottom = match bottom {
-                    BottomSupport::Clamped => "clamped",
-                    BottomSupport::Rollers => "rollers",
-                };
-                let sides = match sides {
-                    SideSupport::Free => "free",
-                    SideSupport::Rollers => "rollers",
-                    SideSupport::Clamped => "clamped",
-                };
-                format!("block, bottom {bottom}, sides {sides}")
-            }
-        }
+/// What the rail ends at, in the words of case files.
+pub fn boundary_name(boundary: Boundary) -> &'static str {
+    use {BottomSupport as Bottom, SideSupport as Sides};
+    match boundary {
+        Boundary::HalfPlane => "half-plane",
+        Boundary::Block { bottom, sides } => match (bottom, sides) {
+            (Bottom::Clamped, Sides::Free) => "block, bottom clamped, sides free",
+            (Bottom::Clamped, Sides::Rollers) => "block, bottom clamped, sides rollers",
+            (Bottom::Clamped, Sides::Clamped) => "block, bottom clamped, sides clamped",
+            (Bottom::Rollers, Sides::Free) => "block, bottom rollers, sides free",
+            (Bottom::Rollers, Sides::Rollers) => "block, bottom rollers, sides rollers",
+            (Bottom::Rollers, Sides::Clamped) => "block, bottom rollers, sides clamped",
+        },
     }
 }
 

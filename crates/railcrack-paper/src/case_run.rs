@@ -3,9 +3,10 @@
 use super::PaperError;
 use railcrack::contact::FaceStatus;
 use railcrack::crack::Crack;
-use railcrack::growth::{GrowthError, Observer, StepRecord};
+use railcrack::growth::{GrowthError, Observer, StepRecord, TipStop};
 use railcrack::math::MPA_SQRT_MM;
 use railcrack_case::{Case, SharedRail};
+use railcrack_run::csv::TipRow;
 use serde::{Deserialize, Serialize};
 
 /// K_I and K_II of one tip of the initial cracks over the stabilised passage.
@@ -21,40 +22,19 @@ pub struct SifCurve {
     pub sticks: Vec<bool>,
 }
 
-/// A tip at the start of a growth step.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct TipState {
-    /// Length of the crack, mm.
-    pub length: f64,
-    /// ΔK_I, MPa√m.
-    pub delta_ki: f64,
-    /// ΔK_II, MPa√m.
-    pub delta_kii: f64,
-    /// ΔK_eq, MPa√m.
-    pub delta_keq: f64,
-    /// The chosen kink, degrees, as in `growth.csv`.
-    pub kink: Option<f64>,
-    /// The best other direction, degrees.
-    pub rival: Option<f64>,
-    /// Its rate over the best one.
-    pub rival_ratio: Option<f64>,
-    /// Load cycles at the start of the step.
-    pub load_cycles: f64,
-}
-
 /// One crack of a run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CrackGrowth {
     /// K of the initial crack.
     pub sif: SifCurve,
     /// The tip at every step; the first one is the initial crack's.
-    pub steps: Vec<TipState>,
+    pub steps: Vec<TipRow>,
     /// The crack at the end, (x, depth) in mm from its mouth.
     pub points: Vec<[f64; 2]>,
     /// Points of the initial crack among them.
     pub initial_points: usize,
     /// Why its tip stopped; none where it did not.
-    pub stop: Option<String>,
+    pub stop: Option<TipStop>,
 }
 
 /// One run: a case in one set-up.
@@ -130,17 +110,8 @@ impl CaseRun {
                 let to = crack.tip(tip.tip.end) + waiting.direction * waiting.length;
                 grown.points.push([to.x, -to.y]);
             }
-            grown.stop = tip.stop.map(|stop| stop.name().to_owned());
-            grown.steps.push(TipState {
-                length: tip.length,
-                delta_ki: tip.delta_ki / MPA_SQRT_MM,
-                delta_kii: tip.delta_kii / MPA_SQRT_MM,
-                delta_keq: tip.delta_keq / MPA_SQRT_MM,
-                kink: tip.kink.map(f64::to_degrees),
-                rival: tip.secondary.map(f64::to_degrees),
-                rival_ratio: tip.secondary_ratio,
-                load_cycles: record.load_cycles,
-            });
+            grown.stop = tip.stop;
+            grown.steps.push(TipRow::of_tip(record.step, record.load_cycles, tip));
         }
     }
 }

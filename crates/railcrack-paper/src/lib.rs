@@ -29,7 +29,7 @@ mod steel;
 mod stored;
 mod verdict;
 
-pub use case_run::{CaseRun, CrackGrowth, Effort, SifCurve, TipState};
+pub use case_run::{CaseRun, CrackGrowth, Effort, SifCurve};
 pub use claim::{Claim, Decision, Number};
 pub use claims::CLAIMS;
 pub use curve::{CURVES, Curve};

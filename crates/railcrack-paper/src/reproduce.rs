@@ -16,7 +16,7 @@ use railcrack::shakedown::{ShakedownError, StabilisedRail};
 use railcrack_case::{CarriedStressError, Case, CaseErrors};
 use railcrack_report::put;
 use railcrack_run::OutputError;
-use railcrack_run::folder::REPORT_FILE;
+use railcrack_run::files::REPORT_FILE;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use thiserror::Error;

@@ -1,6 +1,7 @@
 //! Where a tip is heading, in words.
 
 use super::numbers::fixed;
+use railcrack::growth::{RunStop, TipStop};
 use railcrack_run::CrackSummary;
 use railcrack_run::csv::TipRow;
 
@@ -32,7 +33,7 @@ pub(crate) fn heading(crack: &CrackSummary, history: &[&TipRow]) -> Option<Headi
         .filter_map(|row| Some((row.step, row.kink_deg?)))
         .reduce(|most, next| if next.1.abs() > most.1.abs() { next } else { most })
         .filter(|kink| kink.1.abs() > BRANCH_DEG);
-    Some(Heading { now, before, branch, spalled: last.stop == "break-out" })
+    Some(Heading { now, before, branch, spalled: last.stop == Some(RunStop::NoTipGrows(TipStop::BreakOut)) })
 }
 
 /// Degrees below the surface of the segment that ends at the end of `points` nearer to `tip`.

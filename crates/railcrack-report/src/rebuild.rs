@@ -5,11 +5,14 @@ use crate::figures::{STUDY_PLOTS, study_plots};
 use crate::pages::{RunFolder, comparison_page, run_page, shakedown_page, study_page};
 use crate::shown::{ShownRun, ShownStep};
 use railcrack::growth::StepRecord;
+use railcrack_run::ShakedownFolder;
 use railcrack_run::compare::{self, stored_comparison};
 use railcrack_run::csv::SifScale;
-use railcrack_run::folder::{Durability, PLOTS_FOLDER, REPORT_FILE, SUMMARY_FILE, replace_file};
-use railcrack_run::rolled::{self, StoredState};
-use railcrack_run::study::{PLAN_FILE, StudyFolder, StudyResults};
+use railcrack_run::files::{
+    COMPARE_FILE, PLAN_FILE, PLOTS_FOLDER, REPORT_FILE, SHAKEDOWN_FILE, SUMMARY_FILE,
+};
+use railcrack_run::folder::{Durability, replace_file};
+use railcrack_run::study::{StudyFolder, StudyResults};
 use railcrack_run::{Comparison, OutputError, Presentation, RunPresentation};
 use std::path::Path;
 
@@ -33,8 +36,8 @@ impl FolderKind {
     pub fn of(folder: &Path) -> Result<Self, OutputError> {
         let kinds = [
             (Self::Run, SUMMARY_FILE),
-            (Self::Shakedown, rolled::SHAKEDOWN_FILE),
-            (Self::Comparison, compare::JSON_FILE),
+            (Self::Shakedown, SHAKEDOWN_FILE),
+            (Self::Comparison, COMPARE_FILE),
             (Self::Study, PLAN_FILE),
         ];
         let there = |&(_, file): &(Self, &str)| folder.join(file).is_file();
@@ -126,7 +129,7 @@ impl Presentation for Pages {
     }
 
     fn shakedown(&self, folder: &Path) -> Result<(), OutputError> {
-        let state = StoredState::read(folder)?;
+        let state = ShakedownFolder::open(folder)?;
         let plots = shakedown_plots(&state);
         let pictures: Vec<(&'static str, String)> = plots.iter().map(ShakedownPlot::file).collect();
         write_plots(&folder.join(PLOTS_FOLDER), &pictures)?;

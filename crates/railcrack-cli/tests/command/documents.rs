@@ -121,6 +121,14 @@ fn the_readme_shows_the_tested_program() {
 }
 
 #[test]
+fn every_table_is_described_as_it_is_declared() {
+    let page = std::fs::read_to_string(workspace().join("docs/file-formats.md")).unwrap();
+    for (file, columns) in railcrack_run::table_descriptions() {
+        assert!(page.contains(&columns), "docs/file-formats.md is out of date; {file} has\n\n{columns}");
+    }
+}
+
+#[test]
 fn reads_blocks_by_language() {
     let text = "a\n```toml\nx = 1\n```\n```sh\nls\n```\n```toml\n```\n";
     assert_eq!(blocks(text, "toml"), [(2, "x = 1\n".to_owned()), (8, String::new())]);

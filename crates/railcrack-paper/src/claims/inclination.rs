@@ -71,8 +71,8 @@ pub(super) const CLAIMS: &[Claim] = &[
             let path = PathShape::of(crack);
             let first = crack.steps[0];
             let decision = Decision::of(path.is_coplanar())
-                .with(format!("{}, first kink \u{b0}", path.words()), first.kink?);
-            Some(match (first.rival, first.rival_ratio) {
+                .with(format!("{}, first kink \u{b0}", path.words()), first.kink_deg?);
+            Some(match (first.rival_deg, first.rival_ratio) {
                 (Some(angle), Some(ratio)) => decision.with("rival \u{b0}", angle).with("ratio", ratio),
                 _ => decision,
             })

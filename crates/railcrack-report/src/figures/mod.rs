@@ -15,7 +15,8 @@ use crate::shown::{CrackFaces, ShownRun, StepFaces};
 use crate::svg::{Anchor, GREY, INK, Span, Svg, TextStyle};
 use faces::{CrackMap, FaceMap};
 use railcrack_run::Summary;
-use railcrack_run::csv::{TipRow, waiting};
+use railcrack_run::Word;
+use railcrack_run::csv::{TipRow, deferred_growth};
 use railcrack_run::histories::History;
 
 pub(crate) use compare_paths::compared_paths;
@@ -62,7 +63,7 @@ fn chosen_steps(shown: &[usize], tips: usize) -> Vec<usize> {
 fn face_map<'a>(step: usize, faces: &'a StepFaces, growth: &[TipRow], shown: &'a ShownRun) -> FaceMap<'a> {
     let of_crack = |faces: &'a CrackFaces| {
         let rows = || growth.iter().filter(|row| row.step == step && row.crack == faces.crack);
-        let waiting: f64 = rows().map(|row| waiting(growth, row)).sum();
+        let waiting: f64 = rows().map(|row| deferred_growth(growth, row)).sum();
         // A crack that has joined others at all its ends has no row: it reaches to a little beyond its last point.
         let last = || faces.s.last().copied().unwrap_or(0.0);
         CrackMap { length: rows().next().map_or_else(last, |row| row.length - waiting), faces }
@@ -82,7 +83,8 @@ const HEADING: f64 = 58.0;
 
 /// The title of the case and, below it, what the picture shows and for which model.
 fn draw_heading(svg: &mut Svg, left: f64, room: f64, summary: &Summary, shows: &[Span]) {
-    let Summary { engine, contact, boundary, .. } = summary;
+    let (engine, contact, boundary) =
+        (summary.engine.name(), summary.contact.name(), summary.boundary.word());
     let mut spans = shows.to_vec();
     spans.push(Span::Plain(format!(" \u{b7} {boundary}, engine {engine}, contact {contact}")));
     draw_title(svg, left, room, &summary.title, &spans);

@@ -119,7 +119,7 @@ fn entries(summary: &Summary, increments: usize) -> Vec<Entry> {
     let mut entries =
         vec![Entry { mark: Mark::Line(Stroke::solid(INK, 3.2)), words: "initial crack".to_owned() }];
     for piece in &summary.pieces {
-        let words = format!("{}, {:.3} mm\u{b2}", piece.kind, piece.area_mm2);
+        let words = format!("{}, {:.3} mm\u{b2}", piece.kind.name(), piece.area_mm2);
         entries.push(Entry { mark: Mark::Box(PIECE.to_owned()), words });
     }
     if increments == 0 {

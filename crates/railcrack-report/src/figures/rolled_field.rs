@@ -5,7 +5,7 @@ use crate::svg::{
     Anchor, Axes, Axis, Entry, Frame, INK, Mark, Span, Svg, TextStyle, coordinate, draw_legend, round_step,
     sequence,
 };
-use railcrack_run::rolled::{StoredCycle, StoredState};
+use railcrack_run::shakedown::{CycleField, ShakedownFolder};
 use std::fmt::Write;
 use std::ops::Range;
 
@@ -20,7 +20,7 @@ const LEVELS: usize = 9;
 struct Panel {
     name: &'static str,
     unit: &'static str,
-    value: fn(&StoredCycle, usize) -> f64,
+    value: fn(&CycleField, usize) -> f64,
 }
 
 const PANELS: [Panel; 2] = [
@@ -39,7 +39,7 @@ const PANELS: [Panel; 2] = [
     },
 ];
 
-pub(super) fn rolled_field(state: &StoredState) -> String {
+pub(super) fn rolled_field(state: &ShakedownFolder) -> String {
     let a = state.summary.half_width_mm;
     let cycle = &state.cycle;
     let layers = cycle.depths.len().saturating_sub(1);

@@ -4,7 +4,7 @@ use super::lines::{Dots, Line, LinePicture};
 use super::rolled_field::rolled_field;
 use crate::LineChart;
 use crate::svg::{Axis, CATEGORIES, Span, Stroke};
-use railcrack_run::rolled::{BoundsRow, StoredLayer, StoredPass, StoredState};
+use railcrack_run::shakedown::{BoundsRow, LayerRow, PassRow, ShakedownFolder};
 
 /// A plot: a chart of lines, or a picture.
 pub(crate) struct ShakedownPlot {
@@ -26,7 +26,7 @@ impl ShakedownPlot {
 }
 
 /// Every plot, in the order of reading.
-pub(crate) fn shakedown_plots(state: &StoredState) -> Vec<ShakedownPlot> {
+pub(crate) fn shakedown_plots(state: &ShakedownFolder) -> Vec<ShakedownPlot> {
     let lines = |name: &'static str, picture: LinePicture| {
         let shows: String = super::lines::markup(&picture.shows);
         let id = name.trim_end_matches(".svg");
@@ -58,15 +58,15 @@ fn plain(text: &str) -> Vec<Span> {
 }
 
 /// How far down plots go: a little below the plastic layers.
-fn shown_depth(state: &StoredState) -> f64 {
-    let flown = |layer: &&StoredLayer| layer.strain.equivalent() > 0.0;
+fn shown_depth(state: &ShakedownFolder) -> f64 {
+    let flown = |layer: &&LayerRow| layer.strain.equivalent() > 0.0;
     let deepest = state.profile.iter().rfind(flown).map_or(0.0, |layer| layer.depth);
     (1.2 * deepest).max(2.0 * state.summary.half_width_mm)
 }
 
 /// Values along x, depth downwards.
 fn by_depth<'a>(
-    state: &'a StoredState,
+    state: &'a ShakedownFolder,
     shows: &str,
     x_title: Vec<Span>,
     lines: Vec<Line>,
@@ -75,7 +75,7 @@ fn by_depth<'a>(
     let values = lines.iter().flat_map(|line| &line.points).filter(|p| p[1] <= depth).map(|p| p[0]);
     LinePicture {
         title: &state.summary.title,
-        shows: plain(&format!("{shows} · {}", state.summary.state)),
+        shows: plain(&format!("{shows} · {}", state.summary.state.name())),
         x_title,
         y_title: plain("Depth  (mm)"),
         x: Axis::around(values.chain([0.0]), 8),
@@ -85,14 +85,14 @@ fn by_depth<'a>(
     }
 }
 
-fn of_layers(state: &StoredState, value: impl Fn(&StoredLayer) -> f64) -> Vec<[f64; 2]> {
+fn of_layers(state: &ShakedownFolder, value: impl Fn(&LayerRow) -> f64) -> Vec<[f64; 2]> {
     state.profile.iter().map(|layer| [value(layer), layer.depth]).collect()
 }
 
-fn residual_stress(state: &StoredState) -> LinePicture<'_> {
+fn residual_stress(state: &ShakedownFolder) -> LinePicture<'_> {
     let mut lines = vec![
-        line(of_layers(state, |layer| layer.sxx), 0, "σxx, along the rail"),
-        line(of_layers(state, |layer| layer.szz), 1, "σzz, out of plane"),
+        line(of_layers(state, |layer| layer.stress.xx), 0, "σxx, along the rail"),
+        line(of_layers(state, |layer| layer.stress.zz), 1, "σzz, out of plane"),
     ];
     if let Some(other) = &state.summary.direct_against_pass_by_pass {
         let sxx = other.profile.iter().map(|point| [point.sxx_mpa, point.depth_mm]).collect();
@@ -108,7 +108,7 @@ fn residual_stress(state: &StoredState) -> LinePicture<'_> {
     by_depth(state, "Residual stress", plain("Residual stress  (MPa)"), lines)
 }
 
-fn plastic_strain(state: &StoredState) -> LinePicture<'_> {
+fn plastic_strain(state: &ShakedownFolder) -> LinePicture<'_> {
     let lines = vec![
         line(of_layers(state, |layer| 1e3 * layer.strain.xx), 0, "εp xx"),
         line(of_layers(state, |layer| 1e3 * layer.strain.yy), 1, "εp yy"),
@@ -123,19 +123,24 @@ fn plastic_strain(state: &StoredState) -> LinePicture<'_> {
 }
 
 /// Words of the legend and what of a passage they are for.
-type Named = (&'static str, fn(&StoredPass) -> f64);
+type Named = (&'static str, fn(&PassRow) -> f64);
 
-fn over_passes<'a>(state: &'a StoredState, shows: &str, y_title: &str, named: &[Named]) -> LinePicture<'a> {
+fn over_passes<'a>(
+    state: &'a ShakedownFolder,
+    shows: &str,
+    y_title: &str,
+    named: &[Named],
+) -> LinePicture<'a> {
     let passes = &state.passes;
     let of = |(colour, (words, value)): (usize, &Named)| Line {
         dots: Dots::Shown,
-        ..line(passes.iter().map(|pass| [pass.pass, value(pass)]).collect(), colour, words)
+        ..line(passes.iter().map(|pass| [pass.pass as f64, value(pass)]).collect(), colour, words)
     };
     let lines: Vec<Line> = named.iter().enumerate().map(of).collect();
     let values = lines.iter().flat_map(|line| &line.points).map(|p| p[1]);
     LinePicture {
         title: &state.summary.title,
-        shows: plain(&format!("{shows} · {}", state.summary.state)),
+        shows: plain(&format!("{shows} · {}", state.summary.state.name())),
         x_title: plain("Passage"),
         y_title: plain(y_title),
         x: Axis::exact(0.0, passes.len() as f64 + 1.0, 12),
@@ -145,7 +150,7 @@ fn over_passes<'a>(state: &'a StoredState, shows: &str, y_title: &str, named: &[
     }
 }
 
-fn passes(state: &StoredState) -> LinePicture<'_> {
+fn passes(state: &ShakedownFolder) -> LinePicture<'_> {
     over_passes(
         state,
         "Plastic strain over the passages, largest over depth",
@@ -160,7 +165,7 @@ fn passes(state: &StoredState) -> LinePicture<'_> {
 /// The smallest change that is drawn, MPa: beyond lies round-off, and the logarithm of zero.
 const SMALLEST: f64 = 1e-6;
 
-fn passes_change(state: &StoredState) -> LinePicture<'_> {
+fn passes_change(state: &ShakedownFolder) -> LinePicture<'_> {
     over_passes(
         state,
         "Change of the residual stress by each passage",
@@ -169,7 +174,7 @@ fn passes_change(state: &StoredState) -> LinePicture<'_> {
     )
 }
 
-fn bounds(state: &StoredState) -> LinePicture<'_> {
+fn bounds(state: &ShakedownFolder) -> LinePicture<'_> {
     let rows = &state.summary.bounds_by_depth;
     let ratio = state.summary.p0_over_k;
     // Far down everything is borne: no more of it than makes the scale readable.
@@ -200,7 +205,7 @@ fn bounds(state: &StoredState) -> LinePicture<'_> {
     }
 }
 
-fn map(state: &StoredState) -> LinePicture<'_> {
+fn map(state: &ShakedownFolder) -> LinePicture<'_> {
     let here = [state.summary.friction.abs(), state.summary.p0_over_k];
     let most = state.summary.map.last().map_or(0.5, |point| point.friction);
     let lines = vec![
@@ -229,7 +234,7 @@ fn map(state: &StoredState) -> LinePicture<'_> {
     }
 }
 
-fn dang_van(state: &StoredState) -> LinePicture<'_> {
+fn dang_van(state: &ShakedownFolder) -> LinePicture<'_> {
     let limit = state.summary.dang_van.b_mpa;
     let depth = shown_depth(state);
     let surface = [state.summary.dang_van.surface.value_mpa, 0.0];

@@ -5,8 +5,9 @@ use super::{HEADING, draw_title, shortened, wheel_position};
 use crate::svg::{
     Axes, Axis, CATEGORIES, Entry, Frame, INK, Mark, Span, Stroke, Svg, draw_legend, legend_width, sequence,
 };
-use railcrack_run::study::LeadingTip;
-use railcrack_run::{CrackSummary, PlannedRun, StudyAxis, StudyPlan, StudyRow};
+use railcrack_run::CrackSummary;
+use railcrack_run::representative::RepresentativeTip;
+use railcrack_run::study::{PlannedRun, StudyAxis, StudyPlan, StudyRow};
 
 /// Every plot that a study may have.
 pub(crate) const STUDY_PLOTS: [&str; 4] = ["ki.svg", "kii.svg", "paths.svg", "length-cycles.svg"];
@@ -38,7 +39,7 @@ pub(crate) fn study_plots(plan: &StudyPlan, rows: &[StudyRow]) -> Vec<(&'static 
 
 /// A run in the picture.
 struct Curve<'a> {
-    tip: &'a LeadingTip,
+    tip: &'a RepresentativeTip,
     cracks: &'a [CrackSummary],
     stroke: Stroke,
 }
@@ -54,7 +55,7 @@ impl<'a> Overlay<'a> {
     fn new(plan: &'a StudyPlan, rows: &'a [StudyRow]) -> Self {
         let styles = Styles::new(plan);
         let curve = |(row, run): (&'a StudyRow, &PlannedRun)| {
-            let (tip, summary) = (row.leading.as_ref()?, row.summary.as_ref()?);
+            let (tip, summary) = (row.representative.as_ref()?, row.summary.as_ref()?);
             Some(Curve { tip, cracks: &summary.cracks, stroke: styles.stroke(run) })
         };
         let curves = rows.iter().zip(&plan.runs).filter_map(curve).collect();
@@ -81,7 +82,7 @@ impl<'a> Overlay<'a> {
         if self.curves.iter().any(several) { ", of each run the tip that grew most" } else { "" }
     }
 
-    fn sif(&self, mode: &'static str, k: fn(&LeadingTip) -> &[f64]) -> String {
+    fn sif(&self, mode: &'static str, k: fn(&RepresentativeTip) -> &[f64]) -> String {
         let symbol = [Span::Italic("K"), Span::Sub(mode)];
         let mut shows = symbol.to_vec();
         shows.push(Span::Plain(format!(" of the initial cracks{}", self.of_tip())));

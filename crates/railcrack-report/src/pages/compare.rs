@@ -4,8 +4,11 @@ use crate::numbers::{fixed, grouped, significant};
 use crate::{
     Block, ChartAspect, ChartAxis, ChartScale, Curve, CurveLook, Fact, LineChart, Page, Section, Table,
 };
+use railcrack::growth::RunStop;
+use railcrack_run::Word;
 use railcrack_run::compare::Aligned;
-use railcrack_run::{Comparison, CrackSummary, TipComparison};
+use railcrack_run::compare::TipComparison;
+use railcrack_run::{Comparison, CrackSummary};
 
 /// Rows of the table of tips; `compare.csv` has all.
 const TABLE_ROWS: usize = 500;
@@ -144,11 +147,11 @@ fn runs(comparison: &Comparison) -> Table {
     for run in &comparison.runs {
         table.row([
             run.folder.display().to_string(),
-            run.engine.clone(),
-            run.contact.clone(),
-            run.boundary.clone(),
+            run.engine.name().to_owned(),
+            run.contact.name().to_owned(),
+            run.boundary.word().to_owned(),
             run.steps_recorded.to_string(),
-            run.stop.as_deref().unwrap_or("not ended").replace('-', " "),
+            run.stop.map_or("not ended", RunStop::name).replace('-', " "),
             grouped(run.load_cycles),
         ]);
     }

@@ -3,11 +3,12 @@
 use crate::figures::ShakedownPlot;
 use crate::numbers::{fixed, significant};
 use crate::{Block, Fact, LineChart, Page, Section, Table};
-use railcrack_run::folder::CASE_FILE;
-use railcrack_run::rolled::{ShakedownSummary, StoredState};
+use railcrack::shakedown::Method;
+use railcrack_run::files::CASE_FILE;
+use railcrack_run::shakedown::{ShakedownFolder, ShakedownSummary};
 
 /// The page of `state`, with its plots.
-pub(crate) fn shakedown_page(state: &StoredState, plots: &[ShakedownPlot]) -> Page {
+pub(crate) fn shakedown_page(state: &ShakedownFolder, plots: &[ShakedownPlot]) -> Page {
     let summary = &state.summary;
     let mut lead = Vec::new();
     if !summary.warnings.is_empty() {
@@ -51,7 +52,7 @@ pub(crate) fn shakedown_page(state: &StoredState, plots: &[ShakedownPlot]) -> Pa
                 "Case",
                 vec![Block::Folded {
                     heading: format!("{CASE_FILE}, defaults filled in"),
-                    blocks: vec![Block::Verbatim(state.case.clone())],
+                    blocks: vec![Block::Verbatim(state.case_text.clone())],
                 }],
             ),
         ],
@@ -92,7 +93,7 @@ fn verdict(summary: &ShakedownSummary) -> String {
             fixed(dang_van.margin_mpa, 1)
         )
     };
-    let state = match summary.state.as_str() {
+    let state = match summary.state.name() {
         "elastic" => "The rail stays elastic.".to_owned(),
         "elastic shakedown" => {
             format!("The rail shakes down to an elastic state in {}.", passages(summary.passes))
@@ -118,7 +119,11 @@ fn facts(summary: &ShakedownSummary) -> Vec<Fact> {
     let peak = &summary.peak_residual_stress;
     let warnings = summary.warnings.len();
     vec![
-        fact("State", summary.state.clone(), format!("{}, {}", passages(summary.passes), summary.method)),
+        fact(
+            "State",
+            summary.state.name().to_owned(),
+            format!("{}, {}", passages(summary.passes), summary.method.name()),
+        ),
         fact(
             "Load p_{0}/k",
             fixed(summary.p0_over_k, 3),
@@ -131,7 +136,11 @@ fn facts(summary: &ShakedownSummary) -> Vec<Fact> {
         fact(
             "Largest residual stress",
             format!("{} MPa", fixed(peak.stress_mpa, 1)),
-            format!("σ{} at {} mm of depth", peak.component.trim_start_matches('s'), fixed(peak.depth_mm, 2)),
+            format!(
+                "σ{} at {} mm of depth",
+                peak.component.name().trim_start_matches('s'),
+                fixed(peak.depth_mm, 2)
+            ),
         ),
         fact(
             "Dang Van margin",
@@ -164,7 +173,7 @@ fn assumptions(summary: &ShakedownSummary) -> Vec<String> {
             .to_owned(),
         format!(
             "State found {}; of a state of elastic shakedown, the residual stress depends on the first passages.",
-            if summary.method == "direct" { "directly, not the one that passages lead to" } else { "pass by pass" }
+            if summary.method == Method::Direct { "directly, not the one that passages lead to" } else { "pass by pass" }
         ),
         format!("Initiation: τ + {} p_{{h}} against b = {} MPa over the stabilised cycle; yes or no, no number of cycles.", summary.dang_van.a, summary.dang_van.b_mpa),
     ]
@@ -217,7 +226,7 @@ fn numbers(summary: &ShakedownSummary) -> Table {
         table.row([
             "Largest difference from pass by pass (MPa)".to_owned(),
             fixed(other.stress_difference_mpa, 1),
-            format!("{}, {}", other.state, passages(other.passes)),
+            format!("{}, {}", other.state.name(), passages(other.passes)),
         ]);
     }
     table

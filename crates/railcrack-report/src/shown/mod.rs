@@ -13,7 +13,7 @@ use histories::ShownHistories;
 use neighbourhood::PackedFields;
 use railcrack::growth::StepRecord;
 use railcrack_run::OutputError;
-use railcrack_run::csv::{SifScale, StepBlock, read_step_blocks};
+use railcrack_run::csv::{SifRow, SifScale, StepBlock, StepBlocks, Table};
 use railcrack_run::histories::History;
 use rayon::prelude::*;
 use std::path::Path;
@@ -30,16 +30,14 @@ const AT_ONCE: usize = 4;
 trait OfSteps: Sync {
     /// What is taken of one step.
     type Part: Send;
-    /// The table.
-    const FILE: &'static str;
-    /// Its columns that are needed.
-    const COLUMNS: &'static [&'static str];
+    /// The rows of the table.
+    type Row: Table;
 
     /// Whether a step is shown once there are newer ones, as far as is known by now.
     fn keeps(&self, step: usize) -> bool;
 
     /// Errors: the table is damaged.
-    fn read(&self, block: &StepBlock) -> Result<Self::Part, OutputError>;
+    fn read(&self, block: &StepBlock<Self::Row>) -> Result<Self::Part, OutputError>;
 
     /// Takes up the step after the last one. Steps that are not kept may be left out.
     fn push(&mut self, step: usize, part: Self::Part);
@@ -49,27 +47,24 @@ trait OfSteps: Sync {
 ///
 /// Errors: the table is damaged; the system refuses.
 fn read_table<S: OfSteps + Default>(folder: &Path, steps: usize) -> Result<S, OutputError> {
-    let path = folder.join(S::FILE);
     let mut shown = S::default();
-    let mut waiting: Vec<StepBlock> = Vec::new();
-    let take = |shown: &mut S, waiting: &mut Vec<StepBlock>| -> Result<(), OutputError> {
-        let read = |block: &StepBlock| Ok((block.step, shown.read(block)?));
+    let mut waiting: Vec<StepBlock<S::Row>> = Vec::new();
+    let take = |shown: &mut S, waiting: &mut Vec<StepBlock<S::Row>>| -> Result<(), OutputError> {
+        let read = |block: &StepBlock<S::Row>| Ok((block.step, shown.read(block)?));
         let parts: Result<Vec<_>, OutputError> = waiting.par_iter().map(read).collect();
         waiting.clear();
         parts?.into_iter().for_each(|(step, part)| shown.push(step, part));
         Ok(())
     };
-    read_step_blocks(
-        &path,
-        S::COLUMNS,
-        |step| step < steps,
-        |block| {
-            if shown.keeps(block.step) || block.step + 1 == steps {
-                waiting.push(block);
-            }
-            if waiting.len() == AT_ONCE { take(&mut shown, &mut waiting) } else { Ok(()) }
-        },
-    )?;
+    for block in StepBlocks::open(folder, 0..steps)? {
+        let block = block?;
+        if shown.keeps(block.step) || block.step + 1 == steps {
+            waiting.push(block);
+        }
+        if waiting.len() == AT_ONCE {
+            take(&mut shown, &mut waiting)?;
+        }
+    }
     take(&mut shown, &mut waiting)?;
     Ok(shown)
 }
@@ -113,8 +108,8 @@ impl ShownRun {
     pub(crate) fn of_record(&self, record: &StepRecord, scale: SifScale) -> Result<ShownStep, OutputError> {
         Ok(ShownStep {
             step: record.step,
-            histories: History::of_record(record, scale),
-            faces: self.faces.of_record(record),
+            histories: History::of_step(SifRow::of_step(record, scale).map(Ok))?,
+            faces: self.faces.of_record(record)?,
             fields: ShownFields::of_record(record)?,
         })
     }

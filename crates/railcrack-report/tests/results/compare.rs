@@ -2,7 +2,7 @@
 
 use super::support::{SMALL, Scratch, Size, case, info, record_steps};
 use railcrack_report::Pages;
-use railcrack_run::{Comparison, Existing, OutputError, Recorder};
+use railcrack_run::{Comparison, Existing, OutputError, Presentation, Recorder};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -132,6 +132,7 @@ fn what_only_one_run_has_is_left_out_and_said() {
     assert!(reversed.notes.iter().any(|note| note.contains("K of the second run is interpolated")));
     let out = scratch.path().join("out");
     comparison.write(&out, Existing::Refuse, None).unwrap();
+    Pages.comparison(&out).unwrap();
     assert!(fs::read_to_string(out.join("compare-sif-last.svg")).unwrap().contains("at step 2"));
 }
 

@@ -5,6 +5,7 @@
 
 use railcrack::body::FacePoint;
 use railcrack::body::{BodyTimes, Face, FieldGrid, FieldLine};
+use railcrack::bulk::Boundary;
 use railcrack::contact::{FaceState, FaceStatus};
 use railcrack::crack::{Crack, CrackTip, End};
 use railcrack::fracture::Sif;
@@ -13,6 +14,7 @@ use railcrack::growth::{
     PieceKind, RunStop, SolverCounts, StepRecord, TipRecord, Warning, WarningKind,
 };
 use railcrack::math::{Stress, Vec2};
+use railcrack_case::{ContactSolver, Engine};
 use railcrack_run::{CaseFiles, OutputError, Recorder, RunInfo};
 use std::path::{Path, PathBuf};
 
@@ -55,9 +57,9 @@ pub const SMALL: Size = Size { increments: 4, positions: 41, face_points: 12, cr
 pub fn info() -> RunInfo {
     RunInfo {
         title: "Synthetic <run> & its \"title\"".to_owned(),
-        engine: "dislocation".to_owned(),
-        contact: "newton".to_owned(),
-        boundary: "half-plane".to_owned(),
+        engine: Engine::Dislocation,
+        contact: ContactSolver::Newton,
+        boundary: Boundary::HalfPlane,
         half_width: HALF_WIDTH,
         axle_load: Some(17.0),
         warnings: Vec::new(),

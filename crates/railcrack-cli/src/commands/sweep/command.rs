@@ -10,8 +10,9 @@ use crate::print;
 use clap::Args;
 use railcrack_case::{Overrides, Study};
 use railcrack_report::Pages;
+use railcrack_run::StudyFolder;
 use railcrack_run::simulation::{Ending, FailedRun, RunError, StudyComputation, case_files, study_plan};
-use railcrack_run::{Entry, RunEnd, StudyFolder};
+use railcrack_run::study::{Entry, RunEnd};
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 

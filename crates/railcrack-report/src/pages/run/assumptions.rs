@@ -2,6 +2,8 @@
 
 use super::stored::RunFolder;
 use crate::numbers::{fixed, grouped, significant};
+use railcrack_case::{ContactSolver, Engine};
+use railcrack_run::Word;
 
 /// A sentence each; of what the case does not say, nothing.
 pub(super) fn assumptions(run: &RunFolder) -> Vec<String> {
@@ -25,7 +27,7 @@ fn rail(run: &RunFolder) -> String {
         (Some(young), Some(poisson)) => format!(", E = {} MPa, ν = {poisson}", grouped(young)),
         _ => String::new(),
     };
-    let boundary = match (run.summary.boundary.as_str(), run.word("rail.bottom"), run.word("rail.sides")) {
+    let boundary = match (run.summary.boundary.word(), run.word("rail.bottom"), run.word("rail.sides")) {
         ("half-plane", ..) => "half-plane: no boundary but the running surface".to_owned(),
         ("block", Some(bottom), Some(sides)) => format!(
             "block of {} × {} mm, bottom {bottom}, sides {sides}",
@@ -110,9 +112,12 @@ fn residual(run: &RunFolder) -> Vec<String> {
     match (&summary.plastic_source, &summary.rolled) {
         (_, Some(rolled)) => text.push_str(&format!(
             " Its plastic part is that of the same wheel rolling over this rail ({}, {} passages, in {}), balanced on the mesh of the cracks.",
-            rolled.state, rolled.passes, rolled.folder
+            rolled.state.name(), rolled.passes, rolled.folder
         )),
-        (Some(source), None) => text.push_str(&format!(" Its plastic part is given ({source}) and balanced on the mesh of the cracks.")),
+        (Some(source), None) => text.push_str(&format!(
+            " Its plastic part is given ({}) and balanced on the mesh of the cracks.",
+            source.word()
+        )),
         (None, None) => {}
     }
     if let Some(projection) = &summary.projection {
@@ -158,16 +163,15 @@ fn growth(run: &RunFolder) -> Vec<String> {
 
 fn engine(run: &RunFolder) -> String {
     let summary = &run.summary;
-    let engine = match summary.engine.as_str() {
-        "xfem" => "extended finite elements",
-        "dislocation" => "distributed dislocations",
-        other => other,
+    let engine = match summary.engine {
+        Engine::Xfem => "extended finite elements",
+        Engine::Dislocation => "distributed dislocations",
     };
     format!(
         "Solved with {engine} ({} unknowns, {} face points at most), contact by {}: {} solutions, law of the faces met to {:.0e}.",
         grouped(summary.dofs as f64),
         summary.face_points,
-        if summary.contact == "latin" { "LATIN" } else { "Newton's method" },
+        if summary.contact == ContactSolver::Latin { "LATIN" } else { "Newton's method" },
         grouped(summary.contact_solves as f64),
         summary.complementarity_max
     )

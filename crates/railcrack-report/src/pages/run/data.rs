@@ -3,6 +3,7 @@
 use super::stored::RunFolder;
 use crate::numbers::{number, numbers};
 use crate::shown::{Deflated, ShownRun};
+use railcrack::growth::{RunStop, TipStop};
 use railcrack_run::csv::TipRow;
 use railcrack_run::histories::History;
 use serde_json::{Value, json};
@@ -65,7 +66,7 @@ fn polylines(run: &RunFolder, step: usize) -> Value {
 fn pieces(run: &RunFolder) -> Value {
     let piece = |piece: &railcrack_run::PieceSummary| {
         json!({
-            "kind": piece.kind,
+            "kind": piece.kind.name(),
             "crack": piece.crack,
             "step": piece.step + 1,
             "area": number(piece.area_mm2),
@@ -77,7 +78,9 @@ fn pieces(run: &RunFolder) -> Value {
 
 fn junctions(run: &RunFolder) -> Value {
     let junction = |junction: &railcrack_run::JunctionSummary| {
-        let last = run.growth.iter().filter(|row| row.crack == junction.crack && row.stop == "meets-crack");
+        let last = run.growth.iter().filter(|row| {
+            row.crack == junction.crack && row.stop == Some(RunStop::NoTipGrows(TipStop::Coalescence))
+        });
         json!({
             "crack": junction.crack,
             "onto": junction.onto,
@@ -112,7 +115,7 @@ fn tips(run: &RunFolder, histories: &[History], step: usize) -> Vec<Value> {
             "kink": row.kink_deg.map(number),
             "rival": row.rival_deg.map(number),
             "ratio": row.rival_ratio.map(number),
-            "stop": row.stop,
+            "stop": row.stop_word(),
             "ki": packed(|history| &history.ki),
             "kii": packed(|history| &history.kii),
         })

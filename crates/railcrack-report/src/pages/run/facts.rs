@@ -7,8 +7,9 @@ use crate::numbers::{fixed, grouped, significant, tonnage};
 use crate::svg::round_step;
 use crate::table::MISSING;
 use crate::{Fact, Table};
+use railcrack::growth::{RunStop, TipStop};
 use railcrack_run::csv::TipRow;
-use railcrack_run::leader::{cycles_to, leading_tip};
+use railcrack_run::representative::{cycles_to, representative_tip};
 use std::collections::BTreeSet;
 
 /// Rows of the table of lengths, about: of a single crack, and for each of several.
@@ -19,7 +20,7 @@ const LENGTH_CRACKS: usize = 9;
 
 /// The first and the last row of the tip that stands for the run.
 pub(super) fn leader(run: &RunFolder) -> Option<(&TipRow, &TipRow)> {
-    let rows = leading_tip(&run.growth)?;
+    let rows = representative_tip(&run.growth)?;
     Some((rows.first()?, rows.last()?))
 }
 
@@ -50,7 +51,7 @@ pub(super) fn verdict(run: &RunFolder) -> String {
             grouped(last.load_cycles),
             run.heading(last).map_or_else(|| "without a direction".to_owned(), |h| h.sentence())
         )
-    } else if last.stop == "arrest" || last.rate == 0.0 {
+    } else if last.stop == Some(RunStop::NoTipGrows(TipStop::Arrest)) || last.rate == 0.0 {
         format!("{name} of {} mm does not grow.", fixed(first.length, 2))
     } else {
         format!(
@@ -72,7 +73,7 @@ pub(super) fn verdict(run: &RunFolder) -> String {
 /// Why the run ended, in a sentence.
 fn stop_sentence(run: &RunFolder) -> String {
     let steps = run.summary.steps;
-    match run.summary.stop.as_deref() {
+    match run.summary.stop.map(RunStop::name) {
         None => format!("The run has not ended: step {steps} is the last one that is finished."),
         Some("steps-done") if steps == 0 => "Only the initial geometry was asked for.".to_owned(),
         Some("steps-done") => {
@@ -130,7 +131,7 @@ pub(super) fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
         facts.push(fact("Direction", heading.word().to_owned(), heading.note()));
     }
     facts.extend(events::fact(run));
-    let stop = run.summary.stop.as_deref().unwrap_or("not ended").replace('-', " ");
+    let stop = run.summary.stop.map_or("not ended", RunStop::name).replace('-', " ");
     facts.push(fact("Ended by", stop, format!("after step {} of {}", run.summary.steps, increments(run))));
     facts.push(fact(
         "Warnings",
@@ -247,7 +248,7 @@ pub(super) fn cracks(run: &RunFolder) -> Option<Table> {
             significant(row.delta_keq),
             significant(row.rate),
             run.heading(row).as_ref().map_or_else(String::new, Heading::note),
-            row.stop.replace('-', " "),
+            row.stop_word().replace('-', " "),
         ]);
     }
     Some(table)

@@ -11,7 +11,7 @@ use crate::numbers::{fixed, grouped, significant, tonnage};
 use crate::shown::{ShownFields, ShownRun};
 use crate::{Block, ChartAxis, Curve, CurveLook, LineChart, Page, Section, Table};
 use railcrack_run::csv::TipRow;
-use railcrack_run::folder::CASE_FILE;
+use railcrack_run::files::CASE_FILE;
 use serde_json::Value;
 
 pub(crate) use stored::RunFolder;
@@ -206,7 +206,7 @@ fn steps(run: &RunFolder) -> Section {
             grouped(row.load_cycles),
         ];
         cells.extend(load.map(|load| tonnage(row.load_cycles * load / 1e6)));
-        cells.push(row.stop.replace('-', " "));
+        cells.push(row.stop_word().replace('-', " "));
         table.row(cells);
     }
     table.caption = "The state at the start of each step; K over the stabilised passage".to_owned();

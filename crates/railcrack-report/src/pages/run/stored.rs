@@ -2,8 +2,7 @@
 
 use crate::direction::{Heading, heading};
 use railcrack_run::compare::case_keys;
-use railcrack_run::csv::{RESIDUAL_FILE, TipRow, read_growth};
-use railcrack_run::folder::{SUMMARY_FILE, read_if_there, stored_case};
+use railcrack_run::csv::TipRow;
 use railcrack_run::{OutputError, Summary};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -26,20 +25,14 @@ pub(crate) struct RunFolder {
 impl RunFolder {
     /// Errors: no run in the folder; a file of it is damaged; the system refuses.
     pub(crate) fn read(folder: &Path) -> Result<Self, OutputError> {
-        let path = folder.join(SUMMARY_FILE);
-        let Some(text) = read_if_there(&path)? else {
-            return Err(OutputError::NotARun { folder: folder.to_path_buf(), file: SUMMARY_FILE });
-        };
-        let summary: Summary = serde_json::from_slice(&text)
-            .map_err(|reason| OutputError::damaged(&path, reason.to_string()))?;
-        let case = stored_case(folder)?.unwrap_or_default();
+        let run = railcrack_run::RunFolder::open(folder)?;
         Ok(Self {
-            path: folder.to_path_buf(),
-            keys: case_keys(&case, folder)?,
-            case,
-            growth: read_growth(folder, summary.steps_recorded)?,
-            residual: read_residual(folder)?,
-            summary,
+            keys: case_keys(&run.case_text, folder)?,
+            growth: run.growth()?,
+            residual: run.residual()?.iter().map(|row| [row.depth, row.stress.xx]).collect(),
+            path: run.path,
+            case: run.case_text,
+            summary: run.summary,
         })
     }
 
@@ -91,13 +84,4 @@ impl RunFolder {
         let last = self.summary.steps_recorded.saturating_sub(1);
         self.growth.iter().filter(move |row| row.step == last)
     }
-}
-
-/// Depth and σ_xx of `residual.csv`; nothing where there is no such file.
-fn read_residual(folder: &Path) -> Result<Vec<[f64; 2]>, OutputError> {
-    let path = folder.join(RESIDUAL_FILE);
-    if !path.is_file() {
-        return Ok(Vec::new());
-    }
-    railcrack_run::csv::read_columns(&path, &["depth_mm", "sxx_mpa"])
 }

@@ -3,6 +3,7 @@
 use super::stored::RunFolder;
 use crate::numbers::{fixed, significant};
 use crate::shown::ShownRun;
+use railcrack::bulk::Boundary;
 use railcrack::growth::Warning;
 use railcrack::growth::WarningKind;
 use std::fmt::Write;
@@ -16,7 +17,7 @@ pub(super) fn warnings(run: &RunFolder) -> Vec<String> {
     if !run.summary.complete {
         texts.push("The run has not ended; the command that started it goes on with --resume.".to_owned());
     }
-    if run.summary.boundary != "half-plane" {
+    if run.summary.boundary != Boundary::HalfPlane {
         texts.push(
             "Boundary: a block on supports. It bends, which opens cracks that a half-plane keeps closed; compare only with \
              results of the same boundary."

@@ -3,7 +3,8 @@
 use super::styles::Styles;
 use super::{MOST_SHOWN, StudyRun};
 use crate::{Block, ChartAspect, ChartAxis, ChartLegend, ChartScale, Curve, CurveLook, LineChart};
-use railcrack_run::study::{LeadingTip, StudyAxis, StudyPlan};
+use railcrack_run::representative::RepresentativeTip;
+use railcrack_run::study::{StudyAxis, StudyPlan};
 use std::collections::BTreeMap;
 
 /// Curves on the chart of the effect of an axis.
@@ -16,16 +17,16 @@ pub(super) fn charts(
     styles: &Styles,
     pictures: &[(&'static str, String)],
 ) -> Vec<Block> {
-    let with_tip: Vec<(&StudyRun, &LeadingTip)> =
+    let with_tip: Vec<(&StudyRun, &RepresentativeTip)> =
         all.iter().filter_map(|run| Some((run, run.tip()?))).collect();
     if with_tip.is_empty() {
         return Vec::new();
     }
     let every = with_tip.len().div_ceil(MOST_SHOWN);
-    let shown: Vec<(&StudyRun, &LeadingTip)> = with_tip.iter().copied().step_by(every).collect();
+    let shown: Vec<(&StudyRun, &RepresentativeTip)> = with_tip.iter().copied().step_by(every).collect();
     let picture =
         |file: &str| pictures.iter().find(|(name, _)| *name == file).map(|(_, picture)| picture.clone());
-    let of_tip = |points: &dyn Fn(&LeadingTip) -> Vec<[f64; 2]>| -> Vec<Curve> {
+    let of_tip = |points: &dyn Fn(&RepresentativeTip) -> Vec<[f64; 2]>| -> Vec<Curve> {
         shown.iter().map(|(run, tip)| styles.curve(run.planned, &run.name, points(tip))).collect()
     };
     let chart = |id: &str, caption: &str, [x, y]: [ChartAxis; 2], curves: Vec<Curve>| LineChart {
@@ -39,8 +40,10 @@ pub(super) fn charts(
         ..LineChart::default()
     };
     let xc = || ChartAxis::linear("Wheel position x_{c}/a");
-    let history = |k: fn(&LeadingTip) -> &[f64]| {
-        move |tip: &LeadingTip| tip.history.xc_over_a.iter().zip(k(tip)).map(|(&x, &k)| [x, k]).collect()
+    let history = |k: fn(&RepresentativeTip) -> &[f64]| {
+        move |tip: &RepresentativeTip| {
+            tip.history.xc_over_a.iter().zip(k(tip)).map(|(&x, &k)| [x, k]).collect()
+        }
     };
     let mut blocks = vec![Block::Beside(vec![
         Block::Chart(chart(
@@ -96,8 +99,8 @@ pub(super) fn charts(
     blocks
 }
 
-fn path_curves(shown: &[(&StudyRun, &LeadingTip)], styles: &Styles) -> Vec<Curve> {
-    let of_run = |(run, _): &(&StudyRun, &LeadingTip)| {
+fn path_curves(shown: &[(&StudyRun, &RepresentativeTip)], styles: &Styles) -> Vec<Curve> {
+    let of_run = |(run, _): &(&StudyRun, &RepresentativeTip)| {
         let cracks = run.row.summary.as_ref().map_or(&[][..], |summary| &summary.cracks);
         let curve = |points: &[[f64; 2]]| {
             let points = points.iter().map(|&[x, y]| [x, -y]).collect();
@@ -110,7 +113,7 @@ fn path_curves(shown: &[(&StudyRun, &LeadingTip)], styles: &Styles) -> Vec<Curve
 
 /// Growth rate of the initial cracks against the values of the axis with the colours, a curve for each choice of the others; none
 /// where these values are no numbers, or where there are too many curves.
-fn effect(plan: &StudyPlan, with_tip: &[(&StudyRun, &LeadingTip)]) -> Option<LineChart> {
+fn effect(plan: &StudyPlan, with_tip: &[(&StudyRun, &RepresentativeTip)]) -> Option<LineChart> {
     let axis: &StudyAxis = plan.axes.get(plan.colour_axis)?;
     let numbers = axis.numbers().filter(|numbers| numbers.len() > 1)?;
     let mut by_others: BTreeMap<Vec<usize>, Vec<[f64; 2]>> = BTreeMap::new();

@@ -3,8 +3,10 @@
 use super::{StudyRun, values};
 use crate::Fact;
 use crate::numbers::{fixed, grouped, significant};
+use railcrack::bulk::Boundary;
 use railcrack::growth::WarningKind;
-use railcrack_run::leader::cycles_to;
+use railcrack::growth::{RunStop, TipStop};
+use railcrack_run::representative::cycles_to;
 use railcrack_run::study::{RunState, StudyPlan};
 use std::collections::BTreeMap;
 
@@ -89,7 +91,12 @@ pub(super) fn verdict(plan: &StudyPlan, all: &[StudyRun]) -> String {
         ),
         (None, None) => "No run has a finished step yet.".to_owned(),
     };
-    let still = all.iter().filter(|run| run.tip().is_some_and(|tip| tip.last().stop == "arrest")).count();
+    let still = all
+        .iter()
+        .filter(|run| {
+            run.tip().is_some_and(|tip| tip.last().stop == Some(RunStop::NoTipGrows(TipStop::Arrest)))
+        })
+        .count();
     if still > 0 {
         text.push_str(&format!(" In {still} of {} runs growth ends in arrest.", all.len()));
     }
@@ -141,7 +148,7 @@ pub(super) fn facts(plan: &StudyPlan, all: &[StudyRun]) -> Vec<Fact> {
     }
     let mut stops: BTreeMap<String, usize> = BTreeMap::new();
     for summary in all.iter().filter_map(|run| run.row.summary.as_ref()) {
-        *stops.entry(summary.stop.as_deref().unwrap_or("not ended").replace('-', " ")).or_default() += 1;
+        *stops.entry(summary.stop.map_or("not ended", RunStop::name).replace('-', " ")).or_default() += 1;
     }
     let stops: Vec<(&str, usize)> = stops.iter().map(|(stop, count)| (stop.as_str(), *count)).collect();
     facts.push(fact("Ended by", told(&stops), String::new()));
@@ -201,7 +208,7 @@ pub(super) fn warnings(all: &[StudyRun]) -> Vec<String> {
         };
         list(heading, with(&has));
     }
-    let block = |run: &StudyRun| run.row.summary.as_ref().is_some_and(|s| s.boundary != "half-plane");
+    let block = |run: &StudyRun| run.row.summary.as_ref().is_some_and(|s| s.boundary != Boundary::HalfPlane);
     list("A block on supports bends, which opens cracks that a half-plane keeps closed", with(&block));
     texts
 }

@@ -7,7 +7,8 @@ mod styles;
 
 use crate::direction::{Heading, heading};
 use crate::{Block, Page, Section};
-use railcrack_run::study::{LeadingTip, PlannedRun, StudyPlan, StudyRow};
+use railcrack_run::representative::RepresentativeTip;
+use railcrack_run::study::{PlannedRun, StudyPlan, StudyRow};
 use styles::Styles;
 
 /// Runs of a study on its charts; of more, evenly chosen ones.
@@ -24,8 +25,8 @@ struct StudyRun<'a> {
 }
 
 impl<'a> StudyRun<'a> {
-    fn tip(&self) -> Option<&'a LeadingTip> {
-        self.row.leading.as_ref()
+    fn tip(&self) -> Option<&'a RepresentativeTip> {
+        self.row.representative.as_ref()
     }
 
     fn number(&self) -> usize {

@@ -4,6 +4,7 @@ use super::StudyRun;
 use crate::numbers::{fixed, grouped, significant, tonnage};
 use crate::table::MISSING;
 use crate::{Cell, Table};
+use railcrack::growth::RunStop;
 use railcrack_run::study::{RunState, StudyPlan};
 
 /// Rows of the table; `summary.csv` has all.
@@ -46,7 +47,7 @@ fn cells(plan: &StudyPlan, run: &StudyRun, has_tonnes: bool) -> Vec<Cell> {
     let missing = || Cell::from(MISSING);
     let (tip, summary) = (run.tip(), run.row.summary.as_ref());
     let of_tip =
-        |text: &dyn Fn(&super::LeadingTip) -> String| tip.map_or_else(missing, |tip| text(tip).into());
+        |text: &dyn Fn(&super::RepresentativeTip) -> String| tip.map_or_else(missing, |tip| text(tip).into());
     cells.push(of_tip(&|tip| format!("{} → {}", fixed(tip.first.length, 2), fixed(tip.last().length, 2))));
     cells.push(of_tip(&|tip| grouped(tip.last().load_cycles)));
     if has_tonnes {
@@ -57,7 +58,7 @@ fn cells(plan: &StudyPlan, run: &StudyRun, has_tonnes: bool) -> Vec<Cell> {
     cells.push(of_tip(&|tip| significant(tip.first.rate)));
     cells.push(run.heading().map_or_else(missing, |heading| heading.word().into()));
     cells.push(match &run.row.state {
-        RunState::Done => summary.and_then(|s| s.stop.as_deref()).unwrap_or("").replace('-', " ").into(),
+        RunState::Done => summary.and_then(|s| s.stop).map_or("", RunStop::name).replace('-', " ").into(),
         RunState::Failed { .. } => "failed".into(),
         state => state.name().replace('-', " ").into(),
     });

@@ -1,10 +1,12 @@
 //! `shakedown.json`.
 
-use super::ShakedownResults;
+use super::results::ShakedownResults;
 use crate::VERSION;
 use railcrack::fatigue::DepthValue;
 use railcrack::math::Stress;
-use railcrack::shakedown::{DepthBounds, LayerState, MapPoint, first_yield_ratio, shakedown_limit_ratio};
+use railcrack::shakedown::{
+    DepthBounds, LayerState, MapPoint, Method, RailState, first_yield_ratio, shakedown_limit_ratio,
+};
 use serde::{Deserialize, Serialize};
 
 /// The stabilised state in numbers.
@@ -14,10 +16,12 @@ pub struct ShakedownSummary {
     pub version: String,
     /// Heading of the case.
     pub title: String,
-    /// `elastic`, `elastic shakedown`, `plastic shakedown` or `not stabilised`.
-    pub state: String,
-    /// `pass-by-pass` or `direct`.
-    pub method: String,
+    /// The stabilised state.
+    #[serde(with = "crate::words")]
+    pub state: RailState,
+    /// The way to it.
+    #[serde(with = "crate::words")]
+    pub method: Method,
     /// Passages until the residual stress repeated; 1 for the direct method.
     pub passes: usize,
     /// Elastic redistributions of all passages: the cost.
@@ -46,13 +50,13 @@ pub struct ShakedownSummary {
     pub initial_residual: Option<Vec<ResidualPoint>>,
     /// The Dang Van criterion.
     pub dang_van: DangVanSummary,
-    /// What the state holds.
+    /// How well the state meets its conditions.
     pub admissibility: AdmissibilitySummary,
     /// With the direct method: how far it is from what passages lead to.
     pub direct_against_pass_by_pass: Option<MethodComparison>,
     /// Wall time, s.
     pub wall_s: f64,
-    /// What the reader should know.
+    /// Remarks for the reader.
     pub warnings: Vec<String>,
 }
 
@@ -65,8 +69,8 @@ pub struct Bound {
     pub depth_mm: f64,
 }
 
-/// What one depth bears.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+/// Shakedown limits at a depth.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct BoundsRow {
     /// mm.
     pub depth_mm: f64,
@@ -74,8 +78,22 @@ pub struct BoundsRow {
     pub first_yield_p0_over_k: f64,
     /// p0 / k.
     pub shakedown_p0_over_k: f64,
-    /// `elastic`, `shakedown possible` or `no shakedown` under the load of the case.
-    pub verdict: String,
+    /// Under the load of the case.
+    pub verdict: BoundsVerdict,
+}
+
+/// A depth under the load of the case.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum BoundsVerdict {
+    /// Below first yield.
+    #[serde(rename = "elastic")]
+    Elastic,
+    /// Beyond first yield, below the shakedown limit.
+    #[serde(rename = "shakedown possible")]
+    Possible,
+    /// Beyond the shakedown limit.
+    #[serde(rename = "no shakedown")]
+    Impossible,
 }
 
 /// A point of the shakedown map.
@@ -111,11 +129,31 @@ pub struct AlternatingZone {
     pub plastic_strain_per_pass: f64,
 }
 
+/// A component of the residual stress.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum StressComponent {
+    /// σ_xx, along the rail.
+    Sxx,
+    /// σ_zz, out of plane.
+    Szz,
+}
+
+impl StressComponent {
+    /// Its name in results.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Sxx => "sxx",
+            Self::Szz => "szz",
+        }
+    }
+}
+
 /// A largest residual stress.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct PeakStress {
-    /// `sxx` or `szz`.
-    pub component: String,
+    /// Which stress.
+    pub component: StressComponent,
     /// MPa.
     pub stress_mpa: f64,
     /// mm.
@@ -156,7 +194,7 @@ pub struct DangVanPoint {
     pub margin_mpa: f64,
 }
 
-/// What a state holds.
+/// Admissibility of the state.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct AdmissibilitySummary {
     /// Largest (|s − X| − R)/R over the whole cycle.
@@ -171,7 +209,8 @@ pub struct AdmissibilitySummary {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct MethodComparison {
     /// The state by passages.
-    pub state: String,
+    #[serde(with = "crate::words")]
+    pub state: RailState,
     /// Passages that it took.
     pub passes: usize,
     /// Their redistributions.
@@ -193,8 +232,8 @@ impl ShakedownSummary {
         Self {
             version: VERSION.into(),
             title: results.title.clone(),
-            state: state.state.name().into(),
-            method: state.method.name().into(),
+            state: state.state,
+            method: state.method,
             passes: state.passes.len(),
             redistributions: state.iterations(),
             peak_pressure_mpa: rail.contact.peak_pressure,
@@ -223,7 +262,7 @@ impl ShakedownSummary {
                 imbalance: state.admissibility.imbalance,
             },
             direct_against_pass_by_pass: results.pass_by_pass.as_ref().map(|other| MethodComparison {
-                state: other.state.name().into(),
+                state: other.state,
                 passes: other.passes.len(),
                 redistributions: other.iterations(),
                 stress_difference_mpa: state.stress_difference(other),
@@ -253,29 +292,30 @@ fn residual_point(depth: f64, stress: Stress) -> ResidualPoint {
 
 fn bounds_row(bounds: &DepthBounds, half_width: f64, ratio: f64) -> BoundsRow {
     let verdict = if ratio <= bounds.first_yield {
-        "elastic"
+        BoundsVerdict::Elastic
     } else if ratio <= bounds.shakedown {
-        "shakedown possible"
+        BoundsVerdict::Possible
     } else {
-        "no shakedown"
+        BoundsVerdict::Impossible
     };
     BoundsRow {
         depth_mm: bounds.depth_over_a * half_width,
         first_yield_p0_over_k: bounds.first_yield,
         shakedown_p0_over_k: bounds.shakedown,
-        verdict: verdict.into(),
+        verdict,
     }
 }
 
 fn peak(results: &ShakedownResults) -> PeakStress {
-    let components = results
-        .stabilised
-        .profile
-        .iter()
-        .flat_map(|layer| [("sxx", layer.stress.xx, layer.depth), ("szz", layer.stress.zz, layer.depth)]);
+    let components = results.stabilised.profile.iter().flat_map(|layer| {
+        [
+            (StressComponent::Sxx, layer.stress.xx, layer.depth),
+            (StressComponent::Szz, layer.stress.zz, layer.depth),
+        ]
+    });
     let largest = components.reduce(|best, here| if here.1.abs() > best.1.abs() { here } else { best });
-    let (component, stress_mpa, depth_mm) = largest.unwrap_or(("sxx", 0.0, 0.0));
-    PeakStress { component: component.into(), stress_mpa, depth_mm }
+    let (component, stress_mpa, depth_mm) = largest.unwrap_or((StressComponent::Sxx, 0.0, 0.0));
+    PeakStress { component, stress_mpa, depth_mm }
 }
 
 fn dang_van(results: &ShakedownResults) -> DangVanSummary {

@@ -1,6 +1,7 @@
-//! `plastic.vtu`, what the rail keeps, and `cycle.vtu`, stress and strain around the contact.
+//! `plastic.vtu`, the plastic state as a field of the rail, and `cycle.vtu`, stress and strain
+//! around the contact.
 
-use super::ShakedownResults;
+use super::results::ShakedownResults;
 use railcrack::math::{Stress, Vec2};
 use railcrack::mesh::{Array, CellBlock, CellShape, UnstructuredGrid};
 use railcrack::shakedown::PlasticStrain;
@@ -8,8 +9,9 @@ use railcrack::shakedown::PlasticStrain;
 /// Half-widths on each side of the contact in `cycle.vtu`.
 const AROUND: f64 = 4.0;
 
-/// The plastic state as a field of the rail: quadrilaterals over its whole length, one per layer, with
-/// `plastic_stress_mpa` = 2 G ε_p, `plastic_strain` and `residual_stress_mpa`; zero below the plastic layers.
+/// The plastic state as a field of the rail: quadrilaterals over its whole length, one per layer,
+/// with `plastic_stress_mpa` = 2 G ε_p, `plastic_strain` and `residual_stress_mpa`; zero below the
+/// plastic layers.
 pub(super) fn plastic_grid(results: &ShakedownResults) -> UnstructuredGrid {
     let state = &results.stabilised;
     let mut depths = state.layers.interfaces().to_vec();
@@ -34,7 +36,8 @@ pub(super) fn plastic_grid(results: &ShakedownResults) -> UnstructuredGrid {
     grid
 }
 
-/// The last passage around the contact at x = 0: stress (of wheel, plastic strain and manufacturing) and plastic strain.
+/// The last passage around the contact at x = 0: stress (of wheel, plastic strain and
+/// manufacturing) and plastic strain.
 pub(super) fn cycle_grid(results: &ShakedownResults) -> UnstructuredGrid {
     let (state, cycle) = (&results.stabilised, &results.stabilised.cycle);
     let layers = state.profile.len();

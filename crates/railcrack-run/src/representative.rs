@@ -1,11 +1,45 @@
-//! The tip that stands for a run, and when it is where.
+//! The representative tip of a run, and when its crack has a given length.
 
 use super::csv::TipRow;
+use super::histories::History;
+use super::{OutputError, RunFolder};
 use std::borrow::Borrow;
 
-/// The rows, by step, of the tip that stands for a run with the rows `growth`: that of the crack that grew most; of equals, the one
-/// with the largest ΔK_eq of step 0, then the first. None without rows.
-pub fn leading_tip(growth: &[TipRow]) -> Option<Vec<&TipRow>> {
+/// The representative tip of a run.
+#[derive(Debug, Clone)]
+pub struct RepresentativeTip {
+    /// Its row of step 0.
+    pub first: TipRow,
+    /// Its rows, by step.
+    pub rows: Vec<TipRow>,
+    /// K of step 0.
+    pub history: History,
+}
+
+impl RepresentativeTip {
+    /// Of the run in `folder`; none without a finished step.
+    ///
+    /// Errors: a table is damaged; the system refuses.
+    pub(crate) fn of(folder: &RunFolder) -> Result<Option<Self>, OutputError> {
+        let growth = folder.growth()?;
+        let Some(rows) = representative_tip(&growth) else { return Ok(None) };
+        let rows: Vec<TipRow> = rows.into_iter().copied().collect();
+        let first = rows[0];
+        let own = |history: &History| (history.crack, history.tip) == (first.crack, first.tip);
+        let history = folder.histories(1)?.into_iter().find(own).unwrap_or_default();
+        Ok(Some(Self { first, rows, history }))
+    }
+
+    /// Its row in the last step.
+    pub fn last(&self) -> &TipRow {
+        self.rows.last().unwrap_or(&self.first)
+    }
+}
+
+/// The rows, by step, of the representative tip of a run with the rows `growth`: that of the crack
+/// that grew most; of equals, the one with the largest ΔK_eq in step 0, then the first. None
+/// without rows.
+pub fn representative_tip(growth: &[TipRow]) -> Option<Vec<&TipRow>> {
     let mut tips: Vec<Vec<&TipRow>> = Vec::new();
     for row in growth {
         let same = |rows: &&mut Vec<&TipRow>| {
@@ -24,8 +58,8 @@ pub fn leading_tip(growth: &[TipRow]) -> Option<Vec<&TipRow>> {
     tips.into_iter().rev().max_by(leads)
 }
 
-/// Load cycles until a crack of these `rows` is `length` long; none where it never is, or was from the
-/// beginning. Between two steps the rate is constant.
+/// Load cycles until a crack of these `rows` is `length` long; none where it never is, or was from
+/// the beginning. Between two steps the rate is constant.
 pub fn cycles_to<R: Borrow<TipRow>>(rows: &[R], length: f64) -> Option<f64> {
     let reached = |pair: &&[R]| pair[0].borrow().length < length && pair[1].borrow().length >= length;
     let pair = rows.windows(2).find(reached)?;
@@ -55,19 +89,22 @@ mod tests {
             increment: 0.0,
             rate: 0.0,
             load_cycles: 100.0 * step as f64,
-            stop: String::new(),
+            stop: None,
         }
     }
 
     #[test]
-    fn the_crack_that_grew_most_stands_for_the_run() {
+    fn the_crack_that_grew_most_represents_the_run() {
         let growth = [row(0, 1, 6.0, 9.0), row(0, 2, 3.0, 1.0), row(1, 1, 6.1, 9.0), row(1, 2, 3.2, 1.0)];
-        let leader = leading_tip(&growth).unwrap();
-        assert_eq!(leader.iter().map(|row| (row.step, row.crack)).collect::<Vec<_>>(), [(0, 2), (1, 2)]);
+        let representative = representative_tip(&growth).unwrap();
+        assert_eq!(
+            representative.iter().map(|row| (row.step, row.crack)).collect::<Vec<_>>(),
+            [(0, 2), (1, 2)]
+        );
         // Without growth the one that is loaded most, then the first.
-        assert_eq!(leading_tip(&growth[..2]).unwrap()[0].crack, 1);
-        assert_eq!(leading_tip(&[row(0, 1, 6.0, 1.0), row(0, 2, 3.0, 1.0)]).unwrap()[0].crack, 1);
-        assert!(leading_tip(&[]).is_none());
+        assert_eq!(representative_tip(&growth[..2]).unwrap()[0].crack, 1);
+        assert_eq!(representative_tip(&[row(0, 1, 6.0, 1.0), row(0, 2, 3.0, 1.0)]).unwrap()[0].crack, 1);
+        assert!(representative_tip(&[]).is_none());
     }
 
     #[test]

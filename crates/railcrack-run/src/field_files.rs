@@ -1,6 +1,7 @@
 //! Fields of a run as files of VTK, and the collection that lists them.
 
 use super::OutputError;
+use super::files::FIELDS_FOLDER;
 use super::folder::{Durability, replace_file};
 use railcrack::body::{Face, FieldGrid};
 use railcrack::growth::{FieldSnapshot, StepRecord};
@@ -10,14 +11,9 @@ use serde::{Deserialize, Serialize};
 use std::fs;
 use std::path::Path;
 
-/// Lists the field files.
-pub const FIELDS_FILE: &str = "fields.pvd";
-/// Folder of the field files.
-pub const FIELDS_FOLDER: &str = "fields";
-
-/// A field file of a run.
+/// A field file in the list of them.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct FieldFile {
+pub(crate) struct FieldFileEntry {
     /// Its name in the run folder.
     pub name: String,
     /// Step, plus the share of the positions of its passage that lie before.
@@ -29,7 +25,8 @@ fn name(step: usize, position: usize) -> String {
     format!("step-{step:04}-position-{position:04}.vtu")
 }
 
-/// Step and position (from 1) of the field file of this name; none where it is not one that a run writes.
+/// Step and position (from 1) of the field file of this name; none where it is not one that a run
+/// writes.
 pub fn step_and_position(file: &str) -> Option<(usize, usize)> {
     let (step, position) = file.strip_prefix("step-")?.strip_suffix(".vtu")?.split_once("-position-")?;
     let (step, position) = (step.parse().ok()?, position.parse().ok()?);
@@ -41,7 +38,8 @@ pub fn is_field_file(file: &str) -> bool {
     step_and_position(file).is_some()
 }
 
-/// The fields of a step: of each wheel position its number (from 1), the name of its file in the run folder, and what the file holds.
+/// The fields of a step: of each wheel position its number (from 1), the name of its file in the
+/// run folder, and what the file holds.
 pub fn field_grids(record: &StepRecord) -> impl Iterator<Item = (usize, String, UnstructuredGrid)> {
     record.fields.iter().flat_map(|fields| {
         fields.snapshots.iter().map(|snapshot| {
@@ -55,11 +53,11 @@ pub fn field_grids(record: &StepRecord) -> impl Iterator<Item = (usize, String, 
 /// Writes the fields of a step, each to its file.
 ///
 /// Errors: a number that is not finite; the system refuses.
-pub fn write_fields(
+pub(crate) fn write_fields(
     folder: &Path,
     record: &StepRecord,
     durability: Durability,
-) -> Result<Vec<FieldFile>, OutputError> {
+) -> Result<Vec<FieldFileEntry>, OutputError> {
     if record.fields.is_some() {
         let directory = folder.join(FIELDS_FOLDER);
         fs::create_dir_all(&directory).map_err(OutputError::io("create", &directory))?;
@@ -70,7 +68,7 @@ pub fn write_fields(
         let text = vtu_text(&grid).map_err(|reason| VtuError::Grid { path: path.clone(), reason })?;
         replace_file(&path, &text, durability)?;
         let time = record.step as f64 + (position - 1) as f64 / positions as f64;
-        Ok(FieldFile { name: file, time })
+        Ok(FieldFileEntry { name: file, time })
     };
     field_grids(record).map(write).collect()
 }
@@ -78,9 +76,13 @@ pub fn write_fields(
 /// Writes the list of `files` to `path`.
 ///
 /// Errors: the system refuses.
-pub fn write_collection(path: &Path, files: &[FieldFile], durability: Durability) -> Result<(), OutputError> {
+pub(crate) fn write_collection<'a>(
+    path: &Path,
+    files: impl Iterator<Item = &'a FieldFileEntry>,
+    durability: Durability,
+) -> Result<(), OutputError> {
     let snapshots: Vec<Snapshot> =
-        files.iter().map(|file| Snapshot { time: file.time, file: file.name.clone() }).collect();
+        files.map(|file| Snapshot { time: file.time, file: file.name.clone() }).collect();
     let text = pvd_text(&snapshots).map_err(|reason| VtuError::Grid { path: path.to_path_buf(), reason })?;
     replace_file(path, text.as_bytes(), durability)
 }

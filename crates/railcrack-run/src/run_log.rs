@@ -1,12 +1,12 @@
-//! What a run remembers of its finished steps beyond the tables.
+//! Run log: the finished growth steps as far as the tables do not have them.
 
-use super::fields::FieldFile;
+use super::field_files::FieldFileEntry;
 use super::residual::ResidualSummary;
 use railcrack::crack::{Crack, Junction};
 use railcrack::growth::{PhaseTimes, Piece, RunStop, SolverCounts, StepRecord, TipRecord, Warning};
 use serde::{Deserialize, Serialize};
 
-/// One finished step.
+/// A finished growth step: an entry of the run log, appended once and never changed.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct StepDigest {
     pub step: usize,
@@ -17,25 +17,23 @@ pub(crate) struct StepDigest {
     pub counts: SolverCounts,
     pub times: PhaseTimes,
     pub stop: Option<RunStop>,
+    /// Pieces of the rail that were enclosed.
+    pub pieces: Vec<Piece>,
+    pub warnings: Vec<Warning>,
+    pub fields: Vec<FieldFileEntry>,
 }
 
-/// All finished steps.
+/// The run after its last finished growth step: replaced with every step.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub(crate) struct Story {
+pub(crate) struct Present {
     /// The cracks of step 0.
     pub initial_cracks: Vec<Crack>,
     /// The cracks of the last finished step.
     pub cracks: Vec<Crack>,
     /// Where they have joined each other.
     pub junctions: Vec<Junction>,
-    pub steps: Vec<StepDigest>,
-    /// Pieces of the rail that were enclosed.
-    pub pieces: Vec<Piece>,
-    pub warnings: Vec<Warning>,
     /// The residual stress of the rail.
     pub residual: Option<ResidualSummary>,
-    /// The field files.
-    pub fields: Vec<FieldFile>,
     /// Wall time of the finished steps, resumptions counted, seconds.
     pub wall_s: f64,
     /// Part of it that went into writing, seconds.
@@ -44,16 +42,21 @@ pub(crate) struct Story {
     pub peak_memory_mb: Option<f64>,
 }
 
-impl Story {
-    /// Takes up a finished step.
-    pub(crate) fn add(&mut self, record: &StepRecord) {
+/// All finished growth steps.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct RunLog {
+    pub steps: Vec<StepDigest>,
+    pub now: Present,
+}
+
+impl RunLog {
+    /// Takes up a finished step with its field files.
+    pub(crate) fn add(&mut self, record: &StepRecord, fields: Vec<FieldFileEntry>) {
         if self.steps.is_empty() {
-            self.initial_cracks.clone_from(&record.cracks);
+            self.now.initial_cracks.clone_from(&record.cracks);
         }
-        self.cracks.clone_from(&record.cracks);
-        self.junctions.clone_from(&record.junctions);
-        self.pieces.extend(record.pieces.iter().cloned());
-        self.warnings.extend(record.warnings.iter().cloned());
+        self.now.cracks.clone_from(&record.cracks);
+        self.now.junctions.clone_from(&record.junctions);
         self.steps.push(StepDigest {
             step: record.step,
             load_cycles: record.load_cycles,
@@ -63,6 +66,21 @@ impl Story {
             counts: record.counts,
             times: record.times,
             stop: record.stop,
+            pieces: record.pieces.clone(),
+            warnings: record.warnings.clone(),
+            fields,
         });
+    }
+
+    pub(crate) fn pieces(&self) -> impl Iterator<Item = &Piece> {
+        self.steps.iter().flat_map(|step| &step.pieces)
+    }
+
+    pub(crate) fn warnings(&self) -> impl Iterator<Item = &Warning> {
+        self.steps.iter().flat_map(|step| &step.warnings)
+    }
+
+    pub(crate) fn fields(&self) -> impl Iterator<Item = &FieldFileEntry> {
+        self.steps.iter().flat_map(|step| &step.fields)
     }
 }
