@@ -1,7 +1,8 @@
 //! The runs of a study.
 
-use super::axes::{Axis, Combine};
-use crate::validated::Case;
+use super::axes::Axis;
+use crate::case::Case;
+use crate::tables::Combine;
 
 /// A case file with lists in place of values, and the cases that it makes.
 #[derive(Debug, Clone)]

@@ -2,9 +2,7 @@
 
 use super::axes::Axis;
 use super::variation::Variation;
-use crate::accept::Value;
-use crate::table::short;
-use crate::write::toml_value;
+use crate::schema::{Value, short};
 
 /// Letters of a folder's name after its number, at most: some file systems and many terminals have no room for more.
 const MOST_LETTERS: usize = 60;
@@ -36,7 +34,7 @@ impl Variation {
         match self.values.get(index) {
             Some(Value::Number(x)) => short(*x),
             Some(Value::Text(text)) => text.clone(),
-            Some(other) => toml_value(other),
+            Some(other) => other.to_string(),
             None => String::new(),
         }
     }
