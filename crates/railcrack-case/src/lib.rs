@@ -1,10 +1,10 @@
 //! Case files and studies: read with all errors at once, checked, and turned into the types of the
 //! mechanics.
 //!
-//! [`Case::read`] takes the file of a user as well as `case.toml` of a run folder; [`Case::prepare`]
-//! makes a run of it. `tables` declares every section and key once, and `schema`, which knows no rails,
-//! derives from it reading, defaults, the JSON Schema, the commented first file, the page of
-//! documentation and the stored case.
+//! [`Case::read`] takes the file of a user as well as `case.toml` of a run folder;
+//! [`Case::prepare`] makes a run of it. `tables` declares every section and key once, and `schema`,
+//! which knows no rails, derives from it reading, defaults, the JSON Schema, the commented first
+//! file, the page of documentation and the stored case.
 
 mod case;
 mod files;

@@ -14,7 +14,8 @@ use railcrack::bulk::Boundary;
 use railcrack::load::{HertzianContact, Passage};
 use std::path::Path;
 
-/// The case that `sections` describe; none where something is wrong or missing, which `report` then says.
+/// The case that `sections` describe; none where something is wrong or missing, which `report` then
+/// says.
 ///
 /// Every part is built, even where another is wrong, so that all errors are found at once.
 pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) -> Option<Case> {
@@ -69,8 +70,8 @@ pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) 
     })
 }
 
-/// Smallest gap between the contact and the side of a block, over the half-width: closer, the sides bear a
-/// part of the contact.
+/// Smallest gap between the contact and the side of a block, over the half-width: closer, the sides
+/// bear a part of the contact.
 const SIDE_GAP: f64 = 1.0;
 
 /// A block needs the finite-element engine, and a wheel that stays on its top.
@@ -100,7 +101,8 @@ fn check_block(
     }
 }
 
-/// A residual stress is a total, and the computed state starts from a manufacturing stress of its own.
+/// A residual stress is a total, and the computed state starts from a manufacturing stress of its
+/// own.
 fn refuse_counting_twice(plastic: &SectionValues, report: &mut Report) {
     let says =
         "without a field, this is the stress left by rolling, and `[residual_stress]` is a total already";

@@ -1,4 +1,4 @@
-//! The residual stress that the rail of a run carries.
+//! Residual stress that the rail of a run carries.
 
 use super::case::Case;
 use crate::tables::PlasticSource;
@@ -17,13 +17,13 @@ use thiserror::Error;
 /// A residual stress that cannot be made.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum CarriedStressError {
-    /// The mesh.
+    /// Its mesh cannot be made.
     #[error("the plastic stress cannot be balanced: {0}")]
     Mesh(#[from] XfemError),
-    /// The balance.
+    /// It cannot be balanced.
     #[error("the plastic stress cannot be balanced: {0}")]
     Balance(#[from] BulkError),
-    /// The plastic stress.
+    /// It cannot be brought onto a mesh.
     #[error("the plastic stress cannot be used: {0}")]
     Field(#[from] PlasticFieldError),
     /// The stabilised state of the rail is wanted and was not computed.
@@ -31,20 +31,20 @@ pub enum CarriedStressError {
     NotRolled,
 }
 
-/// The residual stress of a run: what is given as balanced, what was there before the first passage, and the balance of the plastic
-/// stress.
+/// The residual stress of a run: the stress given as balanced, the stress before the first passage,
+/// and the balance of the plastic stress.
 pub struct CarriedStress {
     /// Their sum; none where the rail carries nothing.
     pub field: Option<Box<dyn StressField>>,
-    /// Depths at which it is worth seeing, increasing, mm.
+    /// Depths at which it is shown, increasing, mm.
     pub depths: Vec<f64>,
-    /// What became of a plastic stress on its way.
+    /// Losses of a plastic stress on its way to the mesh.
     pub projection: Option<Projection>,
-    /// What free sides of a block do to it.
+    /// Its release by the free sides of a block.
     pub release: Option<Release>,
 }
 
-/// What became of a plastic stress on its way to the mesh of the rail.
+/// Losses of a plastic stress on its way to the mesh of the rail.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Projection {
     /// From cells to nodes of its own mesh; none where it was given at nodes.
@@ -101,8 +101,9 @@ impl Case {
         })
     }
 
-    /// The residual stress of a run: what is given as balanced, and the balance of `plastic` on the mesh of `engine`, the finite-element
-    /// engine of this case, whichever engine computes the cracks.
+    /// The residual stress of a run: the stress given as balanced, and the balance of `plastic` on
+    /// the mesh of `engine`, the finite-element engine of this case, whichever engine computes the
+    /// cracks.
     ///
     /// Errors: the plastic stress cannot be made or balanced.
     pub fn carried_stress(
@@ -156,7 +157,7 @@ impl Case {
         Ok(CarriedStress { field, depths, projection, release })
     }
 
-    /// A balanced stress is taken as it is; what the sides would release is told.
+    /// A balanced stress is taken as it is; its release by the sides is only reported.
     fn release_of_profile(&self, rail: &BulkRail, profile: &DepthProfile) -> Result<Release, BulkError> {
         let displacements = rail.cancel(&[&Cut(profile)])?;
         let points: Vec<Vec2> = profile

@@ -11,8 +11,8 @@ use railcrack::load::HertzianContact;
 use railcrack::material::IsotropicElastic;
 use railcrack::shakedown::{RolledRail, Stabilisation, Travel};
 
-/// Everything in a case file, checked, in the types of the mechanics. Two are equal when their values and
-/// the contents of their files are.
+/// Everything in a case file, checked, in the types of the mechanics. Two are equal when their
+/// values and the contents of their files are.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Case {
     /// Heading of plots and reports.
@@ -25,7 +25,8 @@ pub struct Case {
     pub contact: HertzianContact,
     /// Output positions; repetition and resolution of the passages.
     pub passages: PassageSettings,
-    /// The cracks, copies written out: in the order of the file, the copies of each from left to right.
+    /// The cracks, copies written out: in the order of the file, the copies of each from left to
+    /// right.
     pub cracks: CrackNetwork,
     /// Crack-face friction coefficient of each crack, in the order of `cracks`.
     pub crack_friction: Vec<f64>,
@@ -87,8 +88,8 @@ impl Case {
         self.written.to_toml()
     }
 
-    /// The files that the text of [`Case::to_toml`] names: a folder with that text and these files is
-    /// complete, and [`Case::read`] gives an equal case from it.
+    /// The files that the text of [`Case::to_toml`] names: a folder with that text and these files
+    /// is complete, and [`Case::read`] gives an equal case from it.
     #[must_use]
     pub fn companions(&self) -> Vec<Companion<'_>> {
         let plastic = self.plastic_stress.as_ref().and_then(|source| match source {

@@ -5,8 +5,8 @@ use crate::tables::{ANGLE, COUNT, CRACK_FRICTION, LENGTH, MOUTH, POINTS, Rail, S
 use railcrack::crack::{Crack, CrackError, CrackNetwork};
 use railcrack::math::Vec2;
 
-/// Most cracks of a case, copies included: each brings a dense block of unknowns, and ten times as many as the
-/// largest published network has are enough.
+/// Most cracks of a case, copies included: each brings a dense block of unknowns, and ten times as
+/// many as the largest published network has are enough.
 const MOST_CRACKS: usize = 100;
 
 /// All cracks of a case, copies written out.

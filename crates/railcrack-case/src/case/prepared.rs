@@ -1,4 +1,4 @@
-//! A case made into a run.
+//! Engine, contact solver and residual stress of a run, made of its case.
 
 use super::carried::{CarriedStress, CarriedStressError};
 use super::case::Case;
@@ -16,14 +16,16 @@ use railcrack::xfem::{
 };
 use std::num::NonZeroUsize;
 
-/// Growth of the length that the window makes room for, at most: a crack that grows on has it enlarged.
+/// Growth of the length that the window makes room for, at most: a crack that grows on has it
+/// enlarged.
 const LARGEST_WINDOW: f64 = 3.0;
 
 /// Elements over the depth of the plastic stress, at least.
 const LAYERS_PER_PLASTIC_DEPTH: f64 = 40.0;
 
 impl Case {
-    /// How finely the dislocation engine resolves the faces.
+    /// Resolution of the crack faces in the dislocation engine.
+    #[must_use]
     pub fn face_resolution(&self) -> FaceResolution {
         let cracks = self.cracks.cracks().len();
         self.mesh
@@ -32,6 +34,7 @@ impl Case {
     }
 
     /// The finite-element engine, with a mesh for the cracks at the beginning and their growth.
+    #[must_use]
     pub fn xfem_engine(&self) -> XfemEngine {
         let sizes = match self.mesh.element_size {
             Some(size) => vec![size; self.cracks.cracks().len()],
@@ -66,7 +69,7 @@ impl Case {
         XfemEngine::with_window(window, self.steel, end, settings)
     }
 
-    /// The fields that this case wants; none where it wants none.
+    /// The fields to be computed; none where none are asked for.
     fn field_settings(&self) -> Option<FieldSettings> {
         let every = NonZeroUsize::new(self.fields.every)?;
         let mouth = self.cracks.cracks().first()?.points()[0].x;
@@ -85,15 +88,16 @@ impl Case {
         }
     }
 
-    /// Everything that is made once for the run of this case. `rolled` is the plastic stress of the stabilised state, for a case
-    /// that wants it ([`PlasticSource::Rolled`](super::PlasticSource)).
+    /// Everything that is made once for the run of this case. `rolled` is the plastic stress of the
+    /// stabilised state, for a case that wants it
+    /// ([`PlasticSource::Rolled`](crate::PlasticSource)).
     ///
     /// Errors: the residual stress cannot be made.
     pub fn prepare(&self, rolled: Option<&PlasticField>) -> Result<PreparedRun<'_>, CarriedStressError> {
         self.prepare_sharing(rolled, None)
     }
 
-    /// [`Case::prepare`], with what another run made already: the results are the same bits, sooner.
+    /// [`Case::prepare`] with mesh, factor and columns of another run: the same bits, sooner.
     pub fn prepare_sharing(
         &self,
         rolled: Option<&PlasticField>,
@@ -124,11 +128,12 @@ pub struct PreparedRun<'a> {
 
 impl PreparedRun<'_> {
     /// The residual stress that the rail carries.
+    #[must_use]
     pub fn residual(&self) -> &CarriedStress {
         &self.residual
     }
 
-    /// The run: from `state` on, from its beginning where there is none.
+    /// The growth loop from `state` on, or from the beginning where there is none.
     pub fn growth(self, state: Option<GrowthState>) -> Growth {
         let Self { case, engine, residual } = self;
         let newton: Box<dyn contact::ContactSolver> = Box::new(Newton::default());

@@ -12,8 +12,8 @@ use std::sync::Arc;
 use toml::de::DeTable;
 
 impl Case {
-    /// The case in the file `path`, be it of a user or `case.toml` of a run folder. Relative file names in
-    /// it are relative to its folder.
+    /// The case in the file `path`, be it of a user or `case.toml` of a run folder. Relative file
+    /// names in it are relative to its folder.
     ///
     /// Errors: all of the file, a file that cannot be read included.
     pub fn read(path: &Path) -> Result<Self, CaseErrors> {
@@ -26,7 +26,8 @@ impl Case {
         Self::parse_with(&source.text, &source.name, path.parent().unwrap_or(Path::new("")), overrides)
     }
 
-    /// The case written in `text`; errors call it `name`, relative file names are relative to `folder`.
+    /// The case written in `text`; errors call it `name`, relative file names are relative to
+    /// `folder`.
     pub fn parse(text: &str, name: &str, folder: &Path) -> Result<Self, CaseErrors> {
         Self::parse_with(text, name, folder, &Overrides::default())
     }

@@ -1,4 +1,4 @@
-//! What runs of a study have in common.
+//! Meshes and factors that several runs of a study share.
 
 use super::carried::CarriedStressError;
 use super::case::Case;
@@ -28,8 +28,9 @@ pub enum SharedRailError {
 }
 
 impl SharedRail {
-    /// What the finite elements of `case` keep after its first step, or after the balance of its plastic stress where another engine
-    /// computes the cracks. None where nothing is kept, or where it is not known before the run ([`Case::rail_key`]).
+    /// Mesh, factor and columns of `case` after its first growth step, or after the balance of its
+    /// plastic stress where another engine computes the cracks. None where there are none, or where
+    /// they are not known before the run ([`Case::rail_key`]).
     ///
     /// Errors: the rail cannot be made.
     pub fn of(case: &Case) -> Result<Option<Self>, SharedRailError> {
@@ -41,21 +42,22 @@ impl SharedRail {
         Ok(Some(Self { engine }))
     }
 
-    /// Gives to `engine` what it would make itself.
+    /// Gives them to `engine`, which would make the same.
     pub(crate) fn give_to(&self, engine: &mut XfemEngine) {
         engine.take_over(&self.engine);
     }
 }
 
-/// What tells rails apart: mesh, supports and elasticity, bit for bit.
+/// Mesh, supports and elasticity of a rail, bit for bit: equal where rails can be shared.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct RailKey(String);
 
 impl Case {
-    /// The rail that a [`SharedRail`] of this case is of: cases with the same one share it. None where the run needs no mesh, or where its mesh
-    /// depends on a plastic state that the run itself computes.
+    /// The rail of this case: cases with equal keys can share a [`SharedRail`]. None where the run
+    /// needs no mesh, or where its mesh depends on a plastic state that the run itself computes.
+    #[must_use]
     pub fn rail_key(&self) -> Option<RailKey> {
-        // What is wrong with its plastic stress, the run says itself.
+        // Errors of its plastic stress are reported by the run.
         let engine = self.shareable_elements().ok().flatten()?;
         Some(RailKey(engine.rail_in_words()))
     }

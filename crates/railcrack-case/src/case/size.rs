@@ -1,4 +1,4 @@
-//! How large a run is.
+//! Size of a run: unknowns and memory.
 
 use super::case::Case;
 use crate::tables::{Engine, PlasticSource};
@@ -20,11 +20,11 @@ pub struct RunSize {
     pub memory_bytes: usize,
 }
 
-/// Dense matrices of the size of C alive at once: C itself, its kernel before inversion, the factors, and the
-/// working copy of the contact solver.
+/// Dense matrices of the size of C alive at once: C itself, its kernel before inversion, the
+/// factors, and the working copy of the contact solver.
 const MATRICES: usize = 4;
 
-/// What the program needs whatever the case, bytes.
+/// Memory that every case needs, bytes.
 const BASE: usize = 20 << 20;
 
 impl Case {
@@ -36,11 +36,13 @@ impl Case {
     }
 
     /// The size of the run.
+    #[must_use]
     pub fn size(&self) -> RunSize {
         let tips = self.cracks.tips().len();
         let (face_points, displacements, factor) = match self.engine {
             Engine::Dislocation => (dislocation::face_points(&self.cracks, self.face_resolution()), 0, 0),
-            // What is wrong with a plastic stress, its reader says; the rolled one is not there yet.
+            // Errors of a plastic stress are reported by its reader; that of rolling is not there
+            // yet.
             Engine::Xfem => match self.finite_elements(self.given_plastic().as_ref()).size(&self.cracks) {
                 Ok(size) => {
                     (size.face_points, size.mesh_unknowns + size.enriched_unknowns, size.factor_entries)

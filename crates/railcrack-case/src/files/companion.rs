@@ -2,8 +2,8 @@
 
 use crate::schema::{Kind, Row};
 
-/// A file that belongs beside the text of [`Case::to_toml`](crate::Case::to_toml), under the name by
-/// which that text calls it.
+/// A file that belongs beside the text of [`Case::to_toml`](crate::Case::to_toml), under the name
+/// by which that text calls it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Companion<'a> {
     /// Its name, relative to the folder of the case file, with `/`.

@@ -7,8 +7,8 @@ use railcrack::residual::{PLASTIC_STRESS_ARRAY, PlasticField};
 use railcrack_vtu::{VtuError, read_vtu_bytes, vtu_text};
 use std::path::Path;
 
-/// A plastic stress on a mesh, and its file reduced to the mesh and this one array. Two are equal when
-/// these files are.
+/// A plastic stress on a mesh, and its file reduced to the mesh and this one array. Two are equal
+/// when these files are.
 #[derive(Debug, Clone)]
 pub struct FieldFile {
     given: String,
@@ -25,16 +25,19 @@ impl PartialEq for FieldFile {
 
 impl FieldFile {
     /// The plastic stress.
+    #[must_use]
     pub fn field(&self) -> &PlasticField {
         &self.field
     }
 
     /// A file of its mesh and of the one array that is used.
+    #[must_use]
     pub fn text(&self) -> &str {
         &self.text
     }
 
     /// The file's name as the case gives it.
+    #[must_use]
     pub fn given_name(&self) -> &str {
         &self.given
     }
@@ -45,8 +48,8 @@ impl FieldFile {
     }
 }
 
-/// The field in the file that a key names, relative to `folder`; none where it names none or it cannot be
-/// read, which `report` then says.
+/// The field in the file that a key names, relative to `folder`; none where it names none or it
+/// cannot be read, which `report` then says.
 pub(crate) fn read_field(
     section: &SectionValues,
     row: Row<String>,

@@ -23,16 +23,19 @@ impl PartialEq for ProfileFile {
 
 impl ProfileFile {
     /// The profile.
+    #[must_use]
     pub fn profile(&self) -> &DepthProfile {
         &self.profile
     }
 
     /// The file's text.
+    #[must_use]
     pub fn text(&self) -> &str {
         &self.text
     }
 
     /// The file's name as the case gives it.
+    #[must_use]
     pub fn given_name(&self) -> &str {
         &self.given
     }
@@ -52,15 +55,15 @@ const IGNORED: [&str; 6] = ["ep_xx", "ep_yy", "ep_zz", "ep_xy", "plastic_per_pas
 /// Columns of our own result files that must vanish: a balanced profile has no such stress.
 const VANISHING: [&str; 2] = ["syy_mpa", "sxy_mpa"];
 
-/// What counts as vanishing, relative to the largest stress of the file: round-off and truncation of a computed
-/// profile, far below the scatter of a measured one.
+/// A stress that counts as zero, relative to the largest stress of the file: round-off and
+/// truncation of a computed profile, far below the scatter of a measured one.
 const VANISHED: f64 = 0.01;
 
 /// No residual stress of steel is larger than this, MPa: beyond, a unit is wrong.
 const LARGEST: f64 = 1e4;
 
-/// The profile in the file that a key names, relative to `folder`; none where it names none or it cannot
-/// be read, which `report` then says.
+/// The profile in the file that a key names, relative to `folder`; none where it names none or it
+/// cannot be read, which `report` then says.
 pub(crate) fn read_profile(
     section: &SectionValues,
     row: Row<String>,

@@ -85,8 +85,8 @@ impl Refusal {
 }
 
 impl Kind {
-    /// The value that `raw` gives, or why it is refused; `list` is the help where a list stands in place
-    /// of a value.
+    /// The value that `raw` gives, or why it is refused; `list` is the help where a list stands in
+    /// place of a value.
     pub(crate) fn accept(&self, raw: &Raw, list: &'static str) -> Result<Value, Refusal> {
         match self {
             Self::Number { range, .. } => match (raw.number(), raw) {

@@ -32,7 +32,8 @@ pub struct Section {
     pub presence: SectionPresence,
     /// Its keys in the order in which they are written.
     pub keys: &'static [Key],
-    /// Ways of saying the same thing, of which exactly one is chosen; empty where there is only one.
+    /// Ways of saying the same thing, of which exactly one is chosen; empty where there is only
+    /// one.
     pub forms: &'static [Form],
 }
 
@@ -49,7 +50,8 @@ pub enum SectionPresence {
     Repeated,
 }
 
-/// One of several ways of saying the same thing. Those of its keys that have no default must all be given.
+/// One of several ways of saying the same thing. Those of its keys that have no default must all be
+/// given.
 #[derive(Debug, Clone, Copy)]
 pub struct Form {
     /// Names of its keys.
@@ -109,6 +111,7 @@ pub enum Presence {
 
 impl Presence {
     /// The default or the example.
+    #[must_use]
     pub const fn preset(self) -> Preset {
         match self {
             Self::Default(preset) | Self::Optional(preset) | Self::Required(preset) => preset,
@@ -141,7 +144,7 @@ pub enum Kind {
     Number {
         /// Its unit; empty for a pure number.
         unit: &'static str,
-        /// What is accepted.
+        /// Accepted numbers.
         range: NumberRange,
     },
     /// An integer, ends included.
@@ -164,14 +167,14 @@ pub enum Kind {
     Numbers {
         /// Their unit.
         unit: &'static str,
-        /// What is accepted of each.
+        /// Accepted numbers, each.
         range: NumberRange,
     },
     /// Points `[[x, y], …]`, from two up to [`Kind::MOST_POINTS`].
     Points {
         /// Unit of the coordinates.
         unit: &'static str,
-        /// What is accepted of each coordinate.
+        /// Accepted coordinates.
         range: NumberRange,
     },
     /// Groups of keys, `[["section.key", "section.key"], …]`.
@@ -211,6 +214,7 @@ impl NumberRange {
     }
 
     /// Whether `value` is accepted.
+    #[must_use]
     pub fn contains(&self, value: f64) -> bool {
         let above = match self.min {
             RangeEnd::Closed(min) => value >= min,
@@ -255,6 +259,7 @@ impl Kind {
     pub const MOST_POINTS: usize = 200;
 
     /// The accepted values, to follow "must be".
+    #[must_use]
     pub fn accepted(&self) -> String {
         match self {
             Self::Number { unit: "", range } => format!("a number in {range}"),
@@ -282,6 +287,7 @@ pub(super) fn available(words: fn() -> Vec<Word>) -> impl Iterator<Item = Word> 
 
 impl Key {
     /// Whether it must be given, where its form is chosen.
+    #[must_use]
     pub fn is_required(&self) -> bool {
         matches!(self.presence, Presence::Required(_))
     }
@@ -289,11 +295,13 @@ impl Key {
 
 impl Section {
     /// The key called `name`.
+    #[must_use]
     pub fn key(&self, name: &str) -> Option<&'static Key> {
         self.keys.iter().find(|k| k.name == name)
     }
 
-    /// The header as written: `[rail]`, `[[crack]]`; empty for the keys before the first section.
+    /// The header as written: `[name]`, `[[name]]`; empty for the keys before the first section.
+    #[must_use]
     pub fn header(&self) -> String {
         match (self.name, self.presence) {
             ("", _) => String::new(),
@@ -303,16 +311,19 @@ impl Section {
     }
 
     /// Whether this section must be written.
+    #[must_use]
     pub fn must_be_written(&self) -> bool {
         matches!(self.presence, SectionPresence::Required | SectionPresence::Repeated)
     }
 
     /// Whether `key` belongs to one of several ways of saying the same thing.
+    #[must_use]
     pub fn is_in_a_form(&self, key: &Key) -> bool {
         self.forms.iter().any(|form| form.keys.contains(&key.name))
     }
 
     /// Whether `key` can be given in this version.
+    #[must_use]
     pub fn offers(&self, key: &Key) -> bool {
         let Some(with) = key.only_with else { return true };
         match self.key(with.key).map(|k| k.kind) {

@@ -23,7 +23,8 @@ pub(crate) fn read_file(path: &Path) -> Result<Source, CaseErrors> {
     })
 }
 
-/// The text of a file, which errors call `name`; or why it cannot be had, with the part that can be shown.
+/// The text of a file, which errors call `name`; or why it cannot be had, with the part that can be
+/// shown.
 pub(crate) fn read_text(path: &Path, name: &str) -> Result<Source, Box<(Source, Fault)>> {
     let source = |text: &str| Source { name: name.into(), text: Arc::from(text) };
     let unreadable = |why: String| Box::new((source(""), Fault::new(format!("cannot read `{name}`: {why}"))));
@@ -91,7 +92,7 @@ pub(crate) fn read_sections(root: &DeTable, reading: Reading, report: &mut Repor
     Sections(sections)
 }
 
-/// What TOML itself refuses. A key given twice is named.
+/// A refusal of TOML itself; a key given twice is named.
 fn syntax_fault(text: &str, message: &str, span: Option<Range<usize>>) -> Fault {
     let at = span.clone().and_then(|s| text.get(s)).unwrap_or_default().trim();
     if message.contains("duplicate") {

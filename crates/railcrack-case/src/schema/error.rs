@@ -24,31 +24,39 @@ pub struct CaseError {
 
 impl CaseError {
     /// Key, value given and what is accepted.
+    #[must_use]
     pub fn message(&self) -> &str {
         &self.message
     }
 
     /// A remedy.
+    #[must_use]
     pub fn help(&self) -> Option<&str> {
         self.help.as_deref()
     }
 
     /// The file as the user named it.
+    #[must_use]
     pub fn file(&self) -> &str {
         &self.file
     }
 
-    /// The key with its section, `section.key` or `section[2].key` (repeated sections count from 1).
+    /// The key with its section, `section.key` or `section[2].key` (repeated sections count from
+    /// 1).
+    #[must_use]
     pub fn key(&self) -> Option<&str> {
         self.key.as_deref()
     }
 
-    /// Bytes of the file that the error is about; none where the file cannot be read or the command line is wrong.
+    /// Bytes of the file that the error is about; none where the file cannot be read or the command
+    /// line is wrong.
+    #[must_use]
     pub fn span(&self) -> Option<Range<usize>> {
         self.span.clone()
     }
 
     /// Line and column in the file, from 1; columns count characters.
+    #[must_use]
     pub fn position(&self) -> Option<(usize, usize)> {
         let start = self.span.as_ref()?.start;
         let before = self.text.inner().get(..start)?;
@@ -67,6 +75,7 @@ impl CaseError {
     }
 
     /// The whole error on one line: `file:line:column: message (help)`.
+    #[must_use]
     pub fn one_line(&self) -> String {
         let place = match self.position() {
             Some((line, column)) => format!("{}:{line}:{column}", self.file),
@@ -88,6 +97,7 @@ pub struct CaseErrors {
 
 impl CaseErrors {
     /// The errors.
+    #[must_use]
     pub fn errors(&self) -> &[CaseError] {
         &self.errors
     }

@@ -53,7 +53,8 @@ impl Chosen {
         Self { elements }
     }
 
-    /// The value itself, or of a list in its place the chosen element: errors then point to that element.
+    /// The value itself, or of a list in its place the chosen element: errors then point to that
+    /// element.
     pub fn of<'d, 'i>(&self, value: &'d Spanned<DeValue<'i>>) -> &'d Spanned<DeValue<'i>> {
         let start = value.span().start;
         let index = self.elements.iter().find(|(list, _)| *list == start).map(|(_, index)| *index);

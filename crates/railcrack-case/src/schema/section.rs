@@ -130,7 +130,8 @@ fn unknown_key(
     Fault::of(dotted, name.span(), message).help(help)
 }
 
-/// Chooses the form, refuses keys that do not go together, fills in the defaults, names missing keys.
+/// Chooses the form, refuses keys that do not go together, fills in the defaults, names missing
+/// keys.
 fn fill(read: &mut SectionValues, given: &[(&'static Key, Range<usize>)], report: &mut Report) {
     let section = read.section;
     let form = choose_form(read, given, report);

@@ -37,9 +37,9 @@ pub enum Availability {
     Now,
     /// The word is reserved and refused.
     Later {
-        /// What is not part of this version, a sentence.
+        /// The reason, a sentence.
         reason: &'static str,
-        /// What to write instead.
+        /// A remedy, in this version.
         instead: &'static str,
     },
 }

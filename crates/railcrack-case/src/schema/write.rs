@@ -10,8 +10,8 @@ use super::value::{Value, toml_value};
 pub(crate) struct Written(Vec<(String, Vec<(&'static str, Value)>)>);
 
 impl Written {
-    /// What `sections` hold, in the order of the declaration, and files under the names by which a
-    /// complete copy keeps them.
+    /// The values of `sections`, in the order of the declaration, and files under the names by
+    /// which a complete copy keeps them.
     pub fn of(sections: &Sections) -> Self {
         Self(sections.iter().map(|section| (section.section.header(), section.values())).collect())
     }

@@ -15,11 +15,13 @@ pub struct Axis {
 
 impl Axis {
     /// Number of its values; at least one.
+    #[must_use]
     pub fn len(&self) -> usize {
         self.variations.first().map_or(0, |variation| variation.values.len())
     }
 
     /// Whether it has no value, which no axis of a study is.
+    #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
@@ -36,7 +38,8 @@ impl<'a> Settings<'a> {
         Self { section, combine: section.get(COMBINE).unwrap_or(Combine::Product) }
     }
 
-    /// The axes of a study, in the order of the file; none where something is wrong with them, which `report` then says.
+    /// The axes of a study, in the order of the file; none where something is wrong with them,
+    /// which `report` then says.
     pub fn axes(&self, variations: Vec<Variation>, report: &mut Report) -> Option<Vec<Axis>> {
         let groups = self.groups(&variations, report)?;
         let mut axes: Vec<(usize, Axis)> = Vec::new();
@@ -102,7 +105,8 @@ impl<'a> Settings<'a> {
         axes.iter().position(|axis| axis.variations.iter().any(|v| v.key == *key)).unwrap_or(0)
     }
 
-    /// The variation that a key of `[study]` names; where only one crack is written, `crack.` is it.
+    /// The variation that a key of `[study]` names; where only one crack is written, `crack.` is
+    /// it.
     fn find<T>(
         &self,
         of: Row<T>,

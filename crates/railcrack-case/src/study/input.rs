@@ -30,7 +30,8 @@ impl Input {
         }
     }
 
-    /// The case or study written in `text`; errors call it `name`, relative file names are relative to `folder`.
+    /// The case or study written in `text`; errors call it `name`, relative file names are relative
+    /// to `folder`.
     pub fn parse(text: &str, name: &str, folder: &Path) -> Result<Self, CaseErrors> {
         if says_study(text) {
             let study = Study::parse_with(text, name, folder, &Overrides::default())?;

@@ -17,8 +17,8 @@ use std::sync::Arc;
 use toml::de::DeTable;
 
 impl Study {
-    /// The study in the file `path`, with `overrides` in place of the values in the file. Relative file
-    /// names in it are relative to its folder.
+    /// The study in the file `path`, with `overrides` in place of the values in the file. Relative
+    /// file names in it are relative to its folder.
     ///
     /// Errors: all of the file and of every case that it makes.
     pub fn read_with(path: &Path, overrides: &Overrides) -> Result<Self, CaseErrors> {
@@ -26,7 +26,8 @@ impl Study {
         Self::parse_with(&source.text, &source.name, path.parent().unwrap_or(Path::new("")), overrides)
     }
 
-    /// The study written in `text`; errors call it `name`, relative file names are relative to `folder`.
+    /// The study written in `text`; errors call it `name`, relative file names are relative to
+    /// `folder`.
     pub fn parse_with(
         text: &str,
         name: &str,

@@ -21,8 +21,8 @@ pub struct Variation {
     pub(super) elements: Vec<Range<usize>>,
 }
 
-/// The lists in place of values in the document `root`, in the order of the file, names not yet given; and
-/// the places of those that are refused, which `report` then says.
+/// The lists in place of values in the document `root`, in the order of the file, names not yet
+/// given; and the places of those that are refused, which `report` then says.
 pub(super) fn find_variations(
     root: &DeTable,
     overrides: &[Override],
@@ -69,7 +69,8 @@ pub(super) fn is_study(root: &DeTable) -> bool {
         })
 }
 
-/// The tables of a section with their dotted names; nothing where it is written as something else, which the reader reports.
+/// The tables of a section with their dotted names; nothing where it is written as something else,
+/// which the reader reports.
 fn tables_of<'d, 'i>(section: &Section, root: &'d DeTable<'i>) -> Vec<(String, &'d DeTable<'i>)> {
     if section.name.is_empty() {
         return vec![(String::new(), root)];
@@ -87,7 +88,8 @@ fn tables_of<'d, 'i>(section: &Section, root: &'d DeTable<'i>) -> Vec<(String, &
     }
 }
 
-/// The elements of a list that stands in place of a value of `kind`. What is a list by itself varies as a list of these.
+/// The elements of a list that stands in place of a value of `kind`. A value that is a list by
+/// itself varies as a list of these.
 fn list_in_place<'d, 'i>(kind: Kind, value: &'d DeValue<'i>) -> Option<&'d [Spanned<DeValue<'i>>]> {
     let DeValue::Array(items) = value else { return None };
     let is_list = |value: &Spanned<DeValue>| matches!(value.get_ref(), DeValue::Array(_));
@@ -130,7 +132,7 @@ fn fault(
     Some(Fault::of(dotted, value.span(), message).help(help))
 }
 
-/// The accepted value of an element. A refused one is reported by every run that takes it; here its text will do.
+/// The accepted value of an element. A refused one stays text: every run that takes it reports it.
 fn value_of(key: &Key, item: &Spanned<DeValue>, report: &Report) -> Value {
     key.kind
         .accept(&Raw::read(item.get_ref()), CASE_FILE.list)

@@ -55,7 +55,8 @@ pub fn markdown() -> String {
     page(&CASE_FILE)
 }
 
-/// The first file of a user: the reference case of Table 1 of the paper, with a comment on every key.
+/// The first file of a user: the reference case of Table 1 of the paper, with a comment on every
+/// key.
 #[must_use]
 pub fn init_text() -> String {
     first_file(&CASE_FILE)

@@ -29,10 +29,7 @@ impl Choice for DirectionCriterion {
         (Self::MaxRate, Word::now("max-rate", "the largest growth rate of the kink (Hourlier-Pineau)")),
         (
             Self::MaxRateUnclipped,
-            Word::now(
-                "max-rate-unclipped",
-                "the same, with the negative k1 of a closed kink counted as it is",
-            ),
+            Word::now("max-rate-unclipped", "the same, with negative k1 kept where max-rate takes zero"),
         ),
         (Self::MaxDeltaK1, Word::now("max-delta-k1", "the largest range of k1")),
         (Self::MaxK1, Word::now("max-k1", "the largest k1")),

@@ -1,5 +1,5 @@
-//! Tables of keys, a file for each section: its rows, the words of its choices, and the type that it
-//! fills. A new key is a row and the line that reads it.
+//! Tables of keys, a file for each section: its rows, the words of its choices, and the type that
+//! it fills. A new key is a row and the line that reads it.
 
 mod contact;
 mod crack;

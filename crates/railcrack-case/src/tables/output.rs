@@ -8,7 +8,7 @@ section! {
     FIELDS_OVER_A: Vec<f64> = numbers("fields_over_a", "a", within(1e3), &[-1.0, 0.0, 1.0],
         "Wheel positions, from the mouth of the first crack: of each, the nearest output position.");
     FIELDS_EVERY: usize = integer("fields_every", (0, 10_000), 25,
-        "Growth steps from one with fields to the next, step 0 the first; 0 writes none.");
+        "Interval between growth steps with fields, from step 0 on; 0 writes none.");
 }
 
 /// Fields that are written.
@@ -16,7 +16,7 @@ section! {
 pub struct FieldOutput {
     /// Wheel positions x_c/a, from the mouth of the first crack.
     pub over_a: Vec<f64>,
-    /// Growth steps from one with fields to the next; 0 is never.
+    /// Interval between growth steps with fields, from step 0 on; 0 is never.
     pub every: usize,
 }
 

@@ -8,14 +8,14 @@ use railcrack::load::{HertzianContact, Passage};
 
 section! {
     PASSAGE "passage", Defaulted,
-        "Passage of the wheel; with from > to it runs towards -x, and the two mouths change places.";
+        "Passage of the wheel; with from > to it runs towards -x, and the mouths of from and to change places.";
     FROM: f64 = number("from_over_a", "a", within(1e3), -6.0,
         "First position of the contact's middle, measured from the first mouth that the wheel meets.");
     TO: f64 = number("to_over_a", "a", within(1e3), 6.0,
         "Last position, measured from the last mouth that the wheel meets.");
     POSITIONS: usize = integer("positions", (2, 100_000), 241, "Output positions, evenly spaced.");
     MAX_PASSAGES: usize = integer("max_passages", (1, 1000), 5,
-        "Largest number of passages over cracks of one length until the history of K repeats.");
+        "Most passages of the wheel over an unchanged crack until the history of K repeats.");
     PASSAGE_TOLERANCE: f64 = number("passage_tolerance", "", closed(1e-9, 0.1), 1e-3,
         "Change of K between two passages, relative to its peak, below which the history repeats.");
     STEP_TOLERANCE: f64 = number("step_tolerance", "", closed(1e-6, 0.1), 2e-3,
@@ -51,8 +51,8 @@ pub(crate) fn read_passage(
         return None;
     }
     let (contact, cracks) = (contact?, cracks?);
-    // The wheel meets the cracks one after the other: it starts before the first mouth on its way and
-    // ends behind the last one.
+    // The wheel meets the cracks one after the other: it starts before the first mouth on its way
+    // and ends behind the last one.
     let (first, last) = if from < to {
         (cracks.leftmost_mouth(), cracks.rightmost_mouth())
     } else {
