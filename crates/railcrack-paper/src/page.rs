@@ -1,7 +1,7 @@
 //! The page: what was run, every statement with its verdict and numbers, what decides the differences.
 
 use super::claim::rounded;
-use super::profile_plot::StressProfile;
+use super::profile::StressProfile;
 use super::rolled::ROLLED_CLAIMS;
 use super::verdict::MAIN;
 use super::{FIGURES, Results, SETUPS, Verdict};
@@ -298,7 +298,7 @@ fn pictures(figures: &[u8], results: &Results) -> String {
         let stem = figure.file_stem();
         text.push_str(&format!("![Fig. {}: {}](figures/{stem}.svg)\n\n", figure.number, figure.title));
     }
-    if super::sif_plot::engines(results).is_some() {
+    if crate::figures::engines(results).is_some() {
         text.push_str("![Two engines on the case of Fig. 13](figures/engines.svg)\n\n");
     }
     text

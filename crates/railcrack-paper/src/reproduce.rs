@@ -4,11 +4,12 @@ use super::computation::{Computation, runs_table};
 use super::figure::{Figure, Kind};
 use super::files::{FIG_21, FIG_22, TABLE_1};
 use super::plan::{Job, plan};
-use super::profile_plot::{self, StressProfile};
+use super::profile::{StressProfile, profiles};
 use super::record::record;
 use super::steel::{STEELS, Steel};
 use super::stored::RUNS;
-use super::{CLAIMS, FIGURES, Results, Verdict, page, path_plot, sif_plot};
+use super::{CLAIMS, FIGURES, Results, Verdict, page};
+use crate::figures::{FigureTable, engines, path_table, profile_table, sheet, sif_table};
 use crate::report_page::paper_page;
 use railcrack::growth::{GrowthError, Observer};
 use railcrack::material::HardeningError;
@@ -193,7 +194,7 @@ fn stress_profiles(
 ) -> Result<Vec<StressProfile>, PaperError> {
     let case = Case::parse(FIG_22.text, FIG_22.name, &folder.join("cases"))?;
     let Some(given) = &case.residual_stress else { return Ok(Vec::new()) };
-    Ok(profile_plot::profiles(given.profile(), rolled))
+    Ok(profiles(given.profile(), rolled))
 }
 
 fn write_figures(
@@ -206,19 +207,19 @@ fn write_figures(
     make(&figures_folder)?;
     let chosen = |figure: &&Figure| figures.contains(&figure.number);
     for figure in FIGURES.iter().filter(chosen) {
-        let (picture, table) = match figure.kind {
-            Kind::Sif => (sif_plot::draw(figure, results), sif_plot::table(figure, results)),
-            Kind::Paths => (path_plot::draw(figure, results), path_plot::table(figure, results)),
-            Kind::Profile => {
-                let profiles = profiles.unwrap_or_default();
-                (profile_plot::draw(profiles), profile_plot::table(profiles))
-            }
+        let table = match figure.kind {
+            Kind::Sif => sif_table(figure, results),
+            Kind::Paths => path_table(figure, results),
+            Kind::Profile => profile_table(profiles.unwrap_or_default()),
         };
-        write(&figures_folder.join(format!("{}.svg", figure.file_stem())), &picture)?;
-        write(&figures_folder.join(format!("{}.csv", figure.file_stem())), &table)?;
+        let path = figures_folder.join(format!("{}.csv", figure.file_stem()));
+        write(&path, &table)?;
+        let sheet = FigureTable::parse(&table).and_then(|table| sheet(figure, &table));
+        let sheet = sheet.map_err(|reason| OutputError::damaged(&path, reason))?;
+        write(&path.with_extension("svg"), &sheet.svg())?;
     }
-    if let Some(picture) = sif_plot::engines(results) {
-        write(&figures_folder.join("engines.svg"), &picture)?;
+    if let Some(sheet) = engines(results) {
+        write(&figures_folder.join("engines.svg"), &sheet.svg())?;
     }
     Ok(())
 }

@@ -1,6 +1,6 @@
 //! What the paper leaves open, made explicit: boundary, travel, load steps, criterion, readings.
 
-use super::curve::Curve;
+use super::curve::PaperCurve;
 use super::edit::Edit;
 use super::steel::{STEELS, Steel};
 
@@ -93,7 +93,7 @@ const DRAGGED: &[u8] = &[14, 15, 16, 17, 18, 19];
 
 impl Setup {
     /// The text of the case of `curve` in this set-up.
-    pub(super) fn text(&self, curve: &Curve, stage: Stage) -> String {
+    pub(super) fn text(&self, curve: &PaperCurve, stage: Stage) -> String {
         let mut edits = curve.edits();
         let sign = if self.travel == Travel::With { self.drag } else { -self.drag };
         edits.push(Edit::number("contact", "friction", sign * curve.wheel_friction));
@@ -147,7 +147,7 @@ impl Setup {
     }
 
     /// Whether the cracks of `curve` grow in this set-up.
-    pub(super) fn grows(&self, curve: &Curve) -> bool {
+    pub(super) fn grows(&self, curve: &PaperCurve) -> bool {
         let block = matches!(self.body, Body::Block { .. });
         match (self.extent, self.twist) {
             // A slippery pair takes as long there as the nine cracks of all set-ups.
@@ -161,7 +161,7 @@ impl Setup {
     }
 
     /// Whether `curve` is another case here than in the set-up that this one varies.
-    pub(super) fn concerns(&self, curve: &Curve) -> bool {
+    pub(super) fn concerns(&self, curve: &PaperCurve) -> bool {
         match self.twist {
             Twist::PlasticStress | Twist::Rolled(_) => {
                 matches!(curve.name, "stress" | "nine-stress" | "one-stress" | "reference")

@@ -8,7 +8,7 @@ use std::fmt::Write;
 /// Groups of values that a reader switches on and off: a curve or a row is shown where its value of every group is on.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Choices {
-    /// The groups, in the order of [`Curve::choices`](super::Curve::choices).
+    /// The groups, in the order of [`Curve::choices`](super::chart::Curve::choices).
     pub groups: Vec<ChoiceGroup>,
 }
 

@@ -62,6 +62,18 @@ pub fn tonnage(value: f64) -> String {
     if value >= 0.1 || value == 0.0 { fixed(value, 2) } else { significant(value) }
 }
 
+/// `text` cut to about `letters` letters.
+pub(crate) fn shortened(text: &str, letters: f64) -> String {
+    let most = letters.max(8.0) as usize;
+    if text.chars().count() <= most {
+        return text.to_owned();
+    }
+    let mut short: String = text.chars().take(most - 1).collect();
+    short.truncate(short.trim_end().len());
+    short.push('\u{2026}');
+    short
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

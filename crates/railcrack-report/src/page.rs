@@ -1,6 +1,6 @@
 //! The page: what stands first, then sections of text, tables and charts, all in one file.
 
-use super::chart::LineChart;
+use super::chart::Chart;
 use super::choices::Choices;
 use super::html::{escaped, json_for_script, still, typeset};
 use super::table::Table;
@@ -39,7 +39,7 @@ pub enum Block {
     /// A table.
     Table(Table),
     /// A chart.
-    Chart(LineChart),
+    Chart(Chart),
     /// Switches for curves and rows, once on a page.
     Choices(Choices),
     /// Parts beside each other where there is room.
@@ -82,7 +82,7 @@ pub enum Block {
 
 impl Block {
     /// Charts beside each other where there is room.
-    pub fn charts(charts: impl IntoIterator<Item = LineChart>) -> Self {
+    pub fn charts(charts: impl IntoIterator<Item = Chart>) -> Self {
         Self::Beside(charts.into_iter().map(Self::Chart).collect())
     }
 }

@@ -2,7 +2,6 @@
 
 mod figures;
 mod statements;
-mod tables;
 
 use crate::document::{PaperRecord, SetupRecord};
 use railcrack_report::{

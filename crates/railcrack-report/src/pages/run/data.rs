@@ -1,4 +1,4 @@
-//! What the passage explorer of the page works with.
+//! Data of the passage explorer.
 
 use super::stored::RunFolder;
 use crate::numbers::{number, numbers};
@@ -26,9 +26,9 @@ pub(super) fn explorer(run: &RunFolder, shown: &ShownRun) -> Value {
     json!({
         "half_width": summary.half_width_mm,
         "origin": summary.cracks.first().and_then(|crack| crack.initial_points_mm.first()).map_or(0.0, |p| p[0]),
-        "peak_pressure": run.peak_pressure().map(number),
-        "friction": run.number("contact.friction"),
-        "axle_load": run.axle_load(),
+        "peak_pressure": number(run.case.contact.peak_pressure),
+        "friction": run.case.contact.friction,
+        "axle_load": run.case.axle_load,
         "xc_over_a": numbers(xc_over_a.iter().copied()),
         "face_stride": shown.face_stride(),
         "last_step": summary.steps_recorded.saturating_sub(1),

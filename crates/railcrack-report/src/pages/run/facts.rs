@@ -1,12 +1,12 @@
-//! What stands first on the page of a run: the result in a sentence, numbers, cycles to each length.
+//! The first screen of the report of a run: the result in a sentence, key figures, cycles to each length.
 
 use super::events;
 use super::stored::RunFolder;
 use crate::direction::Heading;
 use crate::numbers::{fixed, grouped, significant, tonnage};
+use crate::page::Fact;
 use crate::svg::round_step;
-use crate::table::MISSING;
-use crate::{Fact, Table};
+use crate::table::{MISSING, Table};
 use railcrack_run::csv::TipRow;
 use railcrack_run::leader::{cycles_to, leading_tip};
 use std::collections::BTreeSet;
@@ -17,8 +17,8 @@ const LENGTHS_OF_SEVERAL: usize = 5;
 /// Cracks in the table of lengths.
 const LENGTH_CRACKS: usize = 9;
 
-/// The first and the last row of the tip that stands for the run.
-pub(super) fn leader(run: &RunFolder) -> Option<(&TipRow, &TipRow)> {
+/// The first and the last row of the representative tip.
+fn representative_tip(run: &RunFolder) -> Option<(&TipRow, &TipRow)> {
     let rows = leading_tip(&run.growth)?;
     Some((rows.first()?, rows.last()?))
 }
@@ -30,7 +30,7 @@ fn crack_name(run: &RunFolder, crack: usize) -> String {
 
 /// The result in a sentence or two.
 pub(super) fn verdict(run: &RunFolder) -> String {
-    let Some((first, last)) = leader(run) else {
+    let Some((first, last)) = representative_tip(run) else {
         return "No step is finished yet.".to_owned();
     };
     let count = run.summary.cracks.len();
@@ -40,7 +40,7 @@ pub(super) fn verdict(run: &RunFolder) -> String {
         _ => format!("The fastest of {count} cracks, crack {},", first.crack),
     };
     let mut text = if last.length > first.length {
-        let tonnes = run.axle_load().map_or_else(String::new, |load| {
+        let tonnes = run.case.axle_load.map_or_else(String::new, |load| {
             format!(" ({} million gross tonnes at {load} t per axle)", tonnage(last.load_cycles * load / 1e6))
         });
         format!(
@@ -48,13 +48,13 @@ pub(super) fn verdict(run: &RunFolder) -> String {
             fixed(first.length, 2),
             fixed(last.length, 2),
             grouped(last.load_cycles),
-            run.heading(last).map_or_else(|| "without a direction".to_owned(), |h| h.sentence())
+            run.heading(last).map_or_else(|| "with no direction yet".to_owned(), |h| h.sentence())
         )
     } else if last.stop == "arrest" || last.rate == 0.0 {
         format!("{name} of {} mm does not grow.", fixed(first.length, 2))
     } else {
         format!(
-            "{name} of {} mm, not grown here: ΔK_{{eq}} = {} MPa√m, {} mm per load cycle at its start.",
+            "{name} of {} mm is at ΔK_{{eq}} = {} MPa√m and grows by {} mm per load cycle at first; no increment was computed.",
             fixed(first.length, 2),
             significant(first.delta_keq),
             significant(first.rate)
@@ -73,27 +73,25 @@ pub(super) fn verdict(run: &RunFolder) -> String {
 fn stop_sentence(run: &RunFolder) -> String {
     let steps = run.summary.steps;
     match run.summary.stop.as_deref() {
-        None => format!("The run has not ended: step {steps} is the last one that is finished."),
-        Some("steps-done") if steps == 0 => "Only the initial geometry was asked for.".to_owned(),
+        None => format!("The run has not ended: step {steps} is the last finished one."),
+        Some("steps-done") if steps == 0 => "The case asks for the initial geometry only.".to_owned(),
         Some("steps-done") => {
-            format!("The run ended because the {steps} increments asked for are done; growth goes on.")
+            format!("The run ended after the {steps} increments of the case; growth would continue.")
         }
-        Some("cycles") => "The run ended at the number of load cycles asked for; growth goes on.".to_owned(),
+        Some("cycles") => "The run ended at the load cycles of the case; growth would continue.".to_owned(),
         Some("critical-length") => {
-            let length = run.number("growth.critical_length_mm");
+            let length = run.case.growth.critical_length;
             format!(
                 "The run ended at the critical length{}.",
                 length.map_or_else(String::new, |l| format!(" of {l} mm"))
             )
         }
-        Some("arrest") => "The run ended because no tip grows any more: arrest.".to_owned(),
+        Some("arrest") => "The run ended with the arrest of all tips.".to_owned(),
         Some("break-out") => {
-            "The run ended with a spall: the ligament to the running surface is spent.".to_owned()
-        }
-        Some("meets-crack") => {
-            "The run ended because the last growing tip came as close to another crack as can be resolved."
+            "The run ended with a break-out: the ligament to the running surface is lost, and a spall forms."
                 .to_owned()
         }
+        Some("meets-crack") => "The run ended because the last growing tip reached another crack.".to_owned(),
         Some("leaves-rail") => "The run ended because the last growing tip would leave the rail.".to_owned(),
         Some(other) => format!("The run ended: {}.", other.replace('-', " ")),
     }
@@ -101,7 +99,7 @@ fn stop_sentence(run: &RunFolder) -> String {
 
 /// The numbers that are looked for first.
 pub(super) fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
-    let Some((first, last)) = leader(run) else { return Vec::new() };
+    let Some((first, last)) = representative_tip(run) else { return Vec::new() };
     let fact = |name: &str, value: String, note: String| Fact { name: name.to_owned(), value, note };
     let which = crack_name(run, last.crack);
     let mut facts = vec![fact(
@@ -109,7 +107,7 @@ pub(super) fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
         grouped(last.load_cycles),
         format!("axles until {which} is {} mm long", fixed(last.length, 2)),
     )];
-    facts.push(match run.axle_load() {
+    facts.push(match run.case.axle_load {
         Some(load) => fact(
             "Million gross tonnes",
             tonnage(last.load_cycles * load / 1e6),
@@ -131,17 +129,17 @@ pub(super) fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
     }
     facts.extend(events::fact(run));
     let stop = run.summary.stop.as_deref().unwrap_or("not ended").replace('-', " ");
-    facts.push(fact("Ended by", stop, format!("after step {} of {}", run.summary.steps, increments(run))));
+    facts.push(fact(
+        "Ended by",
+        stop,
+        format!("after step {} of {}", run.summary.steps, run.case.growth.steps),
+    ));
     facts.push(fact(
         "Warnings",
         if warnings == 0 { "none".to_owned() } else { warnings.to_string() },
         if warnings == 0 { String::new() } else { "below".to_owned() },
     ));
     facts
-}
-
-fn increments(run: &RunFolder) -> String {
-    run.number("growth.steps").map_or_else(|| run.summary.steps.to_string(), |steps| format!("{steps:.0}"))
 }
 
 /// Load cycles (and tonnage) until every crack has each of some round lengths; none without growth. Between two steps the
@@ -157,7 +155,7 @@ pub(super) fn lengths(run: &RunFolder) -> Option<Table> {
     if milestones.is_empty() {
         return None;
     }
-    let load = run.axle_load();
+    let load = run.case.axle_load;
     let mut headings = vec!["Length (mm)".to_owned()];
     for &(crack, _) in &tips {
         headings.push(if tips.len() == 1 {

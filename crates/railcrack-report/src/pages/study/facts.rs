@@ -1,8 +1,8 @@
 //! What stands first on the page of a study.
 
-use super::{StudyRun, values};
-use crate::Fact;
+use crate::figures::{StudyRun, values};
 use crate::numbers::{fixed, grouped, significant};
+use crate::page::Fact;
 use railcrack::growth::WarningKind;
 use railcrack_run::leader::cycles_to;
 use railcrack_run::study::{RunState, StudyPlan};
@@ -72,7 +72,7 @@ pub(super) fn verdict(plan: &StudyPlan, all: &[StudyRun]) -> String {
             grouped(cycles.most.0)
         ),
         (Some(Race { length, runs, cycles }), _) => format!(
-            "To a length of {} mm, which {} reach, it takes {} load cycles in {} and {} in {}.",
+            "The life to a length of {} mm, reached in {}, is shortest with {} load cycles in {} and longest with {} in {}.",
             fixed(length, 2),
             if runs == all.len() { format!("all {runs} runs") } else { format!("{runs} runs") },
             grouped(cycles.least.0),
@@ -109,7 +109,7 @@ pub(super) fn facts(plan: &StudyPlan, all: &[StudyRun]) -> Vec<Fact> {
     let mut facts = vec![fact("Runs", all.len().to_string(), told(&states))];
     let names: Vec<String> = plan.axes.iter().map(|axis| axis.name()).collect();
     let values: Vec<String> = plan.axes.iter().map(|axis| axis.len().to_string()).collect();
-    facts.push(fact("What varies", names.join("; "), format!("{} values", values.join(" × "))));
+    facts.push(fact("Parameters", names.join("; "), format!("{} values", values.join(" × "))));
     let between = |span: &Span| format!("run {}, run {}", span.least.1.number(), span.most.1.number());
     if let Some(Race { length, cycles, .. }) = Race::of(all) {
         facts.push(fact(
@@ -137,7 +137,11 @@ pub(super) fn facts(plan: &StudyPlan, all: &[StudyRun]) -> Vec<Fact> {
             .filter(|(_, count)| *count > 0)
             .map(|(word, count)| format!("{count} {word}"))
             .collect();
-        facts.push(fact("Direction", told.join(", "), "where the tips are heading at the end".to_owned()));
+        facts.push(fact(
+            "Direction",
+            told.join(", "),
+            "of the last segment at the representative tip".to_owned(),
+        ));
     }
     let mut stops: BTreeMap<String, usize> = BTreeMap::new();
     for summary in all.iter().filter_map(|run| run.row.summary.as_ref()) {
@@ -178,7 +182,7 @@ pub(super) fn warnings(all: &[StudyRun]) -> Vec<String> {
         all.iter().filter(|run| run.row.state == *state).map(StudyRun::number).collect()
     };
     list("Not computed yet, or in another folder", in_state(&RunState::Missing));
-    list("Begun and not ended; --resume goes on", in_state(&RunState::Unfinished));
+    list("Not ended; --resume continues them", in_state(&RunState::Unfinished));
     let with = |is_so: &dyn Fn(&StudyRun) -> bool| -> Vec<usize> {
         all.iter().filter(|run| is_so(run)).map(StudyRun::number).collect()
     };
@@ -193,16 +197,18 @@ pub(super) fn warnings(all: &[StudyRun]) -> Vec<String> {
             run.row.summary.as_ref().is_some_and(|s| s.warnings.iter().any(|warning| warning.kind == kind))
         };
         let heading = match kind {
-            WarningKind::NearTie => "Near ties of directions: read the path as one of several",
-            WarningKind::Passages => "Passages did not repeat within their limit",
-            WarningKind::ContactFallback => "The other contact solver took over",
-            WarningKind::Engine => "The engine remarks on something",
+            WarningKind::NearTie => {
+                "Near ties of the direction criterion, so that the path is one of several"
+            }
+            WarningKind::Passages => "Passages not stabilised within the limit",
+            WarningKind::ContactFallback => "Contact solved by the other solver",
+            WarningKind::Engine => "Remarks of the engine",
             WarningKind::ResidualStress => "Remarks on the residual stress",
         };
         list(heading, with(&has));
     }
     let block = |run: &StudyRun| run.row.summary.as_ref().is_some_and(|s| s.boundary != "half-plane");
-    list("A block on supports bends, which opens cracks that a half-plane keeps closed", with(&block));
+    list("Block on supports, whose bending opens cracks that stay closed in a half-plane", with(&block));
     texts
 }
 
