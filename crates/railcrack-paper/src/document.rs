@@ -5,6 +5,7 @@ use railcrack_run::folder::{Durability, read_if_there, replace_file};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
+/// Name of the file.
 pub const STATEMENTS_FILE: &str = "statements.json";
 
 /// Everything that `railcrack paper` says in words and decisions. Keys are the fields' names.

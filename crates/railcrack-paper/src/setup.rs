@@ -1,4 +1,4 @@
-//! What the paper leaves open, made explicit: boundary, travel, load steps, criterion, readings.
+//! Choices that the paper leaves open, made explicit: boundary, travel, load steps, criterion, readings.
 
 use super::curve::PaperCurve;
 use super::edit::Edit;
@@ -224,11 +224,11 @@ pub static SETUPS: &[Setup] = both_ways![
     ("steps 0.05 a", "half-plane, fixed load steps of 0.05 a", Growth, SINGLE, Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::FixedSteps(240)),
     ("unclipped", "half-plane, negative k1 counted in the direction", Growth, GROWN, Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::Direction("max-rate-unclipped")),
     ("block, unclipped", "block, negative k1 counted in the direction", Growth, &[18], Some(Main::Block), 1.0, BLOCK, Twist::Direction("max-rate-unclipped")),
-    ("Fig. 21 plastic", "half-plane, Fig. 21 read as plastic stress before the balance", Growth, &[22, 23], Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::PlasticStress),
-    ("block, Fig. 21 plastic", "block, Fig. 21 read as plastic stress before the balance", Growth, &[22, 23], Some(Main::Block), 1.0, BLOCK, Twist::PlasticStress),
-    ("rolled 430 MPa", "half-plane, the residual stress that rolling leaves at a yield stress of 430 MPa and C = 20 GPa instead of Fig. 21", Growth, &[22, 23], Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::Rolled(&STEELS[1])),
-    ("rolled 380 MPa", "half-plane, the residual stress that rolling leaves at a yield stress of 380 MPa and C = 20 GPa instead of Fig. 21", Growth, &[22, 23], Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::Rolled(&STEELS[2])),
-    ("faces 0.01", "half-plane, friction of the faces 0.01 as in the captions of Figs 24 and 25", Growth, &[24, 25], Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::FaceFriction(0.01)),
-    ("block, faces 0.01", "block, friction of the faces 0.01 as in the captions of Figs 24 and 25", Growth, &[24, 25], Some(Main::Block), 1.0, BLOCK, Twist::FaceFriction(0.01)),
-    ("E 70 GPa", "half-plane, Young's modulus a third", Initial, &[13, 19, 24], Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::Young(70e3)),
+    ("Fig. 21 plastic", "half-plane, Fig. 21 read as the plastic stress, which is then balanced", Growth, &[22, 23], Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::PlasticStress),
+    ("block, Fig. 21 plastic", "block, Fig. 21 read as the plastic stress, which is then balanced", Growth, &[22, 23], Some(Main::Block), 1.0, BLOCK, Twist::PlasticStress),
+    ("rolled 430 MPa", "half-plane, residual stress of a rail rolled at a yield stress of 430 MPa and C = 20 GPa instead of Fig. 21", Growth, &[22, 23], Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::Rolled(&STEELS[1])),
+    ("rolled 380 MPa", "half-plane, residual stress of a rail rolled at a yield stress of 380 MPa and C = 20 GPa instead of Fig. 21", Growth, &[22, 23], Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::Rolled(&STEELS[2])),
+    ("faces 0.01", "half-plane, crack-face friction 0.01 as in the captions of Figs 24 and 25", Growth, &[24, 25], Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::FaceFriction(0.01)),
+    ("block, faces 0.01", "block, crack-face friction 0.01 as in the captions of Figs 24 and 25", Growth, &[24, 25], Some(Main::Block), 1.0, BLOCK, Twist::FaceFriction(0.01)),
+    ("E 70 GPa", "half-plane, a third of Young's modulus", Initial, &[13, 19, 24], Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::Young(70e3)),
 ];

@@ -100,7 +100,7 @@ impl ChartSheet {
                 (ChartRange::Around, _) => around(values),
                 (ChartRange::AroundZero, _) => around(values.chain([0.0])),
             };
-            let ticks = (length / 45.0).round() as usize;
+            let ticks = (length / 40.0).round() as usize;
             match axis.scale {
                 ChartScale::Linear => Axis::exact(low, high, ticks),
                 ChartScale::Depth => Axis::exact(high, low, ticks),
