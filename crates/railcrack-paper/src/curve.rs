@@ -11,7 +11,7 @@ pub struct PaperCurve {
     pub legend: &'static str,
     /// Its case file.
     pub(super) file: &'static PaperFile,
-    /// Friction of the wheel as the paper signs it: positive is braking.
+    /// Wheel–rail friction with the sign of the paper: positive is braking.
     pub wheel_friction: f64,
     /// Values that differ from the case file's.
     pub(super) variation: Variation,
@@ -19,7 +19,7 @@ pub struct PaperCurve {
     pub figures: &'static [u8],
 }
 
-/// What differs from the case file, apart from the wheel's friction.
+/// Difference from the case file, apart from the wheel–rail friction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Variation {
     None,

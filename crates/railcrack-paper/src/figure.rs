@@ -1,4 +1,4 @@
-//! The figures: what each shows.
+//! The figures of the paper and their curves.
 
 use super::curve::CURVES;
 use thiserror::Error;
@@ -7,7 +7,7 @@ use thiserror::Error;
 pub struct Figure {
     /// Its number.
     pub number: u8,
-    /// What it shows.
+    /// Its title.
     pub title: &'static str,
     /// How it is drawn.
     pub(super) kind: Kind,
@@ -57,8 +57,8 @@ impl Figure {
         format!("fig{}", self.number)
     }
 
-    /// The words of the curve or profile `name` in its legend: the reference case is called by the value
-    /// that the figure varies.
+    /// The words of the curve or profile `name` in its legend: the reference case is called by the
+    /// value that the figure varies.
     pub(super) fn words<'a>(&self, name: &'a str) -> &'a str {
         match (self.number, name) {
             (14..=16, "reference") => "wheel–rail friction 0.025",
@@ -81,13 +81,14 @@ impl Figure {
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error("`{given}` is no figure with results: must be one of {accepted}")]
 pub struct UnknownFigure {
-    /// What was given.
+    /// The name given.
     pub given: String,
-    /// What is accepted.
+    /// The numbers accepted.
     pub accepted: String,
 }
 
-/// The numbers of the figures called `names`, `13` or `fig13`, each once and in order; all where there are none.
+/// The numbers of the figures called `names`, `13` or `fig13`, each once and in order; all where
+/// there are none.
 ///
 /// Errors: a name that is no figure with results.
 pub fn parse_figures(names: &[String]) -> Result<Vec<u8>, UnknownFigure> {

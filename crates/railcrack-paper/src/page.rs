@@ -180,7 +180,8 @@ K in MPa\u{221a}m, depths in mm. Numbers of all set-ups, unrounded, are in `clai
     text
 }
 
-/// ΔK of the initial crack of Table 1 and of Fig. 13 in every set-up: supports, fixed steps, engines, E.
+/// ΔK of the initial crack of Table 1 and of Fig. 13 in every set-up: supports, fixed steps,
+/// engines, E.
 fn reference_ranges(results: &Results) -> String {
     let mut rows = String::new();
     for r in results.setups() {
@@ -189,7 +190,8 @@ fn reference_ranges(results: &Results) -> String {
         if parent != r.setup().name && !r.setup().changes_k() {
             continue;
         }
-        // How far K of the curve is from that in the set-up it varies, where the positions are the same.
+        // How far K of the curve is from that in the set-up it varies, where the positions are the
+        // same.
         let off = |name: &str| {
             let (mine, other) = (r.run(name)?, r.elsewhere(parent, name)?);
             Some(100.0 * mine.crack().sif.difference(&other.crack().sif))

@@ -1,5 +1,5 @@
-//! Fig. 21: the stress by depth described in the paper, read in two ways, and the residual stress of rolled
-//! rails.
+//! Fig. 21: the stress by depth described in the paper, read in two ways, and the residual stress
+//! of rolled rails.
 
 use super::steel::Steel;
 use railcrack::field::{DepthProfile, StressField};
@@ -39,8 +39,8 @@ fn depths() -> impl Iterator<Item = f64> {
     (0..=(DEEPEST / SPACING).round() as usize).map(|i| i as f64 * SPACING)
 }
 
-/// The table `given` in both readings, then the residual stress of `rolled` rails. A plastic stress along
-/// the rail that depends on depth alone is balanced by its opposite in a half-plane.
+/// The table `given` in both readings, then the residual stress of `rolled` rails. A plastic stress
+/// along the rail that depends on depth alone is balanced by its opposite in a half-plane.
 pub(super) fn profiles(given: &DepthProfile, rolled: &[(Steel, StabilisedRail)]) -> Vec<StressProfile> {
     let readings =
         [("read as balanced stress", 1.0), ("read as plastic stress, balanced in a half-plane", -1.0)];

@@ -1,15 +1,18 @@
-//! Choices that the paper leaves open, made explicit: boundary, travel, load steps, criterion, readings.
+//! Choices that the paper leaves open, made explicit: boundary, travel, load steps, criterion,
+//! readings.
 
 use super::curve::PaperCurve;
 use super::edit::Edit;
 use super::steel::{STEELS, Steel};
 
-/// Which way the wheel runs with respect to the cracks of 15°, which lean towards +x as they go down.
+/// Direction of travel with respect to the cracks of 15°, which lean towards +x as they go
+/// down.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Travel {
     /// The cracks lean along the travel: the wheel meets the mouth first, then passes over the tip.
     With,
-    /// They lean against it: the wheel passes over the tip first. Crack 9 of a network is met first.
+    /// They lean against it: the wheel passes over the tip first. Crack 9 of a network is met
+    /// first.
     Against,
 }
 
@@ -28,7 +31,7 @@ pub enum Extent {
 pub struct Setup {
     /// Its name in files and tables.
     pub name: &'static str,
-    /// What it is.
+    /// Its description.
     pub words: &'static str,
     /// How far its runs go.
     pub extent: Extent,
@@ -55,7 +58,7 @@ pub(super) enum Body {
     },
 }
 
-/// One more thing that differs.
+/// A further difference.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Twist {
     None,
@@ -66,7 +69,7 @@ pub(super) enum Twist {
     FaceFriction(f64),
     /// Fig. 21 read as the plastic stress, which is still to be balanced.
     PlasticStress,
-    /// The residual stress that rolling leaves in this steel instead of Fig. 21.
+    /// The residual stress of a rail rolled in this steel instead of Fig. 21.
     Rolled(&'static Steel),
     Young(f64),
 }
@@ -85,8 +88,8 @@ const FEW: &[u8] = &[13, 17, 19, 20, 22];
 /// Those of the single crack.
 /// Without the paths of Fig. 20: under a thin ligament a fixed step costs thousands of iterations.
 const SINGLE: &[u8] = &[13, 14, 15, 16, 17, 18, 19, 22, 23];
-/// Paths of the single crack. With the stress of Fig. 21 and negative k1 counted the crack turns back under a ligament so thin that its contact
-/// takes hours.
+/// Paths of the single crack. With the stress of Fig. 21 and negative k1 counted the crack turns
+/// back under a ligament so thin that its contact takes hours.
 const GROWN: &[u8] = &[16, 18, 20];
 /// Those that friction of the wheel drives, and K for the inclination.
 const DRAGGED: &[u8] = &[14, 15, 16, 17, 18, 19];

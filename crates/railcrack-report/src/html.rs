@@ -32,7 +32,8 @@ pub(crate) fn typeset(text: &str) -> String {
     pieces(text).into_iter().map(set).collect()
 }
 
-/// An SVG as an image of its own: its names cannot meet those of another picture, nor its content the page.
+/// An SVG as an image of its own: its names cannot meet those of another picture, nor its content
+/// the page.
 pub(crate) fn still(svg: &str, description: &str) -> String {
     let mut data = Vec::with_capacity(svg.len() / 3 * 4 + 4);
     base64::encode(svg.as_bytes(), &mut data);

@@ -1,12 +1,12 @@
-//! Plots and reports of railcrack: SVG files, and one HTML file per folder that is readable without a
-//! network.
+//! Plots and reports of railcrack: SVG files, and one HTML file per folder that is readable without
+//! a network.
 //!
 //! A [`Chart`] has axes, curves, areas and notes. It is built once from results and drawn by two
-//! writers: [`ChartSheet::svg`] makes a file of one or several charts, [`Page::html`] draws charts with
-//! their values under the pointer. A [`Page`] is a title, a verdict in a sentence, key figures
-//! ([`Fact`]) and sections of [`Block`]s: text, tables ([`Table`]), charts, pictures. Texts are plain
-//! text; `K_{I}` and `10^{6}` set an index and a power. Numbers are written with six significant
-//! digits. The same page has the same bytes.
+//! writers: [`ChartSheet::svg`] makes a file of one or several charts, [`Page::html`] draws charts
+//! with their values under the pointer. A [`Page`] is a title, a verdict in a sentence, key figures
+//! ([`Fact`]) and sections of [`Block`]s: text, tables ([`Table`]), charts, pictures. Texts are
+//! plain text; `K_{I}` and `10^{6}` set an index and a power. Numbers are written with six
+//! significant digits. The same page has the same bytes.
 //!
 //! ```
 //! use railcrack_report::{Block, Chart, ChartAxis, ChartSheet, Curve, Fact, Page, Section, Table};

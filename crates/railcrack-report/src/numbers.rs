@@ -18,7 +18,8 @@ pub fn numbers(values: impl IntoIterator<Item = f64>) -> Value {
     Value::Array(values.into_iter().map(number).collect())
 }
 
-/// A count with its digits in groups of three: `1 197 467`; a power of ten where it has more than 15 digits.
+/// A count with its digits in groups of three: `1 197 467`; a power of ten where it has more than
+/// 15 digits.
 pub fn grouped(value: f64) -> String {
     let digits = format!("{value:.0}");
     if digits.len() > 15 {

@@ -46,8 +46,9 @@ impl FolderKind {
     }
 }
 
-/// Builds plots and report of `folder` anew from its tables and summaries alone; of a study, also its
-/// table of runs, from the run folders in it. The files of a command are built again bit for bit.
+/// Builds plots and report of `folder` anew from its tables and summaries alone; of a study, also
+/// its table of runs, from the run folders in it. The files of a command are built again bit for
+/// bit.
 ///
 /// Errors: the folder holds none of these; a file of it is damaged; the system refuses.
 pub fn rebuild_report(folder: &Path) -> Result<FolderKind, OutputError> {

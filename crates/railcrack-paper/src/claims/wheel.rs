@@ -17,7 +17,8 @@ fn widens(r: SetupResults, curves: [&str; 3]) -> Option<Decision> {
     Some(Decision::of(rises(&ranges)).with_all("\u{394}K_II at", &SIZES, &ranges))
 }
 
-/// The first increment off the line, for growing friction; one more than there are where there is none.
+/// The first increment off the line, for growing friction; one more than there are where there is
+/// none.
 fn branches_earlier(r: SetupResults, curves: [&str; 3]) -> Option<Decision> {
     let first: Option<Vec<f64>> = curves
         .iter()
@@ -28,7 +29,8 @@ fn branches_earlier(r: SetupResults, curves: [&str; 3]) -> Option<Decision> {
     Some(Decision::of(earlier).with_all("branches in increment", &SIZES, &first))
 }
 
-/// How far K at the wheel positions rises and falls when the friction goes from `from` to `to`, MPa√m.
+/// How far K at the wheel positions rises and falls when the friction goes from `from` to `to`,
+/// MPa√m.
 fn rise_and_fall(from: &SifCurve, to: &SifCurve, which: usize) -> [f64; 2] {
     let changes = to.minus(from).into_iter().map(|difference| {
         let size = |curve: &SifCurve| curve.at(difference[0]).map_or(0.0, |k| k[which].abs());

@@ -96,8 +96,8 @@ pub(super) fn cracks(curves: &[TableCurve], name: &str) -> usize {
     cracks.len()
 }
 
-/// The `curves` of `figure` that `is_shown`, with their places among all: name and crack give words and
-/// colour, the same in every set-up.
+/// The `curves` of `figure` that `is_shown`, with their places among all: name and crack give words
+/// and colour, the same in every set-up.
 pub(super) fn drawn<'a>(
     figure: &'a Figure,
     curves: &'a [TableCurve],
@@ -122,7 +122,8 @@ pub(super) fn drawn<'a>(
     })
 }
 
-/// The chart of `quantity` with the `curves` of all set-ups, each completed by `styled` for the page.
+/// The chart of `quantity` with the `curves` of all set-ups, each completed by `styled` for the
+/// page.
 pub(crate) fn page_chart(
     figure: &Figure,
     quantity: &Quantity,

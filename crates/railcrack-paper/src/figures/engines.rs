@@ -4,7 +4,8 @@ use crate::case_run::CrackGrowth;
 use crate::results::Results;
 use railcrack_report::{Chart, ChartAxis, ChartRange, ChartSheet, Curve, CurveColour, CurveLook, CurveWidth};
 
-/// K of both engines and, beside it, their difference in per cent of the peak; none where a run is missing.
+/// K of both engines and, beside it, their difference in per cent of the peak; none where a run is
+/// missing.
 pub(crate) fn engines(results: &Results) -> Option<ChartSheet> {
     let first = results.setup("half-plane, with")?.run("fig13")?.crack();
     let second = results.setup("half-plane xfem, with")?.run("fig13")?.crack();

@@ -39,14 +39,14 @@ pub(crate) fn sheet(figure: &Figure, table: &FigureTable) -> Result<ChartSheet, 
         legend: SheetLegend::default(),
     };
     if figure.kind == Kind::Sif {
-        // What is told by colour, then by dashes.
         let bodies = LegendEntry::solid_and_dashed(["half-plane", "block, bottom clamped"]);
         sheet.legend = SheetLegend::Names(bodies.into());
     }
     Ok(sheet)
 }
 
-/// K for cracks that lean along the travel and, beside it, against it: half-plane solid, block dashed.
+/// K for cracks that lean along the travel and, beside it, against it: half-plane solid, block
+/// dashed.
 fn sif_row(figure: &Figure, quantity: &Quantity, curves: &[TableCurve]) -> Vec<Chart> {
     let column = |(way, words): (&str, &str)| {
         let [half_plane, block] = ["half-plane", "block"].map(|body| format!("{body}, {way}"));

@@ -83,7 +83,8 @@ enum Whole {
     No,
 }
 
-/// Leaves out the curves that find no room on the page: those of the first set-ups go first, on all charts.
+/// Leaves out the curves that find no room on the page: those of the first set-ups go first, on all
+/// charts.
 fn leave_out<'a>(charts: impl Iterator<Item = &'a mut Chart>) -> Whole {
     let mut charts: Vec<&mut Chart> = charts.collect();
     let mut sizes: BTreeMap<Vec<usize>, usize> = BTreeMap::new();

@@ -79,7 +79,8 @@ fn facts(record: &PaperRecord) -> Vec<Fact> {
 const LOOKS: [CurveLook; 4] =
     [CurveLook::Line, CurveLook::FineDashed, CurveLook::Dashed, CurveLook::DashDotted];
 
-/// The look of the curves of the set-up at `index`: a variant has that of the main one that it varies.
+/// The look of the curves of the set-up at `index`: a variant has that of the main one that it
+/// varies.
 fn look(setups: &[SetupRecord], index: usize) -> CurveLook {
     let mut at = index;
     // A variant may vary another one; none varies itself through others.

@@ -111,7 +111,8 @@ pub struct Curve {
     pub colour: Option<CurveColour>,
     /// Words under the pointer beside its values; empty for none.
     pub note: String,
-    /// Of each group of the page's `Choices` the value that it belongs to; empty: it is always shown.
+    /// Of each group of the page's `Choices` the value that it belongs to; empty: it is always
+    /// shown.
     pub choices: Vec<usize>,
 }
 

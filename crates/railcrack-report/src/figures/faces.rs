@@ -129,8 +129,8 @@ fn draw_cells(svg: &mut Svg, axes: &Axes, cells: &[f64], crack: &CrackMap, colum
     map.draw(svg, class, |class| colour(class, column));
 }
 
-/// Borders of the cells around `centres`: halfway between neighbours; the outer ones at `ends`, or as far out as the
-/// nearest inner one is in.
+/// Borders of the cells around `centres`: halfway between neighbours; the outer ones at `ends`, or
+/// as far out as the nearest inner one is in.
 fn borders(centres: &[f64], ends: Option<(f64, f64)>) -> Vec<f64> {
     let n = centres.len();
     if n == 0 {

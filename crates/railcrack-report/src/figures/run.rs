@@ -9,12 +9,12 @@ use railcrack_run::Summary;
 use railcrack_run::csv::{TipRow, waiting};
 use railcrack_run::histories::History;
 
-/// Steps in which the histories of a single tip are drawn, at most; of several tips the first and the
-/// last step.
+/// Steps in which the histories of a single tip are drawn, at most; of several tips the first and
+/// the last step.
 const DRAWN_STEPS: usize = 5;
 
-/// The plots of a run: its `summary`, the rows of `growth.csv`, and of the rest what is `shown`. A run
-/// without a finished step has none.
+/// The plots of a run: its `summary`, the rows of `growth.csv`, and of the rest what is `shown`. A
+/// run without a finished step has none.
 pub(crate) fn run_plots(summary: &Summary, growth: &[TipRow], shown: &ShownRun) -> Vec<Plot> {
     if summary.steps_recorded == 0 {
         return Vec::new();
@@ -47,8 +47,8 @@ fn map<'a>(step: usize, faces: &'a StepFaces, growth: &[TipRow], shown: &'a Show
     let of_crack = |faces: &'a CrackFaces| {
         let rows = || growth.iter().filter(|row| row.step == step && row.crack == faces.crack);
         let deferred: f64 = rows().map(|row| waiting(growth, row)).sum();
-        // A crack that has joined others at all its ends has no row: it reaches to a little beyond its
-        // last point.
+        // A crack that has joined others at all its ends has no row: it reaches to a little beyond
+        // its last point.
         let last = || faces.s.last().copied().unwrap_or(0.0);
         CrackMap { length: rows().next().map_or_else(last, |row| row.length - deferred), faces }
     };

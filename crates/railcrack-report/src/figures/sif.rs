@@ -67,8 +67,8 @@ pub(super) fn chart(id: &str, quantity: &str, caption: String, curves: Vec<Curve
     }
 }
 
-/// The plot of one mode for the run called `title` on the model `model`: of a single tip one colour per
-/// step, of several tips one colour per tip, the last step dashed.
+/// The plot of one mode for the run called `title` on the model `model`: of a single tip one colour
+/// per step, of several tips one colour per tip, the last step dashed.
 pub(super) fn plot(title: &str, model: &str, histories: &[&History], mode: Mode) -> Plot {
     let initial: Vec<(usize, usize)> =
         histories.iter().filter(|h| h.step == 0).map(|h| (h.crack, h.tip)).collect();

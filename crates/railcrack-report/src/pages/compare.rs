@@ -12,8 +12,8 @@ const TABLE_ROWS: usize = 500;
 /// Curves on a chart of the page: of further tips, the SVG files.
 const CURVES: usize = 24;
 
-/// The page of `comparison` with its `plots`, judged by `tolerance` (per cent of the largest |K|) where
-/// there is one.
+/// The page of `comparison` with its `plots`, judged by `tolerance` (per cent of the largest |K|)
+/// where there is one.
 pub(crate) fn comparison_page(comparison: &Comparison, tolerance: Option<f64>, plots: &[Plot]) -> Page {
     let names = comparison.names();
     let mut lead = Vec::new();

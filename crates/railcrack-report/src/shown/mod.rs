@@ -1,6 +1,7 @@
-//! What plots and page show of a run beyond its short tables: K, crack faces, fields. It is gathered step by step, from the
-//! records of a run that is being computed or from the files of one that was, and holds no more than is shown. Both give the same
-//! numbers, since the tables hold every number to its last bit.
+//! The long results of a run as plots and page show them: K, crack faces, fields. It is
+//! gathered step by step, from the records of a run that is being computed or from the files of one
+//! that was, and holds no more than is shown. Both give the same numbers, since the tables hold
+//! every number to its last bit.
 
 mod faces;
 mod histories;
@@ -26,9 +27,9 @@ pub(crate) use pack::Deflated;
 /// Steps of a table that are read at once: as many as may stand in memory.
 const AT_ONCE: usize = 4;
 
-/// What is gathered of a table, step by step.
+/// A selection from a table, gathered step by step.
 trait OfSteps: Sync {
-    /// What is taken of one step.
+    /// The selection from one step.
     type Part: Send;
     /// The table.
     const FILE: &'static str;
@@ -45,17 +46,17 @@ trait OfSteps: Sync {
     fn push(&mut self, step: usize, part: Self::Part);
 }
 
-/// What is shown of a table for the first `steps` steps of the run in `folder`.
+/// The selection from a table for the first `steps` steps of the run in `folder`.
 ///
 /// Errors: the table is damaged; the system refuses.
 fn read_table<S: OfSteps + Default>(folder: &Path, steps: usize) -> Result<S, OutputError> {
     let path = folder.join(S::FILE);
     let mut shown = S::default();
-    let mut waiting: Vec<StepBlock> = Vec::new();
-    let take = |shown: &mut S, waiting: &mut Vec<StepBlock>| -> Result<(), OutputError> {
+    let mut pending: Vec<StepBlock> = Vec::new();
+    let take = |shown: &mut S, pending: &mut Vec<StepBlock>| -> Result<(), OutputError> {
         let read = |block: &StepBlock| Ok((block.step, shown.read(block)?));
-        let parts: Result<Vec<_>, OutputError> = waiting.par_iter().map(read).collect();
-        waiting.clear();
+        let parts: Result<Vec<_>, OutputError> = pending.par_iter().map(read).collect();
+        pending.clear();
         parts?.into_iter().for_each(|(step, part)| shown.push(step, part));
         Ok(())
     };
@@ -65,16 +66,16 @@ fn read_table<S: OfSteps + Default>(folder: &Path, steps: usize) -> Result<S, Ou
         |step| step < steps,
         |block| {
             if shown.keeps(block.step) || block.step + 1 == steps {
-                waiting.push(block);
+                pending.push(block);
             }
-            if waiting.len() == AT_ONCE { take(&mut shown, &mut waiting) } else { Ok(()) }
+            if pending.len() == AT_ONCE { take(&mut shown, &mut pending) } else { Ok(()) }
         },
     )?;
-    take(&mut shown, &mut waiting)?;
+    take(&mut shown, &mut pending)?;
     Ok(shown)
 }
 
-/// What is shown of a run.
+/// The long results of a run, as far as they are shown.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct ShownRun {
     histories: ShownHistories,
@@ -82,7 +83,7 @@ pub(crate) struct ShownRun {
     pub fields: ShownFields,
 }
 
-/// What is taken of one step.
+/// The selection from one step.
 #[derive(Debug)]
 pub(crate) struct ShownStep {
     step: usize,
@@ -92,7 +93,7 @@ pub(crate) struct ShownStep {
 }
 
 impl ShownRun {
-    /// What is shown of the first `steps` steps of the run in `folder`.
+    /// The selection from the first `steps` steps of the run in `folder`.
     ///
     /// Errors: a file is damaged; the system refuses.
     pub(crate) fn read(folder: &Path, steps: usize) -> Result<Self, OutputError> {
@@ -107,7 +108,7 @@ impl ShownRun {
         Ok(Self { histories: histories?, faces: faces?, fields: fields? })
     }
 
-    /// What is taken of a step that is recorded.
+    /// The selection from a recorded step.
     ///
     /// Errors: its fields do not belong together.
     pub(crate) fn of_record(&self, record: &StepRecord, scale: SifScale) -> Result<ShownStep, OutputError> {
@@ -149,7 +150,8 @@ impl ShownRun {
         self.faces.stride
     }
 
-    /// Status and pressure on the crack faces: of the first step, and of the last where it is another one.
+    /// Status and pressure on the crack faces: of the first step, and of the last where it is
+    /// another one.
     pub(crate) fn end_faces(&self) -> impl Iterator<Item = (usize, &StepFaces)> {
         self.faces.ends.iter().map(|(step, faces)| (*step, faces))
     }

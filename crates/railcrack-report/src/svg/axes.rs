@@ -46,7 +46,8 @@ pub(crate) struct Axis {
 }
 
 impl Axis {
-    /// Exactly from `from` to `to`, with at most `most` ticks or so; a range without extent is widened.
+    /// Exactly from `from` to `to`, with at most `most` ticks or so; a range without extent is
+    /// widened.
     pub(crate) fn exact(from: f64, to: f64, most: usize) -> Self {
         let (from, to) = if from == to {
             let half = 0.5 * from.abs().max(1.0);
@@ -60,8 +61,8 @@ impl Axis {
         Self { from, to, layout: Layout::Linear, ticks, step, exponent }
     }
 
-    /// Exactly between two positive values by their logarithm, with ticks at powers of ten, over less
-    /// than three decades also at 2 and 5 times these.
+    /// Exactly between two positive values by their logarithm, with ticks at powers of ten, over
+    /// less than three decades also at 2 and 5 times these.
     pub(crate) fn logarithmic(from: f64, to: f64) -> Self {
         let (from, to) = if from < to { (from, to) } else { (0.5 * from, 2.0 * to) };
         let digits: &[f64] = if to < 1e3 * from { &[1.0, 2.0, 5.0] } else { &[1.0] };
@@ -152,8 +153,8 @@ impl Axes {
         svg.clip(self.frame.rectangle());
     }
 
-    /// Frame, ticks and their labels. Drawn after the data; without a title the x axis has no labels
-    /// either: another panel below has them.
+    /// Frame, ticks and their labels. Drawn after the data; without a title the x axis has no
+    /// labels either: another panel below has them.
     pub(crate) fn draw_frame(&self, svg: &mut Svg, x_title: &[Span], y_title: &[Span]) {
         svg.rectangle(self.frame.rectangle(), "none", INK);
         let labels = TextStyle { size: 12.0, anchor: Anchor::Middle, colour: INK, weight: "normal" };

@@ -15,7 +15,8 @@ pub(crate) const ORANGE: &str = "#e69f00";
 pub(crate) const CATEGORIES: [&str; 7] =
     [BLUE, "#d55e00", "#009e73", "#cc79a7", ORANGE, "#56b4e9", "#000000"];
 
-/// Anchors of viridis (Smith and van der Walt 2015), dark to light; the lightest tenth is left out on white.
+/// Anchors of viridis (Smith and van der Walt 2015), dark to light; the lightest tenth is left out
+/// on white.
 const VIRIDIS: [[f64; 3]; 9] = [
     [68.0, 1.0, 84.0],
     [71.0, 40.0, 120.0],

@@ -132,7 +132,8 @@ impl Svg {
         ));
     }
 
-    /// Areas given by the path `outline`, filled without softened edges so that neighbours leave no gap.
+    /// Areas given by the path `outline`, filled without softened edges so that neighbours leave no
+    /// gap.
     pub(crate) fn area(&mut self, name: &str, outline: &str, fill: &str) {
         self.push(format_args!(
             r#"<path class="{name}" d="{outline}" fill="{fill}" shape-rendering="crispEdges"/>"#
@@ -179,7 +180,7 @@ impl Svg {
         ));
     }
 
-    /// What is drawn until [`Svg::unclip`] shows inside the rectangle only.
+    /// Clips everything drawn until [`Svg::unclip`] to the rectangle.
     pub(crate) fn clip(&mut self, [x, y, width, height]: [f64; 4]) {
         self.clips += 1;
         let [x, y, width, height] = [x, y, width, height].map(coordinate);

@@ -1,4 +1,5 @@
-//! The report of a run: its numbers against the tables, its structure, its safety against texts, its size.
+//! The report of a run: its numbers against the tables, its structure, its safety against texts,
+//! its size.
 
 use super::support::{SMALL, Scratch, Size, case, case_of, case_text, info, record_steps};
 use miniz_oxide::inflate::decompress_to_vec_zlib;
@@ -141,7 +142,8 @@ fn fields_are_those_of_the_first_and_the_last_step_that_have_files() {
             assert!((found - want).abs() <= 1.001 * half, "{name}: {found}, not {want}");
         }
     }
-    // A triangle: points 0, 1, 2, 2 as differences 0, 1, 1, 0, of which twice the size is kept, low bytes first.
+    // A triangle: points 0, 1, 2, 2 as differences 0, 1, 1, 0, of which twice the size is kept, low
+    // bytes first.
     assert_eq!(unpacked(&last["corners"]), [0, 2, 2, 0, 0, 0, 0, 0]);
     let snapshot = &last["snapshots"][1];
     assert_eq!(snapshot["position"], 21);
@@ -222,7 +224,8 @@ fn every_direction_criterion_has_its_words() {
     }
 }
 
-/// Names of elements in the order of their tags, scripts and styles left out; every tag must be closed.
+/// Names of elements in the order of their tags, scripts and styles left out; every tag must be
+/// closed.
 fn check_structure(page: &str) {
     let mut open: Vec<String> = Vec::new();
     let mut rest = page.strip_prefix("<!DOCTYPE html>").unwrap();
@@ -332,7 +335,8 @@ fn rebuilt_from_the_folder_alone_it_is_the_same_whatever_the_times() {
 
 #[test]
 fn what_is_left_out_is_the_same_in_one_go_resumed_and_rebuilt() {
-    // Too many face states: of the first run positions are left out, of the second, which has few of them, steps.
+    // Too many face states: of the first run positions are left out, of the second, which has few
+    // of them, steps.
     let first = Size { increments: 25, positions: 125, face_points: 330, cracks: 1 };
     let second = Size { positions: 61, face_points: 330, cracks: 2, ..first };
     for (size, says) in [

@@ -8,7 +8,8 @@ use railcrack_run::study::{StudyAxis, StudyPlan};
 /// Lines of the values of the second axis.
 const LOOKS: [CurveLook; 4] =
     [CurveLook::Line, CurveLook::Dashed, CurveLook::FineDashed, CurveLook::DashDotted];
-/// The most values of an axis in a legend: further ones are told by their place in the order of colours.
+/// The most values of an axis in a legend: further ones are told by their place in the order of
+/// colours.
 const LEGEND_VALUES: usize = 12;
 
 /// Colours and dashes of the values of each axis.

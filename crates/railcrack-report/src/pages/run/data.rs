@@ -45,8 +45,8 @@ pub(super) fn explorer(run: &RunFolder, shown: &ShownRun) -> Value {
     })
 }
 
-/// Of every crack the first and the last of its final points that it has in `step`. An end without a tip is that of the final crack: a
-/// mouth, or where the crack has joined another one.
+/// Of every crack the first and the last of its final points that it has in `step`. An end without
+/// a tip is that of the final crack: a mouth, or where the crack has joined another one.
 fn polylines(run: &RunFolder, step: usize) -> Value {
     let of_crack = |(i, crack): (usize, &railcrack_run::CrackSummary)| {
         let mut ends = [0, crack.points_mm.len().saturating_sub(1)];
@@ -61,7 +61,8 @@ fn polylines(run: &RunFolder, step: usize) -> Value {
     run.summary.cracks.iter().enumerate().map(of_crack).map(|ends| json!(ends)).collect()
 }
 
-/// The pieces that are enclosed and the cracks that have joined others, with the first step that has them.
+/// The pieces that are enclosed and the cracks that have joined others, with the first step that
+/// has them.
 fn pieces(run: &RunFolder) -> Value {
     let piece = |piece: &railcrack_run::PieceSummary| {
         json!({

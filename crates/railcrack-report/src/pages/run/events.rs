@@ -45,7 +45,7 @@ impl<'a> Enclosed<'a> {
     }
 }
 
-/// What happened, a sentence each.
+/// The events, a sentence each.
 pub(super) fn sentences(run: &RunFolder) -> Vec<String> {
     let mut texts = Vec::new();
     let (pieces, junctions) = (&run.summary.pieces, &run.summary.junctions);
@@ -76,7 +76,7 @@ pub(super) fn sentences(run: &RunFolder) -> Vec<String> {
     texts
 }
 
-/// The largest piece as a number that is looked for first.
+/// The largest piece as a key figure.
 pub(super) fn fact(run: &RunFolder) -> Option<Fact> {
     let pieces = &run.summary.pieces;
     let largest = pieces.iter().max_by(|one, other| one.area_mm2.total_cmp(&other.area_mm2))?;

@@ -1,4 +1,5 @@
-//! The first screen of the report of a run: the result in a sentence, key figures, cycles to each length.
+//! The first screen of the report of a run: the result in a sentence, key figures, cycles to each
+//! length.
 
 use super::events;
 use super::stored::RunFolder;
@@ -97,7 +98,7 @@ fn stop_sentence(run: &RunFolder) -> String {
     }
 }
 
-/// The numbers that are looked for first.
+/// The key figures.
 pub(super) fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
     let Some((first, last)) = representative_tip(run) else { return Vec::new() };
     let fact = |name: &str, value: String, note: String| Fact { name: name.to_owned(), value, note };
@@ -125,7 +126,7 @@ pub(super) fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
         format!("{which}; its tip is {} mm below the surface", fixed(-last.place[1], 2)),
     ));
     if let Some(heading) = run.heading(last) {
-        facts.push(fact("Direction", heading.word().to_owned(), heading.note()));
+        facts.push(fact("Direction", heading.course().word().to_owned(), heading.note()));
     }
     facts.extend(events::fact(run));
     let stop = run.summary.stop.as_deref().unwrap_or("not ended").replace('-', " ");
@@ -142,8 +143,9 @@ pub(super) fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
     facts
 }
 
-/// Load cycles (and tonnage) until every crack has each of some round lengths; none without growth. Between two steps the
-/// rate is constant (explicit Euler), so that cycles are linear in the length.
+/// Load cycles (and tonnage) until every crack has each of some round lengths; none without growth.
+/// Between two steps the rate is constant (explicit Euler), so that cycles are linear in the
+/// length.
 pub(super) fn lengths(run: &RunFolder) -> Option<Table> {
     let tips: Vec<(usize, usize)> =
         run.tips().into_iter().filter(|&(_, tip)| tip == 1).take(LENGTH_CRACKS).collect();
@@ -186,8 +188,8 @@ pub(super) fn lengths(run: &RunFolder) -> Option<Table> {
     Some(table)
 }
 
-/// Round lengths through which cracks grow, given the first and the last length of each, and the last length of the one
-/// that grows most.
+/// Round lengths through which cracks grow, given the first and the last length of each, and the
+/// last length of the one that grows most.
 fn milestones(ends: &[[f64; 2]]) -> Vec<f64> {
     let grown = |ends: &[f64; 2]| ends[1] - ends[0];
     let Some(most) = ends.iter().copied().reduce(|a, b| if grown(&b) > grown(&a) { b } else { a }) else {
@@ -212,12 +214,13 @@ fn milestones(ends: &[[f64; 2]]) -> Vec<f64> {
     lengths
 }
 
-/// `i` times a round `step`, as people write it: steps below 1 are whole parts of 1, of which the quotient is the nearest number.
+/// `i` times a round `step`, as people write it: steps below 1 are whole parts of 1, of which the
+/// quotient is the nearest number.
 fn multiple(i: i64, step: f64) -> f64 {
     if step < 1.0 { i as f64 / (1.0 / step).round() } else { i as f64 * step }
 }
 
-/// What became of every crack; none for a single one.
+/// State of every tip in the last step; none for a single one.
 pub(super) fn cracks(run: &RunFolder) -> Option<Table> {
     if run.tips().len() < 2 {
         return None;

@@ -57,7 +57,8 @@ impl RunFolder {
         self.growth.iter().filter(|row| row.step == 0).map(|row| (row.crack, row.tip)).collect()
     }
 
-    /// Direction of the last segment at the tip of `row`, its last one; none where its crack is a point.
+    /// Direction of the last segment at the tip of `row`, its last one; none where its crack is a
+    /// point.
     pub(super) fn heading(&self, row: &TipRow) -> Option<Heading> {
         let crack = self.summary.cracks.get(row.crack.checked_sub(1)?)?;
         heading(crack, &self.history(row.crack, row.tip).collect::<Vec<_>>())

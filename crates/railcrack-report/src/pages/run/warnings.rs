@@ -10,7 +10,8 @@ use std::fmt::Write;
 /// Warnings of a kind that are shown before the others are counted.
 const OF_A_KIND: usize = 3;
 
-/// A sentence each: those of the run, grouped by kind, the boundary of a block, a run that has not ended.
+/// A sentence each: those of the run, grouped by kind, the boundary of a block, a run that has not
+/// ended.
 pub(super) fn warnings(run: &RunFolder) -> Vec<String> {
     let mut texts = Vec::new();
     if !run.summary.complete {

@@ -31,8 +31,9 @@ pub(super) fn charts(plan: &StudyPlan, runs: &[StudyRun], styles: &Styles, plots
     blocks
 }
 
-/// Growth rate of the initial cracks against the values of the axis with the colours, a curve for each
-/// choice of the others; none where these values are no numbers, or where there are too many curves.
+/// Growth rate of the initial cracks against the values of the axis with the colours, a curve for
+/// each choice of the others; none where these values are no numbers, or where there are too many
+/// curves.
 fn effect(plan: &StudyPlan, runs: &[&StudyRun]) -> Option<Chart> {
     let axis: &StudyAxis = plan.axes.get(plan.colour_axis)?;
     let numbers = axis.numbers().filter(|numbers| numbers.len() > 1)?;

@@ -1,5 +1,6 @@
-//! What stands first on the page of a study.
+//! The first screen of the report of a study.
 
+use crate::direction::Course;
 use crate::figures::{StudyRun, values};
 use crate::numbers::{fixed, grouped, significant};
 use crate::page::Fact;
@@ -31,7 +32,8 @@ impl<'a, 'b> Span<'a, 'b> {
     }
 }
 
-/// Load cycles to the longest length that all runs with growth reach; none where they have none in common.
+/// Load cycles to the longest length that all runs with growth reach; none where they have none in
+/// common.
 struct Race<'a, 'b> {
     length: f64,
     /// Runs that reach it.
@@ -96,7 +98,7 @@ pub(super) fn verdict(plan: &StudyPlan, all: &[StudyRun]) -> String {
     text
 }
 
-/// The numbers that are looked for first.
+/// The key figures.
 pub(super) fn facts(plan: &StudyPlan, all: &[StudyRun]) -> Vec<Fact> {
     let fact = |name: &str, value: String, note: String| Fact { name: name.to_owned(), value, note };
     let count = |is_in: fn(&RunState) -> bool| all.iter().filter(|run| is_in(&run.row.state)).count();
@@ -129,13 +131,13 @@ pub(super) fn facts(plan: &StudyPlan, all: &[StudyRun]) -> Vec<Fact> {
             format!("mm per load cycle; {}", between(&rates)),
         ));
     }
-    let directions: Vec<&'static str> = all.iter().filter_map(|run| Some(run.heading()?.word())).collect();
-    if !directions.is_empty() {
-        let told: Vec<String> = ["downward", "level", "upward", "spall"]
+    let courses: Vec<Course> = all.iter().filter_map(|run| Some(run.heading()?.course())).collect();
+    if !courses.is_empty() {
+        let told: Vec<String> = Course::ALL
             .iter()
-            .map(|word| (word, directions.iter().filter(|direction| *direction == word).count()))
+            .map(|course| (course, courses.iter().filter(|other| *other == course).count()))
             .filter(|(_, count)| *count > 0)
-            .map(|(word, count)| format!("{count} {word}"))
+            .map(|(course, count)| format!("{count} {}", course.word()))
             .collect();
         facts.push(fact(
             "Direction",
@@ -158,7 +160,7 @@ fn told(counts: &[(&str, usize)]) -> String {
     there.map(|(name, count)| format!("{count} {name}")).collect::<Vec<_>>().join(", ")
 }
 
-/// What the reader must not miss: failed and missing runs, warnings by kind.
+/// Warnings: failed and missing runs, warnings of the runs by kind.
 pub(super) fn warnings(all: &[StudyRun]) -> Vec<String> {
     let mut texts = Vec::new();
     let failed = all.iter().filter_map(|run| match &run.row.state {

@@ -57,7 +57,7 @@ fn cells(plan: &StudyPlan, run: &StudyRun, has_tonnes: bool) -> Vec<Cell> {
     }
     cells.push(of_tip(&|tip| significant(tip.first.delta_keq)));
     cells.push(of_tip(&|tip| significant(tip.first.rate)));
-    cells.push(run.heading().map_or_else(missing, |heading| heading.word().into()));
+    cells.push(run.heading().map_or_else(missing, |heading| heading.course().word().into()));
     cells.push(match &run.row.state {
         RunState::Done => summary.and_then(|s| s.stop.as_deref()).unwrap_or("").replace('-', " ").into(),
         RunState::Failed { .. } => "failed".into(),
