@@ -250,6 +250,7 @@ const railcrack = (() => {
       const corners = ({ x, y }) => [...x, x[0]].map((x, i) => ({ x, y: y[i % y.length] }));
       const areas = (data.areas ?? []).map((area) => Plot.line(corners(area), { x: "x", y: "y", fill: "var(--c4)", fillOpacity: 0.3, stroke: "var(--c4)", strokeDasharray: "4 3", className: "area" }));
       const notes = (data.notes ?? []).map(({ at, words }) => Plot.text([at], { x: "0", y: "1", text: () => plain(words), dy: -8 }));
+      const inset = (axis) => (axis.range || data.equal ? 0 : 7);
       const under = shown.flatMap((curve) => curve.points);
       const svg = Plot.plot({
         width,
@@ -260,7 +261,10 @@ const railcrack = (() => {
         marginTop: margin.top,
         ...axes,
         // Points at the ends are not cut off by the frame.
-        inset: data.x.range || data.y.range || data.equal ? 0 : 7,
+        insetLeft: inset(data.x),
+        insetRight: inset(data.x),
+        insetTop: inset(data.y),
+        insetBottom: inset(data.y),
         ariaLabel: plain(data.caption),
         style: { fontSize: "12px", overflow: "visible" },
         marks: [

@@ -19,7 +19,7 @@ pub(crate) fn shakedown_plots(state: &StoredState) -> Vec<Plot> {
         ChartAxis::linear("Equivalent plastic strain", "10^{−3}"),
         &[
             ("at the end of the passage", |pass| 1e3 * pass.largest_strain),
-            ("accumulated", |pass| 1e3 * pass.plastic_path),
+            ("accumulated in the passage", |pass| 1e3 * pass.plastic_path),
         ],
     );
     let change_over_passes = over_passes(
