@@ -4,21 +4,17 @@ use super::tables::FigureTable;
 use crate::figure::Figure;
 use railcrack_report::{Chart, ChartAspect, ChartAxis, ChartRange, Curve, CurveColour};
 
-/// Quantities of the tables.
-pub(crate) const QUANTITIES: [Quantity; 4] = [
-    Quantity { id: "ki", words: "K_{I} over the passage", columns: ["xc_over_a", "ki_mpa_sqrt_m"] },
-    Quantity { id: "kii", words: "K_{II} over the passage", columns: ["xc_over_a", "kii_mpa_sqrt_m"] },
-    Quantity { id: "paths", words: "Crack paths to scale", columns: ["x_mm", "depth_mm"] },
-    Quantity { id: "profile", words: "Stress by depth", columns: ["sxx_mpa", "depth_mm"] },
-];
-
-/// A quantity of a figure.
-pub(crate) struct Quantity {
-    /// Name of its chart.
-    pub(crate) id: &'static str,
-    words: &'static str,
-    /// Columns of x and y.
-    columns: [&'static str; 2],
+/// A quantity in the table of a figure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Quantity {
+    /// K_I over the passage.
+    Ki,
+    /// K_II over the passage.
+    Kii,
+    /// Crack paths.
+    Paths,
+    /// Stress by depth.
+    Profile,
 }
 
 /// A curve in the table of a figure.
@@ -33,11 +29,24 @@ pub(crate) struct TableCurve {
 }
 
 impl Quantity {
+    /// Every quantity.
+    pub(crate) const ALL: [Self; 4] = [Self::Ki, Self::Kii, Self::Paths, Self::Profile];
+
+    /// Name of its chart, its words, and the columns of x and y.
+    fn names(self) -> (&'static str, &'static str, [&'static str; 2]) {
+        match self {
+            Self::Ki => ("ki", "K_{I} over the passage", ["xc_over_a", "ki_mpa_sqrt_m"]),
+            Self::Kii => ("kii", "K_{II} over the passage", ["xc_over_a", "kii_mpa_sqrt_m"]),
+            Self::Paths => ("paths", "Crack paths to scale", ["x_mm", "depth_mm"]),
+            Self::Profile => ("profile", "Stress by depth", ["sxx_mpa", "depth_mm"]),
+        }
+    }
+
     /// Its curves in `table`; none where the table has no such columns.
     ///
     /// Errors: the text of a value that is no finite number.
-    pub(crate) fn curves(&self, table: &FigureTable) -> Result<Option<Vec<TableCurve>>, String> {
-        let [Some(x), Some(y)] = self.columns.map(|name| table.column(name)) else { return Ok(None) };
+    pub(crate) fn curves(self, table: &FigureTable) -> Result<Option<Vec<TableCurve>>, String> {
+        let [Some(x), Some(y)] = self.names().2.map(|name| table.column(name)) else { return Ok(None) };
         let texts = ["setup", "curve", "crack", "profile"].map(|name| table.column(name));
         let mut curves: Vec<TableCurve> = Vec::new();
         for row in table.rows() {
@@ -65,23 +74,24 @@ impl Quantity {
     }
 
     /// An empty chart of it.
-    pub(super) fn chart(&self, figure: &Figure) -> Chart {
+    pub(super) fn chart(self, figure: &Figure) -> Chart {
         let sif = |symbol: &str| {
             let x = ChartAxis::linear("x_{c}/a, along the travel", "").over(ChartRange::Tight);
             [x, ChartAxis::linear(symbol, "MPa√m").over(ChartRange::AroundZero)]
         };
-        let [x, y] = match self.id {
-            "ki" => sif("K_{I}"),
-            "kii" => sif("K_{II}"),
-            "paths" => [ChartAxis::linear("x", "mm"), ChartAxis::depth()],
-            _ => [ChartAxis::linear("σ_{xx}", "MPa"), ChartAxis::depth().over(ChartRange::Tight)],
+        let [x, y] = match self {
+            Self::Ki => sif("K_{I}"),
+            Self::Kii => sif("K_{II}"),
+            Self::Paths => [ChartAxis::linear("x", "mm"), ChartAxis::depth()],
+            Self::Profile => [ChartAxis::linear("σ_{xx}", "MPa"), ChartAxis::depth().over(ChartRange::Tight)],
         };
+        let (id, words, _) = self.names();
         Chart {
-            id: format!("{}-{}", figure.file_stem(), self.id),
-            caption: format!("Fig. {}: {}.", figure.number, self.words),
+            id: format!("{}-{id}", figure.file_stem()),
+            caption: format!("Fig. {}: {}.", figure.number, words),
             x,
             y,
-            aspect: if self.id == "paths" { ChartAspect::Equal } else { ChartAspect::Free },
+            aspect: if self == Self::Paths { ChartAspect::Equal } else { ChartAspect::Free },
             ..Chart::default()
         }
     }
@@ -126,7 +136,7 @@ pub(super) fn drawn<'a>(
 /// page.
 pub(crate) fn page_chart(
     figure: &Figure,
-    quantity: &Quantity,
+    quantity: Quantity,
     curves: &[TableCurve],
     styled: impl Fn(&TableCurve, Curve) -> Curve,
 ) -> Chart {

@@ -6,7 +6,7 @@ mod sheets;
 mod tables;
 mod write;
 
-pub(crate) use charts::{QUANTITIES, TableCurve, page_chart};
+pub(crate) use charts::{Quantity, TableCurve, page_chart};
 pub(crate) use engines::engines;
 pub(crate) use sheets::sheet;
 pub(crate) use tables::FigureTable;

@@ -1,6 +1,6 @@
 //! The SVG files of the figures: the main set-ups, both bodies and both ways of travel.
 
-use super::charts::{QUANTITIES, Quantity, TableCurve, cracks, drawn};
+use super::charts::{Quantity, TableCurve, cracks, drawn};
 use super::tables::FigureTable;
 use crate::figure::{Figure, Kind};
 use crate::setup::SETUPS;
@@ -19,17 +19,17 @@ const FEW_CRACKS: usize = 2;
 /// Errors: the text of a value that is no finite number.
 pub(crate) fn sheet(figure: &Figure, table: &FigureTable) -> Result<ChartSheet, String> {
     let mut quantities = Vec::new();
-    for quantity in &QUANTITIES {
+    for quantity in Quantity::ALL {
         quantities.extend(quantity.curves(table)?.map(|curves| (quantity, curves)));
     }
     let rows = match figure.kind {
-        Kind::Sif => quantities.iter().map(|(quantity, curves)| sif_row(figure, quantity, curves)).collect(),
+        Kind::Sif => quantities.iter().map(|(quantity, curves)| sif_row(figure, *quantity, curves)).collect(),
         Kind::Paths => {
-            let all = quantities.iter().flat_map(|(quantity, curves)| path_panels(figure, quantity, curves));
+            let all = quantities.iter().flat_map(|(quantity, curves)| path_panels(figure, *quantity, curves));
             all.collect::<Vec<_>>().chunks(2).map(<[Chart]>::to_vec).collect()
         }
         Kind::Profile => {
-            quantities.iter().map(|(quantity, curves)| vec![profiles(figure, quantity, curves)]).collect()
+            quantities.iter().map(|(quantity, curves)| vec![profiles(figure, *quantity, curves)]).collect()
         }
     };
     let mut sheet = ChartSheet {
@@ -47,7 +47,7 @@ pub(crate) fn sheet(figure: &Figure, table: &FigureTable) -> Result<ChartSheet, 
 
 /// K for cracks that lean along the travel and, beside it, against it: half-plane solid, block
 /// dashed.
-fn sif_row(figure: &Figure, quantity: &Quantity, curves: &[TableCurve]) -> Vec<Chart> {
+fn sif_row(figure: &Figure, quantity: Quantity, curves: &[TableCurve]) -> Vec<Chart> {
     let column = |(way, words): (&str, &str)| {
         let [half_plane, block] = ["half-plane", "block"].map(|body| format!("{body}, {way}"));
         let is_block = move |curve: &TableCurve| curve.setup == block;
@@ -59,14 +59,14 @@ fn sif_row(figure: &Figure, quantity: &Quantity, curves: &[TableCurve]) -> Vec<C
         };
         let curves = drawn(figure, curves, is_shown).map(look).collect();
         let heading =
-            if quantity.id == "ki" { format!("Cracks lean {words} the travel") } else { String::new() };
+            if quantity == Quantity::Ki { format!("Cracks lean {words} the travel") } else { String::new() };
         Chart { heading, curves, ..quantity.chart(figure) }
     };
     [("with", "along"), ("against", "against")].map(column).into()
 }
 
 /// The paths in each main set-up that has any.
-fn path_panels(figure: &Figure, quantity: &Quantity, curves: &[TableCurve]) -> Vec<Chart> {
+fn path_panels(figure: &Figure, quantity: Quantity, curves: &[TableCurve]) -> Vec<Chart> {
     let panel = |name: &'static str| {
         let paths = drawn(figure, curves, move |curve| curve.setup == name);
         let paths: Vec<Curve> =
@@ -89,7 +89,7 @@ fn path_panels(figure: &Figure, quantity: &Quantity, curves: &[TableCurve]) -> V
 }
 
 /// The readings of Fig. 21 solid, rolled rails dashed.
-fn profiles(figure: &Figure, quantity: &Quantity, curves: &[TableCurve]) -> Chart {
+fn profiles(figure: &Figure, quantity: Quantity, curves: &[TableCurve]) -> Chart {
     let look = |(table, curve): (&TableCurve, Curve)| {
         if table.name.starts_with("rolled") { curve.with_look(CurveLook::Dashed) } else { curve }
     };

@@ -3,7 +3,7 @@
 use super::{look, symbols};
 use crate::document::{PaperRecord, SetupRecord};
 use crate::figure::{FIGURES, Figure};
-use crate::figures::{FigureTable, QUANTITIES, TableCurve, page_chart};
+use crate::figures::{FigureTable, Quantity, TableCurve, page_chart};
 use railcrack_report::{Block, Cell, Chart, Curve, CurveLook, Table};
 use railcrack_run::OutputError;
 use std::collections::{BTreeMap, BTreeSet};
@@ -23,7 +23,7 @@ pub(super) fn blocks(folder: &Path, record: &PaperRecord) -> Result<Vec<Block>, 
         let damaged = |reason| OutputError::damaged(&path, reason);
         let text = std::fs::read_to_string(&path).map_err(OutputError::io("read", &path))?;
         let table = FigureTable::parse(&text).map_err(damaged)?;
-        for quantity in &QUANTITIES {
+        for quantity in Quantity::ALL {
             let curves = quantity.curves(&table);
             if let Some(curves) = curves.map_err(|text| damaged(format!("\"{text}\" is no number")))? {
                 let styled = |table: &TableCurve, curve| styled(&record.setups, table, curve);

@@ -1,7 +1,7 @@
 //! Two run folders set against each other: synthetic runs, whose differences are known.
 
 use super::support::{SMALL, Scratch, Size, case, info, record_steps};
-use railcrack_report::Pages;
+use railcrack_report::{Pages, rebuild_report};
 use railcrack_run::{Comparison, Existing, OutputError, Recorder};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -135,6 +135,7 @@ fn what_only_one_run_has_is_left_out_and_said() {
     assert!(reversed.notes.iter().any(|note| note.contains("K of the second run is interpolated")));
     let out = scratch.path().join("out");
     comparison.write(&out, Existing::Refuse, None).unwrap();
+    rebuild_report(&out).unwrap();
     assert!(fs::read_to_string(out.join("compare-sif-last.svg")).unwrap().contains("at step 2"));
 }
 

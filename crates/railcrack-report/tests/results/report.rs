@@ -341,7 +341,7 @@ fn what_is_left_out_is_the_same_in_one_go_resumed_and_rebuilt() {
     let second = Size { positions: 61, face_points: 330, cracks: 2, ..first };
     for (size, says) in [
         (first, "faces are shown at one in 2 wheel positions"),
-        (second, "the passage explorer has 14 of 26 steps"),
+        (second, "the passage explorer has 14 of 26 growth steps"),
     ] {
         let (whole, cut) = (Scratch::new("report-whole"), Scratch::new("report-cut"));
         run(whole.path(), size);
@@ -366,9 +366,7 @@ fn an_unfinished_run_is_shown_as_such() {
     assert!(report(scratch.path()).contains("No step is finished yet."));
     record_steps(&mut recorder, SMALL, 0, 2).unwrap();
     recorder.finish().unwrap();
-    assert!(
-        report(scratch.path()).contains("The run has not ended: step 1 is the last one that is finished.")
-    );
+    assert!(report(scratch.path()).contains("The run has not ended: step 1 is the last finished one."));
     check_structure(&report(scratch.path()));
 }
 
