@@ -1,7 +1,7 @@
 //! Axes: a frame, two scales, ticks at round numbers.
 
+use super::element::{Anchor, Span, Stroke, Svg, TextStyle};
 use super::palette::{INK, LIGHT};
-use super::svg::{Anchor, Span, Stroke, Svg, TextStyle};
 use super::ticks::{multiples, round_step, scale_exponent, tick_label};
 
 /// The rectangle inside the axes, pixels.

@@ -1,7 +1,7 @@
 //! Legends: a column of marks and words beside the axes.
 
+use super::element::{Anchor, Stroke, Svg, TextStyle};
 use super::palette::INK;
-use super::svg::{Anchor, Stroke, Svg, TextStyle};
 use super::words::text;
 use crate::markup::plain;
 

@@ -1,6 +1,6 @@
 //! Titles as spans: indices, powers, symbols of quantities in italics.
 
-use super::svg::Span;
+use super::element::Span;
 use crate::markup::{Piece, pieces};
 
 /// The spans of a text in which single letters are no symbols.
