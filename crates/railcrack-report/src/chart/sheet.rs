@@ -24,7 +24,7 @@ const CHART_HEADING: f64 = 20.0;
 /// The most entries of a legend that has no entries of its own: of more, evenly chosen ones.
 const LEGEND: usize = 18;
 /// Letters of a line of the legend.
-const LEGEND_LETTERS: f64 = 44.0;
+const LEGEND_LETTERS: f64 = 60.0;
 /// Fill of areas and of the rail.
 const AREA: &str = "#fbe8c6";
 const RAIL: &str = "#f6f5f2";
