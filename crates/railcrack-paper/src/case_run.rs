@@ -1,6 +1,6 @@
-//! What the figures and statements need of one run.
+//! Results of one run for figures and statements.
 
-use super::PaperError;
+use super::error::PaperError;
 use railcrack::contact::FaceStatus;
 use railcrack::crack::Crack;
 use railcrack::growth::{GrowthError, Observer, StepRecord, TipStop};
@@ -46,11 +46,11 @@ pub struct CaseRun {
     pub steps_wanted: usize,
     /// Why it ended early, where a step could not be computed.
     pub failure: Option<String>,
-    /// What it took.
+    /// Its effort.
     pub effort: Effort,
 }
 
-/// What a run took: the one thing that two computations of it do not share.
+/// Effort of a run, which differs between two computations of it.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Effort {
     /// Steps.
@@ -66,13 +66,13 @@ pub struct Effort {
 }
 
 impl CaseRun {
-    /// Computes `case`, on `rail` where another run has made it. A step that cannot be computed ends the run; one without its first
-    /// step is an error.
+    /// Computes `case`, on `rail` where another run has made it. A step that cannot be computed
+    /// ends the run; one without its first step is an error.
     pub(super) fn compute(
         name: &str,
         case: &Case,
         rail: Option<&SharedRail>,
-        watch: &dyn Observer,
+        observer: &dyn Observer,
     ) -> Result<Self, PaperError> {
         let failed = |source| PaperError::Run { name: name.to_owned(), source };
         let stress = |source| PaperError::Stress { name: name.to_owned(), source };
@@ -80,7 +80,7 @@ impl CaseRun {
         let effort = Effort::default();
         let mut run = Self { cracks: Vec::new(), steps_wanted: case.growth.steps, failure: None, effort };
         loop {
-            match growth.next_step(watch) {
+            match growth.next_step(observer) {
                 Ok(Some(record)) => run.add(case, &record),
                 Ok(None) => break,
                 Err(GrowthError::Interrupted { .. }) => return Err(PaperError::Interrupted),
@@ -105,9 +105,9 @@ impl CaseRun {
         for ((crack, tip), grown) in record.cracks.iter().zip(&record.tips).zip(&mut self.cracks) {
             grown.points = points(crack);
             // A slow crack shows where it is going before it has gone a whole increment.
-            let waiting = tip.deferred;
-            if waiting.length > 0.0 {
-                let to = crack.tip(tip.tip.end) + waiting.direction * waiting.length;
+            let deferred = tip.deferred;
+            if deferred.length > 0.0 {
+                let to = crack.tip(tip.tip.end) + deferred.direction * deferred.length;
                 grown.points.push([to.x, -to.y]);
             }
             grown.stop = tip.stop;

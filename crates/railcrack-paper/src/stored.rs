@@ -1,13 +1,11 @@
-//! Runs that are done, in the folder: an interrupted command takes them over.
+//! Finished runs in the folder, which an interrupted command takes over.
 
-use super::CaseRun;
+use super::case_run::CaseRun;
+use super::files::RUNS;
 use railcrack_case::Case;
 use railcrack_run::{OutputError, VERSION};
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
-
-/// The folder of the runs.
-pub(super) const RUNS: &str = "runs";
 
 /// Version of the program, and of the layout of [`CaseRun`].
 fn writer() -> String {
@@ -34,7 +32,8 @@ fn identity(case: &Case) -> Vec<String> {
     std::iter::once(case.to_toml()).chain(tables.iter().map(|table| table.text.to_owned())).collect()
 }
 
-/// The run called `name`, if the folder has one of this `case` by this version; what else is there is computed anew.
+/// The run called `name`, if the folder has one of this `case` by this version; what else is there
+/// is computed anew.
 pub(super) fn stored(folder: &Path, name: &str, case: &Case) -> Option<CaseRun> {
     let bytes = std::fs::read(path(folder, name)).ok()?;
     let stored: Stored = postcard::from_bytes(&bytes).ok()?;

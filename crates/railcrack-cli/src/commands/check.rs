@@ -192,7 +192,6 @@ fn growth(case: &Case) -> Vec<Row> {
         DirectionCriterion::MaxRateUnclipped => "largest growth rate of the kink, negative k1 counted",
         DirectionCriterion::MaxDeltaK1 => "largest range of k1",
         DirectionCriterion::MaxK1 => "largest k1",
-        _ => "of its own",
     };
     let steps = match growth.steps {
         0 => "0: the initial cracks only".into(),

@@ -1,4 +1,5 @@
-//! The crack faces: all of what is shown of a step packed, the first and the last step also as they are.
+//! The crack faces: all of what is shown of a step packed, the first and the last step also as they
+//! are.
 
 use super::pack::{Deflated, Quantised, every, every_count};
 use super::{OfSteps, Thinned};
@@ -9,7 +10,8 @@ use railcrack_run::csv::{FaceRow, StepBlock};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// The most face states that are shown (points × positions × steps): about two bytes each in a page.
+/// The most face states that are shown (points × positions × steps): about two bytes each in a
+/// page.
 const STATES: usize = 1_000_000;
 /// Faces are given at this many positions at least before steps are left out.
 const POSITIONS: usize = 61;
@@ -72,7 +74,7 @@ impl StepFaces {
         Ok(Self { cracks: cracks.into_iter().map(|(crack, faces)| CrackFaces { crack, ..faces }).collect() })
     }
 
-    /// What a face map shows of it: status and pressure.
+    /// Its status and pressure alone, for a face map.
     fn drawn(self) -> Self {
         let drawn = |faces: CrackFaces| CrackFaces {
             opening: Vec::new(),
@@ -168,7 +170,8 @@ fn code(status: FaceStatus) -> u8 {
     }
 }
 
-/// Values by position and point as values by point and position: along the passage they change little.
+/// Values by position and point as values by point and position: along the passage they change
+/// little.
 fn by_point<T: Copy>(values: &[T], points: usize) -> Vec<T> {
     (0..points).flat_map(|point| values.iter().skip(point).step_by(points.max(1)).copied()).collect()
 }
@@ -181,14 +184,15 @@ pub(crate) struct FacesOfStep {
     stride: usize,
 }
 
-/// The faces of the steps that are shown: as much as fits. All steps and positions where they do, else every 2ⁿ-th position, then
-/// every 2ⁿ-th step.
+/// The faces of the steps that are shown: as much as fits. All steps and positions where they do,
+/// else every 2ⁿ-th position, then every 2ⁿ-th step.
 #[derive(Debug, Clone)]
 pub(crate) struct ShownFaces {
     pub steps: Thinned<PackedFaces>,
     /// Every how many positions the faces are packed.
     pub stride: usize,
-    /// What face maps show: of the first step, and of the last where it is another one.
+    /// Status and pressure for face maps: of the first step, and of the last where it is another
+    /// one.
     pub ends: Vec<(usize, StepFaces)>,
     most: usize,
 }

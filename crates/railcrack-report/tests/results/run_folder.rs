@@ -225,9 +225,9 @@ fn resuming_needs_a_run_of_the_same_case() {
     assert!(matches!(refused, OutputError::NoRun { .. }), "{refused}");
     run_through(scratch.path(), SMALL);
     let mut other = case();
-    other.toml = other.toml.replace("dislocation", "xfem");
+    other.toml = other.toml.replace("xfem", "dislocation");
     let refused = Recorder::resume(scratch.path(), other, info(), &Pages).unwrap_err();
-    assert!(matches!(refused, OutputError::CaseChanged { line: 3, .. }), "{refused}");
+    assert!(matches!(refused, OutputError::CaseChanged { line: 14, .. }), "{refused}");
     let mut other = case();
     other.companions[0].1 = other.companions[0].1.replace("-100", "-90");
     let refused = Recorder::resume(scratch.path(), other, info(), &Pages).unwrap_err();

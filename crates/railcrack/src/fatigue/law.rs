@@ -45,7 +45,6 @@ impl ParisLaw {
 
 /// The quantity that the direction of growth maximises over the kink angle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[non_exhaustive]
 pub enum DirectionCriterion {
     /// The growth rate of the virtual kink, from the ranges of k1 and k2 (Hourlier & Pineau).
     #[default]

@@ -1,4 +1,4 @@
-//! What the passage explorer of the page works with.
+//! Data of the passage explorer.
 
 use super::stored::RunFolder;
 use crate::numbers::{number, numbers};
@@ -27,9 +27,9 @@ pub(super) fn explorer(run: &RunFolder, shown: &ShownRun) -> Value {
     json!({
         "half_width": summary.half_width_mm,
         "origin": summary.cracks.first().and_then(|crack| crack.initial_points_mm.first()).map_or(0.0, |p| p[0]),
-        "peak_pressure": run.peak_pressure().map(number),
-        "friction": run.number("contact.friction"),
-        "axle_load": run.axle_load(),
+        "peak_pressure": number(run.case.contact.peak_pressure),
+        "friction": run.case.contact.friction,
+        "axle_load": run.case.axle_load,
         "xc_over_a": numbers(xc_over_a.iter().copied()),
         "face_stride": shown.face_stride(),
         "last_step": summary.steps_recorded.saturating_sub(1),
@@ -46,8 +46,8 @@ pub(super) fn explorer(run: &RunFolder, shown: &ShownRun) -> Value {
     })
 }
 
-/// Of every crack the first and the last of its final points that it has in `step`. An end without a tip is that of the final crack: a
-/// mouth, or where the crack has joined another one.
+/// Of every crack the first and the last of its final points that it has in `step`. An end without
+/// a tip is that of the final crack: a mouth, or where the crack has joined another one.
 fn polylines(run: &RunFolder, step: usize) -> Value {
     let of_crack = |(i, crack): (usize, &railcrack_run::CrackSummary)| {
         let mut ends = [0, crack.points_mm.len().saturating_sub(1)];
@@ -62,7 +62,8 @@ fn polylines(run: &RunFolder, step: usize) -> Value {
     run.summary.cracks.iter().enumerate().map(of_crack).map(|ends| json!(ends)).collect()
 }
 
-/// The pieces that are enclosed and the cracks that have joined others, with the first step that has them.
+/// The pieces that are enclosed and the cracks that have joined others, with the first step that
+/// has them.
 fn pieces(run: &RunFolder) -> Value {
     let piece = |piece: &railcrack_run::PieceSummary| {
         json!({

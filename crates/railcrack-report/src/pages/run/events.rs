@@ -2,7 +2,8 @@
 
 use super::stored::RunFolder;
 use crate::numbers::{fixed, grouped, significant, tonnage};
-use crate::{Fact, Table};
+use crate::page::Fact;
+use crate::table::Table;
 use railcrack::growth::{PieceKind, RunStop, TipStop};
 use railcrack_run::Word;
 use railcrack_run::{JunctionSummary, PieceSummary};
@@ -46,7 +47,7 @@ impl<'a> Enclosed<'a> {
     }
 }
 
-/// What happened, a sentence each.
+/// The events, a sentence each.
 pub(super) fn sentences(run: &RunFolder) -> Vec<String> {
     let mut texts = Vec::new();
     let (pieces, junctions) = (&run.summary.pieces, &run.summary.junctions);
@@ -54,7 +55,7 @@ pub(super) fn sentences(run: &RunFolder) -> Vec<String> {
         let enclosed = Enclosed::of(run, piece);
         let name = if piece.kind == PieceKind::Spall { "A spall" } else { "A detached piece" };
         texts.push(format!(
-            "{name} of {} mm², {} mm long and {} mm deep, is cut off by {} in step {}, after {} load cycles.",
+            "{name} of {} mm², {} mm long and {} mm deep, is cut off by {} in growth step {}, after {} load cycles.",
             significant(piece.area_mm2),
             fixed(enclosed.across, 2),
             fixed(enclosed.depth, 2),
@@ -77,7 +78,7 @@ pub(super) fn sentences(run: &RunFolder) -> Vec<String> {
     texts
 }
 
-/// The largest piece as a number that is looked for first.
+/// The largest piece as a key figure.
 pub(super) fn fact(run: &RunFolder) -> Option<Fact> {
     let pieces = &run.summary.pieces;
     let largest = pieces.iter().max_by(|one, other| one.area_mm2.total_cmp(&other.area_mm2))?;
@@ -103,7 +104,7 @@ pub(super) fn table(run: &RunFolder) -> Option<Table> {
     if pieces.is_empty() && junctions.is_empty() {
         return None;
     }
-    let load = run.axle_load();
+    let load = run.case.axle_load;
     let mut headings = vec![
         "Event",
         "By",
@@ -119,7 +120,8 @@ pub(super) fn table(run: &RunFolder) -> Option<Table> {
     }
     let mut table = Table::new(headings);
     table.caption =
-        "Pieces that cracks enclose, and cracks that join others; outlines in summary.json".to_owned();
+        "Pieces of the rail enclosed by cracks, and coalescence of cracks; outlines in summary.json"
+            .to_owned();
     for piece in pieces {
         let enclosed = Enclosed::of(run, piece);
         let places = piece.outline_mm.iter().map(|corner| corner[0]);

@@ -1,25 +1,23 @@
-//! What the report needs of a run folder.
+//! A run as its folder has it.
 
 use crate::direction::{Heading, heading};
-use railcrack_run::compare::case_keys;
+use railcrack_case::Case;
 use railcrack_run::csv::TipRow;
 use railcrack_run::{OutputError, Summary};
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-/// A run as its folder has it, without K and faces.
+/// A run without its histories and faces.
 #[derive(Debug)]
 pub(crate) struct RunFolder {
-    pub path: PathBuf,
+    pub(crate) path: PathBuf,
     /// Text of `case.toml`.
-    pub case: String,
-    /// Its keys with their values as written.
-    keys: BTreeMap<String, String>,
-    pub summary: Summary,
+    pub(crate) text: String,
+    pub(crate) case: Case,
+    pub(crate) summary: Summary,
     /// In the order of the table: by step, crack, tip.
-    pub growth: Vec<TipRow>,
+    pub(crate) growth: Vec<TipRow>,
     /// Depth (mm) and σ_xx (MPa) of the residual stress.
-    pub residual: Vec<[f64; 2]>,
+    pub(crate) residual: Vec<[f64; 2]>,
 }
 
 impl RunFolder {
@@ -27,40 +25,13 @@ impl RunFolder {
     pub(crate) fn read(folder: &Path) -> Result<Self, OutputError> {
         let run = railcrack_run::RunFolder::open(folder)?;
         Ok(Self {
-            keys: case_keys(&run.case_text, folder)?,
+            case: run.case()?,
             growth: run.growth()?,
             residual: run.residual()?.iter().map(|row| [row.depth, row.stress.xx]).collect(),
             path: run.path,
-            case: run.case_text,
+            text: run.case_text,
             summary: run.summary,
         })
-    }
-
-    /// A number of the case; none where the case does not say it.
-    pub(super) fn number(&self, key: &str) -> Option<f64> {
-        self.keys.get(key)?.replace('_', "").parse().ok()
-    }
-
-    /// A word of the case; none where the case does not say it.
-    pub(super) fn word(&self, key: &str) -> Option<&str> {
-        Some(self.keys.get(key)?.trim_matches('"'))
-    }
-
-    /// Every number of a key of the cracks, in their order.
-    pub(super) fn of_cracks(&self, key: &str) -> Vec<f64> {
-        (1..).map_while(|i| self.number(&format!("crack[{i}].{key}"))).collect()
-    }
-
-    /// Load of an axle, t, where the case gives it.
-    pub(super) fn axle_load(&self) -> Option<f64> {
-        self.number("traffic.axle_load_t")
-    }
-
-    /// Peak pressure (MPa) of the contact: given, or that of the line load P′: p0 = 2 P′/(π a).
-    pub(super) fn peak_pressure(&self) -> Option<f64> {
-        let of_load = |load: f64| 2.0 * load / (std::f64::consts::PI * self.summary.half_width_mm);
-        self.number("contact.peak_pressure_mpa")
-            .or_else(|| self.number("contact.line_load_n_per_mm").map(of_load))
     }
 
     /// The rows of a tip, by step.
@@ -73,7 +44,8 @@ impl RunFolder {
         self.growth.iter().filter(|row| row.step == 0).map(|row| (row.crack, row.tip)).collect()
     }
 
-    /// Where the tip of `row`, its last one, is heading; none where its crack is a point.
+    /// Direction of the last segment at the tip of `row`, its last one; none where its crack is a
+    /// point.
     pub(super) fn heading(&self, row: &TipRow) -> Option<Heading> {
         let crack = self.summary.cracks.get(row.crack.checked_sub(1)?)?;
         heading(crack, &self.history(row.crack, row.tip).collect::<Vec<_>>())

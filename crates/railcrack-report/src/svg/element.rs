@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 /// A picture under construction; y points down, one unit is a pixel.
-pub struct Svg {
+pub(crate) struct Svg {
     width: f64,
     height: f64,
     body: String,
@@ -12,21 +12,21 @@ pub struct Svg {
 
 /// A line's colour, width and dashes (empty: solid).
 #[derive(Debug, Clone, PartialEq)]
-pub struct Stroke {
-    pub colour: String,
-    pub width: f64,
-    pub dashes: &'static str,
+pub(crate) struct Stroke {
+    pub(crate) colour: String,
+    pub(crate) width: f64,
+    pub(crate) dashes: &'static str,
 }
 
 impl Stroke {
-    pub fn solid(colour: &str, width: f64) -> Self {
+    pub(crate) fn solid(colour: &str, width: f64) -> Self {
         Self { colour: colour.to_owned(), width, dashes: "" }
     }
 }
 
 /// Where a text stands with respect to its point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Anchor {
+pub(crate) enum Anchor {
     Start,
     Middle,
     End,
@@ -36,35 +36,44 @@ pub enum Anchor {
 
 /// How a text looks.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TextStyle {
-    pub size: f64,
-    pub anchor: Anchor,
-    pub colour: &'static str,
+pub(crate) struct TextStyle {
+    pub(crate) size: f64,
+    pub(crate) anchor: Anchor,
+    pub(crate) colour: &'static str,
     /// `normal` or `bold`.
-    pub weight: &'static str,
+    pub(crate) weight: &'static str,
 }
 
 /// A piece of a text.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Span {
+pub(crate) enum Span {
     /// As it stands.
     Plain(String),
     /// The symbol of a quantity.
-    Italic(&'static str),
+    Italic(String),
     /// Below the line.
-    Sub(&'static str),
+    Sub(String),
     /// Above the line.
     Super(String),
 }
 
 impl Span {
-    pub fn plain(text: &str) -> Self {
+    pub(crate) fn plain(text: &str) -> Self {
         Self::Plain(text.to_owned())
+    }
+
+    /// Number of letters.
+    pub(crate) fn letters(&self) -> usize {
+        match self {
+            Self::Plain(text) | Self::Italic(text) | Self::Sub(text) | Self::Super(text) => {
+                text.chars().count()
+            }
+        }
     }
 }
 
 /// A coordinate with at most two decimals.
-pub fn coordinate(value: f64) -> String {
+pub(crate) fn coordinate(value: f64) -> String {
     let hundredths = (value * 100.0).round() as i64;
     let (sign, size) = (if hundredths < 0 { "-" } else { "" }, hundredths.abs());
     match (size / 100, size % 100) {
@@ -91,7 +100,7 @@ fn escaped(text: &str) -> String {
 }
 
 impl Svg {
-    pub fn new(width: f64, height: f64) -> Self {
+    pub(crate) fn new(width: f64, height: f64) -> Self {
         Self { width, height, body: String::new(), clips: 0 }
     }
 
@@ -101,7 +110,7 @@ impl Svg {
         self.body.push('\n');
     }
 
-    pub fn rectangle(&mut self, [x, y, width, height]: [f64; 4], fill: &str, stroke: &str) {
+    pub(crate) fn rectangle(&mut self, [x, y, width, height]: [f64; 4], fill: &str, stroke: &str) {
         let [x, y, width, height] = [x, y, width, height].map(coordinate);
         self.push(format_args!(
             r#"<rect x="{x}" y="{y}" width="{width}" height="{height}" fill="{fill}" stroke="{stroke}"/>"#
@@ -109,7 +118,7 @@ impl Svg {
     }
 
     /// An open line through `points`; `name` becomes its class.
-    pub fn polyline(&mut self, name: &str, points: &[[f64; 2]], stroke: &Stroke) {
+    pub(crate) fn polyline(&mut self, name: &str, points: &[[f64; 2]], stroke: &Stroke) {
         let mut place = String::with_capacity(points.len() * 12);
         for [x, y] in points {
             let _ = write!(place, "{},{} ", coordinate(*x), coordinate(*y));
@@ -123,19 +132,23 @@ impl Svg {
         ));
     }
 
-    /// Areas given by the path `outline`, filled without softened edges so that neighbours leave no gap.
-    pub fn area(&mut self, name: &str, outline: &str, fill: &str) {
+    /// Areas given by the path `outline`, filled without softened edges so that neighbours leave no
+    /// gap.
+    pub(crate) fn area(&mut self, name: &str, outline: &str, fill: &str) {
         self.push(format_args!(
             r#"<path class="{name}" d="{outline}" fill="{fill}" shape-rendering="crispEdges"/>"#
         ));
     }
 
-    pub fn dot(&mut self, [x, y]: [f64; 2], radius: f64, fill: &str) {
+    pub(crate) fn dot(&mut self, [x, y]: [f64; 2], radius: f64, fill: &str) {
         let (x, y) = (coordinate(x), coordinate(y));
         self.push(format_args!(r#"<circle cx="{x}" cy="{y}" r="{radius}" fill="{fill}"/>"#));
     }
 
-    pub fn text(&mut self, at: [f64; 2], spans: &[Span], style: TextStyle) {
+    pub(crate) fn text(&mut self, at: [f64; 2], spans: &[Span], style: TextStyle) {
+        if spans.is_empty() {
+            return;
+        }
         let [x, y] = at.map(coordinate);
         let (anchor, turn) = match style.anchor {
             Anchor::Start => ("start", String::new()),
@@ -148,9 +161,9 @@ impl Svg {
         for span in spans {
             let (text, height, style_of_span) = match span {
                 Span::Plain(text) => (text.as_str(), 0.0, String::new()),
-                Span::Italic(text) => (*text, 0.0, r#" font-style="italic""#.to_owned()),
+                Span::Italic(text) => (text.as_str(), 0.0, r#" font-style="italic""#.to_owned()),
                 Span::Sub(text) => {
-                    (*text, -0.25, format!(r#" font-size="{}""#, coordinate(0.72 * style.size)))
+                    (text.as_str(), -0.25, format!(r#" font-size="{}""#, coordinate(0.72 * style.size)))
                 }
                 Span::Super(text) => {
                     (text.as_str(), 0.35, format!(r#" font-size="{}""#, coordinate(0.72 * style.size)))
@@ -167,8 +180,8 @@ impl Svg {
         ));
     }
 
-    /// What is drawn until [`Svg::unclip`] shows inside the rectangle only.
-    pub fn clip(&mut self, [x, y, width, height]: [f64; 4]) {
+    /// Clips everything drawn until [`Svg::unclip`] to the rectangle.
+    pub(crate) fn clip(&mut self, [x, y, width, height]: [f64; 4]) {
         self.clips += 1;
         let [x, y, width, height] = [x, y, width, height].map(coordinate);
         let id = self.clips;
@@ -177,12 +190,12 @@ impl Svg {
         ));
     }
 
-    pub fn unclip(&mut self) {
+    pub(crate) fn unclip(&mut self) {
         self.push(format_args!("</g>"));
     }
 
     /// The picture as a file on a white ground.
-    pub fn finish(self, description: &str) -> String {
+    pub(crate) fn finish(self, description: &str) -> String {
         let (width, height) = (coordinate(self.width), coordinate(self.height));
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\" font-family=\"Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', sans-serif\">\n<title>{}</title>\n<rect width=\"{width}\" height=\"{height}\" fill=\"#ffffff\"/>\n{}</svg>\n",

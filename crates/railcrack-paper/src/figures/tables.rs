@@ -1,25 +1,21 @@
-//! The tables of the figures: CSV whose names are in quotes where they have commas.
-
-use railcrack_run::OutputError;
-use std::path::Path;
+//! The tables of the figures, read: CSV whose names are in quotes where they have commas.
 
 /// A table of strings and numbers.
-pub(super) struct FigureTable {
+pub(crate) struct FigureTable {
     columns: Vec<String>,
     rows: Vec<Vec<String>>,
 }
 
 impl FigureTable {
-    /// Errors: a row has not as many fields as the header; the system refuses.
-    pub(super) fn read(path: &Path) -> Result<Self, OutputError> {
-        let text = std::fs::read_to_string(path).map_err(OutputError::io("read", path))?;
+    /// Errors: the line of a row that has not as many fields as the header.
+    pub(crate) fn parse(text: &str) -> Result<Self, String> {
         let mut lines = text.lines().enumerate().filter(|(_, line)| !line.starts_with('#'));
         let columns = lines.next().map_or_else(Vec::new, |(_, header)| fields(header));
         let mut rows = Vec::new();
         for (i, line) in lines {
             let row = fields(line);
             if row.len() != columns.len() {
-                return Err(OutputError::damaged(path, format!("line {}: {} fields", i + 1, row.len())));
+                return Err(format!("line {}: {} fields", i + 1, row.len()));
             }
             rows.push(row);
         }
@@ -27,12 +23,12 @@ impl FigureTable {
     }
 
     /// The place of the column `name`; none where there is none.
-    pub(super) fn column(&self, name: &str) -> Option<usize> {
+    pub(crate) fn column(&self, name: &str) -> Option<usize> {
         self.columns.iter().position(|column| column == name)
     }
 
     /// The rows, field by field.
-    pub(super) fn rows(&self) -> impl Iterator<Item = &[String]> {
+    pub(crate) fn rows(&self) -> impl Iterator<Item = &[String]> {
         self.rows.iter().map(Vec::as_slice)
     }
 }
