@@ -1,4 +1,5 @@
-//! Times of the chain from cracks to increments: the body, one geometry under the wheel, one growth step.
+//! Times of the chain from cracks to increments: the body, one geometry under the wheel, one growth
+//! step.
 
 use divan::{Bencher, black_box};
 use railcrack::body::CrackedBody;
@@ -56,7 +57,8 @@ fn stabilised_passage_latin(bencher: Bencher) {
     passages(bencher, &Latin::default());
 }
 
-/// The first growth step of the reference case as a run computes it: body, passages, direction, increment.
+/// The first growth step of the reference case as a run computes it: body, passages, direction,
+/// increment.
 #[divan::bench(args = ["newton", "latin"], sample_count = 3, sample_size = 1)]
 fn growth_step(bencher: Bencher, solver: &str) {
     let overrides = Overrides { contact: Some(solver.into()), ..Overrides::default() };

@@ -1,7 +1,8 @@
-//! A growth step of the finite-element engine against one factorisation of its system, phase by phase, in one run.
+//! A growth step of the finite-element engine against one factorisation of its system, phase by
+//! phase, in one run.
 //!
-//! `cargo bench --bench growth_step`, and `-- 0.2` for another element size in mm. Times are medians of what is repeated; the ratios are what
-//! counts.
+//! `cargo bench --bench growth_step`, and `-- 0.2` for another element size in mm. Times are
+//! medians of what is repeated; the ratios are what counts.
 
 use railcrack::body::BodyEngine;
 use railcrack::bulk::{Boundary, BulkRail};

@@ -1,7 +1,9 @@
-//! How time and memory of a growth step grow: with the unknowns of the mesh, the number of cracks, the load steps, the threads.
+//! How time and memory of a growth step grow: with the unknowns of the mesh, the number of cracks,
+//! the load steps, the threads.
 //!
-//! `cargo bench --bench scaling > scaling.csv` prints a table, and exponents (least squares in logarithms) as comments at its end. Every
-//! row is a process of its own, so that its peak of memory is its own; what counts are ratios within one table.
+//! `cargo bench --bench scaling > scaling.csv` prints a table, and exponents (least squares in
+//! logarithms) as comments at its end. Every row is a process of its own, so that its peak of
+//! memory is its own; what counts are ratios within one table.
 
 use railcrack::body::BodyEngine;
 use railcrack::contact::{FaceProblem, Newton};

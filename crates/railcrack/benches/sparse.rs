@@ -1,5 +1,5 @@
-//! Times of the uncracked rail: its sparse factor, forward solves of local columns, their scalar products, and the correction of a
-//! block.
+//! Times of the uncracked rail: its sparse factor, forward solves of local columns, their scalar
+//! products, and the correction of a block.
 
 use divan::{Bencher, black_box};
 use railcrack::bulk::{BlockCorrection, BottomSupport, Boundary, BulkRail, SideSupport};
@@ -43,7 +43,8 @@ fn square(n: usize) -> BulkRail {
     rail(QuadMesh::new(lines.clone(), lines).unwrap())
 }
 
-/// The block of 300 × 172 mm: elements of 0.2 mm in a window of 12 × 8 mm, growing outwards by a quarter, up to 15 mm.
+/// The block of 300 × 172 mm: elements of 0.2 mm in a window of 12 × 8 mm, growing outwards by a
+/// quarter, up to 15 mm.
 fn block_mesh() -> QuadMesh {
     let outwards = |window: f64, end: f64| {
         let (mut at, mut step, mut lines) = (0.0, 0.2, vec![0.0]);
@@ -68,7 +69,8 @@ fn analysed(rail: &BulkRail) -> SparseCholesky {
     SparseCholesky::analyse(&rail.stiffness(), order).unwrap()
 }
 
-/// Columns on the unknowns of single elements, along a slanted line that begins at the middle of the top.
+/// Columns on the unknowns of single elements, along a slanted line that begins at the middle of
+/// the top.
 fn local_columns(rail: &BulkRail, count: usize) -> Vec<SparseColumn> {
     let n = rail.mesh().columns();
     let column = |i: usize| {

@@ -1,5 +1,5 @@
-//! Three parallel cracks half a contact half-width apart: where its neighbours slip as well, the crack
-//! in the middle slips more than alone.
+//! Three parallel cracks half a contact half-width apart: where its neighbours slip as well, the
+//! crack in the middle slips more than alone.
 
 use railcrack::prelude::*;
 use std::error::Error;

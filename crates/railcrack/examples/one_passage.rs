@@ -19,7 +19,8 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let k_i = last.sifs[0].iter().map(|k| k.ki_mpa_sqrt_m()).fold(0.0, f64::max);
     let k_ii = last.sifs[0].iter().map(|k| k.kii_mpa_sqrt_m()).fold(0.0, f64::max);
     println!("largest K_I {k_i:.3}, largest K_II {k_ii:.3} MPa√m");
-    // Of an independent code (verification/half-plane-histories/fig13.csv): 0.1 % of the peak of K_II.
+    // Of an independent code (verification/half-plane-histories/fig13.csv): 0.1 % of the peak of
+    // K_II.
     assert!((k_i - 8.928).abs() < 0.035, "largest K_I {k_i}");
     assert!((k_ii - 35.463).abs() < 0.035, "largest K_II {k_ii}");
     Ok(())

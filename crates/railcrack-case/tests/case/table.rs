@@ -1,4 +1,4 @@
-//! What is derived from the table of keys.
+//! Pages, schemas and files derived from the table of keys.
 
 use railcrack_case::{Availability, Engine, Kind, Presence, SECTIONS, Section, json_schema, markdown};
 use serde_json::json;

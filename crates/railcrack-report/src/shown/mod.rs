@@ -1,6 +1,7 @@
-//! What plots and page show of a run beyond its short tables: K, crack faces, fields. It is gathered step by step, from the
-//! records of a run that is being computed or from the files of one that was, and holds no more than is shown. Both give the same
-//! numbers, since the tables hold every number to its last bit.
+//! Histories of K, crack faces and fields as plots and page show them, beyond the short tables of a
+//! run. It is gathered step by step, from the records of a run that is being computed or from the
+//! files of one that was, and holds no more than is shown. Both give the same numbers, since the
+//! tables hold every number to its last bit.
 
 mod faces;
 mod histories;
@@ -26,9 +27,9 @@ pub(crate) use pack::Deflated;
 /// Steps of a table that are read at once: as many as may stand in memory.
 const AT_ONCE: usize = 4;
 
-/// What is gathered of a table, step by step.
+/// Parts of a table, gathered step by step.
 trait OfSteps: Sync {
-    /// What is taken of one step.
+    /// The part of one step.
     type Part: Send;
     /// The rows of the table.
     type Row: Table;
@@ -43,7 +44,7 @@ trait OfSteps: Sync {
     fn push(&mut self, step: usize, part: Self::Part);
 }
 
-/// What is shown of a table for the first `steps` steps of the run in `folder`.
+/// The shown part of a table for the first `steps` steps of the run in `folder`.
 ///
 /// Errors: the table is damaged; the system refuses.
 fn read_table<S: OfSteps + Default>(folder: &Path, steps: usize) -> Result<S, OutputError> {
@@ -69,7 +70,7 @@ fn read_table<S: OfSteps + Default>(folder: &Path, steps: usize) -> Result<S, Ou
     Ok(shown)
 }
 
-/// What is shown of a run.
+/// The shown part of a run.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct ShownRun {
     histories: ShownHistories,
@@ -77,7 +78,7 @@ pub(crate) struct ShownRun {
     pub fields: ShownFields,
 }
 
-/// What is taken of one step.
+/// The shown part of one step.
 #[derive(Debug)]
 pub(crate) struct ShownStep {
     step: usize,
@@ -87,7 +88,7 @@ pub(crate) struct ShownStep {
 }
 
 impl ShownRun {
-    /// What is shown of the first `steps` steps of the run in `folder`.
+    /// The shown part of the first `steps` steps of the run in `folder`.
     ///
     /// Errors: a file is damaged; the system refuses.
     pub(crate) fn read(folder: &Path, steps: usize) -> Result<Self, OutputError> {
@@ -102,7 +103,7 @@ impl ShownRun {
         Ok(Self { histories: histories?, faces: faces?, fields: fields? })
     }
 
-    /// What is taken of a step that is recorded.
+    /// The shown part of a recorded step.
     ///
     /// Errors: its fields do not belong together.
     pub(crate) fn of_record(&self, record: &StepRecord, scale: SifScale) -> Result<ShownStep, OutputError> {
@@ -144,7 +145,8 @@ impl ShownRun {
         self.faces.stride
     }
 
-    /// Status and pressure on the crack faces: of the first step, and of the last where it is another one.
+    /// Status and pressure on the crack faces: of the first step, and of the last where it is
+    /// another one.
     pub(crate) fn end_faces(&self) -> impl Iterator<Item = (usize, &StepFaces)> {
         self.faces.ends.iter().map(|(step, faces)| (*step, faces))
     }

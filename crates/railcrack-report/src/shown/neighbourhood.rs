@@ -1,4 +1,5 @@
-//! The deformed neighbourhood of the cracks: the fields of the first and the last step that have any.
+//! The deformed neighbourhood of the cracks: the fields of the first and the last step that have
+//! any.
 
 use super::pack::{Deflated, Quantised};
 use railcrack::growth::StepRecord;
@@ -10,7 +11,8 @@ use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-/// The most cells of a grid in the page: about eight bytes each, and as many for each wheel position.
+/// The most cells of a grid in the page: about eight bytes each, and as many for each wheel
+/// position.
 const CELLS: usize = 20_000;
 /// The most wheel positions of a step.
 const POSITIONS: usize = 5;
@@ -80,7 +82,8 @@ impl ShownFields {
     }
 }
 
-/// The fields of a step of which `grids` are the wheel position (from 1), the file and what it holds.
+/// The fields of a step of which `grids` are the wheel position (from 1), the file and what it
+/// holds.
 ///
 /// Errors: those of `grids`; another grid than at the first position, or no fields on it.
 fn packed_fields(

@@ -8,9 +8,9 @@ use thiserror::Error;
 pub struct OutOfRange {
     /// Which quantity, with its unit.
     pub quantity: &'static str,
-    /// What was given.
+    /// The given value.
     pub value: f64,
-    /// What is accepted.
+    /// The accepted values.
     pub accepted: &'static str,
 }
 

@@ -12,7 +12,7 @@ use crate::material::IsotropicElastic;
 use std::sync::Arc;
 use std::time::Instant;
 
-/// What the rail of the finite-element engine ends at.
+/// Boundary of the rail in the finite-element engine.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum RailEnd {
     /// The running surface only: the mesh is held so far away that this has no influence.

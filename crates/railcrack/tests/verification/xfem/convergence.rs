@@ -44,7 +44,7 @@ fn cut(lines: &[f64], parts: usize) -> Vec<f64> {
     lines.windows(2).flat_map(within).chain([last]).collect()
 }
 
-/// What is measured on a body.
+/// Quantities measured on a body.
 type Measure = fn(&CrackedBody) -> f64;
 
 /// Prints errors per mesh and asserts their order.
