@@ -1,6 +1,7 @@
 //! Fields of a run as files of VTK, and the collection that lists them.
 
 use super::OutputError;
+use super::field_names::name;
 use super::files::FIELDS_FOLDER;
 use super::folder::{Durability, replace_file};
 use railcrack::body::{Face, FieldGrid};
@@ -18,24 +19,6 @@ pub(crate) struct FieldFileEntry {
     pub name: String,
     /// Step, plus the share of the positions of its passage that lie before.
     pub time: f64,
-}
-
-/// The name of the file of a step and a position, which counts from 1.
-fn name(step: usize, position: usize) -> String {
-    format!("step-{step:04}-position-{position:04}.vtu")
-}
-
-/// Step and position (from 1) of the field file of this name; none where it is not one that a run
-/// writes.
-pub fn step_and_position(file: &str) -> Option<(usize, usize)> {
-    let (step, position) = file.strip_prefix("step-")?.strip_suffix(".vtu")?.split_once("-position-")?;
-    let (step, position) = (step.parse().ok()?, position.parse().ok()?);
-    (name(step, position) == file).then_some((step, position))
-}
-
-/// Whether a file of this name is one that a run writes.
-pub fn is_field_file(file: &str) -> bool {
-    step_and_position(file).is_some()
 }
 
 /// The fields of a step: of each wheel position its number (from 1), the name of its file in the
@@ -108,19 +91,5 @@ fn grid_of(grid: &FieldGrid, field: &FieldSnapshot) -> UnstructuredGrid {
             Array::vectors("traction", &field.traction),
         ],
         cell_data: vec![Array::scalars("face", std::iter::repeat_n(0.0, bulk).chain(side).collect())],
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn only_names_that_a_run_writes_are_field_files() {
-        assert!(is_field_file(&name(0, 101)) && is_field_file(&name(12_345, 100_000)));
-        for other in ["mine.vtu", "step-1-position-1.vtu", "step-0001-position-0001.vtu.bak", "step-0001.vtu"]
-        {
-            assert!(!is_field_file(other), "{other}");
-        }
     }
 }

@@ -3,7 +3,7 @@
 
 use super::OutputError;
 use super::case_files::CaseFiles;
-use super::field_files::is_field_file;
+use super::field_names::is_field_file;
 use super::files::{
     CASE_FILE, CHECKPOINT_FILE, FIELDS_FOLDER, INPUTS_FOLDER, PLOT_FILES, PLOTS_FOLDER, REPORT_FILE,
     ROLLED_FOLDER, RUN_FILES,

@@ -10,6 +10,7 @@ pub mod compare;
 pub mod csv;
 mod error;
 mod field_files;
+mod field_names;
 pub mod files;
 pub mod folder;
 pub mod histories;

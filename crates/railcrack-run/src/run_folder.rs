@@ -1,7 +1,7 @@
 //! The results of a run, read back from its folder.
 
 use crate::csv::{FaceRow, ResidualRow, SifRow, StepBlocks, Table, TipRow, read_table};
-use crate::field_files::step_and_position;
+use crate::field_names::step_and_position;
 use crate::files::{FIELDS_FOLDER, SUMMARY_FILE};
 use crate::folder::{read_case, read_json, stored_case};
 use crate::histories::History;

@@ -160,7 +160,8 @@ fn cases_and_studies_are_told_apart() {
     assert!(declared.to_string().contains("`railcrack sweep s.toml` computes it"), "{declared}");
 }
 
-/// A study that is wrong in one way: its text, and line, key, a piece of the message and a piece of the help of the only error.
+/// A study that is wrong in one way: its text, and line, key, a piece of the message and a piece of
+/// the help of the only error.
 struct Wrong {
     text: String,
     line: usize,
@@ -259,7 +260,8 @@ fn wrong_lists() {
 
 #[test]
 fn wrong_combinations() {
-    // 200 mm leave the rail, which ends at ±150 mm, at 15° and 30°, but not at 45°: so do 4 of 12 runs.
+    // 200 mm leave the rail, which ends at ±150 mm, at 15° and 30°, but not at 45°: so do 4 of 12
+    // runs.
     let wrong_in_some = replaced("length_mm = 6.0", "length_mm = [6.0, 200.0]");
     // 400 mm are longer than the rail at any angle: the element alone is wrong.
     let wrong_by_itself = replaced("length_mm = 6.0", "length_mm = [6.0, 400.0]");

@@ -1,8 +1,9 @@
 //! The crack faces: all of what is shown of a step packed, the first and the last step also as they
 //! are.
 
+use super::of_steps::OfSteps;
 use super::pack::{Deflated, Quantised, every, every_count};
-use super::{OfSteps, Thinned};
+use super::thinned::Thinned;
 use railcrack::contact::FaceStatus;
 use railcrack::growth::StepRecord;
 use railcrack_run::OutputError;

@@ -1,6 +1,7 @@
 //! K over the stabilised passages.
 
-use super::{OfSteps, Thinned};
+use super::of_steps::OfSteps;
+use super::thinned::Thinned;
 use railcrack_run::OutputError;
 use railcrack_run::csv::{SifRow, StepBlock};
 use railcrack_run::histories::History;

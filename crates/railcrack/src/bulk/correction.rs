@@ -147,8 +147,9 @@ fn positions_needed(
     let edges = wheel.edges();
     let from = range.start() + edges.first().unwrap_or(&0.0);
     let to = range.end() + edges.last().unwrap_or(&0.0);
-    // As seen from a place on the ends of the block, the potential has its branch points where an edge of the contact would meet that place
-    // or its mirror image above the surface: a top corner is the first of the sides, and the bottom lies at its depth beside the range.
+    // As seen from a place on the ends of the block, the potential has its branch points where an
+    // edge of the contact would meet that place or its mirror image above the surface: a top corner
+    // is the first of the sides, and the bottom lies at its depth beside the range.
     let half = 0.5 * (range.end() - range.start());
     let depth = -rail.mesh().y_lines()[0];
     let needed = |gap: f64| {

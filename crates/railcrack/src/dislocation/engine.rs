@@ -20,8 +20,9 @@ pub enum DislocationError {
     Unresolved(#[from] LinearError),
 }
 
-/// Cracks in the half-plane y ≤ 0 by a Galerkin method for the displacement jump: continuous, linear in √r between
-/// nodes (so that the tip behaviour is in the space), with the closed-form interaction of dislocations.
+/// Cracks in the half-plane y ≤ 0 by a Galerkin method for the displacement jump: continuous,
+/// linear in √r between nodes (so that the tip behaviour is in the space), with the closed-form
+/// interaction of dislocations.
 ///
 /// The body with `network` of cracks, of `steel`, resolved by `resolution`.
 pub fn cracked_body(
@@ -105,8 +106,8 @@ impl DislocationEngine {
     }
 }
 
-/// Distance that is resolved, over the length of the shortest crack: elements there follow the distance, but below this
-/// the stress between the faces says nothing about a real crack.
+/// Distance that is resolved, over the length of the shortest crack: elements there follow the
+/// distance, but below this the stress between the faces says nothing about a real crack.
 const RESOLVED: f64 = 0.005;
 
 impl BodyEngine for DislocationEngine {

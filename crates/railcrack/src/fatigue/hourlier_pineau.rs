@@ -8,7 +8,8 @@ use crate::fracture::{Sif, SifHistory};
 /// rate of the virtual kink over the passage, from the ranges of k1(β, t), clipped at zero (a
 /// closed kink does not open negatively), and k2(β, t).
 ///
-/// Source: Hourlier & Pineau 1982, Fatigue Eng. Mater. Struct. 5, 287–302; Trollé et al. 2014, section 4.
+/// Source: Hourlier & Pineau 1982, Fatigue Eng. Mater. Struct. 5, 287–302; Trollé et al. 2014,
+/// section 4.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct HourlierPineau {
     /// The growth law that weights the two modes.

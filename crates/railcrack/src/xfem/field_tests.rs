@@ -26,7 +26,8 @@ fn body(degrees: f64, element_size: f64) -> (CrackedBody, Inside) {
     reduced(rail, &network, XfemSettings::default(), &mut ColumnStore::default()).unwrap()
 }
 
-/// The cracked body with open faces under tension along the rail, up to `margin` (mm) from the crack.
+/// The cracked body with open faces under tension along the rail, up to `margin` (mm) from the
+/// crack.
 fn under_tension((body, inside): &(CrackedBody, Inside), margin: f64) -> (Vec<f64>, FieldGrid, PointField) {
     let forces = body.faces.nodal_forces(|_| TENSION);
     let load = FieldLoad { forces: &forces, wheel: None };

@@ -9,7 +9,8 @@ pub struct XfemSettings {
     pub domain_inner: f64,
     /// It falls to 0 here.
     pub domain_outer: f64,
-    /// Distance between face points away from mouth, tip and kinks, mm; the length of crack in an element where none.
+    /// Distance between face points away from mouth, tip and kinks, mm; the length of crack in an
+    /// element where none.
     pub interface_spacing: Option<f64>,
 }
 

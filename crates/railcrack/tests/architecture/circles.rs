@@ -7,8 +7,9 @@ use std::path::{Path, PathBuf};
 /// A path of modules from the root of the crate, with an item at its end.
 type Names = Vec<String>;
 
-/// The groups of `files` of one crate that reach one another. An import counts for the file that defines
-/// what is imported: re-exports of `mod.rs` lead there, and are no imports of their own. Tests do not count.
+/// The groups of `files` of one crate that reach one another. An import counts for the file that
+/// defines what is imported: re-exports of `mod.rs` lead there, and are no imports of their own.
+/// Tests do not count.
 pub fn circles(files: &[SourceFile]) -> Vec<BTreeSet<PathBuf>> {
     let sources: Vec<&SourceFile> = files.iter().filter(|file| !is_for_tests(&file.path)).collect();
     let modules: BTreeMap<Names, usize> =
@@ -54,7 +55,8 @@ fn module(path: &Path) -> Names {
     names
 }
 
-/// All paths of a file that lead to a module of the crate, absolute, and whether each is re-exported.
+/// All paths of a file that lead to a module of the crate, absolute, and whether each is
+/// re-exported.
 fn paths(file: &SourceFile, own: &Names, modules: &BTreeMap<Names, usize>) -> Vec<(Names, bool)> {
     let tokens = file.tokens();
     let mut found = Vec::new();

@@ -40,7 +40,8 @@ const CRATES: &str = "| crate | holds | may import |";
 const PROMISES: &str = "| module | never | extent | because |";
 
 impl Rules {
-    /// Reads both tables. Panics where one is missing or a row is not understood: a rule nobody checks is none.
+    /// Reads both tables. Panics where one is missing or a row is not understood: a rule nobody
+    /// checks is none.
     pub fn parse(text: &str) -> Self {
         let mut rows = BTreeMap::new();
         for cells in table(text, TABLE) {

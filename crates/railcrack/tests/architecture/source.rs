@@ -99,7 +99,8 @@ fn followed_by_path(tokens: &[Token], i: usize) -> bool {
     tokens.get(i + 1).is_some_and(|next| next.text == "::")
 }
 
-/// Adds the top-level modules of the path (or group of paths) from token `i` on, `depth` modules below the root.
+/// Adds the top-level modules of the path (or group of paths) from token `i` on, `depth` modules
+/// below the root.
 fn modules_of(tokens: &[Token], i: usize, depth: usize, imports: &mut Vec<Import>) {
     let Some(token) = tokens.get(i) else { return };
     match token.text.as_str() {
@@ -124,7 +125,8 @@ fn modules_of(tokens: &[Token], i: usize, depth: usize, imports: &mut Vec<Import
     }
 }
 
-/// Words, `::` and braces, commas and other signs one by one, each with the inline modules around it.
+/// Words, `::` and braces, commas and other signs one by one, each with the inline modules around
+/// it.
 fn tokens(text: &str) -> Vec<Token> {
     let mut tokens: Vec<Token> = Vec::new();
     // Names of the open braces: that of an inline module, or none.
@@ -160,7 +162,8 @@ fn tokens(text: &str) -> Vec<Token> {
     tokens
 }
 
-/// The text with comments and the contents of texts and characters left out; lines stay where they are.
+/// The text with comments and the contents of texts and characters left out; lines stay where they
+/// are.
 fn without_comments_and_texts(text: &str) -> String {
     let mut code = String::with_capacity(text.len());
     let mut rest = text;

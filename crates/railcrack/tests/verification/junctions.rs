@@ -259,7 +259,8 @@ fn short_branch_vanishes() {
     close(change(0.001), 0.0, Absolute(1e-5), "finer elements around the junction; 1.4e-6");
 }
 
-/// A tip that comes straight to a free crack, `gap` (mm) from it, or has joined it where there is none.
+/// A tip that comes straight to a free crack, `gap` (mm) from it, or has joined it where there is
+/// none.
 fn coming(gap: f64) -> CrackedBody {
     let wall = polyline(&[(0.0, DEEP - 2.0), (0.0, DEEP + 0.5), (0.0, DEEP + 2.0)]);
     let cracks = [polyline(&[(-4.0, DEEP + 0.5), (-gap, DEEP + 0.5)]), wall];

@@ -72,8 +72,8 @@ fn waves(x: f64) -> f64 {
     1.0 + (1.3 * x).sin() + 0.5 * (0.9 * x).cos()
 }
 
-/// K_I at both tips under a pressure, √(a/π) ∫ p(a cos φ) (1 ± cos φ) dφ over 0…π, against that of the body; the largest error over the
-/// larger of both.
+/// K_I at both tips under a pressure, √(a/π) ∫ p(a cos φ) (1 ± cos φ) dφ over 0…π, against that of
+/// the body; the largest error over the larger of both.
 fn sif_error(body: &CrackedBody, pressure: fn(f64) -> f64) -> f64 {
     const POINTS: usize = 100;
     let want = |sign: f64| {
@@ -88,7 +88,8 @@ fn sif_error(body: &CrackedBody, pressure: fn(f64) -> f64) -> f64 {
     largest(k.iter().zip(want).map(|(k, want)| k - want)) / largest(want)
 }
 
-/// Nodal forces of a pressure on the faces, given at the distance (mm) from the centre along the walk.
+/// Nodal forces of a pressure on the faces, given at the distance (mm) from the centre along the
+/// walk.
 fn pressed(body: &CrackedBody, pressure: impl Fn(f64) -> f64) -> Vec<f64> {
     let tangent = body.faces.points[0].tangent;
     let normal = tangent.left();
@@ -111,7 +112,8 @@ fn work_error(body: &CrackedBody) -> f64 {
     forces.iter().zip(&jumps).map(|(f, w)| f * w).sum::<f64>() / want - 1.0
 }
 
-/// Largest error of a jump under that pressure, where the opening is (4/E′) √(a² − x²) (1 + x/(2a)).
+/// Largest error of a jump under that pressure, where the opening is (4/E′) √(a² − x²)
+/// (1 + x/(2a)).
 fn jump_error(body: &CrackedBody) -> f64 {
     let opening = |x: f64| {
         4.0 / steel().plane_strain_modulus() * (HALF * HALF - x * x).max(0.0).sqrt() * (1.0 + 0.5 * x / HALF)

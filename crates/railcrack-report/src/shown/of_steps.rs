@@ -1,0 +1,52 @@
+//! Parts of a table of the run folder, gathered step by step.
+
+use railcrack_run::OutputError;
+use railcrack_run::csv::{StepBlock, StepBlocks, Table};
+use rayon::prelude::*;
+use std::path::Path;
+
+/// Steps of a table that are read at once: as many as may stand in memory.
+const AT_ONCE: usize = 4;
+
+/// Parts of a table, gathered step by step.
+pub(super) trait OfSteps: Sync {
+    /// The part of one step.
+    type Part: Send;
+    /// The rows of the table.
+    type Row: Table;
+
+    /// Whether a step is shown once there are newer ones, as far as is known by now.
+    fn keeps(&self, step: usize) -> bool;
+
+    /// Errors: the table is damaged.
+    fn read(&self, block: &StepBlock<Self::Row>) -> Result<Self::Part, OutputError>;
+
+    /// Takes up the step after the last one. Steps that are not kept may be left out.
+    fn push(&mut self, step: usize, part: Self::Part);
+}
+
+/// The shown part of a table for the first `steps` steps of the run in `folder`.
+///
+/// Errors: the table is damaged; the system refuses.
+pub(super) fn read_table<S: OfSteps + Default>(folder: &Path, steps: usize) -> Result<S, OutputError> {
+    let mut shown = S::default();
+    let mut waiting: Vec<StepBlock<S::Row>> = Vec::new();
+    let take = |shown: &mut S, waiting: &mut Vec<StepBlock<S::Row>>| -> Result<(), OutputError> {
+        let read = |block: &StepBlock<S::Row>| Ok((block.step, shown.read(block)?));
+        let parts: Result<Vec<_>, OutputError> = waiting.par_iter().map(read).collect();
+        waiting.clear();
+        parts?.into_iter().for_each(|(step, part)| shown.push(step, part));
+        Ok(())
+    };
+    for block in StepBlocks::open(folder, 0..steps)? {
+        let block = block?;
+        if shown.keeps(block.step) || block.step + 1 == steps {
+            waiting.push(block);
+        }
+        if waiting.len() == AT_ONCE {
+            take(&mut shown, &mut waiting)?;
+        }
+    }
+    take(&mut shown, &mut waiting)?;
+    Ok(shown)
+}

@@ -1,0 +1,93 @@
+//! The shown part of a run.
+
+use super::faces::{FacesOfStep, PackedFaces, ShownFaces, StepFaces};
+use super::histories::ShownHistories;
+use super::neighbourhood::{PackedFields, ShownFields};
+use super::of_steps::{OfSteps, read_table};
+use railcrack::growth::StepRecord;
+use railcrack_run::OutputError;
+use railcrack_run::csv::{SifRow, SifScale};
+use railcrack_run::histories::History;
+use std::path::Path;
+
+/// The shown part of a run.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct ShownRun {
+    histories: ShownHistories,
+    faces: ShownFaces,
+    pub fields: ShownFields,
+}
+
+/// The shown part of one step.
+#[derive(Debug)]
+pub(crate) struct ShownStep {
+    step: usize,
+    histories: Vec<History>,
+    faces: FacesOfStep,
+    fields: Option<PackedFields>,
+}
+
+impl ShownRun {
+    /// The shown part of the first `steps` steps of the run in `folder`.
+    ///
+    /// Errors: a file is damaged; the system refuses.
+    pub(crate) fn read(folder: &Path, steps: usize) -> Result<Self, OutputError> {
+        if steps == 0 {
+            return Ok(Self::default());
+        }
+        let (faces, (histories, fields)) = rayon::join(
+            || read_table(folder, steps),
+            || (read_table(folder, steps), ShownFields::read(folder, steps)),
+        );
+        // In the order in which a reader of the folder would meet what is wrong.
+        Ok(Self { histories: histories?, faces: faces?, fields: fields? })
+    }
+
+    /// The shown part of a recorded step.
+    ///
+    /// Errors: its fields do not belong together.
+    pub(crate) fn of_record(&self, record: &StepRecord, scale: SifScale) -> Result<ShownStep, OutputError> {
+        Ok(ShownStep {
+            step: record.step,
+            histories: History::of_step(SifRow::of_step(record, scale).map(Ok))?,
+            faces: self.faces.of_record(record)?,
+            fields: ShownFields::of_record(record)?,
+        })
+    }
+
+    /// Takes up the step after the last one.
+    pub(crate) fn push(&mut self, step: ShownStep) {
+        self.histories.push(step.step, step.histories);
+        self.faces.push(step.step, step.faces);
+        if let Some(fields) = step.fields {
+            self.fields.push(fields);
+        }
+    }
+
+    /// The steps that are shown: the first and the last among them.
+    pub(crate) fn steps(&self) -> Vec<usize> {
+        let steps = self.histories.steps.iter().map(|(step, _)| step);
+        steps.filter(|&step| self.faces.steps.get(step).is_some()).collect()
+    }
+
+    /// K of the tips in a step that is shown.
+    pub(crate) fn histories(&self, step: usize) -> &[History] {
+        self.histories.steps.get(step).map_or(&[], Vec::as_slice)
+    }
+
+    /// The crack faces in a step that is shown.
+    pub(crate) fn faces(&self, step: usize) -> Option<&PackedFaces> {
+        self.faces.steps.get(step)
+    }
+
+    /// Every how many positions [`ShownRun::faces`] has.
+    pub(crate) fn face_stride(&self) -> usize {
+        self.faces.stride
+    }
+
+    /// Status and pressure on the crack faces: of the first step, and of the last where it is
+    /// another one.
+    pub(crate) fn end_faces(&self) -> impl Iterator<Item = (usize, &StepFaces)> {
+        self.faces.ends.iter().map(|(step, faces)| (*step, faces))
+    }
+}
