@@ -140,7 +140,7 @@ fn numbers() {
             Replace("845.0", "0.0"),
             2,
             "contact.peak_pressure_mpa",
-            "must be a number in (0, 10000] MPa",
+            "must be a number in [0.001, 10000] MPa",
             "",
         ),
         wrong(Replace("845.0", "-845"), 2, "contact.peak_pressure_mpa", "= -845`", ""),
@@ -659,7 +659,7 @@ fn cracks_that_meet_or_leave_the_rail() {
             "",
         ),
         wrong(
-            Replace(STRAIGHT, "points_mm = [[0, 0], [200, -1]]"),
+            Replace(STRAIGHT, "points_mm = [[0, 0], [200, -10]]"),
             6,
             "crack[1].points_mm",
             "leaves the rail at x = 200",

@@ -130,3 +130,32 @@ fn control_characters_of_a_file_do_not_reach_the_terminal() {
     }
     assert!(!shown.contains(['\u{1b}', '\u{202e}']), "{shown}");
 }
+
+#[test]
+fn cells_upon_one_another_are_read_in_time() {
+    const CELLS: usize = 100_000;
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("coincident-cells");
+    std::fs::create_dir_all(&folder).unwrap();
+    let offsets: String = (1..=CELLS).map(|cell| format!("{} ", 4 * cell)).collect();
+    let array = |name: &str, kind: &str, components: usize, values: &str| {
+        format!(
+            "<DataArray type=\"{kind}\" Name=\"{name}\" NumberOfComponents=\"{components}\" format=\"ascii\">\
+             {values}</DataArray>"
+        )
+    };
+    let file = format!(
+        "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\"><UnstructuredGrid>\
+         <Piece NumberOfPoints=\"4\" NumberOfCells=\"{CELLS}\"><Points>{}</Points><Cells>{}{}{}</Cells>\
+         <PointData>{}</PointData></Piece></UnstructuredGrid></VTKFile>",
+        array("points", "Float64", 3, "-9 -9 0  9 -9 0  9 0 0  -9 0 0"),
+        array("connectivity", "Int64", 1, &"0 1 2 3 ".repeat(CELLS)),
+        array("offsets", "Int64", 1, &offsets),
+        array("types", "UInt8", 1, &"9 ".repeat(CELLS)),
+        array("plastic_stress_mpa", "Float64", 6, &"9 0 0 0 0 0 ".repeat(4)),
+    );
+    std::fs::write(folder.join("field.vtu"), file).unwrap();
+    let started = Instant::now();
+    let case = one(SHORT, "[plastic_stress]\nfield = \"field.vtu\"\n");
+    Case::parse(&case, "case.toml", &folder).unwrap();
+    assert!(started.elapsed() < BUDGET, "{:?}", started.elapsed());
+}
