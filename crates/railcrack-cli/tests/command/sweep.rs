@@ -332,7 +332,9 @@ fn refusals_write_nothing() {
     fs::write(folder.join("case.toml"), single).unwrap();
     fs::write(folder.join("deep.toml"), STUDY.replace("length_mm = 6.0", "length_mm = [6.0, 400.0]"))
         .unwrap();
-    let refusals: [(&[&str], &str); 8] = [
+    let refusals: [(&[&str], &str); 10] = [
+        (&["sweep", "study.toml", "--threads", "100000"], "from 1 to 1024"),
+        (&["run", "case.toml", "--threads", "100000"], "from 1 to 1024"),
         (&["sweep", "case.toml"], "nothing varies"),
         (&["sweep", "deep.toml"], "deep.toml:10:19: `crack[1].length_mm = 400.0`"),
         (&["run", "study.toml"], "`railcrack sweep` computes"),
