@@ -2,6 +2,7 @@
 
 use super::case::Case;
 use super::cracks::{check_fit, place_cracks};
+use super::limits::check_size;
 use crate::files::read_profile;
 use crate::schema::{Report, SectionValues, Sections, Value, Written};
 use crate::tables::{
@@ -45,11 +46,12 @@ pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) 
         refuse_counting_twice(section, report);
     }
     let shakedown = sections.one(&SHAKEDOWN).and_then(|s| ShakedownSettings::read(s, folder, report));
+    let growth = sections.one(&GROWTH).and_then(|s| read_growth(s, report));
     let (placed, rail) = (placed?, rail?);
     // A stored case says where the middle of the rail was.
     sections.settle(&RAIL, CENTRE, Value::Number(rail.centre));
     let solver = sections.one(&SOLVER)?;
-    Some(Case {
+    let case = Case {
         title: sections.one(&TOP)?.get(TITLE)?,
         steel: steel?,
         rail,
@@ -60,14 +62,15 @@ pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) 
         residual_stress,
         plastic_stress,
         shakedown: shakedown?,
-        growth: read_growth(sections.one(&GROWTH)?)?,
+        growth: growth?,
         mesh: MeshSettings::read(sections.one(&MESH)?),
         engine: solver.get(ENGINE)?,
         contact_solver: solver.get(SOLVER_CONTACT)?,
         fields: FieldOutput::read(sections.one(&OUTPUT)?)?,
         axle_load: sections.one(&TRAFFIC).and_then(|s| s.get(AXLE_LOAD)),
         written: Written::of(&sections),
-    })
+    };
+    check_size(&case, &sections, report).then_some(case)
 }
 
 /// Smallest gap between the contact and the side of a block, over the half-width: closer, the sides

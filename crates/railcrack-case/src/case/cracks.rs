@@ -1,8 +1,9 @@
 //! Cracks of a case: copies of a row, contact with one another, and their place in the rail.
 
+use super::limits::RESOLVED;
 use crate::schema::{Fault, Report, Row, SectionValues};
-use crate::tables::{ANGLE, COUNT, CRACK_FRICTION, LENGTH, MOUTH, POINTS, Rail, SPACING};
-use railcrack::crack::{Crack, CrackError, CrackNetwork};
+use crate::tables::{ANGLE, ANGLES, COUNT, CRACK_FRICTION, LENGTH, MOUTH, POINTS, Rail, SPACING};
+use railcrack::crack::{Crack, CrackError, CrackNetwork, segment_distance};
 use railcrack::math::Vec2;
 
 /// Most cracks of a case, copies included: each brings a dense block of unknowns, and ten times as
@@ -69,12 +70,62 @@ fn place_first(section: &SectionValues, report: &mut Report) -> Option<Crack> {
             let message = format!("`{key}`: {error}");
             report.add(Fault::of(key, part.unwrap_or(section.span_of(POINTS)), message).help(help));
         };
-        return Crack::polyline(points).map_err(refuse).ok();
+        let crack = Crack::polyline(points).map_err(refuse).ok()?;
+        return is_resolved(&crack, section, report).then_some(crack);
     }
     let (mouth, length, angle) = (section.get(MOUTH)?, section.get(LENGTH)?, section.get(ANGLE)?);
     Crack::surface_breaking(mouth, length, angle.to_radians())
         .map_err(|error| report.add(section.fault(ANGLE, error)))
         .ok()
+}
+
+/// Reports a segment or a depth below the surface that no engine resolves, and a flatter way into
+/// the rail than `angle_deg` accepts; whether there is none.
+fn is_resolved(crack: &Crack, section: &SectionValues, report: &mut Report) -> bool {
+    let least = RESOLVED * crack.length();
+    let says = |i: usize, point: Vec2| {
+        let before = i.checked_sub(1).map(|i| crack.points()[i]);
+        let from_surface = (point.y != 0.0).then_some(-point.y);
+        match before.map(|before| point - before) {
+            Some(step) if step.length() < least => {
+                Some(format!("is {:e} mm from the point before it, {}", step.length(), too_close(least)))
+            }
+            Some(step) if i == 1 && crack.is_surface_breaking() && !accepts_angle(step) => Some(format!(
+                "leads into the rail at {:e} degrees: must be in {}",
+                -step.angle().to_degrees(),
+                ANGLES
+            )),
+            _ => from_surface
+                .filter(|depth| *depth < least && !(i == 1 && crack.is_surface_breaking()))
+                .map(|depth| format!("is {depth:e} mm below the surface, {}", too_close(least))),
+        }
+    };
+    let Some((i, why)) = crack.points().iter().enumerate().find_map(|(i, p)| Some((i, says(i, *p)?))) else {
+        return true;
+    };
+    let part = section.entry(POINTS).and_then(|entry| entry.parts.get(i).cloned());
+    let key = section.dotted(POINTS.key.name);
+    let message = format!("`{key}`: point {} {why}", i + 1);
+    report.add(Fault::of(key, part.unwrap_or(section.span_of(POINTS)), message).help(TOO_CLOSE));
+    false
+}
+
+fn accepts_angle(step: Vec2) -> bool {
+    ANGLES.contains(-step.angle().to_degrees())
+}
+
+fn too_close(least: f64) -> String {
+    format!("less than {least:e} mm, a thousandth of the crack")
+}
+
+const TOO_CLOSE: &str = "no engine resolves cracks, points and surface that are closer";
+
+/// Whether two cracks that do not meet are closer than an engine resolves.
+fn are_too_close(one: &Crack, other: &Crack) -> bool {
+    let least = RESOLVED * one.length().min(other.length());
+    one.points()
+        .windows(2)
+        .any(|a| other.points().windows(2).any(|b| segment_distance(a[0], a[1], b[0], b[1]) < least))
 }
 
 /// The point (from 0) that an error is about.
@@ -98,19 +149,28 @@ fn report_meetings(
     for (i, one) in cracks.iter().enumerate() {
         for (j, other) in cracks.iter().enumerate().skip(i + 1) {
             let owners = (owner[i], owner[j]);
-            if reported.contains(&owners) || CrackNetwork::new(vec![one.clone(), other.clone()]).is_ok() {
+            if reported.contains(&owners) {
+                continue;
+            }
+            let meet = CrackNetwork::new(vec![one.clone(), other.clone()]).is_err();
+            if !meet && !are_too_close(one, other) {
                 continue;
             }
             reported.push(owners);
+            let what = if meet {
+                "cross, touch or overlap"
+            } else {
+                "stand closer than a thousandth of their length"
+            };
             let (first, second) = (sections[owners.0], sections[owners.1]);
-            let help =
-                format!("cracks {} and {} of the network, copies counted, must not meet", i + 1, j + 1);
+            let must = if meet { "must not meet" } else { "must stand further apart" };
+            let help = format!("cracks {} and {} of the network, copies counted, {must}", i + 1, j + 1);
             let fault = if owners.0 == owners.1 {
                 let key = first.dotted(SPACING.key.name);
-                let message = format!("`{}`: its copies cross, touch or overlap", first.path);
+                let message = format!("`{}`: its copies {what}", first.path);
                 Fault::of(key, first.span_of(SPACING), message)
             } else {
-                let message = format!("`{}` and `{}` cross, touch or overlap", first.path, second.path);
+                let message = format!("`{}` and `{}` {what}", first.path, second.path);
                 Fault::of(second.path.clone(), second.span.clone(), message)
                     .also(first.span.clone(), "the other crack")
             };

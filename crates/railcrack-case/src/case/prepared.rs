@@ -33,13 +33,24 @@ impl Case {
             .map_or(FaceResolution::for_cracks(cracks), |elements| FaceResolution { elements })
     }
 
+    /// Size (mm) of the finite elements at each crack.
+    pub(super) fn element_sizes(&self) -> Vec<f64> {
+        match self.mesh.element_size {
+            Some(size) => vec![size; self.cracks.cracks().len()],
+            None => default_element_sizes(&self.cracks),
+        }
+    }
+
+    /// Displacement unknowns of the mesh that the finite-element engine wants, computed without
+    /// making it; those of layers of a given plastic stress included.
+    pub(super) fn wanted_mesh_unknowns(&self) -> f64 {
+        self.finite_elements(self.given_plastic().as_ref()).mesh_unknowns()
+    }
+
     /// The finite-element engine, with a mesh for the cracks at the beginning and their growth.
     #[must_use]
     pub fn xfem_engine(&self) -> XfemEngine {
-        let sizes = match self.mesh.element_size {
-            Some(size) => vec![size; self.cracks.cracks().len()],
-            None => default_element_sizes(&self.cracks),
-        };
+        let sizes = self.element_sizes();
         let expected_growth =
             (1.0 + self.growth.increment).powf(self.growth.steps as f64).min(LARGEST_WINDOW);
         let window = Window::with_sizes(&self.cracks, &sizes, expected_growth);

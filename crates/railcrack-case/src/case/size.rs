@@ -28,7 +28,7 @@ const MATRICES: usize = 4;
 const BASE: usize = 20 << 20;
 
 impl Case {
-    fn given_plastic(&self) -> Option<PlasticField> {
+    pub(super) fn given_plastic(&self) -> Option<PlasticField> {
         match &self.plastic_stress {
             Some(PlasticSource::Rolled) | None => None,
             Some(_) => self.plastic_field(None).ok().flatten(),

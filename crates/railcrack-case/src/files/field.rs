@@ -1,7 +1,7 @@
 //! Plastic stress on a mesh, in VTU files.
 
 use super::companion::{Companion, RELATIVE, kept_as};
-use crate::schema::{Report, Row, SectionValues};
+use crate::schema::{Report, Row, SectionValues, read_bytes};
 use railcrack::mesh::{Array, UnstructuredGrid};
 use railcrack::residual::{PLASTIC_STRESS_ARRAY, PlasticField};
 use railcrack_vtu::{VtuError, read_vtu_bytes, vtu_text};
@@ -70,11 +70,14 @@ pub(crate) fn read_field(
 const EXPECTED: &str =
     "a VTU file with `plastic_stress_mpa` on points or cells, as `railcrack shakedown` writes it";
 
+/// Most bytes of a field: a million cells, tenfold what `railcrack shakedown` writes.
+const MOST_FIELD: u64 = 256 << 20;
+
 fn read(path: &Path) -> Result<(String, PlasticField), (String, &'static str)> {
     if path.is_dir() {
         return Err(("it is a folder, not a file".into(), RELATIVE));
     }
-    let bytes = std::fs::read(path).map_err(|reason| match reason.kind() {
+    let bytes = read_bytes(path, MOST_FIELD).map_err(|reason| match reason.kind() {
         std::io::ErrorKind::NotFound => ("there is no such file".to_owned(), RELATIVE),
         _ => (format!("cannot be read: {reason}"), RELATIVE),
     })?;

@@ -5,6 +5,7 @@ use super::error::{CaseErrors, Fault, Report, Source};
 use super::reading::Reading;
 use super::section::read_section;
 use super::sections::Sections;
+use std::io::Read;
 use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
@@ -23,6 +24,22 @@ pub(crate) fn read_file(path: &Path) -> Result<Source, CaseErrors> {
     })
 }
 
+/// Most bytes of a case, a study or a profile: a hundred thousand rows of a profile fit.
+pub(crate) const MOST_TEXT: u64 = 4 << 20;
+
+/// The bytes of a file of at most `most`; one without an end is read no further.
+///
+/// Errors: those of the system; a file that is larger.
+pub(crate) fn read_bytes(path: &Path, most: u64) -> std::io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    std::fs::File::open(path)?.take(most + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > most {
+        let says = format!("it has more than {} MB, the most that such a file may have", most >> 20);
+        return Err(std::io::Error::other(says));
+    }
+    Ok(bytes)
+}
+
 /// The text of a file, which errors call `name`; or why it cannot be had, with the part that can be
 /// shown.
 pub(crate) fn read_text(path: &Path, name: &str) -> Result<Source, Box<(Source, Fault)>> {
@@ -31,7 +48,7 @@ pub(crate) fn read_text(path: &Path, name: &str) -> Result<Source, Box<(Source, 
     if path.is_dir() {
         return Err(unreadable("it is a folder, not a file".into()));
     }
-    let bytes = std::fs::read(path).map_err(|e| match e.kind() {
+    let bytes = read_bytes(path, MOST_TEXT).map_err(|e| match e.kind() {
         std::io::ErrorKind::NotFound => unreadable("there is no such file".into()),
         _ => unreadable(e.to_string()),
     })?;
@@ -51,10 +68,19 @@ pub(crate) fn read_text(path: &Path, name: &str) -> Result<Source, Box<(Source, 
     }
 }
 
+/// Most places that are looked at in a file that is not TOML: the first few say why.
+const MOST_SYNTAX_ERRORS: usize = 1000;
+
 /// The document; none where it is not TOML, which `report` then says.
 pub(crate) fn parse_document<'i>(text: &'i str, report: &mut Report) -> Option<Spanned<DeTable<'i>>> {
     let (document, errors) = DeTable::parse_recoverable(text);
-    for error in &errors {
+    let mut places = Vec::new();
+    for error in errors.iter().take(MOST_SYNTAX_ERRORS) {
+        // Brackets that are never closed are all missed at one place.
+        if places.contains(&error.span()) {
+            continue;
+        }
+        places.push(error.span());
         let span = error.span().map(|s| s.start.min(text.len())..s.end.min(text.len()));
         report.add(syntax_fault(text, error.message(), span));
     }

@@ -155,11 +155,44 @@ impl Fault {
 pub(crate) struct Report {
     pub source: Source,
     errors: Vec<CaseError>,
+    /// Errors found, those included that are not kept.
+    found: usize,
+}
+
+/// Most errors of a file that are kept: nobody mends more at once.
+const MOST_ERRORS: usize = 50;
+
+/// `text` with its control characters written out, so that a file cannot speak to the terminal.
+pub(crate) fn escaped(text: &str) -> String {
+    let written = |c: char| match c {
+        c if c.is_control() || is_invisible(c) => c.escape_default().collect(),
+        c => String::from(c),
+    };
+    text.chars().map(written).collect()
+}
+
+/// `text` with question marks in place of control characters, byte for byte, so that places in it
+/// stay where they are.
+fn blanked(text: &Arc<str>) -> Arc<str> {
+    let is_unsafe = |c: char| (c.is_control() && !matches!(c, '\n' | '\r' | '\t')) || is_invisible(c);
+    if !text.contains(is_unsafe) {
+        return Arc::clone(text);
+    }
+    let mut shown = String::with_capacity(text.len());
+    for c in text.chars() {
+        if is_unsafe(c) { shown.extend(std::iter::repeat_n('?', c.len_utf8())) } else { shown.push(c) }
+    }
+    shown.into()
+}
+
+/// Characters that turn the direction of the text around them.
+fn is_invisible(c: char) -> bool {
+    matches!(c, '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }
 
 impl Report {
     pub fn new(source: Source) -> Self {
-        Self { source, errors: Vec::new() }
+        Self { source, errors: Vec::new(), found: 0 }
     }
 
     /// The text at `span` as written, shortened to a line.
@@ -180,24 +213,32 @@ impl Report {
 
     /// Adds an error about another file.
     pub fn add_to(&mut self, source: &Source, fault: Fault) {
+        self.found += 1;
+        if self.errors.len() >= MOST_ERRORS {
+            return;
+        }
         let Fault { message, key, span, help, also } = fault;
+        let (message, help) = (escaped(&message), help.map(|help| escaped(&help)));
         let primary = span.clone().map(|s| LabeledSpan::new_primary_with_span(Some("here".into()), s));
         let second = also.map(|(s, what)| LabeledSpan::new_with_span(Some(what.into()), s));
         let labels = primary.into_iter().chain(second).collect();
         self.errors.push(CaseError {
             message,
-            file: source.name.clone(),
+            file: escaped(&source.name),
             key,
             span,
             help,
-            text: NamedSource::new(&source.name, source.text.clone()),
+            text: NamedSource::new(escaped(&source.name), blanked(&source.text)),
             labels,
         });
     }
 
     /// Takes up an error that another report found in the same file or in one that it names.
     pub fn absorb(&mut self, error: CaseError) {
-        self.errors.push(error);
+        self.found += 1;
+        if self.errors.len() < MOST_ERRORS {
+            self.errors.push(error);
+        }
     }
 
     /// Whether there is no error so far.
@@ -213,6 +254,10 @@ impl Report {
     /// The errors in the order of the file.
     pub fn into_errors(mut self) -> CaseErrors {
         self.errors.sort_by_key(|e| e.span.as_ref().map(|s| s.start));
+        let more = self.found - self.errors.len();
+        if let Some(last) = self.errors.last_mut().filter(|_| more > 0) {
+            last.message.push_str(&format!("; and {more} more errors"));
+        }
         CaseErrors { errors: self.errors }
     }
 }

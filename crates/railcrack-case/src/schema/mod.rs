@@ -30,7 +30,7 @@ pub use words::{Availability, Choice, Word};
 
 pub(crate) use accept::Raw;
 pub(crate) use declaration::short;
-pub(crate) use document::{parse_document, read_file, read_sections, read_text, tables};
+pub(crate) use document::{parse_document, read_bytes, read_file, read_sections, read_text, tables};
 pub(crate) use error::{Fault, Report, Source};
 pub(crate) use json_schema::{file_schema, section_schema};
 pub(crate) use markdown::page;

@@ -3,7 +3,7 @@
 use super::expand::Study;
 use super::variation::is_study;
 use crate::case::{Case, Overrides};
-use crate::schema::{CaseErrors, Report, Source, parse_document};
+use crate::schema::{CaseErrors, Report, Source, parse_document, read_file};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -21,13 +21,8 @@ impl Input {
     ///
     /// Errors: all of the file.
     pub fn read(path: &Path) -> Result<Self, CaseErrors> {
-        match std::fs::read_to_string(path) {
-            Ok(text) if says_study(&text) => {
-                Study::read_with(path, &Overrides::default()).map(|study| Self::Study(Box::new(study)))
-            }
-            // The reader of cases knows what to say of a file that cannot be read.
-            _ => Case::read(path).map(|case| Self::Case(Box::new(case))),
-        }
+        let source = read_file(path)?;
+        Self::parse(&source.text, &source.name, path.parent().unwrap_or(Path::new("")))
     }
 
     /// The case or study written in `text`; errors call it `name`, relative file names are relative

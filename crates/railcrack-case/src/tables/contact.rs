@@ -10,12 +10,13 @@ section! {
     CONTACT "contact", Required, "Wheel on rail: fully sliding line contact; one passage is one axle.",
         forms [[PEAK_PRESSURE, HALF_WIDTH], [LINE_LOAD, WHEEL_RADIUS, RAIL_RADIUS]];
     KIND: ContactKind = choice("kind", "Description of the contact.");
-    PEAK_PRESSURE: f64 = number("peak_pressure_mpa", "MPa", positive(1e4), 845.0, "Peak pressure p0.").required();
+    PEAK_PRESSURE: f64 = number("peak_pressure_mpa", "MPa", closed(1e-3, 1e4), 845.0, "Peak pressure p0.").required();
     HALF_WIDTH: f64 =
-        number("half_width_mm", "mm", positive(100.0), 6.75, "Half-width a of the contact.").required();
+        number("half_width_mm", "mm", closed(0.01, 100.0), 6.75,
+            "Half-width a of the contact; below 0.01 mm it is smaller than the roughness of a rail.").required();
     LINE_LOAD: f64 =
-        number("line_load_n_per_mm", "N/mm", positive(1e7), 8959.4, "Wheel load per width.").required();
-    WHEEL_RADIUS: f64 = number("wheel_radius_mm", "mm", positive(1e5), 460.9, "Radius of the wheel.").required();
+        number("line_load_n_per_mm", "N/mm", closed(1e-5, 1e7), 8959.4, "Wheel load per width.").required();
+    WHEEL_RADIUS: f64 = number("wheel_radius_mm", "mm", closed(1e-2, 1e5), 460.9, "Radius of the wheel.").required();
     RAIL_RADIUS: f64 = number("rail_radius_mm", "mm", positive(f64::INFINITY), f64::INFINITY,
         "Radius of the rail in the plane of the model; inf is flat.");
     FRICTION: f64 = number("friction", "", closed(-1.0, 1.0), 0.025,

@@ -26,12 +26,12 @@ pub use stress::PlasticSource;
 pub use study::{Combine, STUDY};
 
 pub(crate) use contact::{CONTACT, read_contact};
-pub(crate) use crack::{ANGLE, COUNT, CRACK, CRACK_FRICTION, LENGTH, MOUTH, POINTS, SPACING};
+pub(crate) use crack::{ANGLE, ANGLES, COUNT, CRACK, CRACK_FRICTION, LENGTH, MOUTH, POINTS, SPACING};
 pub(crate) use file::CASE_FILE;
 pub(crate) use growth::{GROWTH, STEPS, read_growth};
-pub(crate) use mesh::MESH;
+pub(crate) use mesh::{ELEMENT_SIZE, INTERFACE_ELEMENTS, INTERFACE_SPACING, MESH};
 pub(crate) use output::OUTPUT;
-pub(crate) use passage::{FROM, PASSAGE, TO, read_passage, read_passages};
+pub(crate) use passage::{FROM, PASSAGE, POSITIONS, TO, read_passage, read_passages};
 pub(crate) use rail::{CENTRE, RAIL, read_steel};
 pub(crate) use shakedown::SHAKEDOWN;
 pub(crate) use solver::{ENGINE, SOLVER, SOLVER_CONTACT};

@@ -1,14 +1,13 @@
 //! `[rail]`: elasticity, extent and boundary of the rail.
 
 use crate::schema::{
-    Choice, NumberRange, RangeEnd, Report, SectionValues, Word, choice, closed, number, positive, section,
-    within,
+    Choice, NumberRange, Report, SectionValues, Word, choice, closed, number, positive, section, within,
 };
 use railcrack::bulk::{BottomSupport, Boundary, SideSupport};
 use railcrack::material::IsotropicElastic;
 
-/// \[0, 1/2).
-const POISSON_RATIOS: NumberRange = NumberRange { min: RangeEnd::Closed(0.0), max: RangeEnd::Open(0.5) };
+/// An incompressible rail has no displacement elements: towards 1/2 they lock.
+const POISSON_RATIOS: NumberRange = NumberRange::closed(0.0, 0.499);
 
 const NO_SUPPORTS: &str = "a half-plane has no supports";
 

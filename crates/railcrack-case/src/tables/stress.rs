@@ -41,7 +41,14 @@ impl PlasticSource {
             return read_field(section, PLASTIC_FIELD, folder, report).map(Self::Field);
         }
         if section.entry(PLASTIC_PROFILE).is_some() {
-            return read_profile(section, PLASTIC_PROFILE, folder, report).map(Self::Profile);
+            let file = read_profile(section, PLASTIC_PROFILE, folder, report)?;
+            // A stress at the surface alone fills no layer.
+            if file.profile().rows().last().is_none_or(|deepest| deepest.0 <= 0.0) {
+                let says = "a plastic stress reaches below the surface: a row with depth_mm > 0 is missing";
+                report.add(section.fault(PLASTIC_PROFILE, says));
+                return None;
+            }
+            return Some(Self::Profile(file));
         }
         let refused = section.is_refused(PLASTIC_FIELD) || section.is_refused(PLASTIC_PROFILE);
         (!refused).then_some(Self::Rolled)

@@ -1,7 +1,10 @@
 //! The case file: reading, errors, studies, and what derives from the table of keys.
 
 mod bad_input;
+mod limits;
 mod modules;
+mod mutations;
+mod ranges;
 mod reading;
 mod studies;
 mod table;

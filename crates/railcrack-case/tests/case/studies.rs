@@ -215,7 +215,7 @@ fn wrong_lists() {
                 replaced("30.0, 45.0]", "30.0,\n180.0]"),
                 10,
                 "crack[1].angle_deg",
-                "`crack[1].angle_deg = 180.0`: must be a number in (0, 180) degrees",
+                "`crack[1].angle_deg = 180.0`: must be a number in [0.5, 179.5] degrees",
                 "",
             ),
             wrong(replaced("0.4]", "\"a\"]"), 5, "contact.friction", "not a string", "without quotes"),

@@ -34,7 +34,7 @@ pub struct RunArguments {
     #[arg(long, value_name = "N")]
     pub steps: Option<u64>,
     /// Number of threads [default: all]; results are the same with any
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = threads)]
     pub threads: Option<NonZeroUsize>,
     /// Say nothing while computing
     #[arg(long)]
@@ -94,6 +94,18 @@ impl RunArguments {
             (false, true) => RunEntry::Replace,
             (false, false) => RunEntry::Begin,
         }
+    }
+}
+
+/// Most threads: as many as the processors of the largest machines; each has a stack and waits for
+/// work by turning.
+const MOST_THREADS: usize = 1024;
+
+/// A number of threads on the command line.
+pub fn threads(given: &str) -> Result<NonZeroUsize, String> {
+    match given.parse::<NonZeroUsize>() {
+        Ok(count) if count.get() <= MOST_THREADS => Ok(count),
+        _ => Err(format!("must be an integer from 1 to {MOST_THREADS}")),
     }
 }
 

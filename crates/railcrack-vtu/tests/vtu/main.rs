@@ -1,6 +1,7 @@
 //! Fields in the XML format of VTK: written, read back, and exchanged with other programs.
 
 mod bad_files;
+mod damage;
 mod meshio;
 mod other_programs;
 mod round_trip;

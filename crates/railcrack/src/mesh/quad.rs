@@ -15,6 +15,14 @@ pub enum MeshError {
         /// Number of given lines.
         count: usize,
     },
+    /// More unknowns than a mesh may have.
+    #[error("its {unknowns:.3e} unknowns are more than {most:e}: larger elements make fewer")]
+    TooManyUnknowns {
+        /// Displacement unknowns of the mesh that is wanted.
+        unknowns: f64,
+        /// The most that are accepted.
+        most: f64,
+    },
     /// Lines that do not increase.
     #[error("grid line {index} along {axis} at {value} mm does not lie beyond the line before it")]
     NotIncreasing {

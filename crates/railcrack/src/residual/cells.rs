@@ -33,6 +33,8 @@ struct Buckets {
 /// Reference coordinates this far outside still count as inside the cell: gaps between cells whose
 /// coordinates were rounded when written.
 const INSIDE: f64 = 1e-6;
+/// Most buckets per cell, on average: in a mesh without overlaps there are a few.
+const MOST_BUCKETS: usize = 32;
 /// Newton iterations for the reference coordinates; straight cells need three.
 const NEWTON_STEPS: usize = 20;
 
@@ -167,19 +169,40 @@ impl Buckets {
         let columns =
             (count * size.x / size.y.max(f64::MIN_POSITIVE)).sqrt().clamp(1.0, count).ceil() as usize;
         let rows = (cells.len() / columns).max(1);
-        let mut buckets = Self { lower, upper, columns, rows, cells: vec![Vec::new(); columns * rows] };
-        for (index, cell) in cells.iter().enumerate() {
-            let (from, to) = bounds(cell.nodes.iter().map(|&node| points[node]));
-            // Curved sides extend beyond their nodes by less than a quarter of the extent.
-            let margin = (to - from) * if cell.nodes.len() > cell.shape.corners() { 0.25 } else { INSIDE };
-            let (first, last) = (buckets.place(from - margin), buckets.place(to + margin));
+        let boxes: Vec<(Vec2, Vec2)> = cells
+            .iter()
+            .map(|cell| {
+                let (from, to) = bounds(cell.nodes.iter().map(|&node| points[node]));
+                // Curved sides extend beyond their nodes by less than a quarter of the extent.
+                let curved = cell.nodes.len() > cell.shape.corners();
+                let margin = (to - from) * if curved { 0.25 } else { INSIDE };
+                (from - margin, to + margin)
+            })
+            .collect();
+        let mut buckets = Self { lower, upper, columns, rows, cells: Vec::new() };
+        // Cells that lie upon one another each reach into every bucket.
+        while buckets.columns * buckets.rows > 1
+            && boxes.iter().map(|of| buckets.reached(*of)).sum::<usize>() > MOST_BUCKETS * cells.len()
+        {
+            buckets.columns = buckets.columns.div_ceil(2);
+            buckets.rows = buckets.rows.div_ceil(2);
+        }
+        buckets.cells = vec![Vec::new(); buckets.columns * buckets.rows];
+        for (index, (from, to)) in boxes.into_iter().enumerate() {
+            let (first, last) = (buckets.place(from), buckets.place(to));
             for row in first.1..=last.1 {
                 for column in first.0..=last.0 {
-                    buckets.cells[row * columns + column].push(index);
+                    buckets.cells[row * buckets.columns + column].push(index);
                 }
             }
         }
         buckets
+    }
+
+    /// Number of buckets into which a box reaches.
+    fn reached(&self, (from, to): (Vec2, Vec2)) -> usize {
+        let (first, last) = (self.place(from), self.place(to));
+        (last.0 - first.0 + 1) * (last.1 - first.1 + 1)
     }
 
     /// Column and row of a point, or of the nearest bucket.

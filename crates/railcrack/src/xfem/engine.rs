@@ -148,6 +148,12 @@ impl XfemEngine {
         self.columns = other.columns.clone();
     }
 
+    /// Displacement unknowns of the mesh for the initial cracks, computed without making it;
+    /// infinite where no number holds them.
+    pub fn mesh_unknowns(&self) -> f64 {
+        self.initial.mesh_unknowns(self.end.outline(&self.initial))
+    }
+
     /// Size of the system of `network`, without factoring it.
     pub fn size(&self, network: &CrackNetwork) -> Result<XfemSize, XfemError> {
         let mesh = self.window.mesh(self.end.outline(&self.window))?;

@@ -228,10 +228,30 @@ impl Window {
     }
 
     /// The mesh of `outline` that is fine in this window.
+    ///
+    /// Errors: more than [`MOST_MESH_UNKNOWNS`]; grid lines that round-off lets coincide.
     pub fn mesh(&self, outline: Outline) -> Result<QuadMesh, MeshError> {
-        let x = lines(outline.left, outline.right, self.breaks(true), |x| self.size_x(x));
-        let y = lines(-outline.depth, 0.0, self.breaks(false), |y| self.size_y(y));
-        QuadMesh::new(x, y)
+        let (x, y) = self.gradings(outline);
+        let unknowns = mesh_unknowns(&x, &y);
+        // The negation also refuses what is not a number.
+        if !(unknowns <= MOST_MESH_UNKNOWNS) {
+            return Err(MeshError::TooManyUnknowns { unknowns, most: MOST_MESH_UNKNOWNS });
+        }
+        QuadMesh::new(x.lines(), y.lines())
+    }
+
+    /// Displacement unknowns of the mesh of `outline`, computed without making it; infinite where
+    /// no number holds them.
+    pub fn mesh_unknowns(&self, outline: Outline) -> f64 {
+        let (x, y) = self.gradings(outline);
+        mesh_unknowns(&x, &y)
+    }
+
+    fn gradings(&self, outline: Outline) -> (Grading, Grading) {
+        (
+            Grading::new(outline.left, outline.right, self.breaks(true), |x| self.size_x(x)),
+            Grading::new(-outline.depth, 0.0, self.breaks(false), |y| self.size_y(y)),
+        )
     }
 
     /// Coordinates at which the grading of the elements changes, with geometric steps away from
@@ -287,33 +307,79 @@ fn distance(at: f64, from: f64, to: f64) -> f64 {
     (from - at).max(at - to).max(0.0)
 }
 
-/// Grid lines from `from` to `to` whose distances follow `size`.
-fn lines(from: f64, to: f64, mut breaks: Vec<f64>, size: impl Fn(f64) -> f64) -> Vec<f64> {
-    const CELLS: usize = 24;
-    breaks.retain(|&b| b > from && b < to);
-    breaks.extend([from, to]);
-    breaks.sort_by(f64::total_cmp);
-    let mut at = vec![from];
-    let mut sums = vec![0.0];
-    for pair in breaks.windows(2) {
-        let step = (pair[1] - pair[0]) / CELLS as f64;
-        if step <= 0.0 {
-            continue;
+/// Most displacement unknowns of a mesh: their factor has some 8e9 entries, 60 GB, the memory of
+/// the largest machines on which one would wait for it.
+pub const MOST_MESH_UNKNOWNS: f64 = 5e7;
+
+/// Two displacements at the three nodes that each rectangle of a large mesh adds.
+fn mesh_unknowns(x: &Grading, y: &Grading) -> f64 {
+    6.0 * x.elements() * y.elements()
+}
+
+/// Numbers of elements between an end of the mesh and the points `at`, summed up.
+struct Grading {
+    at: Vec<f64>,
+    sums: Vec<f64>,
+}
+
+impl Grading {
+    /// From `from` to `to`, for elements that follow `size`.
+    fn new(from: f64, to: f64, mut breaks: Vec<f64>, size: impl Fn(f64) -> f64) -> Self {
+        const CELLS: usize = 24;
+        breaks.retain(|&b| b > from && b < to);
+        breaks.extend([from, to]);
+        breaks.sort_by(f64::total_cmp);
+        let mut at = vec![from];
+        let mut sums = vec![0.0];
+        for pair in breaks.windows(2) {
+            let step = (pair[1] - pair[0]) / CELLS as f64;
+            if step <= 0.0 {
+                continue;
+            }
+            for cell in 0..CELLS {
+                let middle = pair[0] + (cell as f64 + 0.5) * step;
+                sums.push(sums[sums.len() - 1] + step / size(middle));
+                at.push(if cell + 1 == CELLS { pair[1] } else { pair[0] + (cell + 1) as f64 * step });
+            }
         }
-        for cell in 0..CELLS {
-            let middle = pair[0] + (cell as f64 + 0.5) * step;
-            sums.push(sums[sums.len() - 1] + step / size(middle));
-            at.push(if cell + 1 == CELLS { pair[1] } else { pair[0] + (cell + 1) as f64 * step });
-        }
+        Self { at, sums }
     }
-    let total = sums[sums.len() - 1];
-    let count = total.ceil().max(2.0) as usize;
-    let mut lines = vec![from];
-    lines.extend((1..count).map(|k| {
-        let want = total * k as f64 / count as f64;
-        let cell = sums.partition_point(|&sum| sum <= want).clamp(1, sums.len() - 1) - 1;
-        at[cell] + (at[cell + 1] - at[cell]) * ((want - sums[cell]) / (sums[cell + 1] - sums[cell]))
-    }));
-    lines.push(to);
-    lines
+
+    fn elements(&self) -> f64 {
+        self.sums[self.sums.len() - 1].ceil().max(2.0)
+    }
+
+    /// The grid lines, ends included.
+    fn lines(&self) -> Vec<f64> {
+        let Self { at, sums } = self;
+        let total = sums[sums.len() - 1];
+        let count = self.elements() as usize;
+        let mut lines = vec![at[0]];
+        lines.extend((1..count).map(|k| {
+            let want = total * k as f64 / count as f64;
+            let cell = sums.partition_point(|&sum| sum <= want).clamp(1, sums.len() - 1) - 1;
+            at[cell] + (at[cell + 1] - at[cell]) * ((want - sums[cell]) / (sums[cell + 1] - sums[cell]))
+        }));
+        lines.push(at[at.len() - 1]);
+        lines
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_mesh_that_no_machine_holds_is_refused_before_it_is_made() {
+        let network = CrackNetwork::from(Crack::surface_breaking(0.0, 1.0, 0.5).unwrap());
+        let outline = Outline { left: -150.0, right: 150.0, depth: 150.0 };
+        for element_size in [1e-300, 1e-12, 1e-9, 1e-5] {
+            let window = Window::new(&network, MeshSettings { element_size, expected_growth: 1.0 });
+            assert!(window.mesh_unknowns(outline) > MOST_MESH_UNKNOWNS);
+            assert!(matches!(window.mesh(outline), Err(MeshError::TooManyUnknowns { .. })));
+        }
+        let window = Window::new(&network, MeshSettings { element_size: 0.05, expected_growth: 1.0 });
+        let made = 2.0 * window.mesh(outline).unwrap().node_count() as f64;
+        assert!((window.mesh_unknowns(outline) / made - 1.0).abs() < 0.05);
+    }
 }

@@ -41,7 +41,7 @@ pub struct SweepArguments {
     #[arg(long, value_name = "N")]
     steps: Option<u64>,
     /// Number of threads [default: all]; results are the same with any
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = crate::commands::run::threads)]
     threads: Option<NonZeroUsize>,
     /// Say nothing while computing
     #[arg(long)]

@@ -1,0 +1,72 @@
+//! Largest sizes of a run, computed before anything is made.
+
+use super::case::Case;
+use crate::schema::{Report, Sections};
+use crate::tables::{ELEMENT_SIZE, Engine, INTERFACE_ELEMENTS, INTERFACE_SPACING, MESH, PASSAGE, POSITIONS};
+use railcrack::crack::Crack;
+use railcrack::dislocation;
+use railcrack::xfem::MOST_MESH_UNKNOWNS;
+
+/// Most points of the crack faces: four dense matrices with two unknowns at each have 51 GB.
+pub(super) const MOST_FACE_POINTS: f64 = 2e4;
+
+/// Most rows of `faces.csv`, one for each position, growth step and face point: a terabyte of text.
+const MOST_ROWS: f64 = 1e10;
+
+/// Least distance between two cracks, least depth of a buried point and least segment, over the
+/// length of the (shorter) crack: face elements are as short as these, and at a thousandth a crack
+/// has a thousand.
+pub(super) const RESOLVED: f64 = 1e-3;
+
+/// Reports a run that is larger than any machine computes, and the key that makes it so; whether
+/// there is none.
+pub(super) fn check_size(case: &Case, sections: &Sections, report: &mut Report) -> bool {
+    let (Some(mesh), Some(passage)) = (sections.one(&MESH), sections.one(&PASSAGE)) else { return false };
+    // The rail of the finite elements also carries the residual stress of the other engine.
+    let makes_mesh = case.engine == Engine::Xfem || case.plastic_stress.is_some();
+    let unknowns = if makes_mesh { case.wanted_mesh_unknowns() } else { 0.0 };
+    if !(unknowns <= MOST_MESH_UNKNOWNS) {
+        let says = format!("{unknowns:.2e} displacement unknowns; there can be {MOST_MESH_UNKNOWNS:e}");
+        let help = "a larger [mesh] element_size_mm makes fewer";
+        report.add(mesh.fault(ELEMENT_SIZE, says).help(help));
+        return false;
+    }
+    let points = wanted_face_points(case);
+    if !(points <= MOST_FACE_POINTS) {
+        let says = format!("{points:.2e} face points; there can be {MOST_FACE_POINTS:e}");
+        let (fault, help) = match case.engine {
+            Engine::Dislocation => (
+                mesh.fault(INTERFACE_ELEMENTS, says),
+                "a smaller [mesh] interface_elements or cracks further apart ([[crack]] spacing_mm) have fewer",
+            ),
+            Engine::Xfem if case.mesh.interface_spacing.is_some() => {
+                (mesh.fault(INTERFACE_SPACING, says), "a larger [mesh] interface_spacing_mm makes fewer")
+            }
+            Engine::Xfem => (mesh.fault(ELEMENT_SIZE, says), "a larger [mesh] element_size_mm makes fewer"),
+        };
+        report.add(fault.help(help));
+        return false;
+    }
+    let rows = case.passages.passage.positions as f64 * (case.growth.steps as f64 + 1.0) * points;
+    if rows > MOST_ROWS {
+        let says =
+            format!("with [growth] steps, up to {rows:.2e} rows of results; there can be {MOST_ROWS:e}");
+        let help = "fewer [passage] positions or fewer [growth] steps write fewer";
+        report.add(passage.fault(POSITIONS, says).help(help));
+        return false;
+    }
+    true
+}
+
+/// Face points of the first growth step; an estimate from above in the finite-element engine, whose
+/// points follow the elements that a crack crosses.
+fn wanted_face_points(case: &Case) -> f64 {
+    match case.engine {
+        Engine::Dislocation => dislocation::face_points(&case.cracks, case.face_resolution()) as f64,
+        Engine::Xfem => {
+            let spacing = case.mesh.interface_spacing.unwrap_or(f64::INFINITY);
+            let points = |(crack, size): (&Crack, f64)| crack.length() / size.min(spacing);
+            case.cracks.cracks().iter().zip(case.element_sizes()).map(points).sum()
+        }
+    }
+}

@@ -1,0 +1,71 @@
+//! Damaged files: an answer, whatever their bytes are.
+//!
+//! The damage follows a seed, so that a failure can be made again; `RAILCRACK_MUTATIONS` sets how
+//! many files are tried.
+
+use super::grid_of_every_shape;
+use railcrack_vtu::{read_vtu_bytes, vtu_text};
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+/// Files, unless the environment says otherwise: about a second.
+const FILES: u64 = 2000;
+
+/// Time for one file, on a machine that is busy.
+const BUDGET: Duration = Duration::from_secs(5);
+
+/// Pieces that are put in anywhere: counts, kinds and markup that other files have.
+const PIECES: &[&[u8]] = &[
+    b"18446744073709551615",
+    b"-1",
+    b"0",
+    b"1e308",
+    b"nan",
+    b"appended",
+    b"binary",
+    b"ascii",
+    b"UInt8",
+    b"Float32",
+    b"<",
+    b">",
+    b"\"",
+    b"&#0;",
+    b"\0",
+    b"\xff\xfe",
+    b"vtkZLibDataCompressor",
+    b"NumberOfComponents=\"0\"",
+    b"AAAA",
+];
+
+#[test]
+fn damaged_fields_are_answered() {
+    let files = std::env::var("RAILCRACK_MUTATIONS").ok().and_then(|n| n.parse().ok()).unwrap_or(FILES);
+    let whole = vtu_text(&grid_of_every_shape()).unwrap();
+    for seed in 0..files {
+        // SplitMix64 (Steele, Lea and Flood 2014).
+        let mut state: u64 = seed;
+        let mut below = |most: usize| {
+            state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+            let mut z = state;
+            z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+            z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+            ((z ^ (z >> 31)) % most.max(1) as u64) as usize
+        };
+        let mut bytes = whole.clone();
+        for _ in 0..=below(4) {
+            let at = below(bytes.len());
+            match below(4) {
+                0 => bytes[at] ^= 1 << below(8),
+                1 => bytes.truncate(at.max(1)),
+                2 => drop(bytes.drain(at..(at + below(40)).min(bytes.len()))),
+                _ => drop(bytes.splice(at..at, PIECES[below(PIECES.len())].iter().copied())),
+            }
+            if bytes.is_empty() {
+                bytes.push(b'<');
+            }
+        }
+        let started = Instant::now();
+        drop(read_vtu_bytes(&bytes, Path::new("damaged.vtu")));
+        assert!(started.elapsed() < BUDGET, "seed {seed}: {:?}", started.elapsed());
+    }
+}
