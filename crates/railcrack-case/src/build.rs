@@ -343,6 +343,7 @@ fn growth(section: &SectionValues) -> Option<GrowthSettings> {
             _ => return None,
         },
         critical_length: section.number("critical_length_mm"),
+        toughness: None,
         stop_after_cycles: section.number("stop_after_cycles"),
     })
 }

@@ -1,14 +1,25 @@
 //! Stress fields of the uncracked rail: those that stay, and wheels that move along it.
 
+mod bending;
+mod carter;
 mod depth_profile;
+#[cfg(test)]
+mod field_checks;
 mod hertz_displacement;
 mod hertz_half_plane;
+mod table;
+mod table_potential;
 mod wheel;
+mod wheels;
 
+pub use bending::BendingWheel;
+pub use carter::CarterWheel;
 pub use depth_profile::{DepthProfile, ProfileError};
 pub use hertz_displacement::HertzDisplacement;
 pub use hertz_half_plane::{HertzField, hertz_stress};
+pub use table::TableWheel;
 pub use wheel::{EndField, EndsError, HertzWheel, RailEnds, StressesUnderWheel, Wheel};
+pub use wheels::{PlacedWheel, Wheels, WheelsError};
 
 use crate::math::{Stress, Vec2};
 

@@ -44,6 +44,7 @@ fn grouped_text(kind: WarningKind, warnings: &[&Warning]) -> String {
         WarningKind::ContactFallback => "The other contact solver took over",
         WarningKind::Engine => "The engine remarks",
         WarningKind::ResidualStress => "Residual stress",
+        WarningKind::Validity => "Outside of what the model describes",
     };
     let mut text = format!("{heading}. ");
     let several =

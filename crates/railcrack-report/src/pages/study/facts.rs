@@ -198,6 +198,7 @@ pub(super) fn warnings(all: &[StudyRun]) -> Vec<String> {
             WarningKind::ContactFallback => "The other contact solver took over",
             WarningKind::Engine => "The engine remarks on something",
             WarningKind::ResidualStress => "Remarks on the residual stress",
+            WarningKind::Validity => "Outside of what the model describes",
         };
         list(heading, with(&has));
     }
