@@ -328,7 +328,7 @@ fn partial_slip_and_tables_are_interpolated_as_well() {
         half_width: 6.75,
         friction: 0.3,
         traction: -0.5,
-        travel: Travel::TowardsPlusX,
+        travel: Travel::Forward,
     };
     let rows = (0..=40).map(|i| {
         let u = 0.5 * f64::from(i) - 10.0;

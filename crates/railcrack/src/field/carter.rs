@@ -129,7 +129,7 @@ mod tests {
         half_width: 6.75,
         friction: 0.3,
         traction: 0.5,
-        travel: Travel::TowardsPlusX,
+        travel: Travel::Forward,
     };
 
     fn steel() -> IsotropicElastic {
@@ -175,7 +175,7 @@ mod tests {
     #[test]
     fn the_surface_bears_pressure_and_shear() {
         for traction in [-0.9, -0.5, 0.2, 0.7] {
-            for travel in [Travel::TowardsPlusX, Travel::TowardsMinusX] {
+            for travel in [Travel::Forward, Travel::Backward] {
                 let contact = CarterContact { traction, travel, ..CARTER };
                 for i in -150..=150 {
                     let u = 0.1 * f64::from(i) + 0.03;
@@ -202,7 +202,7 @@ mod tests {
     #[test]
     fn mirrored_shear_and_travel_mirror_the_field() {
         let one = wheel(CARTER);
-        let other = wheel(CarterContact { traction: -0.5, travel: Travel::TowardsMinusX, ..CARTER });
+        let other = wheel(CarterContact { traction: -0.5, travel: Travel::Backward, ..CARTER });
         for point in points() {
             let (s, m) = (one.stress(point, 0.0), other.stress(Vec2::new(-point.x, point.y), 0.0));
             let error = largest(s - Stress { xy: -m.xy, ..m });

@@ -76,7 +76,7 @@ fn carter_from_a_table() {
         half_width: 6.75,
         friction: 0.3,
         traction: -0.6,
-        travel: Travel::TowardsPlusX,
+        travel: Travel::Forward,
     };
     let closed = CarterWheel::new(&contact, &steel()).unwrap();
     let rows = table(6.75, 2001, true, |u| contact.pressure(u), |u| contact.shear(u));

@@ -110,7 +110,7 @@ mod tests {
         half_width: 6.75,
         friction: 0.3,
         traction: -0.5,
-        travel: Travel::TowardsPlusX,
+        travel: Travel::Forward,
     };
 
     #[test]
@@ -118,7 +118,7 @@ mod tests {
         // Each half-ellipse by Gauss points in the angle: exact but for round-off.
         const TOLERANCE: f64 = 1e-13;
         for traction in [-1.0, -0.5, 0.0, 0.1, 0.9, 1.0] {
-            for travel in [Travel::TowardsPlusX, Travel::TowardsMinusX] {
+            for travel in [Travel::Forward, Travel::Backward] {
                 let contact = CarterContact { traction, travel, ..CARTER };
                 let mut cuts = contact.edges();
                 cuts.dedup();
@@ -145,7 +145,7 @@ mod tests {
         let (c, d) = (CARTER.stick_half_width(), CARTER.stick_centre());
         assert!((c - 6.75 * 0.5_f64.sqrt()).abs() < 1e-14);
         assert!((d + c - 6.75).abs() < 1e-14); // round-off
-        let back = CarterContact { travel: Travel::TowardsMinusX, ..CARTER };
+        let back = CarterContact { travel: Travel::Backward, ..CARTER };
         assert!((back.stick_centre() - back.stick_half_width() + 6.75).abs() < 1e-14);
         for u in [-6.0, -2.0, 1.0, 5.0, 6.7] {
             assert!((CARTER.shear(u) - back.shear(-u)).abs() < 1e-10, "mirrored at {u}");

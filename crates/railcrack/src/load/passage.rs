@@ -7,17 +7,17 @@ use crate::math::OutOfRange;
 pub enum Travel {
     /// Towards +x.
     #[default]
-    TowardsPlusX,
+    Forward,
     /// Towards −x.
-    TowardsMinusX,
+    Backward,
 }
 
 impl Travel {
     /// +1 towards +x, −1 towards −x.
     pub fn sign(self) -> f64 {
         match self {
-            Self::TowardsPlusX => 1.0,
-            Self::TowardsMinusX => -1.0,
+            Self::Forward => 1.0,
+            Self::Backward => -1.0,
         }
     }
 }
@@ -52,7 +52,7 @@ impl Passage {
 
     /// Which way the wheel runs.
     pub fn travel(&self) -> Travel {
-        if self.to < self.from { Travel::TowardsMinusX } else { Travel::TowardsPlusX }
+        if self.to < self.from { Travel::Backward } else { Travel::Forward }
     }
 
     /// The abscissae x_c in the order of travel, mm.
