@@ -42,6 +42,14 @@ impl StressField for Sum {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Uniform(pub Stress);
 
+impl Uniform {
+    /// σ_xx = `xx` (MPa) alone: remote tension along the rail, or that of a rail colder than neutral
+    /// ([`crate::load::Temperature::stress`]).
+    pub fn along_rail(xx: f64) -> Self {
+        Self(Stress { xx, ..Stress::ZERO })
+    }
+}
+
 impl StressField for Uniform {
     fn stress(&self, _: Vec2) -> Stress {
         self.0
