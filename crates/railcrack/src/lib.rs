@@ -60,4 +60,5 @@ pub mod mesh;
 pub mod prelude;
 pub mod residual;
 pub mod shakedown;
+pub mod validity;
 pub mod xfem;

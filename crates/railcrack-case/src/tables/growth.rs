@@ -62,6 +62,7 @@ pub(crate) fn read_growth(section: &SectionValues, report: &mut Report) -> Optio
         return None;
     }
     Some(GrowthSettings {
+        toughness: None,
         steps: section.get(STEPS)?,
         increment: section.get(INCREMENT)?,
         law,

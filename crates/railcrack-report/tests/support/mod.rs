@@ -209,6 +209,7 @@ fn tip_record(i: usize, crack: &Crack, step: usize, is_last: bool) -> TipRecord 
         delta_ki: 280.0 + step as f64,
         delta_kii: 190.0 / 3.0,
         delta_keq: 300.0,
+        largest_k1: None,
         kink: (step != 3).then_some(-2f64.to_radians()),
         secondary: (step == 1).then_some(65f64.to_radians()),
         secondary_ratio: (step == 1).then_some(0.99),

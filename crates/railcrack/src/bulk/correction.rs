@@ -56,7 +56,7 @@ impl BlockCorrection {
 
     /// The correction of `rail` for a `wheel` anywhere in `range` (mm).
     ///
-    /// Errors: a half-plane; a range that is empty or not finite; a contact that leaves the block
+    /// Errors: a half-plane; a wheel that bends the rail; a range that is empty or not finite; a contact that leaves the block
     /// or comes so close to one of its sides that the field is no longer smooth.
     pub fn new(
         rail: &Arc<BulkRail>,
@@ -65,6 +65,9 @@ impl BlockCorrection {
     ) -> Result<Self, BulkError> {
         if rail.boundary() == Boundary::HalfPlane {
             return Err(BulkError::NoBlock);
+        }
+        if wheel.bending().is_some() {
+            return Err(BulkError::Bending);
         }
         let (from, to) = (*range.start(), *range.end());
         if !(from <= to && from.is_finite() && to.is_finite()) {

@@ -6,7 +6,8 @@ use super::{
     BlockCorrection, BottomSupport, Boundary, BulkError, BulkRail, ElasticField, RectangleStiffness,
     SideSupport, StressAtPoints,
 };
-use crate::field::{HertzDisplacement, HertzField, HertzWheel};
+use crate::field::{BendingWheel, CarterWheel, HertzDisplacement, HertzField, HertzWheel, TableWheel, Wheel};
+use crate::load::{Axle, CarterContact, ContactRow, NamedSection, TableContact, Track, Travel};
 use crate::math::{Stress, Vec2, gauss_legendre};
 use crate::mesh::{Edge, QuadMesh};
 use std::f64::consts::PI;
@@ -302,4 +303,66 @@ fn refuses_inadmissible_rails_and_contacts() {
     );
     let low = QuadMesh::new(vec![0.0, 1.0], vec![-2.0, -1.0]).unwrap();
     assert_eq!(BulkRail::new(low, &steel(), CLAMPED).unwrap_err(), BulkError::Top { top: -1.0 });
+}
+
+struct UnderWheel<'a>(&'a dyn Wheel, f64);
+
+impl ElasticField for UnderWheel<'_> {
+    fn stress(&self, point: Vec2) -> Stress {
+        self.0.stress(point, self.1)
+    }
+
+    fn displacement(&self, point: Vec2) -> Vec2 {
+        self.0.displacement(point, self.1)
+    }
+
+    fn smooth_within(&self, point: Vec2) -> f64 {
+        self.0.smooth_within(point, self.1)
+    }
+}
+
+#[test]
+fn partial_slip_and_tables_are_interpolated_as_well() {
+    let carter = CarterContact {
+        peak_pressure: 845.0,
+        half_width: 6.75,
+        friction: 0.3,
+        traction: -0.5,
+        travel: Travel::Forward,
+    };
+    let rows = (0..=40).map(|i| {
+        let u = 0.5 * f64::from(i) - 10.0;
+        let inside = if i % 40 == 0 || i == 15 { 0.0 } else { 1.0 };
+        ContactRow { u, pressure: inside * (300.0 + u), shear: inside * 50.0 }
+    });
+    let table = TableContact::new(rows.collect(), None).unwrap();
+    let wheels: [Box<dyn Wheel>; 2] =
+        [Box::new(CarterWheel::new(&carter, &steel()).unwrap()), Box::new(TableWheel::new(&table, &steel()))];
+    for wheel in &wheels {
+        for boundary in blocks() {
+            let rail = Arc::new(BulkRail::new(block(8), &steel(), boundary).unwrap());
+            let correction = BlockCorrection::new(&rail, wheel.as_ref(), -40.5..=40.5).unwrap();
+            let (mut error, mut size) = (0.0f64, 0.0f64);
+            for i in 0..=6 {
+                let xc = -40.5 + 13.5 * f64::from(i);
+                let solved = rail.cancel(&[&UnderWheel(wheel.as_ref(), xc)]).unwrap().remove(0);
+                for (one, other) in solved.iter().zip(correction.displacements(xc).unwrap()) {
+                    error = error.max((*one - other).length());
+                    size = size.max(one.length());
+                }
+            }
+            // The tolerance, and what the summation of a table leaves.
+            assert!(error < 2.0 * BlockCorrection::TOLERANCE * size, "{boundary:?}: {:e}", error / size);
+        }
+    }
+}
+
+#[test]
+fn bending_on_the_track_is_refused() {
+    let section = NamedSection::of("60E1").unwrap().section();
+    let track = Track { section, foundation: 50.0, axles: vec![Axle { at: 0.0, wheel_load: 100e3 }] };
+    let wheel = BendingWheel::new(&track, &steel()).unwrap();
+    let rail = Arc::new(BulkRail::new(block(8), &steel(), CLAMPED).unwrap());
+    let refused = BlockCorrection::new(&rail, &wheel, -1.0..=1.0).unwrap_err();
+    assert!(refused.to_string().starts_with("bending of the rail on the track is no field of a half-plane"));
 }

@@ -21,6 +21,12 @@ pub enum BulkError {
     /// A half-plane has no ends to correct for.
     #[error("the stress in a half-plane under a wheel needs no correction: the boundary must be a block")]
     NoBlock,
+    /// Bending of the rail on its track, which the supports of a block replace.
+    #[error(
+        "bending of the rail on the track is no field of a half-plane, and a block bends on its own supports: bending \
+         must be left out, or the boundary be a half-plane"
+    )]
+    Bending,
     /// Wheel positions that do not increase.
     #[error("wheel positions from {from} to {to} mm: must be finite and increasing")]
     Positions {

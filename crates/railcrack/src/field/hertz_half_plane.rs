@@ -41,15 +41,7 @@ impl HertzField {
     pub fn stress(&self, point: Vec2, xc: f64) -> Stress {
         let x = (point.x - xc) * self.per_half_width;
         let y = (point.y * self.per_half_width).min(0.0);
-        let Root { re: s_re, im: s_im, modulus } = Root::of(x, y);
-        // W = −1/(s + z): s − z would cancel far away.
-        let (sum_re, sum_im) = (s_re + x, s_im + y);
-        let per_sum = 1.0 / (sum_re * sum_re + sum_im * sum_im);
-        let (w_re, w_im) = (-sum_re * per_sum, sum_im * per_sum);
-        // y W′ = −W y/s, with |s|² = `modulus`.
-        let depth_over_s = y / modulus.max(f64::MIN_POSITIVE);
-        let slope_re = -(w_re * s_re + w_im * s_im) * depth_over_s;
-        let slope_im = -(w_im * s_re - w_re * s_im) * depth_over_s;
+        let Transform { w_re, w_im, slope_re, slope_im } = Transform::of(x, y);
         let mu = self.friction;
         let trace = 2.0 * (mu * w_re + w_im);
         let yy = w_im + mu * slope_im - slope_re;
@@ -59,26 +51,68 @@ impl HertzField {
     }
 }
 
+/// W = s − z and y W′ at z = x + i y.
+pub(super) struct Transform {
+    pub(super) w_re: f64,
+    pub(super) w_im: f64,
+    pub(super) slope_re: f64,
+    pub(super) slope_im: f64,
+}
+
+impl Transform {
+    #[inline(always)]
+    pub(super) fn of(x: f64, y: f64) -> Self {
+        let Root { re: s_re, im: s_im, modulus } = Root::of(x, y);
+        // W = −1/(s + z): s − z would cancel far away.
+        let (sum_re, sum_im) = (s_re + x, s_im + y);
+        let per_sum = 1.0 / (sum_re * sum_re + sum_im * sum_im);
+        let (w_re, w_im) = (-sum_re * per_sum, sum_im * per_sum);
+        // y W′ = −W y/s, with |s|² = `modulus`.
+        let depth_over_s = y / modulus.max(f64::MIN_POSITIVE);
+        let slope_re = -(w_re * s_re + w_im * s_im) * depth_over_s;
+        let slope_im = -(w_im * s_re - w_re * s_im) * depth_over_s;
+        Self { w_re, w_im, slope_re, slope_im }
+    }
+}
+
 /// Points whose stress is computed side by side.
 const LANES: usize = 8;
+
+/// A field that is computed at many points side by side.
+pub(super) trait Lanes {
+    /// The stress (MPa) at `point` (mm) with the wheel at `xc` (mm), inlined into the loop over points.
+    fn at(&self, point: Vec2, xc: f64) -> Stress;
+}
+
+impl Lanes for HertzField {
+    #[inline(always)]
+    fn at(&self, point: Vec2, xc: f64) -> Stress {
+        self.stress(point, xc)
+    }
+}
+
+/// The stresses of `field` at many points (mm): the same bits as one by one.
+pub(super) fn side_by_side(field: &impl Lanes, points: &[Vec2], xc: f64) -> Vec<Stress> {
+    let mut stresses = vec![Stress::ZERO; points.len()];
+    Arch::new().dispatch(Stresses { field, points, xc, stresses: &mut stresses });
+    stresses
+}
 
 impl HertzField {
     /// [`HertzField::stress`] at many points (mm), the same bits.
     pub fn stresses(&self, points: &[Vec2], xc: f64) -> Vec<Stress> {
-        let mut stresses = vec![Stress::ZERO; points.len()];
-        Arch::new().dispatch(Stresses { field: self, points, xc, stresses: &mut stresses });
-        stresses
+        side_by_side(self, points, xc)
     }
 }
 
-struct Stresses<'a> {
-    field: &'a HertzField,
+struct Stresses<'a, F> {
+    field: &'a F,
     points: &'a [Vec2],
     xc: f64,
     stresses: &'a mut [Stress],
 }
 
-impl WithSimd for Stresses<'_> {
+impl<F: Lanes> WithSimd for Stresses<'_, F> {
     type Output = ();
 
     #[inline(always)]
@@ -90,14 +124,14 @@ impl WithSimd for Stresses<'_> {
             let (mut xx, mut yy, mut zz, mut xy) = ([0.0; LANES], [0.0; LANES], [0.0; LANES], [0.0; LANES]);
             let (x, y) = (points.map(|point| point.x), points.map(|point| point.y));
             for k in 0..LANES {
-                let stress = field.stress(Vec2::new(x[k], y[k]), xc);
+                let stress = field.at(Vec2::new(x[k], y[k]), xc);
                 (xx[k], yy[k], zz[k], xy[k]) = (stress.xx, stress.yy, stress.zz, stress.xy);
             }
             for (k, result) in results.iter_mut().enumerate() {
                 *result = Stress { xx: xx[k], yy: yy[k], zz: zz[k], xy: xy[k] };
             }
         }
-        rest.iter().zip(last).for_each(|(point, result)| *result = field.stress(*point, xc));
+        rest.iter().zip(last).for_each(|(point, result)| *result = field.at(*point, xc));
     }
 }
 

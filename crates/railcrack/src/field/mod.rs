@@ -1,14 +1,25 @@
 //! Stress fields of the uncracked rail: those that stay, and wheels that move along it.
 
+mod bending;
+mod carter;
 mod depth_profile;
+#[cfg(test)]
+mod field_checks;
 mod hertz_displacement;
 mod hertz_half_plane;
+mod table;
+mod table_potential;
 mod wheel;
+mod wheels;
 
+pub use bending::BendingWheel;
+pub use carter::CarterWheel;
 pub use depth_profile::{DepthProfile, ProfileError};
 pub use hertz_displacement::HertzDisplacement;
 pub use hertz_half_plane::HertzField;
+pub use table::TableWheel;
 pub use wheel::{EndField, EndsError, HertzWheel, RailEnds, StressesUnderWheel, Wheel};
+pub use wheels::{PlacedWheel, Wheels, WheelsError};
 
 use crate::math::{Stress, Vec2};
 
@@ -30,6 +41,14 @@ impl StressField for Sum {
 /// The same stress everywhere: remote tension, for instance.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Uniform(pub Stress);
+
+impl Uniform {
+    /// σ_xx = `xx` (MPa) alone: remote tension along the rail, or that of a rail colder than neutral
+    /// ([`crate::load::Temperature::stress`]).
+    pub fn along_rail(xx: f64) -> Self {
+        Self(Stress { xx, ..Stress::ZERO })
+    }
+}
 
 impl StressField for Uniform {
     fn stress(&self, _: Vec2) -> Stress {

@@ -1,7 +1,7 @@
 //! Wheels: fields of the half-plane that move along the rail.
 
 use super::{HertzDisplacement, HertzField};
-use crate::load::HertzianContact;
+use crate::load::{Bending, HertzianContact};
 use crate::material::IsotropicElastic;
 use crate::math::{OutOfRange, Stress, Vec2};
 use std::error::Error;
@@ -27,6 +27,12 @@ pub trait Wheel: Send + Sync {
     /// Places on the running surface where the field is not analytic, such as the edges of the
     /// contact: abscissae relative to x_c (mm), increasing.
     fn edges(&self) -> &[f64];
+
+    /// The part of the field that bends the rail as a beam; none for a contact alone. It reaches some metres, and is no field of
+    /// the half-plane: the ends of a block cannot cancel it.
+    fn bending(&self) -> Option<&Bending> {
+        None
+    }
 
     /// Half the distance between the outermost edges, mm: the length over which the stress changes
     /// under the wheel; zero where there are none.

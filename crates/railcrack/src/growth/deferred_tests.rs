@@ -34,6 +34,7 @@ impl Run {
     /// One step in which crack i kinks by `kinks[i]` (radians) and grows at `rates[i]`.
     fn grow(&mut self, kinks: [f64; 2], rates: [f64; 2]) -> Advance {
         let drive = |crack: usize| TipDrive {
+            largest_k1: 0.0,
             tip: CrackTip { crack, tip: 0, end: End::Last },
             kink: Some(kinks[crack]),
             rate: rates[crack],
@@ -164,6 +165,7 @@ fn a_tip_between_two_branches_takes_the_first() {
 
 fn slow(crack: usize, kink: f64, rate: f64, deferred: DeferredGrowth) -> TipDrive {
     TipDrive {
+        largest_k1: 0.0,
         tip: CrackTip { crack, tip: 0, end: End::Last },
         kink: Some(kink),
         rate,

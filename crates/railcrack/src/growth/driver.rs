@@ -10,7 +10,7 @@ use super::{
 use crate::body::{BodyEngine, BodyError, CrackedBody};
 use crate::contact::{ContactSolver, CrackFrictionError, FaceProblem, Latin, Newton};
 use crate::crack::{CrackNetwork, CrackTip, NetworkError};
-use crate::fatigue::{HourlierPineau, Kink, SifRanges};
+use crate::fatigue::{HourlierPineau, Kink, LargestK1, SifRanges};
 use crate::field::{EndField, EndsError, RailEnds, StressField, Wheel};
 use crate::math::OutOfRange;
 use std::sync::Arc;
@@ -306,6 +306,7 @@ impl Growth {
                 delta_ki: ranges.delta_ki,
                 delta_kii: ranges.delta_kii,
                 delta_keq: law.equivalent_range(ranges.delta_ki, ranges.delta_kii),
+                largest_k1: LargestK1::of(history),
                 kink: kink.map(|kink| kink.angle),
                 secondary: secondary.map(|secondary| secondary.angle),
                 secondary_ratio: secondary.map(|secondary| secondary.ratio),
@@ -320,7 +321,8 @@ impl Growth {
     fn drive(&self, tip: &TipRecord) -> TipDrive {
         let CrackTip { crack, tip: index, .. } = tip.tip;
         let (deferred, stopped) = (self.state.deferred[crack][index], self.state.stopped[crack][index]);
-        TipDrive { tip: tip.tip, kink: tip.kink, rate: tip.rate, deferred, stopped }
+        let largest_k1 = tip.largest_k1.map_or(0.0, |largest| largest.k1);
+        TipDrive { tip: tip.tip, kink: tip.kink, rate: tip.rate, largest_k1, deferred, stopped }
     }
 
     fn near_tie(&self, tip: &TipRecord) -> Option<Warning> {

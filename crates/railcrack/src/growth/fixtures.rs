@@ -13,6 +13,7 @@ pub(super) const SETTINGS: GrowthSettings = GrowthSettings {
     criterion: DirectionCriterion::MaxRate,
     critical_length: None,
     stop_after_cycles: None,
+    toughness: None,
 };
 
 pub(super) fn crack(points: &[(f64, f64)]) -> Crack {

@@ -4,7 +4,7 @@ use super::coalescence::{Coalescence, coalescences};
 use super::deferred::{DeferredGrowth, KEEPS_PACE};
 use super::joining::{Outcome, grow, spall};
 use super::step_state::{Step, StepState, TipDrive};
-use super::stops::{run_stop, spent_ligament, stop_of_one};
+use super::stops::{breaks, run_stop, spent_ligament, stop_of_one};
 use super::{BreakOut, GrowthSettings, Piece, RunStop, TipStop};
 use crate::crack::{Crack, Junction, point_to_segment};
 use crate::math::Vec2;
@@ -100,6 +100,10 @@ pub fn advance(state: &StepState<'_>, settings: &GrowthSettings) -> Advance {
         .or_else(|| nothing_grows(state, &stops));
     for (stop, coalescence) in stops.iter_mut().zip(&met) {
         *stop = stop.or(coalescence.map(|_| TipStop::Coalescence));
+    }
+    if stop == Some(RunStop::Fracture) {
+        let broken = |tip: &TipDrive| breaks(settings, tip).then_some(TipStop::Fracture);
+        stops.iter_mut().zip(state.tips).for_each(|(stop, tip)| *stop = broken(tip).or(*stop));
     }
     let standing = Advance {
         tips: standing_tips(state, &stops),

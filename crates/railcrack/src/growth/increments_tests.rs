@@ -14,6 +14,7 @@ fn slanted(mouth: f64, length: f64, degrees: f64) -> Crack {
 fn drive(crack: usize, degrees: f64, rate: f64) -> TipDrive {
     let tip = CrackTip { crack, tip: 0, end: End::Last };
     TipDrive {
+        largest_k1: 0.0,
         tip,
         kink: Some(degrees.to_radians()),
         rate,
@@ -141,4 +142,28 @@ fn run_ends_on_steps_length_and_exactly_on_its_cycles() {
     assert!((shortened.tips[0].increment - 0.1).abs() < ROUNDING);
     let after = StepState { load_cycles: 350e3, cracks: &shortened.cracks, ..before };
     assert_eq!(advance(&after, &limited).stop, Some(RunStop::Cycles));
+}
+
+#[test]
+fn the_rail_breaks_where_k1_reaches_the_toughness() {
+    let cracks = [slanted(0.0, 6.0, 30.0), slanted(20.0, 6.0, 30.0)];
+    let settings = GrowthSettings { toughness: Some(900.0), ..SETTINGS };
+    let tips = |first: f64, second: f64| {
+        [
+            TipDrive { largest_k1: first, ..drive(0, 0.0, 1e-6) },
+            TipDrive { largest_k1: second, ..drive(1, 0.0, 1e-6) },
+        ]
+    };
+    let next = advance(&state(&cracks, &tips(899.0, 900.0)), &settings);
+    assert_eq!(next.stop, Some(RunStop::Fracture));
+    assert_eq!([next.tips[0].stop, next.tips[1].stop], [None, Some(TipStop::Fracture)]);
+    assert_eq!(
+        (next.cycles, &next.cracks[..], next.stop.map(RunStop::name)),
+        (0.0, &cracks[..], Some("fracture"))
+    );
+    assert_eq!(advance(&state(&cracks, &tips(899.0, 899.0)), &settings).stop, None);
+    assert_eq!(advance(&state(&cracks, &tips(899.0, 900.0)), &SETTINGS).stop, None);
+    let mut spent = tips(1.0, 5000.0);
+    spent[1].stopped = Some(TipStop::BreakOut);
+    assert_eq!(advance(&state(&cracks, &spent), &settings).stop, None);
 }

@@ -14,6 +14,7 @@ const ROUNDING: f64 = 1e-13;
 /// The tip at `end` of crack `crack`, which kinks by `kink` (radians) and grows at `rate`.
 fn drive(crack: usize, end: End, tip: usize, kink: f64, rate: f64) -> TipDrive {
     TipDrive {
+        largest_k1: 0.0,
         tip: CrackTip { crack, tip, end },
         kink: Some(kink),
         rate,

@@ -14,6 +14,7 @@ mod observer;
 mod passage;
 mod passage_record;
 mod pieces;
+mod positions;
 mod rail_load;
 mod record;
 mod settings;

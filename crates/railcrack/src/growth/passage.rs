@@ -2,6 +2,7 @@
 //! repeats.
 
 use super::face_load::{FaceLoad, Part};
+use super::positions::output_positions;
 use super::tip_sifs::{TipMark, TipSifs};
 use super::{FaceRecord, Observer, PassageRecord, PassageSettings, RailLoad, SolverCounts};
 use crate::contact::{
@@ -57,6 +58,9 @@ pub enum PassageError {
 /// have no memory, and one passage is enough. The wheel arrives from infinity and leaves to
 /// infinity; in a rail with ends, its load is ramped up at the first position and down at the last.
 ///
+/// Where the wheel bends the rail, the passage reaches as far as the beam does, and the output
+/// positions with it.
+///
 /// Errors: settings under which nothing can be computed; a wheel that leaves the rail; contact does
 /// not converge; `observer` asks to stop.
 pub fn stabilised_passage(
@@ -81,7 +85,7 @@ pub(super) fn passages_under(
     observer: &dyn Observer,
 ) -> Result<StabilisedPassage, PassageError> {
     let problem = face_load.problem;
-    let xc = settings.passage.abscissae();
+    let xc = output_positions(&settings.passage, load.wheel.bending(), &places(problem));
     let expected = face_load.expected_slip(&xc);
     let interrupted = || observer.interrupted();
     let stepper = Stepper::new(problem, solver, settings.step_tolerance, &expected)
@@ -331,6 +335,18 @@ impl Rolling<'_> {
 fn mouths(problem: &FaceProblem) -> Vec<f64> {
     let points = problem.body().faces.points.iter();
     points.filter(|point| point.position.y == 0.0).map(|point| point.position.x).collect()
+}
+
+/// Where bending matters along the rail, mm: the mouths, or else the middle of the faces.
+fn places(problem: &FaceProblem) -> Vec<f64> {
+    let mouths = mouths(problem);
+    if !mouths.is_empty() {
+        return mouths;
+    }
+    let points = problem.body().faces.points.iter().map(|point| point.position.x);
+    let (low, high) =
+        points.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
+    if low <= high { vec![0.5 * (low + high)] } else { Vec::new() }
 }
 
 fn failure(passage: usize, phase: &'static str) -> impl Fn(SteppingError) -> PassageError {

@@ -5,6 +5,7 @@ use super::{
 };
 use crate::body::BodyTimes;
 use crate::crack::{Crack, CrackTip, Junction};
+use crate::fatigue::LargestK1;
 use serde::{Deserialize, Serialize};
 
 /// One tip at one step: the state at its start, and what was decided.
@@ -28,6 +29,8 @@ pub struct TipRecord {
     pub delta_kii: f64,
     /// ΔK_eq of the actual tip, MPa √mm.
     pub delta_keq: f64,
+    /// The largest k1 of a virtual kink through the stabilised passage; none where none opens.
+    pub largest_k1: Option<LargestK1>,
     /// Chosen kink, radians, counter-clockwise positive; none for a tip that does not load at all.
     pub kink: Option<f64>,
     /// The best other local maximum at least 15° away, radians.

@@ -61,6 +61,8 @@ pub struct GrowthSettings {
     pub critical_length: Option<f64>,
     /// This many load cycles end the run.
     pub stop_after_cycles: Option<f64>,
+    /// K_Ic, MPa √mm: a tip whose k1 reaches it in a passage ends the run.
+    pub toughness: Option<f64>,
 }
 
 /// As a case file that says nothing: the reference values of the paper.
@@ -74,6 +76,7 @@ impl Default for GrowthSettings {
             criterion: DirectionCriterion::MaxRate,
             critical_length: None,
             stop_after_cycles: None,
+            toughness: None,
         }
     }
 }
@@ -87,7 +90,8 @@ impl GrowthSettings {
             |quantity, value: f64| OutOfRange::unless(value >= 0.0, quantity, value, "zero or more");
         at_least_zero("arrest rate (mm per cycle)", self.arrest_rate)?;
         at_least_zero("critical length (mm)", self.critical_length.unwrap_or(0.0))?;
-        at_least_zero("cycles to stop after", self.stop_after_cycles.unwrap_or(0.0))
+        at_least_zero("cycles to stop after", self.stop_after_cycles.unwrap_or(0.0))?;
+        OutOfRange::unless_positive("toughness (MPa \u{221a}mm)", self.toughness.unwrap_or(1.0))
     }
 }
 

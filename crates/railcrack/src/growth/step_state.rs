@@ -31,6 +31,8 @@ pub struct TipDrive {
     pub kink: Option<f64>,
     /// da/dN of the actual tip, mm per cycle: zero at or below the threshold.
     pub rate: f64,
+    /// The largest k1 of a virtual kink through the passage, MPa √mm; 0 where none opens.
+    pub largest_k1: f64,
     /// Its growth of earlier steps that is not in the crack yet.
     pub deferred: DeferredGrowth,
     /// Why it stopped in an earlier step, if it did.

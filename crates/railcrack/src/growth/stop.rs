@@ -26,6 +26,8 @@ pub enum TipStop {
     Coalescence,
     /// The next increment would leave the rail.
     LeavesRail,
+    /// The largest k1 of its passage reaches the toughness: the rail breaks.
+    Fracture,
 }
 
 impl TipStop {
@@ -36,6 +38,7 @@ impl TipStop {
             Self::BreakOut => "break-out",
             Self::Coalescence => "meets-crack",
             Self::LeavesRail => "leaves-rail",
+            Self::Fracture => "fracture",
         }
     }
 }
@@ -54,6 +57,8 @@ pub enum RunStop {
     Detached,
     /// No tip grows; the reason of the last one that stopped.
     NoTipGrows(TipStop),
+    /// The largest k1 of a tip reaches the toughness: the rail breaks.
+    Fracture,
 }
 
 impl RunStop {
@@ -65,6 +70,7 @@ impl RunStop {
             Self::CriticalLength => "critical-length",
             Self::Detached => "detached",
             Self::NoTipGrows(stop) => stop.name(),
+            Self::Fracture => "fracture",
         }
     }
 }

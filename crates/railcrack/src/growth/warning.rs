@@ -16,6 +16,8 @@ pub enum WarningKind {
     Passages,
     /// The residual stress, and how it was balanced.
     ResidualStress,
+    /// Whether the model still describes the case.
+    Validity,
 }
 
 impl WarningKind {
@@ -27,6 +29,7 @@ impl WarningKind {
             Self::NearTie => "near-tie",
             Self::Passages => "passages",
             Self::ResidualStress => "residual-stress",
+            Self::Validity => "validity",
         }
     }
 }

@@ -1,7 +1,19 @@
-//! The wheel: Hertzian contact and its passage over the rail.
+//! The load: wheel–rail contact, the wheel's passage, bending on the track, temperature.
 
+mod carter;
+mod ellipse;
 mod hertz;
 mod passage;
+mod rail_section;
+mod table;
+mod temperature;
+mod track;
 
+pub use carter::CarterContact;
+pub use ellipse::{HertzEllipse, WheelOnRail};
 pub use hertz::HertzianContact;
-pub use passage::Passage;
+pub use passage::{Passage, Travel};
+pub use rail_section::{NamedSection, RailSection, SECTIONS};
+pub use table::{ContactRow, ContactTableError, TableContact};
+pub use temperature::Temperature;
+pub use track::{Axle, Bending, Track};

@@ -2,8 +2,28 @@
 
 use crate::math::OutOfRange;
 
-/// Wheel positions of one passage at which results are wanted: `positions` abscissae evenly spaced
-/// from `from` to `to` (mm). `from` > `to` is a wheel that runs towards −x.
+/// Which way a wheel runs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Travel {
+    /// Towards +x.
+    #[default]
+    Forward,
+    /// Towards −x.
+    Backward,
+}
+
+impl Travel {
+    /// +1 towards +x, −1 towards −x.
+    pub fn sign(self) -> f64 {
+        match self {
+            Self::Forward => 1.0,
+            Self::Backward => -1.0,
+        }
+    }
+}
+
+/// Wheel positions of one passage at which results are wanted: `positions` abscissae evenly spaced from `from` to
+/// `to` (mm). `from` > `to` is a wheel that runs towards −x.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Passage {
     /// First abscissa of the Hertz centre, mm.
@@ -28,6 +48,11 @@ impl Passage {
         OutOfRange::unless_finite("last wheel position (mm)", self.to)?;
         let positions = self.positions as f64;
         OutOfRange::unless(self.positions >= 2, "output positions of a passage", positions, "at least 2")
+    }
+
+    /// Which way the wheel runs.
+    pub fn travel(&self) -> Travel {
+        if self.to < self.from { Travel::Backward } else { Travel::Forward }
     }
 
     /// The abscissae x_c in the order of travel, mm.

@@ -5,14 +5,7 @@ use crate::load::HertzianContact;
 use crate::material::{IsotropicElastic, KinematicHardening};
 use crate::math::{Stress, Vec2};
 
-/// Direction of travel of the wheel.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Travel {
-    /// Towards +x.
-    Forward,
-    /// Towards −x.
-    Backward,
-}
+pub use crate::load::Travel;
 
 /// A rail of hardening steel under the repeated passage of a wheel, in plane strain.
 #[derive(Debug, Clone, PartialEq)]

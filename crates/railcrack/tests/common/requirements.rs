@@ -406,4 +406,54 @@ pub const REQUIREMENTS: &[Requirement] = &[
         "Contact: LATIN and Newton agree on joined cracks, in both engines.",
     ),
     requirement("junction_run::by_finite_elements", "", "Engines: the spall of the junction case agrees."),
+    requirement(
+        "loads::partial_slip_is_no_sliding",
+        "",
+        "Carter: K_I and K_II of the crack of Table 1 agree with those of a prototype, in partial slip and in full sliding.",
+    ),
+    requirement(
+        "loads::full_traction_is_sliding_and_none_is_pressure",
+        "",
+        "Carter: full traction has the history of full sliding, none that of pressure alone.",
+    ),
+    requirement(
+        "loads::mirrored_travel",
+        "",
+        "Carter: mirrored crack, shear and travel have the mirrored history.",
+    ),
+    requirement(
+        "loads::a_table_of_carter_is_carter",
+        "",
+        "Contact tables: 100 rows have the history of the closed form, and more rows a closer one.",
+    ),
+    requirement(
+        "loads::engines_agree_on_every_kind_of_contact",
+        "",
+        "Engines: histories agree for partial slip, a contact table and two contacts.",
+    ),
+    requirement(
+        "loads::engines_agree_on_bending_and_cold",
+        "",
+        "Engines: histories agree for bending on the track and a cold rail.",
+    ),
+    requirement(
+        "loads::the_largest_opening_is_far_from_the_wheel",
+        "",
+        "Bending: the largest K_I, and where the wheel then is, agree with those of a prototype.",
+    ),
+    requirement(
+        "loads::ranges_count_from_the_state_between_passages",
+        "",
+        "Temperature: K_I between passages is that of the edge crack in tension.",
+    ),
+    requirement(
+        "loads::edge_crack_in_bending",
+        "",
+        "Bending: K_I of an edge crack in a linear stress is that of the closed form.",
+    ),
+    requirement(
+        "loads::a_winter_rail_breaks",
+        "",
+        "Fracture: a run ends within an increment of the toughness.",
+    ),
 ];

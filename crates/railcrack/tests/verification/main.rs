@@ -20,6 +20,7 @@ mod junction_run;
 mod junctions;
 mod kinked_crack;
 mod latin_and_newton;
+mod loads;
 mod mirror;
 mod page;
 mod plastic_stress;

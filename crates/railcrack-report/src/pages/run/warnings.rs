@@ -47,6 +47,7 @@ fn grouped_text(kind: WarningKind, warnings: &[&Warning]) -> String {
         WarningKind::ContactFallback => "Contact solved by the other solver",
         WarningKind::Engine => "Remarks of the engine",
         WarningKind::ResidualStress => "Residual stress",
+        WarningKind::Validity => "Outside of what the model describes",
     };
     let mut text = format!("{heading}. ");
     let several =

@@ -213,6 +213,7 @@ pub(super) fn warnings(all: &[StudyRun]) -> Vec<String> {
             WarningKind::ContactFallback => "Contact solved by the other solver",
             WarningKind::Engine => "Remarks of the engine",
             WarningKind::ResidualStress => "Remarks on the residual stress",
+            WarningKind::Validity => "Outside of what the model describes",
         };
         list(heading, with(&has));
     }

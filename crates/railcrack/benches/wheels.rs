@@ -1,0 +1,66 @@
+//! Passages of the default settings over the crack of Table 1 under every kind of wheel, and tables of more and more rows: one of 200 rows
+//! may cost a passage twice of what full sliding does.
+
+use divan::Bencher;
+use railcrack::dislocation::{FaceResolution, cracked_body};
+use railcrack::load::ContactRow;
+use railcrack::prelude::*;
+
+fn main() {
+    divan::main();
+}
+
+fn steel() -> IsotropicElastic {
+    IsotropicElastic::new(210e3, 0.3).unwrap()
+}
+
+fn rolling() -> CarterContact {
+    CarterContact {
+        peak_pressure: 845.0,
+        half_width: 6.75,
+        friction: 0.3,
+        traction: 0.5,
+        travel: Travel::Forward,
+    }
+}
+
+fn table(rows: usize) -> TableWheel {
+    let row = |i: usize| {
+        let u = -6.75 * (std::f64::consts::PI * i as f64 / (rows - 1) as f64).cos();
+        let inside = f64::from(u8::from(i > 0 && i + 1 < rows));
+        ContactRow { u, pressure: inside * rolling().pressure(u), shear: inside * rolling().shear(u) }
+    };
+    TableWheel::new(&TableContact::new((0..rows).map(row).collect(), None).unwrap(), &steel())
+}
+
+fn passage(bencher: Bencher, wheel: &dyn Wheel) {
+    let crack = Crack::surface_breaking(0.0, 6.0, 15f64.to_radians()).unwrap();
+    let body = cracked_body(&crack.into(), &steel(), FaceResolution::default()).unwrap();
+    let faces = FaceProblem::new(&body, &[0.5]).unwrap();
+    let load = RailLoad { wheel, residual: None };
+    let settings = PassageSettings::default();
+    bencher.bench_local(|| {
+        stabilised_passage(&faces, &Newton::default(), load, &settings, &Unobserved).unwrap()
+    });
+}
+
+#[divan::bench(sample_count = 10)]
+fn full_sliding(bencher: Bencher) {
+    let contact = HertzianContact { peak_pressure: 845.0, half_width: 6.75, friction: 0.15 };
+    passage(bencher, &HertzWheel::new(&contact, &steel()).unwrap());
+}
+
+#[divan::bench(sample_count = 10)]
+fn partial_slip(bencher: Bencher) {
+    passage(bencher, &CarterWheel::new(&rolling(), &steel()).unwrap());
+}
+
+#[divan::bench(sample_count = 10, args = [50, 200, 2000])]
+fn contact_table(bencher: Bencher, rows: usize) {
+    passage(bencher, &table(rows));
+}
+
+#[divan::bench(sample_count = 10, args = [200, 2000])]
+fn preparing_a_table(bencher: Bencher, rows: usize) {
+    bencher.bench_local(|| table(rows));
+}

@@ -1,0 +1,102 @@
+//! The most that a virtual kink opens: what brittle fracture compares with the toughness.
+
+use super::{KINK_ANGLES, KinkFunctions};
+use crate::fracture::{Sif, SifHistory};
+use crate::math::MPA_SQRT_MM;
+use serde::{Deserialize, Serialize};
+
+/// The largest k1 of a history, over its samples and over kink angles.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct LargestK1 {
+    /// k1, MPa √mm, positive.
+    pub k1: f64,
+    /// β of the kink, radians, counter-clockwise positive from straight ahead.
+    pub angle: f64,
+    /// Sample of the history in which it is reached, from 0.
+    pub sample: usize,
+}
+
+impl LargestK1 {
+    /// Of `history`; none where no kink opens, or where samples are not finite.
+    ///
+    /// β is searched in [`KINK_ANGLES`] on a grid of 1° and refined by golden section. Under K_I alone it is 0 and k1 = K_I, under K_II alone ∓76.6°
+    /// and k1 = 1.2316 |K_II|.
+    pub fn of(history: &SifHistory) -> Option<Self> {
+        if !history.samples.iter().all(|k| k.ki.is_finite() && k.kii.is_finite()) {
+            return None;
+        }
+        let samples = history.samples.iter().enumerate();
+        let best = samples.map(|(sample, &tip)| (sample, tip, coarse(tip)));
+        let best = best.filter(|(_, _, (k1, _))| *k1 > 0.0).reduce(|a, b| if b.2.0 > a.2.0 { b } else { a });
+        let (sample, tip, (_, angle)) = best?;
+        let (k1, angle) = refined(tip, angle);
+        Some(Self { k1, angle, sample })
+    }
+
+    /// k1, MPa √m.
+    pub fn k1_mpa_sqrt_m(&self) -> f64 {
+        self.k1 / MPA_SQRT_MM
+    }
+}
+
+/// 1°: k1 is flat at its maximum, to 2e-4 over half a step.
+const GRID_STEP: f64 = std::f64::consts::PI / 180.0;
+/// The grid, and its functions.
+static GRID: std::sync::LazyLock<Vec<(f64, KinkFunctions)>> = std::sync::LazyLock::new(|| {
+    let last = (*KINK_ANGLES.end() / GRID_STEP).round() as i32;
+    (-last..=last).map(|i| GRID_STEP * f64::from(i)).map(|angle| (angle, KinkFunctions::at(angle))).collect()
+});
+
+/// The largest k1 of `tip` on the grid and its angle, the one nearest to straight ahead of equals.
+fn coarse(tip: Sif) -> (f64, f64) {
+    let opened = GRID.iter().map(|(angle, functions)| (functions.kinked(tip).k1, *angle));
+    opened.fold((0.0, 0.0), |best, (k1, angle)| {
+        if k1 > best.0 || (k1 == best.0 && angle.abs() < best.1.abs()) { (k1, angle) } else { best }
+    })
+}
+
+fn refined(tip: Sif, around: f64) -> (f64, f64) {
+    const GOLDEN: f64 = 0.618_033_988_749_894_9;
+    let k1 = |angle: f64| KinkFunctions::at(angle).kinked(tip).k1;
+    let (mut from, mut to) = (
+        f64::max(*KINK_ANGLES.start(), around - GRID_STEP),
+        f64::min(*KINK_ANGLES.end(), around + GRID_STEP),
+    );
+    // GRID_STEP · 0.618^30 = 1e-8 rad: round-off of a maximum.
+    for _ in 0..30 {
+        let (upper, lower) = (to - GOLDEN * (to - from), from + GOLDEN * (to - from));
+        if k1(upper) >= k1(lower) { to = lower } else { from = upper }
+    }
+    let angle = 0.5 * (from + to);
+    // Straight ahead and the ends of the range are angles of the grid.
+    if k1(around) >= k1(angle) { (k1(around), around) } else { (k1(angle), angle) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(samples: &[(f64, f64)]) -> Option<LargestK1> {
+        let samples = samples.iter().map(|&(ki, kii)| Sif { ki, kii }).collect();
+        LargestK1::of(&SifHistory { samples })
+    }
+
+    #[test]
+    fn opening_goes_straight_on_and_shear_turns() {
+        let straight = of(&[(0.0, 0.0), (7.0, 0.0), (3.0, 0.0)]).unwrap();
+        assert_eq!((straight.k1, straight.angle, straight.sample), (7.0, 0.0, 1));
+        // docs/conventions.md: β = −76.6°, k1 = 1.2316 K_II.
+        for sign in [1.0, -1.0] {
+            let sheared = of(&[(0.0, sign * 10.0), (1.0, 0.0)]).unwrap();
+            assert!((sheared.k1 - 12.316).abs() < 1e-3 && sheared.sample == 0, "{sheared:?}");
+            assert!((sheared.angle.to_degrees() + sign * 76.6).abs() < 0.1, "{sheared:?}");
+        }
+    }
+
+    #[test]
+    fn a_tip_that_closes_opens_no_kink() {
+        assert_eq!(of(&[(-3.0, 0.0), (0.0, 0.0)]), None);
+        assert_eq!(of(&[]), None);
+        assert_eq!(of(&[(f64::NAN, 1.0)]), None);
+    }
+}

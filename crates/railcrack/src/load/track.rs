@@ -1,0 +1,192 @@
+//! Bending of the rail on an elastic foundation.
+
+use super::RailSection;
+use crate::material::IsotropicElastic;
+use crate::math::OutOfRange;
+
+/// An axle of the train.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Axle {
+    /// Position relative to the wheel at x_c, mm along +x.
+    pub at: f64,
+    /// Q, load of one of its wheels, N.
+    pub wheel_load: f64,
+}
+
+/// A rail on an elastic foundation under the axles of a train.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Track {
+    /// The cross-section of the rail.
+    pub section: RailSection,
+    /// k, N/mm per mm of deflection of one rail, MPa.
+    pub foundation: f64,
+    /// The axles, one at least.
+    pub axles: Vec<Axle>,
+}
+
+impl Track {
+    /// Refuses a section or a foundation that is none, a track without axles, and axles that do not press on it.
+    pub fn check(&self) -> Result<(), OutOfRange> {
+        self.section.check()?;
+        OutOfRange::unless_positive("foundation modulus k (N/mm\u{b2})", self.foundation)?;
+        let count = self.axles.len();
+        OutOfRange::unless(count > 0, "axles", count as f64, "one at least")?;
+        for axle in &self.axles {
+            OutOfRange::unless_finite("position of an axle (mm)", axle.at)?;
+            OutOfRange::unless_positive("wheel load of an axle (N)", axle.wheel_load)?;
+        }
+        Ok(())
+    }
+
+    /// Bending of a rail of `steel` on this track. Errors: [`Track::check`].
+    pub fn bending(&self, steel: &IsotropicElastic) -> Result<Bending, OutOfRange> {
+        self.check()?;
+        let beta = (0.25 * self.foundation / (steel.young() * self.section.second_moment)).sqrt().sqrt();
+        Ok(Bending { track: self.clone(), beta })
+    }
+}
+
+/// Euler's beam on Winkler's foundation: with s the distance from an axle,
+///
+/// M(s) = Q/(4β) e^(−β|s|) (cos β|s| − sin β|s|),  β = (k/(4 E I))^(1/4),
+///
+/// positive where the head is compressed: σ_xx = −M (h − d)/I at the depth d. Axles add.
+///
+/// Source: Timoshenko 1926; Esveld, Modern Railway Track, 5.4.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bending {
+    track: Track,
+    /// β, 1/mm.
+    beta: f64,
+}
+
+/// βs beyond which e^(−βs) is less than round-off.
+const NO_MORE: f64 = 40.0;
+
+impl Bending {
+    /// The track.
+    pub fn track(&self) -> &Track {
+        &self.track
+    }
+
+    /// 1/β, mm.
+    pub fn length(&self) -> f64 {
+        1.0 / self.beta
+    }
+
+    /// M (N mm) at `x` (mm from x_c).
+    pub fn moment(&self, x: f64) -> f64 {
+        let of = |axle: &Axle| {
+            let s = self.beta * (x - axle.at).abs();
+            if s > NO_MORE {
+                return 0.0;
+            }
+            0.25 * axle.wheel_load / self.beta * (-s).exp() * (s.cos() - s.sin())
+        };
+        self.track.axles.iter().map(of).sum()
+    }
+
+    /// σ_xx (MPa) at `x` (mm from x_c) and `depth` (mm): linear through the height of the rail, zero below its foot.
+    pub fn stress(&self, x: f64, depth: f64) -> f64 {
+        let RailSection { second_moment, neutral_axis_depth, height } = self.track.section;
+        if height.is_some_and(|height| depth > height) {
+            return 0.0;
+        }
+        -self.moment(x) * (neutral_axis_depth - depth.max(0.0)) / second_moment
+    }
+
+    /// Deflection w (mm, downwards) and its slope w′ at `x` (mm from x_c): w = Qβ/(2k) e^(−β|s|) (cos β|s| + sin β|s|).
+    pub fn deflection(&self, x: f64) -> (f64, f64) {
+        let of = |axle: &Axle| {
+            let s = x - axle.at;
+            let t = self.beta * s.abs();
+            let scale = 0.5 * axle.wheel_load * self.beta / self.track.foundation * (-t).exp();
+            (scale * (t.cos() + t.sin()), -2.0 * self.beta * scale * t.sin() * s.signum())
+        };
+        self.track.axles.iter().map(of).fold((0.0, 0.0), |sum, one| (sum.0 + one.0, sum.1 + one.1))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::NamedSection;
+    use super::*;
+    use std::f64::consts::{FRAC_PI_2, PI};
+
+    fn track(foundation: f64, wheel_load: f64) -> Bending {
+        let section = NamedSection::of("60E1").unwrap().section();
+        let steel = IsotropicElastic::new(210e3, 0.3).unwrap();
+        Track { section, foundation, axles: vec![Axle { at: 0.0, wheel_load }] }.bending(&steel).unwrap()
+    }
+
+    #[test]
+    fn check_values_of_the_60e1() {
+        // (k, Q) → 1/β (mm), M0 (kN m), σ at the top under the wheel, largest tension there: to the digits given.
+        let cases = [
+            (50.0, 100e3, 845.2496, 21.13124, -63.3249, 13.1639),
+            (30.0, 112.5e3, 960.389, 27.01094, -80.9448, 16.8268),
+        ];
+        for (foundation, load, length, moment, top, tension) in cases {
+            let bending = track(foundation, load);
+            assert!((bending.length() - length).abs() < 6e-4, "{}", bending.length());
+            assert!((bending.moment(0.0) * 1e-6 - moment).abs() < 6e-6, "{}", bending.moment(0.0));
+            assert!((bending.stress(0.0, 0.0) - top).abs() < 6e-5, "{}", bending.stress(0.0, 0.0));
+            let at = FRAC_PI_2 * bending.length();
+            for side in [-1.0, 1.0] {
+                assert!(
+                    (bending.stress(side * at, 0.0) - tension).abs() < 6e-5,
+                    "{}",
+                    bending.stress(at, 0.0)
+                );
+                let beside = |dx: f64| bending.stress(side * at + dx, 0.0);
+                assert!(beside(1.0) < beside(0.0) && beside(-1.0) < beside(0.0), "largest at π/(2β)");
+            }
+        }
+        assert!((FRAC_PI_2 * track(50.0, 100e3).length() - 1327.715).abs() < 6e-4);
+    }
+
+    #[test]
+    fn the_foundation_carries_the_axles_and_the_moment_is_the_curvature() {
+        let bending = track(50.0, 100e3);
+        let (step, reach) = (1.0, 20.0 * bending.length());
+        let points = (2.0 * reach / step) as usize;
+        let at = |i: usize| -reach + step * (i as f64 + 0.5);
+        let reaction: f64 = (0..points).map(|i| 50.0 * bending.deflection(at(i)).0 * step).sum();
+        assert!((reaction / 100e3 - 1.0).abs() < 1e-6, "{reaction}"); // midpoint rule with a cusp, (β step)²
+        let stiffness = 210e3 * bending.track().section.second_moment;
+        for x in [-2000.0, -300.0, 10.0, 700.0] {
+            let slope = (bending.deflection(x + 0.5).0 - bending.deflection(x - 0.5).0) / 1.0;
+            assert!((slope - bending.deflection(x).1).abs() < 1e-9);
+            let curvature = bending.deflection(x + 0.5).1 - bending.deflection(x - 0.5).1;
+            assert!((-stiffness * curvature - bending.moment(x)).abs() < 1e-5 * bending.moment(0.0));
+        }
+    }
+
+    #[test]
+    fn axles_add_and_the_foot_has_the_other_sign() {
+        let one = track(50.0, 100e3);
+        let mut two = one.track().clone();
+        two.axles.push(Axle { at: -1800.0, wheel_load: 60e3 });
+        let steel = IsotropicElastic::new(210e3, 0.3).unwrap();
+        let bending = two.bending(&steel).unwrap();
+        let sum = one.moment(40.0) + 0.6 * one.moment(1840.0);
+        assert!((bending.moment(40.0) / sum - 1.0).abs() < 1e-14);
+        assert_eq!(one.stress(5.0, one.track().section.neutral_axis_depth), 0.0);
+        assert!(one.stress(0.0, 171.0) > 0.0 && one.stress(0.0, 173.0) == 0.0);
+        assert!(one.moment(PI * one.length()).abs() < 0.05 * one.moment(0.0));
+    }
+
+    #[test]
+    fn tracks_that_are_none_are_refused() {
+        let good = track(50.0, 100e3).track().clone();
+        let message = |track: Track| track.check().unwrap_err().to_string();
+        assert!(
+            message(Track { foundation: 0.0, ..good.clone() }).contains("k (N/mm²) = 0: must be positive")
+        );
+        assert!(message(Track { axles: vec![], ..good.clone() }).contains("axles = 0"));
+        let pulling = vec![Axle { at: 0.0, wheel_load: -1.0 }];
+        assert!(message(Track { axles: pulling, ..good.clone() }).contains("wheel load of an axle (N) = -1"));
+        let section = RailSection { neutral_axis_depth: 200.0, ..good.section };
+        assert!(message(Track { section, ..good }).contains("less than the height"));
+    }
+}
