@@ -82,7 +82,7 @@ impl Interruption {
 
 /// How long a computation has to stop by itself, and the writing of what it has then.
 #[cfg(unix)]
-const TO_STOP: Duration = Duration::from_millis(800);
+const TO_STOP: Duration = Duration::from_millis(700);
 #[cfg(unix)]
 const TO_WRITE: Duration = Duration::from_secs(10);
 

@@ -146,7 +146,7 @@ pub enum OutputError {
         first: String,
     },
     /// There is no such folder.
-    #[error("{} is not there: it is no folder", folder.display())]
+    #[error("{}: there is no such folder", folder.display())]
     NoFolder {
         /// The folder.
         folder: PathBuf,
