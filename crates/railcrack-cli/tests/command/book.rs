@@ -161,8 +161,8 @@ fn run_block(place: &Place, block: &Block) -> Result<(), String> {
         };
     }
     match block.language.as_str() {
-        // The reader's own test has fragments of cases.
-        "text" | "" | "toml" => Ok(()),
+        // The reader's own test has fragments of cases, another one the program of the README.
+        "text" | "" | "toml" | "rust" => Ok(()),
         "sh" => {
             let commands: Result<Vec<String>, String> = block.text.lines().map(as_run).collect();
             succeed(place, &commands?.join("\n"))
