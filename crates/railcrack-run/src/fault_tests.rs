@@ -71,7 +71,7 @@ fn every(stride: usize, name: &str) -> usize {
 
 #[test]
 fn a_run_goes_on_behind_a_fault_of_the_disk() {
-    every(7, "sample");
+    every(3, "sample");
 }
 
 #[test]
