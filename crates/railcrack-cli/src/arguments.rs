@@ -3,7 +3,7 @@
 use crate::commands::{
     check::CheckArguments, compare::CompareArguments, init::InitArguments, paper::PaperArguments,
     report::ReportArguments, run::RunArguments, schema::SchemaArguments, shakedown::ShakedownArguments,
-    sweep::SweepArguments,
+    sweep::SweepArguments, verify::VerifyArguments,
 };
 use clap::{Parser, Subcommand};
 
@@ -22,6 +22,7 @@ Start:
   railcrack compare A B        what differs between two runs
   railcrack sweep study.toml   many cases: a case file with lists in place of values
   railcrack report DIR         plots and HTML report again, from the folder alone
+  railcrack verify DIR         whether its files hold what was written
   railcrack shakedown case.toml   the stabilised plastic state under the same wheel
   railcrack paper              the figures and statements of Trolle et al. (2014) recomputed
 ";
@@ -47,6 +48,7 @@ pub enum Command {
     Sweep(SweepArguments),
     Report(ReportArguments),
     Shakedown(ShakedownArguments),
+    Verify(VerifyArguments),
     Paper(PaperArguments),
     Schema(SchemaArguments),
 }

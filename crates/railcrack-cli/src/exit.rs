@@ -4,6 +4,7 @@ use railcrack::shakedown::ShakedownError;
 use railcrack_case::{CarriedStressError, CaseErrors};
 use railcrack_paper::{PaperError, UnknownFigure};
 use railcrack_run::OutputError;
+use railcrack_run::budget::OverBudget;
 use railcrack_run::simulation::RunError;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -74,6 +75,9 @@ pub enum Failure {
          cargo install --path crates/railcrack-cli --features png"
     )]
     NoPng,
+    /// A run that is larger than the machine.
+    #[error(transparent)]
+    OverBudget(#[from] OverBudget),
     /// A file that is already there.
     #[error("{} is already there; --force replaces it", path.display())]
     Exists {
@@ -97,7 +101,9 @@ impl Failure {
     /// The exit code of this failure.
     pub fn exit(&self) -> Exit {
         match self {
-            Self::Case(_) | Self::Figure(_) | Self::CaseInRunFolder { .. } => Exit::BadInput,
+            Self::Case(_) | Self::Figure(_) | Self::OverBudget(_) | Self::CaseInRunFolder { .. } => {
+                Exit::BadInput
+            }
             Self::Paper(error) => match error {
                 PaperError::Exists { .. } | PaperError::Case(_) | PaperError::Steel(_) => Exit::BadInput,
                 PaperError::Run { .. } | PaperError::Stress { .. } | PaperError::Shakedown(_) => {
@@ -122,6 +128,7 @@ fn exit_of_run(error: &RunError) -> Exit {
             | OutputError::NoRun { .. }
             | OutputError::NotARun { .. }
             | OutputError::NothingToReport { .. }
+            | OutputError::NoFolder { .. }
             | OutputError::HoldsComparison { .. }
             | OutputError::HoldsStudy { .. }
             | OutputError::NoStudy { .. }
@@ -129,7 +136,11 @@ fn exit_of_run(error: &RunError) -> Exit {
             | OutputError::CaseChanged { .. }
             | OutputError::OtherVersion { .. } => Exit::BadInput,
             OutputError::NotFinite { .. } | OutputError::Field(_) => Exit::NotConverged,
-            OutputError::Damaged { .. } | OutputError::Io { .. } => Exit::CannotReadOrWrite,
+            OutputError::InUse { .. }
+            | OutputError::DamagedRuns { .. }
+            | OutputError::Damaged { .. }
+            | OutputError::NameLeaves { .. }
+            | OutputError::Io { .. } => Exit::CannotReadOrWrite,
         },
         RunError::Rolled(_) | RunError::System { .. } => Exit::CannotReadOrWrite,
         RunError::Residual(CarriedStressError::Field(_)) => Exit::BadInput,

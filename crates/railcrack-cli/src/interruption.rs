@@ -4,6 +4,8 @@ use crate::exit::Exit;
 use signal_hook::consts::{SIGINT, SIGTERM};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+#[cfg(unix)]
+use std::time::Duration;
 
 /// SIGHUP is not among them: a run under `nohup` must outlive its terminal.
 const SIGNALS: [i32; 2] = [SIGINT, SIGTERM];
@@ -12,6 +14,8 @@ const SIGNALS: [i32; 2] = [SIGINT, SIGTERM];
 #[derive(Debug, Clone, Default)]
 pub struct Interruption {
     asked: Arc<AtomicBool>,
+    /// The computation has stopped, and what was computed is being written.
+    stopped: Arc<AtomicBool>,
 }
 
 impl Interruption {
@@ -24,17 +28,29 @@ impl Interruption {
         Ok(interruption)
     }
 
+    /// The computation has stopped where it was asked to: what follows is the end of the program,
+    /// and it is waited for.
+    pub fn acknowledge(&self) {
+        if self.asked() {
+            self.stopped.store(true, Ordering::Relaxed);
+        }
+    }
+
     #[cfg(unix)]
     fn install(&self) -> std::io::Result<()> {
-        use std::time::{Duration, Instant};
+        use std::time::Instant;
         // `timeout` and some shells send a signal to the program and again to its group: that is one wish, not two.
         const ONE_WISH: Duration = Duration::from_millis(500);
         let mut signals = signal_hook::iterator::Signals::new(SIGNALS)?;
-        let asked = Arc::clone(&self.asked);
+        let (asked, stopped) = (Arc::clone(&self.asked), Arc::clone(&self.stopped));
         std::thread::Builder::new().name("signals".to_owned()).spawn(move || {
             let mut first: Option<Instant> = None;
             for _ in signals.forever() {
                 asked.store(true, Ordering::Relaxed);
+                if first.is_none() {
+                    let stopped = Arc::clone(&stopped);
+                    std::thread::spawn(move || end_soon(&stopped));
+                }
                 if first.get_or_insert_with(Instant::now).elapsed() > ONE_WISH {
                     std::process::exit(i32::from(Exit::Interrupted.code()));
                 }
@@ -62,4 +78,28 @@ impl Interruption {
     pub fn asked(&self) -> bool {
         self.asked.load(Ordering::Relaxed)
     }
+}
+
+/// How long a computation has to stop by itself, and the writing of what it has then.
+#[cfg(unix)]
+const TO_STOP: Duration = Duration::from_millis(700);
+#[cfg(unix)]
+const TO_WRITE: Duration = Duration::from_secs(10);
+
+/// Ends the program where it does not end by itself: an assembly, a factorisation or a report does
+/// not look for signals. A run may be killed at any moment: its finished steps are on the disk, and
+/// `--resume` goes on behind them.
+#[cfg(unix)]
+fn end_soon(stopped: &AtomicBool) {
+    use std::io::Write;
+    std::thread::sleep(TO_STOP);
+    if stopped.load(Ordering::Relaxed) {
+        std::thread::sleep(TO_WRITE);
+    }
+    // Nobody is left to tell when standard error itself is gone.
+    let _ = writeln!(
+        std::io::stderr(),
+        "interrupted; the same command with --resume goes on behind the last finished step"
+    );
+    std::process::exit(i32::from(Exit::Interrupted.code()));
 }

@@ -93,6 +93,7 @@ impl RunObserver for Progress<'_> {
 
     fn close(&self) {
         self.display.close();
+        self.interruption.acknowledge();
     }
 
     fn interrupted(&self) -> bool {

@@ -43,6 +43,7 @@ impl FolderKind {
         let there = |&(_, file): &(Self, &str)| folder.join(file).is_file();
         match kinds.into_iter().find(there) {
             Some((kind, _)) => Ok(kind),
+            None if !folder.is_dir() => Err(OutputError::NoFolder { folder: folder.to_path_buf() }),
             None => Err(OutputError::NothingToReport { folder: folder.to_path_buf() }),
         }
     }
@@ -52,14 +53,22 @@ impl FolderKind {
 /// its table of runs, from the run folders in it. The files of a command are built again bit for
 /// bit.
 ///
-/// Errors: the folder holds none of these; a file of it is damaged; the system refuses.
+/// Errors: the folder holds none of these; a file of it is damaged (of a study, runs are: the others
+/// are shown before that is said); the system refuses.
 pub fn rebuild_report(folder: &Path) -> Result<FolderKind, OutputError> {
     let kind = FolderKind::of(folder)?;
     match kind {
         FolderKind::Run => rebuild_run(folder)?,
         FolderKind::Shakedown => Pages.shakedown(folder)?,
         FolderKind::Comparison => Pages.comparison(folder)?,
-        FolderKind::Study => drop(StudyFolder::open(folder)?.write_results(&Pages)?),
+        FolderKind::Study => {
+            let results = StudyFolder::open(folder)?.write_results(&Pages)?;
+            let runs = results.damaged().count();
+            if let Some((_, first)) = results.damaged().next() {
+                let (folder, first) = (folder.to_path_buf(), first.to_owned());
+                return Err(OutputError::DamagedRuns { folder, runs, first });
+            }
+        }
     }
     Ok(kind)
 }

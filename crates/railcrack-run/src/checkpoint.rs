@@ -3,7 +3,8 @@
 //! the log and of the tables counts.
 
 use super::case_files::CaseFiles;
-use super::csv::CsvFile;
+use super::checksum::{Checksum, Seal};
+use super::csv::{CsvFile, FaceRow, SifRow, Table, TipRow};
 use super::files::{CHECKPOINT_FILE, RUN_LOG_FILE};
 use super::folder::{self, Durability};
 use super::run_log::{Present, RunLog, StepDigest};
@@ -15,18 +16,25 @@ use std::path::Path;
 const MAGIC: [u8; 8] = *b"RAILCRCK";
 
 /// Raised whenever the layout of [`Checkpoint`] or of what it holds changes.
-const FORMAT: u32 = 7;
+const FORMAT: u32 = 8;
 
 /// Magic, format, checksum.
 const HEADER: usize = 8 + 4 + 8;
 
-/// Bytes in tables and run log after the last finished step.
+/// What tables and run log hold after the last finished step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub(crate) struct TableLengths {
-    pub sif: u64,
-    pub growth: u64,
-    pub faces: u64,
-    pub log: u64,
+pub(crate) struct Seals {
+    pub sif: Seal,
+    pub growth: Seal,
+    pub faces: Seal,
+    pub log: Seal,
+}
+
+impl Seals {
+    /// The tables with their files.
+    pub(crate) fn tables(&self) -> [(&'static str, Seal); 3] {
+        [(SifRow::FILE, self.sif), (TipRow::FILE, self.growth), (FaceRow::FILE, self.faces)]
+    }
 }
 
 /// The state of a run after a finished step.
@@ -35,9 +43,7 @@ pub(crate) struct Checkpoint {
     /// Version of the program.
     pub program: String,
     pub state: GrowthState,
-    pub lengths: TableLengths,
-    /// Checksum of the run log up to its length.
-    pub log_checksum: u64,
+    pub seals: Seals,
     pub now: Present,
 }
 
@@ -45,14 +51,13 @@ pub(crate) struct Checkpoint {
 #[derive(Debug)]
 pub(crate) struct LogFile {
     file: CsvFile,
-    checksum: u64,
 }
 
 impl LogFile {
     /// A new log of a run of `case` in `folder`.
     pub(crate) fn create(folder: &Path, case: &CaseFiles) -> Result<Self, OutputError> {
         let file = CsvFile::create(&folder.join(RUN_LOG_FILE), "")?;
-        let mut log = Self { file, checksum: CHECKSUM_OF_NOTHING };
+        let mut log = Self { file };
         log.append(&encoded(folder, case)?)?;
         Ok(log)
     }
@@ -62,8 +67,9 @@ impl LogFile {
     pub(crate) fn read(folder: &Path, checkpoint: &Checkpoint) -> Result<(CaseFiles, RunLog), OutputError> {
         let path = folder.join(RUN_LOG_FILE);
         let bytes = folder::read_if_there(&path)?.unwrap_or_default();
-        let counts = usize::try_from(checkpoint.lengths.log).ok().and_then(|length| bytes.get(..length));
-        let bytes = counts.filter(|bytes| checksum(CHECKSUM_OF_NOTHING, bytes) == checkpoint.log_checksum);
+        let seal = checkpoint.seals.log;
+        let counts = usize::try_from(seal.length).ok().and_then(|length| bytes.get(..length));
+        let bytes = counts.filter(|bytes| Seal::of(bytes) == seal);
         let bytes =
             bytes.ok_or_else(|| OutputError::damaged(&path, "does not hold what was written (checksum)"))?;
         let damaged = |reason: postcard::Error| OutputError::damaged(&path, reason.to_string());
@@ -79,8 +85,7 @@ impl LogFile {
 
     /// The log of the run in `folder`, cut back to what `checkpoint` counts on.
     pub(crate) fn cut_back(folder: &Path, checkpoint: &Checkpoint) -> Result<Self, OutputError> {
-        let file = CsvFile::cut_back(&folder.join(RUN_LOG_FILE), checkpoint.lengths.log)?;
-        Ok(Self { file, checksum: checkpoint.log_checksum })
+        Ok(Self { file: CsvFile::cut_back(&folder.join(RUN_LOG_FILE), checkpoint.seals.log)? })
     }
 
     /// Appends a finished step.
@@ -89,9 +94,7 @@ impl LogFile {
     }
 
     fn append(&mut self, entry: &[u8]) -> Result<(), OutputError> {
-        self.file.append(entry)?;
-        self.checksum = checksum(self.checksum, entry);
-        Ok(())
+        self.file.append(entry)
     }
 
     /// Waits until the disk has it.
@@ -99,14 +102,9 @@ impl LogFile {
         self.file.sync()
     }
 
-    /// Bytes in the log.
-    pub(crate) fn length(&self) -> u64 {
-        self.file.length()
-    }
-
-    /// Checksum of these bytes.
-    pub(crate) fn checksum(&self) -> u64 {
-        self.checksum
+    /// What the log holds.
+    pub(crate) fn seal(&self) -> Seal {
+        self.file.seal()
     }
 }
 
@@ -124,7 +122,7 @@ impl Checkpoint {
         let mut bytes = Vec::with_capacity(HEADER + body.len());
         bytes.extend_from_slice(&MAGIC);
         bytes.extend_from_slice(&FORMAT.to_le_bytes());
-        bytes.extend_from_slice(&checksum(CHECKSUM_OF_NOTHING, &body).to_le_bytes());
+        bytes.extend_from_slice(&Checksum::of(&body).to_bytes());
         bytes.extend_from_slice(&body);
         folder::replace_file(&path, &bytes, durability)
     }
@@ -150,7 +148,7 @@ impl Checkpoint {
             return Err(other_version(format!("with checkpoint format {format}"), this));
         }
         let body = &bytes[HEADER..];
-        if little_endian(&bytes[12..HEADER]) != checksum(CHECKSUM_OF_NOTHING, body) {
+        if bytes[12..HEADER] != Checksum::of(body).to_bytes() {
             return Err(damaged("does not hold what was written (checksum)"));
         }
         let checkpoint: Self = postcard::from_bytes(body).map_err(|reason| damaged(&reason.to_string()))?;
@@ -163,12 +161,4 @@ impl Checkpoint {
 
 fn little_endian(bytes: &[u8]) -> u64 {
     bytes.iter().rev().fold(0, |value, &byte| value << 8 | u64::from(byte))
-}
-
-/// FNV-1a, 64 bits, of no bytes.
-const CHECKSUM_OF_NOTHING: u64 = 0xcbf2_9ce4_8422_2325;
-
-/// FNV-1a, 64 bits, of `bytes` behind those whose checksum is `before`.
-fn checksum(before: u64, bytes: &[u8]) -> u64 {
-    bytes.iter().fold(before, |hash, &byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
 }

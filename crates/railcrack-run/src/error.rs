@@ -118,6 +118,50 @@ pub enum OutputError {
         /// What is wrong with it.
         reason: String,
     },
+    /// Another process computes in the folder.
+    #[error(
+        "{} is being computed by another process{}: wait for it or stop it, or choose another folder with --out",
+        folder.display(),
+        process.map_or_else(String::new, |process| format!(" ({process})"))
+    )]
+    InUse {
+        /// The folder.
+        folder: PathBuf,
+        /// Number of the process, where the system tells.
+        process: Option<u32>,
+    },
+    /// Runs of a study whose files are damaged; its results were gathered without them.
+    #[error(
+        "{}: the results are without {} ({})",
+        folder.display(),
+        if *runs == 1 { "a damaged run".to_owned() } else { format!("{runs} damaged runs") },
+        first
+    )]
+    DamagedRuns {
+        /// The folder of the study.
+        folder: PathBuf,
+        /// How many.
+        runs: usize,
+        /// What is wrong with the first of them.
+        first: String,
+    },
+    /// There is no such folder.
+    #[error("{}: there is no such folder", folder.display())]
+    NoFolder {
+        /// The folder.
+        folder: PathBuf,
+    },
+    /// A file names something outside its folder.
+    #[error(
+        "{} names {name:?}, which leads out of its folder: the names in it are plain ones; the file has been changed",
+        file.display()
+    )]
+    NameLeaves {
+        /// The file.
+        file: PathBuf,
+        /// The name in it.
+        name: String,
+    },
     /// A result that is not a finite number; nothing of its step is written.
     #[error("{file}: {column} = {value} in the row \"{row}...\": a result must be a finite number")]
     NotFinite {

@@ -1,6 +1,7 @@
 //! Fields of a run as files of VTK, and the collection that lists them.
 
 use super::OutputError;
+use super::checksum::Seal;
 use super::field_names::name;
 use super::files::FIELDS_FOLDER;
 use super::folder::{Durability, replace_file};
@@ -19,6 +20,8 @@ pub(crate) struct FieldFileEntry {
     pub name: String,
     /// Step, plus the share of the positions of its passage that lie before.
     pub time: f64,
+    /// What it holds.
+    pub seal: Seal,
 }
 
 /// The fields of a step: of each wheel position its number (from 1), the name of its file in the
@@ -51,7 +54,7 @@ pub(crate) fn write_fields(
         let text = vtu_text(&grid).map_err(|reason| VtuError::Grid { path: path.clone(), reason })?;
         replace_file(&path, &text, durability)?;
         let time = record.step as f64 + (position - 1) as f64 / positions as f64;
-        Ok(FieldFileEntry { name: file, time })
+        Ok(FieldFileEntry { name: file, time, seal: Seal::of(&text) })
     };
     field_grids(record).map(write).collect()
 }
@@ -64,10 +67,17 @@ pub(crate) fn write_collection<'a>(
     files: impl Iterator<Item = &'a FieldFileEntry>,
     durability: Durability,
 ) -> Result<(), OutputError> {
+    replace_file(path, collection(path, files)?.as_bytes(), durability)
+}
+
+/// The text of the list of `files`, for `path`.
+pub(crate) fn collection<'a>(
+    path: &Path,
+    files: impl Iterator<Item = &'a FieldFileEntry>,
+) -> Result<String, OutputError> {
     let snapshots: Vec<Snapshot> =
         files.map(|file| Snapshot { time: file.time, file: file.name.clone() }).collect();
-    let text = pvd_text(&snapshots).map_err(|reason| VtuError::Grid { path: path.to_path_buf(), reason })?;
-    replace_file(path, text.as_bytes(), durability)
+    Ok(pvd_text(&snapshots).map_err(|reason| VtuError::Grid { path: path.to_path_buf(), reason })?)
 }
 
 /// Elements, pieces of elements, faces.

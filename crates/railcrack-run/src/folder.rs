@@ -3,16 +3,20 @@
 
 use super::OutputError;
 use super::case_files::CaseFiles;
+use super::checksum::sign;
+use super::disk;
 use super::field_names::is_field_file;
 use super::files::{
     CASE_FILE, CHECKPOINT_FILE, FIELDS_FOLDER, INPUTS_FOLDER, PLOT_FILES, PLOTS_FOLDER, REPORT_FILE,
     ROLLED_FOLDER, RUN_FILES,
 };
+use super::lock::FolderLock;
+use super::stored_name::check_inputs;
 use railcrack_case::Case;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
-use std::fs::{self, File};
-use std::io::{ErrorKind, Write};
+use std::fs;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 /// Ending of a file that is being written and not yet in place.
@@ -41,17 +45,17 @@ pub enum Durability {
 pub fn replace_file(path: &Path, content: &[u8], durability: Durability) -> Result<(), OutputError> {
     let partial = partial_of(path);
     let refused = || OutputError::io("write", path);
-    let mut file = File::create(&partial).map_err(refused())?;
-    let written = file.write_all(content).and_then(|()| match durability {
-        Durability::Synced => file.sync_all(),
+    let mut file = disk::create(&partial).map_err(refused())?;
+    let written = disk::write(&mut file, &partial, content).and_then(|()| match durability {
+        Durability::Synced => disk::sync(&file, &partial),
         Durability::Cached => Ok(()),
     });
     if let Err(reason) = written {
         // Best effort: the error of the write is the one to report.
-        let _ = fs::remove_file(&partial);
+        let _ = disk::remove(&partial);
         return Err(refused()(reason));
     }
-    fs::rename(&partial, path).map_err(refused())
+    disk::rename(&partial, path).map_err(refused())
 }
 
 fn partial_of(path: &Path) -> PathBuf {
@@ -177,6 +181,7 @@ pub(crate) fn stored_case(folder: &Path) -> Result<Option<String>, OutputError> 
 pub(crate) fn read_case(folder: &Path) -> Result<Case, OutputError> {
     let text = stored_case(folder)?
         .ok_or_else(|| OutputError::NotARun { folder: folder.to_path_buf(), file: CASE_FILE })?;
+    check_inputs(folder, &text)?;
     let path = folder.join(CASE_FILE);
     let case = Case::parse(&text, &path.display().to_string(), folder);
     case.map_err(|errors| OutputError::damaged(&path, errors.to_string()))
@@ -199,9 +204,12 @@ pub(crate) fn read_json<T: DeserializeOwned>(folder: &Path, file: &'static str) 
         .ok_or_else(|| OutputError::NotARun { folder: folder.to_path_buf(), file })
 }
 
-/// `value` as the text of a JSON file.
+/// `value` as the text of a JSON file, which ends with the checksum of the others.
 pub(crate) fn json_text(path: &Path, value: &impl Serialize) -> Result<String, OutputError> {
-    let text = serde_json::to_string_pretty(value);
+    let text = serde_json::to_value(value).and_then(|mut document| {
+        sign(&mut document);
+        serde_json::to_string_pretty(&document)
+    });
     text.map(|text| text + "\n").map_err(|reason| OutputError::damaged(path, reason.to_string()))
 }
 
@@ -230,12 +238,14 @@ pub(crate) fn clear_run(folder: &Path) -> Result<(), OutputError> {
     if run_file_in(folder).is_none() {
         return Ok(());
     }
+    let lock = FolderLock::take(folder)?;
     remove(&folder.join(CHECKPOINT_FILE))?;
     clear_results(folder)?;
     clear_rolled(&folder.join(ROLLED_FOLDER))?;
     for file in [folder.join(CASE_FILE), partial_of(&folder.join(CASE_FILE))] {
         remove(&file)?;
     }
+    drop(lock);
     // Refused where the user keeps files of his own in it: fine.
     let _ = fs::remove_dir(folder);
     Ok(())
@@ -254,7 +264,7 @@ pub(crate) fn run_file_in_study(folder: &Path) -> Option<&'static str> {
 
 /// Removes a file where it is there.
 pub(crate) fn remove(path: &Path) -> Result<(), OutputError> {
-    match fs::remove_file(path) {
+    match disk::remove(path) {
         Err(reason) if reason.kind() != ErrorKind::NotFound => Err(OutputError::io("remove", path)(reason)),
         _ => Ok(()),
     }

@@ -4,16 +4,22 @@
 //! Every file, column, unit and sign is described in `docs/file-formats.md`. Plots and pages are
 //! made by someone above this crate ([`Presentation`]).
 
+pub mod budget;
 mod case_files;
 mod checkpoint;
+mod checksum;
 pub mod compare;
 pub mod csv;
+mod disk;
 mod error;
+#[cfg(test)]
+mod fault_tests;
 mod field_files;
 mod field_names;
 pub mod files;
 pub mod folder;
 pub mod histories;
+mod lock;
 mod memory;
 mod presentation;
 pub mod queue;
@@ -26,9 +32,11 @@ mod run_log;
 mod same_case;
 pub mod shakedown;
 pub mod simulation;
+mod stored_name;
 pub mod study;
 mod summary;
 mod tables;
+mod verify;
 mod words;
 
 pub use case_files::CaseFiles;
@@ -37,6 +45,7 @@ pub use csv::ResidualRow;
 pub use error::OutputError;
 pub use field_files::field_grids;
 pub use folder::Existing;
+pub use lock::{FolderLock, LOCK_FILE};
 pub use presentation::{Presentation, RunPresentation, TablesOnly};
 pub use recorder::Recorder;
 pub use residual::{PlasticOrigin, ProjectionSummary, ReleaseSummary, ResidualSummary, RolledSummary};
@@ -46,6 +55,7 @@ pub use shakedown::{ShakedownFolder, ShakedownSummary};
 pub use study::StudyFolder;
 pub use summary::{CrackSummary, JunctionSummary, PhaseSeconds, PieceSummary, Summary, TipSummary};
 pub use tables::table_descriptions;
+pub use verify::{Verification, verify};
 pub use words::Word;
 
 /// Version of the program that writes the files.

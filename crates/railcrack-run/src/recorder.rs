@@ -1,7 +1,8 @@
 //! Recorder of a run: its folder, written step by step.
 
 use super::case_files::{CaseFiles, same_case, same_text};
-use super::checkpoint::{Checkpoint, LogFile, TableLengths};
+use super::checkpoint::{Checkpoint, LogFile, Seals};
+use super::checksum::Seal;
 use super::csv::{CsvFile, FaceRow, ResidualRow, Rows, SifRow, SifScale, Table, TipRow, header, whole};
 use super::field_files;
 use super::files::{CASE_FILE, FIELDS_FILE, SUMMARY_FILE};
@@ -14,6 +15,7 @@ use super::run_log::RunLog;
 use super::summary::{Summary, finite_summary};
 use super::{OutputError, VERSION};
 use railcrack::growth::{GrowthState, StepRecord};
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
@@ -84,12 +86,12 @@ impl Recorder {
         let (stored, log) = LogFile::read(folder, &checkpoint)?;
         same_case(folder, &stored, &case)?;
         folder::restore_case(folder, &case)?;
-        let lengths = checkpoint.lengths;
+        let seals = checkpoint.seals;
         let counted = Instant::now();
         let recorder = Self {
-            sif: CsvFile::cut_back(&folder.join(SifRow::FILE), lengths.sif)?,
-            growth: CsvFile::cut_back(&folder.join(TipRow::FILE), lengths.growth)?,
-            faces: CsvFile::cut_back(&folder.join(FaceRow::FILE), lengths.faces)?,
+            sif: CsvFile::cut_back(&folder.join(SifRow::FILE), seals.sif)?,
+            growth: CsvFile::cut_back(&folder.join(TipRow::FILE), seals.growth)?,
+            faces: CsvFile::cut_back(&folder.join(FaceRow::FILE), seals.faces)?,
             // Once the tables end with the last finished step.
             shown: presentation.resumed_run(folder, log.steps.len())?,
             log_file: LogFile::cut_back(folder, &checkpoint)?,
@@ -134,6 +136,7 @@ impl Recorder {
     pub fn residual(&mut self, profile: &[ResidualRow], summary: ResidualSummary) -> Result<(), OutputError> {
         self.log.now.residual = Some(summary);
         let table = whole(profile.iter().copied())?;
+        self.log.now.residual_table = Some(Seal::of(&table));
         folder::replace_file(&self.folder.join(ResidualRow::FILE), &table, Durability::Cached)
     }
 
@@ -171,8 +174,7 @@ impl Recorder {
         let checkpoint = Checkpoint {
             program: VERSION.to_owned(),
             state: state.clone(),
-            lengths: self.lengths(),
-            log_checksum: self.log_file.checksum(),
+            seals: self.seals(),
             now: self.log.now.clone(),
         };
         checkpoint.write(&self.folder, durability)?;
@@ -200,7 +202,7 @@ impl Recorder {
     }
 
     fn append(&mut self, record: &StepRecord, scale: SifScale) -> Result<(), OutputError> {
-        let before = self.lengths();
+        let before = self.seals();
         let appended = self.append_rows(record, scale);
         if appended.is_err() {
             self.sif.take_back(before.sif);
@@ -216,12 +218,12 @@ impl Recorder {
         append_to(&mut self.faces, &mut self.rows, FaceRow::of_step(record))
     }
 
-    fn lengths(&self) -> TableLengths {
-        TableLengths {
-            sif: self.sif.length(),
-            growth: self.growth.length(),
-            faces: self.faces.length(),
-            log: self.log_file.length(),
+    fn seals(&self) -> Seals {
+        Seals {
+            sif: self.sif.seal(),
+            growth: self.growth.seal(),
+            faces: self.faces.seal(),
+            log: self.log_file.seal(),
         }
     }
 
@@ -238,8 +240,17 @@ impl Recorder {
         };
     }
 
+    /// Of the files that `verify` reads, for `summary.json`.
+    fn checksums(&self) -> BTreeMap<String, String> {
+        let tables = self.seals().tables();
+        let residual = self.log.now.residual_table.map(|seal| (ResidualRow::FILE, seal));
+        let fields = self.log.fields().map(|field| (field.name.as_str(), field.seal));
+        let all = tables.into_iter().chain(residual).chain(fields);
+        all.map(|(file, seal)| (file.to_owned(), seal.checksum.to_string())).collect()
+    }
+
     fn write_summary(&self, durability: Durability) -> Result<Summary, OutputError> {
-        let summary = Summary::new(&self.info, &self.log);
+        let summary = Summary { checksums: self.checksums(), ..Summary::new(&self.info, &self.log) };
         folder::write_json(&self.folder, SUMMARY_FILE, &summary, durability)?;
         Ok(summary)
     }

@@ -1,5 +1,6 @@
 //! Run log: the finished growth steps as far as the tables do not have them.
 
+use super::checksum::Seal;
 use super::field_files::FieldFileEntry;
 use super::residual::ResidualSummary;
 use railcrack::crack::{Crack, Junction};
@@ -34,6 +35,8 @@ pub(crate) struct Present {
     pub junctions: Vec<Junction>,
     /// The residual stress of the rail.
     pub residual: Option<ResidualSummary>,
+    /// Its table.
+    pub residual_table: Option<Seal>,
     /// Wall time of the finished steps, resumptions counted, seconds.
     pub wall_s: f64,
     /// Part of it that went into writing, seconds.

@@ -10,6 +10,7 @@ use railcrack::crack::{CrackEnd, End, Junction};
 use railcrack::growth::{Piece, PieceKind, RunStop, StepRecord, TipStop, Warning, WarningKind};
 use railcrack_case::{ContactSolver, Engine};
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
 /// Wall time by phase, of the run and its resumptions, seconds.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
@@ -169,6 +170,10 @@ pub struct Summary {
     /// Pieces of the rail that were enclosed, in order.
     #[serde(default)]
     pub pieces: Vec<PieceSummary>,
+    /// Checksum of each table and field file as far as the finished steps wrote it (FNV-1a, 64
+    /// bits).
+    #[serde(default)]
+    pub checksums: BTreeMap<String, String>,
 }
 
 impl Summary {
@@ -234,6 +239,7 @@ impl Summary {
                 .collect(),
             junctions: log.now.junctions.iter().map(|junction| junction_summary(junction, log)).collect(),
             pieces: log.pieces().map(piece_summary).collect(),
+            checksums: BTreeMap::new(),
         }
     }
 }

@@ -38,7 +38,11 @@ pub(crate) fn read_section(
                 given.push((key, name.span()));
                 read_value(&mut read, key, reading.chosen.of(value), file.list, report);
             }
-            Some(_) => (),
+            Some(key) => {
+                // An option takes its place, but what stands here is checked like any other value.
+                let mut replaced = SectionValues { entries: Vec::new(), refused: Vec::new(), ..read.clone() };
+                read_value(&mut replaced, key, reading.chosen.of(value), file.list, report);
+            }
             None => {
                 let shown = report.shown(&value.span());
                 report.add(unknown_key(&read, name, value, &shown, file.sections));

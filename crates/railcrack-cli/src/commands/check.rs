@@ -1,6 +1,7 @@
 //! `railcrack check`.
 
 use super::check_study::study_summary;
+use super::run::default_folder;
 use crate::exit::{Exit, Failure};
 use crate::print;
 use clap::Args;
@@ -9,8 +10,9 @@ use railcrack::crack::Crack;
 use railcrack::fatigue::DirectionCriterion;
 use railcrack::shakedown::{DepthBounds, bounds_by_depth, first_yield_ratio, shakedown_limit_ratio};
 use railcrack_case::{Case, Input, PlasticSource};
+use railcrack_run::budget::{Budget, Needs, mb};
 use railcrack_run::simulation::plastic_stress_left_out;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Validate a case or study file and say what would be computed
 ///
@@ -25,9 +27,10 @@ pub struct CheckArguments {
 
 /// Validates the case or study and prints what would be computed.
 pub fn check(arguments: &CheckArguments) -> Result<Exit, Failure> {
+    let folder = default_folder(&arguments.case);
     let text = match Input::read(&arguments.case)? {
-        Input::Case(case) => summary(&case),
-        Input::Study(study) => study_summary(&study),
+        Input::Case(case) => summary(&case, &folder),
+        Input::Study(study) => study_summary(&study, &folder),
     };
     print::stdout(&text)?;
     Ok(Exit::Done)
@@ -36,7 +39,7 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Failure> {
 /// Name and value of a line of the summary.
 type Row = (&'static str, String);
 
-fn summary(case: &Case) -> String {
+fn summary(case: &Case, folder: &Path) -> String {
     let mut text = format!("{}\n", case.title);
     for (heading, rows) in [
         ("rail", rail(case)),
@@ -49,6 +52,7 @@ fn summary(case: &Case) -> String {
         ("growth", growth(case)),
         ("plastic state", plastic_state(case)),
         ("bounds", bounds(case)),
+        ("machine", machine(&Needs::of(case), folder)),
     ] {
         if !rows.is_empty() {
             text.push_str(&format!("\n{heading}\n"));
@@ -233,6 +237,20 @@ fn plastic_state(case: &Case) -> Vec<Row> {
     ];
     if let Some(file) = &shakedown.initial_residual {
         rows.push(("initial residual", file.given_name().into()));
+    }
+    rows
+}
+
+/// What the run needs and what there is.
+fn machine(needs: &Needs, folder: &Path) -> Vec<Row> {
+    let budget = Budget::of(folder);
+    let of = |has: Option<u64>| has.map_or_else(String::new, |has| format!(" of {} MB", mb(has)));
+    let mut rows = vec![
+        ("memory", format!("about {} MB{}", mb(needs.memory), of(budget.memory))),
+        ("disk", format!("about {} MB of tables{}", mb(needs.disk), of(budget.disk))),
+    ];
+    if let Err(over) = budget.allows(*needs, 1, 1) {
+        rows.push(("too large", over.to_string()));
     }
     rows
 }

@@ -1,13 +1,15 @@
 //! `railcrack check` of a study.
 
 use railcrack_case::{Axis, RailKey, Study, StudyRun};
+use railcrack_run::budget::{Budget, Needs, mb};
 use std::collections::HashMap;
+use std::path::Path;
 
 /// Runs that are listed one by one.
 const MOST_LISTED: usize = 50;
 
 /// The study as a few lines: what varies, what is shared, its runs.
-pub fn study_summary(study: &Study) -> String {
+pub fn study_summary(study: &Study, folder: &Path) -> String {
     let count = study.runs.len();
     let runs = if count == 1 { "1 run".to_owned() } else { format!("{count} runs") };
     let mut text = format!("{}\n\nstudy\n  {:<20} {runs}, {}\n", study.title, "runs", study.combine.name());
@@ -26,6 +28,17 @@ pub fn study_summary(study: &Study) -> String {
             "memory"
         ));
     }
+    let needs = study.runs.iter().map(|run| Needs::of(&run.case).disk);
+    let disk = needs.fold(0u64, u64::saturating_add);
+    let budget = Budget::of(folder);
+    let of = |has: Option<u64>| has.map_or_else(|| "unknown".to_owned(), |has| format!("{} MB", mb(has)));
+    text.push_str(&format!("  {:<20} about {} MB of tables, all runs\n", "disk", mb(disk)));
+    text.push_str(&format!(
+        "  {:<20} {} of memory, {} of free disk\n",
+        "machine",
+        of(budget.memory),
+        of(budget.disk)
+    ));
     text.push_str("\nruns\n");
     for run in study.runs.iter().take(MOST_LISTED) {
         let StudyRun { number, label, case, .. } = run;

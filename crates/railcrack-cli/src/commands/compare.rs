@@ -40,6 +40,9 @@ pub struct CompareArguments {
     /// Replace the comparison in the folder, with --engines its runs too
     #[arg(long)]
     force: bool,
+    /// With --engines: compute what needs more memory or disk than there is
+    #[arg(long, requires = "engines")]
+    no_limits: bool,
 }
 
 fn percent(text: &str) -> Result<f64, String> {
@@ -111,6 +114,7 @@ fn run_with(arguments: &CompareArguments, engine: &str, out: &Path) -> RunArgume
         quiet: arguments.quiet,
         resume: false,
         force: arguments.force,
+        no_limits: arguments.no_limits,
     }
 }
 

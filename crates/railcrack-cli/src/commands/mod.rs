@@ -10,6 +10,7 @@ pub mod run;
 pub mod schema;
 pub mod shakedown;
 pub mod sweep;
+pub mod verify;
 
 use crate::arguments::Command;
 use crate::exit::{Exit, Failure};
@@ -24,6 +25,7 @@ pub fn dispatch(command: Command) -> Result<Exit, Failure> {
         Command::Sweep(arguments) => sweep::sweep(&arguments),
         Command::Report(arguments) => report::report(&arguments),
         Command::Shakedown(arguments) => shakedown::shakedown(&arguments),
+        Command::Verify(arguments) => verify::verify(&arguments),
         Command::Paper(arguments) => paper::paper(&arguments),
         Command::Schema(arguments) => schema::schema(&arguments),
     }

@@ -8,6 +8,7 @@ use crate::progress::{Progress, cycles};
 use clap::Args;
 use railcrack_case::{Case, Overrides};
 use railcrack_report::Pages;
+use railcrack_run::budget::{Budget, Needs};
 use railcrack_run::simulation::{Ending, Finished, RunEntry, RunError, Simulation};
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
@@ -45,6 +46,9 @@ pub struct RunArguments {
     /// Replace the run in the folder
     #[arg(long)]
     pub force: bool,
+    /// Compute what needs more memory or disk than there is
+    #[arg(long)]
+    pub no_limits: bool,
 }
 
 /// Runs the case and prints the result.
@@ -80,6 +84,9 @@ pub fn compute(arguments: &RunArguments, interruption: &Interruption) -> Result<
     let entry = arguments.entry();
     if entry != RunEntry::Resume && is_same_file(&arguments.case, &folder.join("case.toml")) {
         return Err(Failure::CaseInRunFolder { path: arguments.case.clone() });
+    }
+    if !arguments.no_limits {
+        Budget::of(&folder).allows(Needs::of(&case), 1, 1)?;
     }
     let verbosity = if arguments.quiet { Verbosity::Quiet } else { Verbosity::Progress };
     let progress = Progress::new(verbosity, case.growth.steps, interruption);

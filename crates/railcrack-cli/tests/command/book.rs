@@ -162,7 +162,7 @@ fn run_block(place: &Place, block: &Block) -> Result<(), String> {
         };
     }
     match block.language.as_str() {
-        // Tests of their own have fragments of cases, and programs in Rust.
+        // The reader's own test has fragments of cases, another one the program of the README.
         "text" | "" | "toml" | "rust" => Ok(()),
         "sh" => {
             let commands: Result<Vec<String>, String> = block.text.lines().map(as_run).collect();

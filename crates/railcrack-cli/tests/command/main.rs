@@ -7,6 +7,7 @@ mod compare;
 mod documents;
 mod paper;
 mod plastic_stress;
+mod reliability;
 mod report;
 mod run;
 mod shakedown;

@@ -356,6 +356,24 @@ fn refusals_write_nothing() {
 }
 
 #[test]
+fn no_name_in_a_file_leads_out_of_its_folder() {
+    let folder = workplace("names", STUDY);
+    assert_eq!(sweep(&folder, &["--steps", "0"]).0, Some(0));
+    let victim = folder.join("victim");
+    fs::rename(folder.join("study/runs/001-friction-0.1-angle_deg-20"), &victim).unwrap();
+    let plan = folder.join("study/study.json");
+    let text = fs::read_to_string(&plan).unwrap();
+    fs::write(&plan, text.replace("001-friction-0.1-angle_deg-20", "../../victim")).unwrap();
+    let before = files(&victim);
+    for line in [&["sweep", "study.toml", "--steps", "0", "--force"][..], &["report", "study"]] {
+        let (code, _, err) = railcrack(&folder, line);
+        assert_eq!(code, Some(4), "{err}");
+        assert!(err.contains("study.json names \"../../victim\""), "{err}");
+    }
+    assert_eq!(files(&victim), before);
+}
+
+#[test]
 fn another_study_does_not_enter_the_folder() {
     let folder = workplace("entered", STUDY);
     assert_eq!(sweep(&folder, &["--steps", "0"]).0, Some(0));

@@ -3,6 +3,7 @@
 use super::comparison::Comparison;
 use super::json::json_text;
 use super::tables::{CompareRow, PositionRow};
+use crate::checksum::checksums;
 use crate::csv::{Table, whole};
 use crate::files::{COMPARE_FILE, REPORT_FILE};
 use crate::folder::{Durability, replace_file};
@@ -40,7 +41,8 @@ impl Comparison {
         let put = |file: &str, content: &[u8]| replace_file(&folder.join(file), content, Durability::Cached);
         put(CompareRow::FILE, &whole(self.tips.iter().map(|tip| CompareRow::of(self, tip)))?)?;
         put(PositionRow::FILE, &whole(self.tips.iter().zip(&self.aligned).flat_map(PositionRow::of_tip))?)?;
-        put(COMPARE_FILE, json_text(self, tolerance).as_bytes())?;
+        let checksums = checksums(folder, &[CompareRow::FILE, PositionRow::FILE])?;
+        put(COMPARE_FILE, json_text(self, tolerance, &checksums).as_bytes())?;
         Ok(())
     }
 

@@ -3,12 +3,19 @@
 use super::comparison::Comparison;
 use super::tip::{SifDifference, TipComparison, TipSifs};
 use crate::VERSION;
+use crate::checksum::sign;
 use serde_json::{Value, json};
+use std::collections::BTreeMap;
 
 /// The text of `compare.json`; `tolerance` in per cent of the largest |K| of the case.
-pub(super) fn json_text(comparison: &Comparison, tolerance: Option<f64>) -> String {
+/// `checksums` are those of its tables.
+pub(super) fn json_text(
+    comparison: &Comparison,
+    tolerance: Option<f64>,
+    checksums: &BTreeMap<String, String>,
+) -> String {
     let largest = comparison.largest_percent();
-    let value = json!({
+    let mut value = json!({
         "version": VERSION,
         "runs": comparison.runs,
         "case_differences": comparison.case_differences,
@@ -28,7 +35,9 @@ pub(super) fn json_text(comparison: &Comparison, tolerance: Option<f64>) -> Stri
         })),
         "parting": comparison.parting,
         "paths": comparison.cracks,
+        "checksums": checksums,
     });
+    sign(&mut value);
     format!("{value:#}\n")
 }
 

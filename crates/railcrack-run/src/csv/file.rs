@@ -1,8 +1,10 @@
 //! A table that grows by whole rows and can be cut back to a known length.
 
 use crate::OutputError;
+use crate::checksum::Seal;
+use crate::disk;
 use std::fs::{File, OpenOptions};
-use std::io::{Seek, SeekFrom, Write};
+use std::io::{Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 
 /// The most bytes of one write: a kill between two writes leaves whole rows. Within a write it
@@ -16,76 +18,96 @@ const CHUNK: usize = 4096;
 pub(crate) struct CsvFile {
     path: PathBuf,
     file: File,
-    length: u64,
+    seal: Seal,
 }
 
 impl CsvFile {
     /// A new table at `path` that holds `header` only, whatever was there.
     pub(crate) fn create(path: &Path, header: &str) -> Result<Self, OutputError> {
-        let mut table = Self::open(path, 0)?;
+        let mut table = Self::open(path, Seal::NOTHING)?;
         table.append(header.as_bytes())?;
         Ok(table)
     }
 
-    /// The table at `path`, cut back to `length` bytes: what came after was written by a step that
-    /// did not finish.
-    pub(crate) fn cut_back(path: &Path, length: u64) -> Result<Self, OutputError> {
-        let found = std::fs::metadata(path).map_err(OutputError::io("read", path))?.len();
-        if found < length {
-            let reason = format!("holds {found} bytes where the finished steps wrote {length}");
-            return Err(OutputError::damaged(path, reason));
-        }
-        Self::open(path, length)
+    /// The table at `path`, cut back to what `seal` says of the finished steps: what came after was
+    /// written by a step that did not finish.
+    ///
+    /// Errors: less than that is there, or something else; the system refuses.
+    pub(crate) fn cut_back(path: &Path, seal: Seal) -> Result<Self, OutputError> {
+        check_sealed(path, seal)?;
+        Self::open(path, seal)
     }
 
-    fn open(path: &Path, length: u64) -> Result<Self, OutputError> {
+    fn open(path: &Path, seal: Seal) -> Result<Self, OutputError> {
         let refused = || OutputError::io("write", path);
         let mut options = OpenOptions::new();
         let mut file = options.write(true).create(true).truncate(false).open(path).map_err(refused())?;
-        file.set_len(length).map_err(refused())?;
-        file.seek(SeekFrom::Start(length)).map_err(refused())?;
-        Ok(Self { path: path.to_path_buf(), file, length })
+        disk::set_length(&file, path, seal.length).map_err(refused())?;
+        file.seek(SeekFrom::Start(seal.length)).map_err(refused())?;
+        Ok(Self { path: path.to_path_buf(), file, seal })
     }
 
     /// Appends whole rows. On an error the table is cut back to what it held before.
     pub(crate) fn append(&mut self, rows: &[u8]) -> Result<(), OutputError> {
-        if let Err(reason) = write_whole_rows(&mut self.file, rows) {
-            self.take_back(self.length);
+        let write = |piece: &[u8]| disk::write(&mut self.file, &self.path, piece);
+        if let Err(reason) = write_whole_rows(write, rows) {
+            self.take_back(self.seal);
             return Err(OutputError::Io { action: "write", path: self.path.clone(), reason });
         }
-        self.length += rows.len() as u64;
+        self.seal = self.seal.with(rows);
         Ok(())
     }
 
-    /// Takes rows back that should not have been appended: the table held `length` bytes before.
+    /// Takes rows back that should not have been appended: the table held what `seal` says before.
     /// Best effort, since there is another error to report.
-    pub(crate) fn take_back(&mut self, length: u64) {
-        let _ = self.file.set_len(length);
-        let _ = self.file.seek(SeekFrom::Start(length));
-        self.length = length;
+    pub(crate) fn take_back(&mut self, seal: Seal) {
+        let _ = disk::set_length(&self.file, &self.path, seal.length);
+        let _ = self.file.seek(SeekFrom::Start(seal.length));
+        self.seal = seal;
     }
 
     /// Waits until the disk has the rows: a checkpoint must not outlive what it counts on.
     pub(crate) fn sync(&self) -> Result<(), OutputError> {
-        self.file.sync_data().map_err(OutputError::io("write", &self.path))
+        disk::sync(&self.file, &self.path).map_err(OutputError::io("write", &self.path))
     }
 
-    /// Bytes in the table.
-    pub(crate) fn length(&self) -> u64 {
-        self.length
+    /// What the table holds.
+    pub(crate) fn seal(&self) -> Seal {
+        self.seal
     }
+}
+
+/// Whether the table at `path` begins with what `seal` says of the finished steps. How many bytes
+/// it has.
+///
+/// Errors: it does not; the system refuses.
+pub(crate) fn check_sealed(path: &Path, seal: Seal) -> Result<u64, OutputError> {
+    let refused = || OutputError::io("read", path);
+    let file = File::open(path).map_err(refused())?;
+    let length = file.metadata().map_err(refused())?.len();
+    if length < seal.length {
+        let reason = format!("holds {length} bytes where the finished steps wrote {}", seal.length);
+        return Err(OutputError::damaged(path, reason));
+    }
+    if Seal::read(file, seal.length).map_err(refused())? != seal {
+        return Err(OutputError::damaged(path, "does not hold what the finished steps wrote (checksum)"));
+    }
+    Ok(length)
 }
 
 /// Writes `rows` by calls of at most [`CHUNK`] bytes that end with a row; a row longer than that
 /// goes alone.
-fn write_whole_rows(out: &mut impl Write, mut rows: &[u8]) -> std::io::Result<()> {
+fn write_whole_rows(
+    mut write: impl FnMut(&[u8]) -> std::io::Result<()>,
+    mut rows: &[u8],
+) -> std::io::Result<()> {
     while !rows.is_empty() {
         let window = &rows[..rows.len().min(CHUNK)];
         let end = match window.iter().rposition(|&byte| byte == b'\n') {
             Some(last) => last + 1,
             None => rows.iter().position(|&byte| byte == b'\n').map_or(rows.len(), |last| last + 1),
         };
-        out.write_all(&rows[..end])?;
+        write(&rows[..end])?;
         rows = &rows[end..];
     }
     Ok(())
@@ -95,35 +117,31 @@ fn write_whole_rows(out: &mut impl Write, mut rows: &[u8]) -> std::io::Result<()
 mod tests {
     use super::*;
 
-    /// Remembers every call.
-    struct Calls(Vec<Vec<u8>>);
-
-    impl Write for Calls {
-        fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
-            self.0.push(bytes.to_vec());
-            Ok(bytes.len())
-        }
-        fn flush(&mut self) -> std::io::Result<()> {
+    /// Every call.
+    fn calls(rows: &[u8]) -> Vec<Vec<u8>> {
+        let mut calls = Vec::new();
+        let write = |piece: &[u8]| {
+            calls.push(piece.to_vec());
             Ok(())
-        }
+        };
+        write_whole_rows(write, rows).unwrap();
+        calls
     }
 
     #[test]
     fn every_write_ends_with_a_row_and_stays_small() {
         let rows: String = (0..2000).map(|i| format!("{i},{}\n", "x".repeat(i % 97))).collect();
-        let mut calls = Calls(Vec::new());
-        write_whole_rows(&mut calls, rows.as_bytes()).unwrap();
-        assert!(calls.0.len() > 10);
-        assert!(calls.0.iter().all(|call| call.len() <= CHUNK && call.ends_with(b"\n")));
-        assert_eq!(calls.0.concat(), rows.as_bytes());
+        let calls = calls(rows.as_bytes());
+        assert!(calls.len() > 10);
+        assert!(calls.iter().all(|call| call.len() <= CHUNK && call.ends_with(b"\n")));
+        assert_eq!(calls.concat(), rows.as_bytes());
     }
 
     #[test]
     fn a_row_longer_than_a_chunk_is_written_whole() {
         let rows = format!("short\n{}\nend\n", "y".repeat(3 * CHUNK));
-        let mut calls = Calls(Vec::new());
-        write_whole_rows(&mut calls, rows.as_bytes()).unwrap();
-        assert!(calls.0.iter().all(|call| call.ends_with(b"\n")));
-        assert_eq!(calls.0.concat(), rows.as_bytes());
+        let calls = calls(rows.as_bytes());
+        assert!(calls.iter().all(|call| call.ends_with(b"\n")));
+        assert_eq!(calls.concat(), rows.as_bytes());
     }
 }

@@ -14,7 +14,7 @@ mod table;
 pub use column::Column;
 pub use faces::FaceRow;
 pub use fields::Fields;
-pub(crate) use file::CsvFile;
+pub(crate) use file::{CsvFile, check_sealed};
 pub use growth::{TipRow, deferred_growth};
 pub use read::{StepBlock, StepBlocks, read_table};
 pub use residual::ResidualRow;

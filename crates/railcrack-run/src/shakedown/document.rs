@@ -8,6 +8,7 @@ use railcrack::shakedown::{
     DepthBounds, LayerState, MapPoint, Method, RailState, first_yield_ratio, shakedown_limit_ratio,
 };
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
 /// The stabilised state in numbers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -58,6 +59,9 @@ pub struct ShakedownSummary {
     pub wall_s: f64,
     /// Remarks for the reader.
     pub warnings: Vec<String>,
+    /// Checksum of each table and field file (FNV-1a, 64 bits).
+    #[serde(default)]
+    pub checksums: BTreeMap<String, String>,
 }
 
 /// A bound and the depth that decides.
@@ -274,6 +278,7 @@ impl ShakedownSummary {
             }),
             wall_s: results.wall_s,
             warnings: results.warnings.clone(),
+            checksums: BTreeMap::new(),
         }
     }
 }

@@ -6,6 +6,7 @@ use super::results::ShakedownResults;
 use super::tables::{LayerRow, PassRow};
 use crate::OutputError;
 use crate::case_files::CaseFiles;
+use crate::checksum::checksums;
 use crate::csv::{CsvFile, Rows, Table, header, whole};
 use crate::files::{CYCLE_FILE, PLASTIC_FILE, SHAKEDOWN_FILE};
 use crate::folder::{self, Durability, Existing};
@@ -55,7 +56,8 @@ impl ShakedownRecorder {
             let path = self.folder.join(name);
             write_vtu(&path, &grid)?;
         }
-        let summary = ShakedownSummary::of(results);
+        let checksums = checksums(&self.folder, &[PassRow::FILE, LayerRow::FILE, PLASTIC_FILE, CYCLE_FILE])?;
+        let summary = ShakedownSummary { checksums, ..ShakedownSummary::of(results) };
         folder::write_json(&self.folder, SHAKEDOWN_FILE, &summary, Durability::Cached)?;
         Ok(summary)
     }

@@ -35,6 +35,10 @@ pub trait StudyObserver: Sync {
     fn of_run(&self, steps: usize) -> Box<dyn RunObserver + '_>;
     /// A run is over; `text` says how.
     fn over(&self, _run: &PlannedRun, _text: &str) {}
+    /// A run is left to the process that computes it; `text` says so.
+    fn left(&self, run: &PlannedRun, text: &str) {
+        self.over(run, text);
+    }
     /// Whether to stop: runs that are being computed are interrupted, and no other is begun.
     fn interrupted(&self) -> bool {
         false

@@ -3,7 +3,7 @@
 use super::error::RunError;
 use super::job::case_files;
 use crate::shakedown::{Extent, ShakedownRecorder, ShakedownResults, ShakedownSummary};
-use crate::{Existing, Presentation};
+use crate::{Existing, FolderLock, OutputError, Presentation};
 use railcrack::fatigue::Initiation;
 use railcrack::shakedown::{
     Method, PassRecord, RailState, RolledRail, Stabilisation, StabilisedRail, bounds_by_depth, check_rail,
@@ -34,6 +34,10 @@ pub fn roll(
     let (rail, settings) = (case.rolled_rail(), case.stabilisation());
     check_rail(&rail)?;
     let started = Instant::now();
+    if !folder.exists() {
+        std::fs::create_dir_all(folder).map_err(OutputError::io("create the folder", folder))?;
+    }
+    let _lock = folder.is_dir().then(|| FolderLock::take(folder)).transpose()?;
     let mut recorder = ShakedownRecorder::start(folder, &case_files(case), existing)?;
     let mut refused = None;
     let stabilised = stabilise(&rail, &settings, |pass| {

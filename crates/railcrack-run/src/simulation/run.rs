@@ -5,7 +5,7 @@ use super::error::RunError;
 use super::job::{Job, Stage};
 use super::observer::{RunObserver, Silent};
 use super::residual_stress::{Residual, prepare};
-use crate::{Existing, OutputError, Presentation, Recorder, Summary, TablesOnly};
+use crate::{Existing, FolderLock, OutputError, Presentation, Recorder, Summary, TablesOnly};
 use railcrack::growth::GrowthState;
 use railcrack_case::{Case, SharedRail};
 use std::path::{Path, PathBuf};
@@ -93,6 +93,7 @@ pub fn run_steps<S: StepSource>(
     presentation: &dyn Presentation,
     start: impl FnOnce(Stage) -> Result<(S, Option<Residual>), RunError>,
 ) -> Result<Finished, RunError> {
+    let _lock = lock(folder, entry)?;
     let (mut recorder, state) = open(folder, entry, job, presentation)?;
     observer.begins(state.as_ref().map_or(0, |state| state.step));
     let finished = |(ending, summary)| Finished { ending, summary, folder: folder.to_path_buf() };
@@ -105,6 +106,15 @@ pub fn run_steps<S: StepSource>(
         residual.record(&mut recorder, observer)?;
     }
     Ok(finished(drive(source, &mut recorder, observer)?))
+}
+
+/// The lock of `folder`, which is created where the run may begin in it; none where it cannot be
+/// entered anyway, which the recorder says.
+fn lock(folder: &Path, entry: RunEntry) -> Result<Option<FolderLock>, OutputError> {
+    if entry != RunEntry::Resume && !folder.exists() {
+        std::fs::create_dir_all(folder).map_err(OutputError::io("create the run folder", folder))?;
+    }
+    folder.is_dir().then(|| FolderLock::take(folder)).transpose()
 }
 
 fn open(

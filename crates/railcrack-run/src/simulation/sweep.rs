@@ -6,6 +6,7 @@ use super::observer::StudyObserver;
 use super::run::{RunEntry, Simulation};
 use crate::queue::{NextRun, RunQueue, WaitingRun};
 use crate::study::{Outcome, PlannedRun, RunEnd, StudyAxis, StudyFolder, StudyKey, StudyPlan};
+use crate::verify::check_numbers;
 use crate::{OutputError, Presentation, Summary, VERSION};
 use railcrack::growth::RunStop;
 use railcrack::shakedown::ShakedownError;
@@ -88,6 +89,10 @@ impl StudyComputation<'_> {
         let computed = self.steps(run, planned, next);
         let (outcome, told) = match &computed {
             Ok((Ending::Interrupted, _)) => return None,
+            Err(error @ RunError::Output(OutputError::InUse { .. })) => {
+                self.observer.left(planned, &format!("run {} ({}): {error}", run.number, run.label));
+                return None;
+            }
             Ok((Ending::Ended, summary)) => (Outcome::done(), done(summary)),
             Err(error) => (Outcome::failed(end_of(error), &error.to_string()), format!("failed: {error}")),
         };
@@ -131,7 +136,10 @@ impl StudyFolder {
             }
             match self.outcome(planned)? {
                 Some(outcome) if outcome.is_settled() => {
-                    if let Some(reason) = outcome.reason {
+                    if let Err(error @ OutputError::Damaged { .. }) = check_numbers(&self.run_folder(planned))
+                    {
+                        failed.push(FailedRun::of(run, RunEnd::CannotReadOrWrite, error.to_string()));
+                    } else if let Some(reason) = outcome.reason {
                         failed.push(FailedRun::of(run, outcome.end, reason));
                     }
                 }

@@ -8,7 +8,8 @@ use crate::folder::{
     clear_run, json_text, read_if_there, read_json_if_there, remove, run_file_in, run_file_in_study,
 };
 use crate::same_case::check_case;
-use crate::{OutputError, RunFolder};
+use crate::stored_name::check_stored_name;
+use crate::{FolderLock, LOCK_FILE, OutputError, RunFolder};
 use std::path::{Path, PathBuf};
 use std::time::{SystemTime, UNIX_EPOCH};
 
@@ -55,7 +56,7 @@ impl StudyFolder {
         cases: &[CaseFiles],
     ) -> Result<Self, OutputError> {
         let folder = Self { path: path.to_path_buf(), plan };
-        let stored = read_json_if_there::<StudyPlan>(path, PLAN_FILE)?;
+        let stored = stored_plan(path)?;
         folder.may_enter(stored.as_ref(), entry)?;
         let own = || folder.plan.runs.iter().filter(|run| own.contains(&run.number));
         for run in own() {
@@ -75,16 +76,19 @@ impl StudyFolder {
             }
         }
         std::fs::create_dir_all(path).map_err(OutputError::io("create the folder of the study", path))?;
-        if entry == Entry::Replace {
+        let replaced: Vec<PathBuf> = match entry {
             // A study with other runs leaves none of its own behind.
-            for run in stored.iter().flat_map(|plan| &plan.runs) {
-                clear_run(&folder.run_folder(run))?;
+            Entry::Replace => {
+                stored.iter().flat_map(|plan| &plan.runs).map(|run| folder.run_folder(run)).collect()
             }
-        } else if entry == Entry::ReplacePart {
-            for run in own() {
-                clear_run(&folder.run_folder(run))?;
-            }
+            Entry::ReplacePart => own().map(|run| folder.run_folder(run)).collect(),
+            _ => Vec::new(),
+        };
+        // Before anything is removed.
+        for run in replaced.iter().filter(|run| run.join(LOCK_FILE).exists()) {
+            drop(FolderLock::take(run)?);
         }
+        replaced.iter().try_for_each(|run| clear_run(run))?;
         folder.put(STUDY_FILE, text.as_bytes())?;
         let text = json_text(&path.join(PLAN_FILE), &folder.plan)?;
         folder.put(PLAN_FILE, text.as_bytes())?;
@@ -125,8 +129,7 @@ impl StudyFolder {
     ///
     /// Errors: no study in the folder; its plan is damaged; the system refuses.
     pub fn open(path: &Path) -> Result<Self, OutputError> {
-        let plan = read_json_if_there::<StudyPlan>(path, PLAN_FILE)?
-            .ok_or_else(|| OutputError::NoStudy { folder: path.to_path_buf() })?;
+        let plan = stored_plan(path)?.ok_or_else(|| OutputError::NoStudy { folder: path.to_path_buf() })?;
         Ok(Self { path: path.to_path_buf(), plan })
     }
 
@@ -201,6 +204,15 @@ impl StudyFolder {
     pub fn take_away(&self, file: &str) -> Result<(), OutputError> {
         remove(&self.path.join(file))
     }
+}
+
+/// The plan of the study in `folder`, whose run folders all lie in it; none where it holds no study.
+fn stored_plan(folder: &Path) -> Result<Option<StudyPlan>, OutputError> {
+    let plan = read_json_if_there::<StudyPlan>(folder, PLAN_FILE)?;
+    for run in plan.iter().flat_map(|plan| &plan.runs) {
+        check_stored_name(&folder.join(PLAN_FILE), &run.folder)?;
+    }
+    Ok(plan)
 }
 
 impl StudyPlan {

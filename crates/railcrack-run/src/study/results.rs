@@ -1,10 +1,12 @@
 //! The results of a study, gathered from its run folders.
 
 use super::folder::StudyFolder;
+use super::outcome::RunEnd;
 use super::plan::PlannedRun;
 use super::state::{RunState, StudyRow};
 use crate::files::SUMMARY_FILE;
 use crate::representative::RepresentativeTip;
+use crate::verify::check_numbers;
 use crate::{OutputError, RunFolder};
 
 /// The results of a study: a row per run, in the order of the runs.
@@ -23,23 +25,45 @@ impl StudyFolder {
         Ok(StudyResults { rows: rows? })
     }
 
+    /// A damaged run is one that has failed: nothing of its numbers goes into the results.
     fn row(&self, run: &PlannedRun) -> Result<StudyRow, OutputError> {
+        match self.whole_row(run) {
+            Err(error @ (OutputError::Damaged { .. } | OutputError::Field(_))) => {
+                let reason = error.to_string();
+                let state = RunState::Failed { end: RunEnd::CannotReadOrWrite, reason: reason.clone() };
+                let (number, damage) = (run.number, Some(reason));
+                Ok(StudyRow { number, state, summary: None, representative: None, damage })
+            }
+            row => row,
+        }
+    }
+
+    fn whole_row(&self, run: &PlannedRun) -> Result<StudyRow, OutputError> {
         let folder = self.run_folder(run);
         // In this order: a run that ends in between counts as one that has not.
         let outcome = self.outcome(run)?;
+        if outcome.is_some() {
+            check_numbers(&folder)?;
+        }
         let there = folder.join(SUMMARY_FILE).is_file();
         let open = if there { Some(RunFolder::open(&folder)?) } else { None };
         let open = open.filter(|open| open.summary.steps_recorded > 0);
         let steps = open.as_ref().map_or(0, |open| open.summary.steps_recorded);
         let representative = open.as_ref().map(RepresentativeTip::of).transpose()?.flatten();
         let summary = open.map(|open| open.summary);
-        Ok(StudyRow { number: run.number, state: RunState::of(outcome, steps), summary, representative })
+        let (number, state) = (run.number, RunState::of(outcome, steps));
+        Ok(StudyRow { number, state, summary, representative, damage: None })
     }
 }
 
 impl StudyResults {
     pub(super) fn are_complete(&self) -> bool {
         self.rows.iter().all(|row| row.state.is_over())
+    }
+
+    /// The damaged runs: their numbers, and what is wrong with them.
+    pub fn damaged(&self) -> impl Iterator<Item = (usize, &str)> {
+        self.rows.iter().filter_map(|row| Some((row.number, row.damage.as_deref()?)))
     }
 
     /// Number of runs in a state.

@@ -143,7 +143,7 @@ impl From<&StudyRow> for TimesRow {
 }
 
 impl StudyResults {
-    pub(super) fn table(&self, plan: &StudyPlan) -> Result<Vec<u8>, OutputError> {
+    pub(crate) fn table(&self, plan: &StudyPlan) -> Result<Vec<u8>, OutputError> {
         let keys = plan.axes.iter().flat_map(|axis| &axis.keys).map(|key| key.key.as_str());
         let columns = ["run", "folder"].into_iter().chain(keys).chain(column_names::<StudySummaryRow>(&[]));
         let mut rows = Rows::default();

@@ -2,7 +2,7 @@
 
 use super::progress::StudyProgress;
 use super::shard::Shard;
-use super::tell::result_text;
+use super::tell::{result_text, tell_failed};
 use crate::commands::run::{default_folder, listen};
 use crate::display::Verbosity;
 use crate::exit::{Exit, Failure};
@@ -11,6 +11,7 @@ use clap::Args;
 use railcrack_case::{Overrides, Study};
 use railcrack_report::Pages;
 use railcrack_run::StudyFolder;
+use railcrack_run::budget::{Budget, Needs, OverBudget};
 use railcrack_run::simulation::{Ending, FailedRun, RunError, StudyComputation, case_files, study_plan};
 use railcrack_run::study::{Entry, RunEnd};
 use std::num::NonZeroUsize;
@@ -52,6 +53,9 @@ pub struct SweepArguments {
     /// Replace the study in the folder; with --shard, this part of it
     #[arg(long)]
     force: bool,
+    /// Compute what needs more memory or disk than there is
+    #[arg(long)]
+    no_limits: bool,
 }
 
 impl SweepArguments {
@@ -91,6 +95,10 @@ pub fn sweep(arguments: &SweepArguments) -> Result<Exit, Failure> {
         .filter(|&number| arguments.shard.is_none_or(|shard| shard.has(number)))
         .collect();
     let path = arguments.out.clone().unwrap_or_else(|| default_folder(&arguments.study));
+    let threads = threads(arguments.threads);
+    if !arguments.no_limits {
+        within_budget(&study, &own, threads, &Budget::of(&path))?;
+    }
     let cases: Vec<_> = study.runs.iter().map(|run| case_files(&run.case)).collect();
     let plan = study_plan(&study, arguments.options());
     let folder = StudyFolder::enter(&path, plan, &study.text, arguments.entry(), &own, &cases)
@@ -103,14 +111,39 @@ pub fn sweep(arguments: &SweepArguments) -> Result<Exit, Failure> {
     let progress = StudyProgress::new(verbosity, waiting.len(), steps, &interruption);
     let computation =
         StudyComputation { study: &study, folder: &folder, observer: &progress, presentation: &Pages };
-    failed.extend(computation.compute(&waiting, threads(arguments.threads))?);
+    let computed = computation.compute(&waiting, threads)?;
     progress.close();
-    failed.sort_by_key(|run| run.number);
+    interruption.acknowledge();
 
     let results = folder.write_results(&Pages).map_err(RunError::from)?;
+    for (number, reason) in results.damaged() {
+        if failed.iter().chain(&computed).all(|run| run.number != number) {
+            let label = study.runs[number - 1].label.clone();
+            failed.push(FailedRun {
+                number,
+                label,
+                end: RunEnd::CannotReadOrWrite,
+                reason: reason.to_owned(),
+            });
+        }
+    }
+    // The others have been told as they failed.
+    tell_failed(&failed);
+    if arguments.quiet {
+        tell_failed(&computed);
+    }
+    failed.extend(computed);
+    failed.sort_by_key(|run| run.number);
     let ending = if interruption.asked() { Ending::Interrupted } else { Ending::Ended };
     print::stdout(&result_text(&folder, &results, &failed, ending))?;
     Ok(exit(&failed, ending))
+}
+
+/// Whether the runs `own` fit, the largest ones side by side.
+fn within_budget(study: &Study, own: &[usize], threads: usize, budget: &Budget) -> Result<(), OverBudget> {
+    let needs = study.runs.iter().filter(|run| own.contains(&run.number)).map(|run| Needs::of(&run.case));
+    let largest = needs.reduce(|a, b| Needs { memory: a.memory.max(b.memory), disk: a.disk.max(b.disk) });
+    largest.map_or(Ok(()), |needs| budget.allows(needs, own.len(), threads.min(own.len())))
 }
 
 fn exit(failed: &[FailedRun], ending: Ending) -> Exit {

@@ -3,6 +3,7 @@
 use railcrack_run::StudyFolder;
 use railcrack_run::simulation::{Ending, FailedRun};
 use railcrack_run::study::{RunState, StudyResults};
+use std::io::Write;
 
 /// Failed runs that are told one by one.
 const MOST_TOLD: usize = 20;
@@ -25,15 +26,25 @@ pub fn result_text(
     .map(|(name, count)| format!("{count} {name}"))
     .collect();
     let mut text = format!("{} runs: {}\n", results.rows.len(), counted.join(", "));
-    for run in failed.iter().take(MOST_TOLD) {
-        text.push_str(&format!("run {} ({}) failed: {}\n", run.number, run.label, run.reason));
-    }
-    if failed.len() > MOST_TOLD {
-        text.push_str(&format!("{} more failed, see summary.csv\n", failed.len() - MOST_TOLD));
-    }
+    text.push_str(&failed_text(failed));
     text.push_str(&format!("results in {}\n", folder.path().display()));
     if ending == Ending::Interrupted {
         text.push_str("the same command with --resume goes on from here\n");
+    }
+    text
+}
+
+/// The failed runs on standard error, whoever reads the result: with `--quiet`, too.
+pub fn tell_failed(failed: &[FailedRun]) {
+    // Nobody is left to tell when standard error itself is gone.
+    let _ = write!(std::io::stderr().lock(), "{}", failed_text(failed));
+}
+
+fn failed_text(failed: &[FailedRun]) -> String {
+    let line = |run: &FailedRun| format!("run {} ({}) failed: {}\n", run.number, run.label, run.reason);
+    let mut text: String = failed.iter().take(MOST_TOLD).map(line).collect();
+    if failed.len() > MOST_TOLD {
+        text.push_str(&format!("{} more failed, see summary.csv\n", failed.len() - MOST_TOLD));
     }
     text
 }

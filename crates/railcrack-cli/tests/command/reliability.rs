@@ -1,0 +1,244 @@
+//! What a user's results survive: other processes, turned bits, signals, cases larger than the
+//! machine.
+
+use super::common::{self, command, done, ends, read, stderr, stdout};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+/// A quick case of the dislocation engine.
+const CASE: &str = r#"
+[contact]
+peak_pressure_mpa = 845.0
+half_width_mm = 6.75
+friction = 0.3
+
+[[crack]]
+mouth_mm = 0.0
+length_mm = 6.0
+angle_deg = 40.0
+friction = 0.2
+
+[passage]
+positions = 41
+
+[mesh]
+interface_elements = 16
+
+[growth]
+steps = 2
+
+[solver]
+engine = "dislocation"
+"#;
+
+fn workplace(name: &str) -> PathBuf {
+    let folder = common::folder("reliability", name);
+    fs::write(folder.join("case.toml"), CASE).unwrap();
+    folder
+}
+
+fn wait_for(file: &Path) {
+    let started = Instant::now();
+    while !file.exists() {
+        assert!(started.elapsed() < Duration::from_secs(60), "{} never came", file.display());
+        std::thread::sleep(Duration::from_millis(5));
+    }
+}
+
+/// Turns a bit of the last digit in `file`: a number with another value, or a word with another
+/// letter.
+fn turn_a_bit(file: &Path) -> Vec<u8> {
+    let before = fs::read(file).unwrap();
+    let mut bytes = before.clone();
+    let at = bytes.iter().rposition(u8::is_ascii_digit).unwrap();
+    bytes[at] ^= 1;
+    fs::write(file, bytes).unwrap();
+    before
+}
+
+#[test]
+fn two_processes_do_not_share_a_run_folder() {
+    let folder = workplace("lock");
+    let long = CASE.replace("interface_elements = 16", "interface_elements = 400");
+    fs::write(folder.join("long.toml"), long.replace("steps = 2", "steps = 500")).unwrap();
+    let line = ["run", "long.toml", "--out", "ab", "--quiet"];
+    let mut first = command(&folder, &line).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
+    wait_for(&folder.join("ab/case.toml"));
+    let before = fs::read(folder.join("ab/case.toml")).unwrap();
+    for line in [
+        &["run", "case.toml", "--out", "ab", "--force"][..],
+        &["run", "long.toml", "--out", "ab", "--resume"],
+        &["shakedown", "case.toml", "--out", "ab", "--force"],
+        &["verify", "ab"],
+    ] {
+        let said = stderr(&ends(&folder, line, 4));
+        let says = format!("is being computed by another process ({})", first.id());
+        assert!(said.split_whitespace().collect::<Vec<_>>().join(" ").contains(&says), "{said}");
+    }
+    assert!(fs::read(folder.join("ab/case.toml")).unwrap() == before, "the run was touched");
+    first.kill().unwrap();
+    first.wait().unwrap();
+    // The lock has died with its process.
+    assert!(folder.join("ab/run.lock").exists());
+    done(&folder, &["run", "case.toml", "--out", "ab", "--force", "--quiet"]);
+    assert!(!folder.join("ab/run.lock").exists());
+}
+
+#[test]
+fn a_turned_bit_is_found() {
+    let folder = workplace("bits");
+    done(&folder, &["run", "case.toml", "--out", "run", "--quiet"]);
+    let told = done(&folder, &["verify", "run"]);
+    assert!(told.ends_with("files hold what was written\n") && !told.contains("damaged"), "{told}");
+    for file in
+        ["sif.csv", "growth.csv", "faces.csv", "case.toml", "summary.json", "run-log.bin", "checkpoint.bin"]
+    {
+        let path = folder.join("run").join(file);
+        let before = turn_a_bit(&path);
+        let output = ends(&folder, &["verify", "run"], 4);
+        assert!(stdout(&output).contains(&format!("damaged: run/{file}: ")), "{file}: {}", stdout(&output));
+        // What is written anew by it is no damage to a run that goes on.
+        if !["case.toml", "summary.json"].contains(&file) {
+            let said = stderr(&ends(&folder, &["run", "case.toml", "--out", "run", "--resume"], 4));
+            assert!(said.contains(file), "{said}");
+        }
+        fs::write(path, before).unwrap();
+    }
+    done(&folder, &["verify", "run"]);
+    assert!(stderr(&ends(&folder, &["verify", "nope"], 2)).contains("there is no such folder"));
+    ends(&folder, &["verify", "."], 2);
+}
+
+#[test]
+fn other_folders_are_verified_too() {
+    let folder = workplace("others");
+    for out in ["a", "b"] {
+        done(&folder, &["run", "case.toml", "--out", out, "--steps", "1", "--quiet"]);
+    }
+    done(&folder, &["compare", "a", "b", "--out", "difference"]);
+    done(&folder, &["shakedown", "case.toml", "--out", "rolled", "--quiet"]);
+    for (of, files) in [
+        ("difference", &["compare.csv", "compare.json"][..]),
+        ("rolled", &["profile.csv", "passes.csv", "plastic.vtu", "shakedown.json"]),
+    ] {
+        done(&folder, &["verify", of]);
+        for file in files {
+            let path = folder.join(of).join(file);
+            let before = turn_a_bit(&path);
+            let told = stdout(&ends(&folder, &["verify", of], 4));
+            assert!(told.contains(&format!("damaged: {of}/{file}: ")), "{told}");
+            fs::write(path, before).unwrap();
+        }
+    }
+}
+
+#[test]
+fn a_study_has_no_numbers_of_damaged_runs() {
+    let folder = workplace("study");
+    fs::write(folder.join("study.toml"), CASE.replace("angle_deg = 40.0", "angle_deg = [30.0, 40.0]"))
+        .unwrap();
+    done(&folder, &["sweep", "study.toml", "--steps", "0", "--quiet"]);
+    done(&folder, &["verify", "study"]);
+    let run = "study/runs/002-angle_deg-40";
+    let path = folder.join(run).join("growth.csv");
+    let before = turn_a_bit(&path);
+    let output = ends(&folder, &["sweep", "study.toml", "--steps", "0", "--quiet", "--resume"], 4);
+    assert!(stdout(&output).starts_with("2 runs: 1 done, 1 failed\nrun 2 (angle_deg = 40) failed: "));
+    for said in [stdout(&output), stderr(&output), stderr(&ends(&folder, &["report", "study"], 4))] {
+        assert!(said.contains("growth.csv"), "{said}");
+    }
+    let summary = folder.join("study/summary.csv");
+    assert_eq!(common::column(&summary, "state"), ["done", "cannot-read-or-write"]);
+    assert_eq!(common::column(&summary, "length_mm")[1], "");
+    assert!(stdout(&ends(&folder, &["verify", "study"], 4)).contains(&format!("damaged: {run}/growth.csv")));
+    fs::write(path, before).unwrap();
+    done(&folder, &["sweep", "study.toml", "--steps", "0", "--quiet", "--resume"]);
+    done(&folder, &["verify", "study"]);
+}
+
+#[test]
+fn a_run_of_another_process_is_left_to_it() {
+    let folder = workplace("left");
+    let study = CASE.replace("angle_deg = 40.0", "angle_deg = [30.0, 40.0]");
+    fs::write(folder.join("study.toml"), &study).unwrap();
+    done(&folder, &["sweep", "study.toml", "--steps", "0", "--quiet", "--shard", "1/2"]);
+    let run = folder.join("study/runs/002-angle_deg-40");
+    fs::create_dir_all(&run).unwrap();
+    // The lock of this process stands for that of another sweep.
+    let lock = fs::File::create(run.join("run.lock")).unwrap();
+    lock.lock().unwrap();
+    fs::write(run.join("run.lock"), "4711\n").unwrap();
+    let output = ends(&folder, &["sweep", "study.toml", "--steps", "0", "--resume"], 0);
+    assert!(stdout(&output).starts_with("2 runs: 1 done, 1 missing\n"), "{}", stdout(&output));
+    assert!(stderr(&output).contains("another process (4711)"), "{}", stderr(&output));
+    ends(&folder, &["sweep", "study.toml", "--steps", "0", "--quiet", "--force"], 4);
+    drop(lock);
+    let told = done(&folder, &["sweep", "study.toml", "--steps", "0", "--quiet", "--resume"]);
+    assert!(told.starts_with("2 runs: 2 done\n"), "{told}");
+}
+
+#[test]
+fn a_case_larger_than_the_machine_is_refused() {
+    let folder = workplace("budget");
+    let cracks = "angle_deg = 40.0\ncount = 100\nspacing_mm = 1.0\n";
+    let large = CASE.replace("angle_deg = 40.0", cracks).replace("16", "400").replace("41", "2001");
+    fs::write(folder.join("large.toml"), large).unwrap();
+    let told = done(&folder, &["check", "large.toml"]);
+    assert!(told.contains("\nmachine\n") && told.contains("--no-limits"), "{told}");
+    let said = stderr(&ends(&folder, &["run", "large.toml"], 2));
+    assert!(said.contains("MB") && said.contains("--no-limits"), "{said}");
+    let study = read(&folder.join("large.toml")).replace("friction = 0.3", "friction = [0.1, 0.3]");
+    fs::write(folder.join("study.toml"), study).unwrap();
+    assert!(stderr(&ends(&folder, &["sweep", "study.toml"], 2)).contains("--no-limits"));
+    assert_eq!(common::names(&folder), ["case.toml", "large.toml", "study.toml"]);
+    done(&folder, &["run", "case.toml", "--no-limits", "--quiet", "--out", "run"]);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_signal_ends_a_run_within_its_assembly() {
+    let folder = workplace("signal");
+    let cracks = "angle_deg = 40.0\ncount = 50\nspacing_mm = 3.0\n";
+    let long = CASE.replace("angle_deg = 40.0", cracks).replace("elements = 16", "elements = 400");
+    fs::write(folder.join("long.toml"), long).unwrap();
+    for signal in ["-INT", "-TERM"] {
+        let line = ["run", "long.toml", "--no-limits", "--out", &signal[1..]];
+        let child = command(&folder, &line).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
+        wait_for(&folder.join(&signal[1..]).join("faces.csv"));
+        std::thread::sleep(Duration::from_millis(500));
+        let asked = Instant::now();
+        Command::new("kill").args([signal, &child.id().to_string()]).status().unwrap();
+        let output = child.wait_with_output().unwrap();
+        let took = asked.elapsed();
+        assert_eq!(output.status.code(), Some(130), "{}", stderr(&output));
+        assert!(stderr(&output).contains("--resume"), "{}", stderr(&output));
+        // One second is the promise; the rest is for a machine that does much else.
+        assert!(took < Duration::from_millis(2500), "{signal}: {took:?}");
+        println!("{signal}: {:.2} s", took.as_secs_f64());
+    }
+}
+
+#[test]
+fn what_goes_wrong_is_said_on_standard_error() {
+    let folder = workplace("said");
+    assert!(stderr(&ends(&folder, &["report", "nope"], 2)).contains("nope: there is no such folder"));
+    let study = CASE.replace("angle_deg = 40.0", "angle_deg = [20.0, 1e-6]");
+    fs::write(folder.join("study.toml"), study).unwrap();
+    let output = ends(&folder, &["sweep", "study.toml", "--steps", "0", "--quiet"], 3);
+    assert!(stderr(&output).starts_with("run 2 (angle_deg = 1e-6) failed: "), "{}", stderr(&output));
+}
+
+#[test]
+fn an_option_does_not_hide_a_wrong_value() {
+    let folder = workplace("hidden");
+    for (good, wrong, option) in [
+        ("engine = \"dislocation\"", "engine = \"fem\"", ["--engine", "dislocation"]),
+        ("steps = 2", "steps = -1", ["--steps", "0"]),
+    ] {
+        fs::write(folder.join("wrong.toml"), CASE.replace(good, wrong)).unwrap();
+        let said = stderr(&ends(&folder, &["run", "wrong.toml", option[0], option[1]], 2));
+        assert!(said.contains(wrong), "{said}");
+    }
+}
