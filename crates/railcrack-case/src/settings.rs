@@ -144,7 +144,7 @@ pub(super) const MESH: Section = Section {
             Kind::Integer { min: 8, max: 400 },
             Presence::Optional(Integer(48)),
             "Elements along each crack in the dislocation engine, before its grading towards mouth and kinks; without \
-             it 48, and 180 shared by all cracks, but at least 20 each, where there are more than three.",
+             it 48, and 180 shared by all cracks, but at least 28 each, where there are more than three.",
         ),
     ],
     forms: &[],

@@ -87,16 +87,34 @@ fn nodes(
 ) -> Vec<Vec<f64>> {
     let of_walk = |(i, walk): (usize, &Walk)| {
         let core_at = |vertex| cores.iter().find(|core| core.is_at(i, vertex));
-        nodes::nodes(walk, resolution, core_at, |point| clearance(network, i, point))
+        nodes::nodes(walk, resolution, core_at, |point| room(network, i, point))
     };
     walks.iter().enumerate().map(of_walk).collect()
 }
 
-/// Distance from a point of crack `own` to the nearest other crack, mm.
-fn clearance(network: &CrackNetwork, own: usize, point: Vec2) -> f64 {
+/// Largest length of an element over the distance to another crack.
+const NEIGHBOUR_SHARE: f64 = 1.0;
+/// The same over the distance to a tip of another crack, whose singular stress the element has to
+/// follow: a tip at half an element from another crack has its K to 0.2 %, without this to 2.4 %.
+const NEIGHBOUR_TIP_SHARE: f64 = 0.4;
+/// Largest length of an element of a buried crack over its depth: K of a tip 0.001 mm below the
+/// surface is 0.4 % off, without this 6 to 17 %.
+const SURFACE_SHARE: f64 = 0.12;
+
+/// Largest length (mm) of an element of crack `own` at `point` beside other cracks, their tips and
+/// the running surface.
+fn room(network: &CrackNetwork, own: usize, point: Vec2) -> f64 {
     let others = network.cracks().iter().enumerate().filter(|(i, _)| *i != own);
     let segments = others.flat_map(|(_, crack)| crack.points().windows(2));
-    segments.map(|p| point_to_segment(point, p[0], p[1])).fold(f64::INFINITY, f64::min)
+    let to_faces = segments.map(|p| point_to_segment(point, p[0], p[1]));
+    let tips = network.tips().into_iter().filter(|tip| tip.crack != own);
+    let to_tips = tips.map(|tip| (network.cracks()[tip.crack].tip(tip.end) - point).length());
+    let buried = !network.cracks()[own].is_surface_breaking();
+    let to_surface = buried.then_some(-point.y);
+    let nearest = |distances: &mut dyn Iterator<Item = f64>| distances.fold(f64::INFINITY, f64::min);
+    (NEIGHBOUR_SHARE * nearest(&mut to_faces.into_iter()))
+        .min(NEIGHBOUR_TIP_SHARE * nearest(&mut to_tips.into_iter()))
+        .min(SURFACE_SHARE * nearest(&mut to_surface.into_iter()))
 }
 
 impl CrackedBody for DislocationBody {
