@@ -1,52 +1,28 @@
-//! The case file: what a user writes, checked and turned into the types of the library.
+//! Case files and studies: read with all errors at once, checked, and turned into the types of the
+//! mechanics.
 //!
-//! One table ([`SECTIONS`]) declares every section and key once. Reading, range checks, defaults, the JSON Schema,
-//! the commented first file, the page of documentation and the case as written back all derive from it.
+//! [`Case::read`] takes the file of a user as well as `case.toml` of a run folder;
+//! [`Case::prepare`] makes a run of it. `tables` declares every section and key once, and `schema`,
+//! which knows no rails, derives from it reading, defaults, the JSON Schema, the commented first
+//! file, the page of documentation and the stored case.
 
-mod accept;
-mod build;
-mod carried;
-mod chosen;
-mod cracks;
-mod declare;
-mod error;
-mod field_file;
-mod markdown;
-mod overrides;
-mod prepared;
-mod problem;
-mod profile;
-mod read;
+mod case;
+mod files;
 mod schema;
-mod section;
-mod sections;
-mod settings;
-mod shared;
-mod size;
 mod study;
-mod suggest;
-mod table;
-mod validated;
-mod write;
+mod tables;
 
-pub use accept::Value;
-pub use carried::{CarriedStress, CarriedStressError, Projection, Release};
-pub use error::{CaseError, CaseErrors};
-pub use field_file::FieldFile;
-pub use markdown::markdown;
-pub use overrides::Overrides;
-pub use prepared::PreparedRun;
-pub use profile::ProfileFile;
-pub use schema::json_schema;
-pub use sections::SECTIONS;
-pub use shared::{RailKey, SharedRail, SharedRailError};
-pub use size::RunSize;
-pub use study::{Axis, Combine, Input, STUDY, Study, StudyRun, Variation, study_schema};
-pub use table::{
-    Availability, Choice, Form, Key, Kind, NumberRange, OnlyWith, Presence, Preset, RangeEnd, Section,
-    SectionPresence,
+pub use case::{
+    CarriedStress, CarriedStressError, Case, Overrides, PreparedRun, Projection, RailKey, Release, RunSize,
+    SharedRail, SharedRailError,
 };
-pub use validated::{
-    Case, Companion, ContactSolver, Engine, FieldOutput, MeshSettings, PlasticSource, Rail, ShakedownSettings,
+pub use files::{Companion, FieldFile, ProfileFile};
+pub use schema::{
+    Availability, CaseError, CaseErrors, Choice, Form, Key, Kind, NumberRange, OnlyWith, Pair, Presence,
+    Preset, RangeEnd, Section, SectionPresence, Value, Word,
 };
-pub use write::init_text;
+pub use study::{Axis, Input, Study, StudyRun, Variation, study_schema};
+pub use tables::{
+    Combine, ContactSolver, Engine, FieldOutput, MeshSettings, PlasticSource, Rail, SECTIONS, STUDY,
+    ShakedownSettings, boundary_name, init_text, json_schema, markdown,
+};

@@ -1,4 +1,4 @@
-//! What can be written on the command line.
+//! Command line: options and commands.
 
 use crate::commands::{
     check::CheckArguments, compare::CompareArguments, init::InitArguments, paper::PaperArguments,

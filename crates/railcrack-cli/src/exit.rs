@@ -12,7 +12,7 @@ use thiserror::Error;
 /// How the program ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Exit {
-    /// What was asked for is done.
+    /// Done.
     Done,
     /// The command line, the case file or a file that it names is wrong.
     BadInput,
@@ -67,6 +67,13 @@ pub enum Failure {
         /// The case file.
         path: PathBuf,
     },
+    /// A build without PNG files.
+    #[cfg(not(feature = "png"))]
+    #[error(
+        "this build of railcrack draws no PNG files; build it with them: \
+         cargo install --path crates/railcrack-cli --features png"
+    )]
+    NoPng,
     /// A file that is already there.
     #[error("{} is already there; --force replaces it", path.display())]
     Exists {
@@ -78,7 +85,7 @@ pub enum Failure {
     CannotWrite {
         /// The file.
         path: PathBuf,
-        /// What the system says.
+        /// The system's reason.
         source: std::io::Error,
     },
     /// Standard output that cannot be written.
@@ -100,6 +107,8 @@ impl Failure {
                 PaperError::Output(_) | PaperError::Threads(_) => Exit::CannotReadOrWrite,
             },
             Self::Run(error) => exit_of_run(error),
+            #[cfg(not(feature = "png"))]
+            Self::NoPng => Exit::BadInput,
             Self::Exists { .. } | Self::CannotWrite { .. } | Self::Stdout(_) => Exit::CannotReadOrWrite,
         }
     }

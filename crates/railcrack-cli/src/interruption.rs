@@ -62,10 +62,4 @@ impl Interruption {
     pub fn asked(&self) -> bool {
         self.asked.load(Ordering::Relaxed)
     }
-
-    /// What a signal does.
-    #[cfg(test)]
-    pub fn ask(&self) {
-        self.asked.store(true, Ordering::Relaxed);
-    }
 }

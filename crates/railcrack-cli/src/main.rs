@@ -5,6 +5,7 @@ mod commands;
 mod display;
 mod exit;
 mod interruption;
+#[cfg(feature = "png")]
 mod png;
 mod print;
 mod progress;

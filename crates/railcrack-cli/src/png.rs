@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 /// Pixels per unit of a plot: 200 dpi where a unit is a point at 100 %.
 const SCALE: f32 = 2.8;
 
-/// What plots name as their fonts, so that PNG files are the same on every machine.
+/// The fonts that plots name: PNG files are the same on every machine.
 const FONTS: [&[u8]; 3] = [
     include_bytes!("../fonts/LiberationSans-Regular.ttf"),
     include_bytes!("../fonts/LiberationSans-Bold.ttf"),

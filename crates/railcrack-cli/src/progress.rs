@@ -50,7 +50,12 @@ impl RunObserver for Progress<'_> {
     fn finished(&self, record: &StepRecord) {
         self.step.store(record.step + 1, Ordering::Relaxed);
         for warning in &record.warnings {
-            self.display.say(&format!("warning, step {}, {}: {}", warning.step, warning.kind.name(), warning.text));
+            self.display.say(&format!(
+                "warning, step {}, {}: {}",
+                warning.step,
+                warning.kind.name(),
+                warning.text
+            ));
         }
         for event in events(record) {
             self.display.say(&format!("step {}: {event}", record.step));

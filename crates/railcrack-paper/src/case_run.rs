@@ -1,11 +1,12 @@
-//! What the figures and statements need of one run.
+//! Results of one run for figures and statements.
 
-use super::PaperError;
+use super::error::PaperError;
 use railcrack::contact::FaceStatus;
 use railcrack::crack::Crack;
-use railcrack::growth::{GrowthError, Observer, StepRecord};
+use railcrack::growth::{GrowthError, Observer, StepRecord, TipStop};
 use railcrack::math::MPA_SQRT_MM;
 use railcrack_case::{Case, SharedRail};
+use railcrack_run::csv::TipRow;
 use serde::{Deserialize, Serialize};
 
 /// K_I and K_II of one tip of the initial cracks over the stabilised passage.
@@ -21,40 +22,19 @@ pub struct SifCurve {
     pub sticks: Vec<bool>,
 }
 
-/// A tip at the start of a growth step.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct TipState {
-    /// Length of the crack, mm.
-    pub length: f64,
-    /// ΔK_I, MPa√m.
-    pub delta_ki: f64,
-    /// ΔK_II, MPa√m.
-    pub delta_kii: f64,
-    /// ΔK_eq, MPa√m.
-    pub delta_keq: f64,
-    /// The chosen kink, degrees, as in `growth.csv`.
-    pub kink: Option<f64>,
-    /// The best other direction, degrees.
-    pub rival: Option<f64>,
-    /// Its rate over the best one.
-    pub rival_ratio: Option<f64>,
-    /// Load cycles at the start of the step.
-    pub load_cycles: f64,
-}
-
 /// One crack of a run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CrackGrowth {
     /// K of the initial crack.
     pub sif: SifCurve,
     /// The tip at every step; the first one is the initial crack's.
-    pub steps: Vec<TipState>,
+    pub steps: Vec<TipRow>,
     /// The crack at the end, (x, depth) in mm from its mouth.
     pub points: Vec<[f64; 2]>,
     /// Points of the initial crack among them.
     pub initial_points: usize,
     /// Why its tip stopped; none where it did not.
-    pub stop: Option<String>,
+    pub stop: Option<TipStop>,
 }
 
 /// One run: a case in one set-up.
@@ -66,11 +46,11 @@ pub struct CaseRun {
     pub steps_wanted: usize,
     /// Why it ended early, where a step could not be computed.
     pub failure: Option<String>,
-    /// What it took.
+    /// Its effort.
     pub effort: Effort,
 }
 
-/// What a run took: the one thing that two computations of it do not share.
+/// Effort of a run, which differs between two computations of it.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Effort {
     /// Steps.
@@ -86,13 +66,13 @@ pub struct Effort {
 }
 
 impl CaseRun {
-    /// Computes `case`, on `rail` where another run has made it. A step that cannot be computed ends the run; one without its first
-    /// step is an error.
+    /// Computes `case`, on `rail` where another run has made it. A step that cannot be computed
+    /// ends the run; one without its first step is an error.
     pub(super) fn compute(
         name: &str,
         case: &Case,
         rail: Option<&SharedRail>,
-        watch: &dyn Observer,
+        observer: &dyn Observer,
     ) -> Result<Self, PaperError> {
         let failed = |source| PaperError::Run { name: name.to_owned(), source };
         let stress = |source| PaperError::Stress { name: name.to_owned(), source };
@@ -100,7 +80,7 @@ impl CaseRun {
         let effort = Effort::default();
         let mut run = Self { cracks: Vec::new(), steps_wanted: case.growth.steps, failure: None, effort };
         loop {
-            match growth.next_step(watch) {
+            match growth.next_step(observer) {
                 Ok(Some(record)) => run.add(case, &record),
                 Ok(None) => break,
                 Err(GrowthError::Interrupted { .. }) => return Err(PaperError::Interrupted),
@@ -125,22 +105,13 @@ impl CaseRun {
         for ((crack, tip), grown) in record.cracks.iter().zip(&record.tips).zip(&mut self.cracks) {
             grown.points = points(crack);
             // A slow crack shows where it is going before it has gone a whole increment.
-            let waiting = tip.deferred;
-            if waiting.length > 0.0 {
-                let to = crack.tip(tip.tip.end) + waiting.direction * waiting.length;
+            let deferred = tip.deferred;
+            if deferred.length > 0.0 {
+                let to = crack.tip(tip.tip.end) + deferred.direction * deferred.length;
                 grown.points.push([to.x, -to.y]);
             }
-            grown.stop = tip.stop.map(|stop| stop.name().to_owned());
-            grown.steps.push(TipState {
-                length: tip.length,
-                delta_ki: tip.delta_ki / MPA_SQRT_MM,
-                delta_kii: tip.delta_kii / MPA_SQRT_MM,
-                delta_keq: tip.delta_keq / MPA_SQRT_MM,
-                kink: tip.kink.map(f64::to_degrees),
-                rival: tip.secondary.map(f64::to_degrees),
-                rival_ratio: tip.secondary_ratio,
-                load_cycles: record.load_cycles,
-            });
+            grown.stop = tip.stop;
+            grown.steps.push(TipRow::of_tip(record.step, record.load_cycles, tip));
         }
     }
 }

@@ -10,17 +10,17 @@ pub struct Claim {
     pub place: &'static str,
     /// The figures whose runs decide it.
     pub figures: &'static [u8],
-    /// What it says.
+    /// The statement.
     pub statement: &'static str,
     /// When it counts as true.
     pub rule: &'static str,
     /// The rule: none where a set-up lacks a run that it needs.
     pub decide: fn(SetupResults) -> Option<Decision>,
-    /// What is known of the reason for the verdict; empty where nothing is.
+    /// The reason for the verdict, as far as known; empty otherwise.
     pub why: &'static str,
 }
 
-/// What one set-up says of a statement.
+/// The decision on a statement in one set-up.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Decision {
     /// Whether it holds.
@@ -32,7 +32,7 @@ pub struct Decision {
 /// A number that decides.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Number {
-    /// What it is.
+    /// Its name.
     pub name: String,
     /// Its value.
     pub value: f64,

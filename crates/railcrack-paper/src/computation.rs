@@ -1,8 +1,9 @@
 //! The runs: computed in parallel, or taken over.
 
+use super::error::PaperError;
 use super::plan::Job;
-use super::reproduce::{Earlier, PaperError, Telling};
 use super::stored::{store, stored};
+use super::telling::{Earlier, Telling};
 use super::{CaseRun, Effort};
 use railcrack::growth::Observer;
 use railcrack_case::Case;
@@ -23,7 +24,8 @@ pub(super) struct Computation<'a> {
 }
 
 impl Computation<'_> {
-    /// Every run: one thread each, since runs need nothing of one another, on rails that they share.
+    /// Every run: one thread each, since runs need nothing of one another, on rails that they
+    /// share.
     ///
     /// Errors: the system refuses threads.
     pub(super) fn run(&self) -> Result<Vec<Result<CaseRun, PaperError>>, PaperError> {
@@ -43,8 +45,8 @@ impl Computation<'_> {
         }
         let of_job = |run| WaitingRun { run, case: &self.cases[run], effort: self.jobs[run].effort };
         let queue = RunQueue::new(waiting.into_iter().map(of_job));
-        // A pool each: within a common one a thread that waits for parts of its run could begin another run, and wait there for the rail
-        // that it is about to make.
+        // A pool each: within a common one a thread that waits for parts of its run could begin
+        // another run, and wait there for the rail that it is about to make.
         let pools = (0..rayon::current_num_threads())
             .map(|_| rayon::ThreadPoolBuilder::new().num_threads(1).build())
             .collect::<Result<Vec<_>, _>>()?;
@@ -92,7 +94,7 @@ impl Observer for Silent<'_> {
 /// The columns of `runs.csv`.
 pub const RUNS_COLUMNS: &str = "run,steps,contact_solutions,body_s,contact_s,wall_s,ended";
 
-/// What each run took.
+/// Effort of each run.
 pub(super) fn runs_table(jobs: &[Job], runs: &[Arc<CaseRun>]) -> String {
     let mut text = format!("{RUNS_COLUMNS}\n");
     for (job, run) in jobs.iter().zip(runs) {

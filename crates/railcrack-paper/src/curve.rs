@@ -4,14 +4,14 @@ use super::edit::Edit;
 use super::files::{FIG_13, FIG_22, FIG_24, FIG_27, FIG_29, PaperFile, TABLE_1};
 
 /// One curve of the paper's figures; several figures may show it.
-pub struct Curve {
+pub struct PaperCurve {
     /// Its name in file names and tables.
     pub name: &'static str,
     /// Its words in the legends of its figures.
     pub legend: &'static str,
     /// Its case file.
     pub(super) file: &'static PaperFile,
-    /// Friction of the wheel as the paper signs it: positive is braking.
+    /// Wheel–rail friction with the sign of the paper: positive is braking.
     pub wheel_friction: f64,
     /// Values that differ from the case file's.
     pub(super) variation: Variation,
@@ -19,7 +19,7 @@ pub struct Curve {
     pub figures: &'static [u8],
 }
 
-/// What differs from the case file, apart from the wheel's friction.
+/// Difference from the case file, apart from the wheel–rail friction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Variation {
     None,
@@ -34,7 +34,7 @@ pub(super) enum Variation {
     OneOfNetwork,
 }
 
-impl Curve {
+impl PaperCurve {
     pub(super) fn edits(&self) -> Vec<Edit> {
         match self.variation {
             Variation::None => Vec::new(),
@@ -54,28 +54,34 @@ const fn curve(
     wheel_friction: f64,
     variation: Variation,
     figures: &'static [u8],
-) -> Curve {
-    Curve { name, legend, file: &TABLE_1, wheel_friction, variation, figures }
+) -> PaperCurve {
+    PaperCurve { name, legend, file: &TABLE_1, wheel_friction, variation, figures }
 }
 
 /// Every curve.
-pub static CURVES: &[Curve] = &[
-    Curve { file: &FIG_13, ..curve("fig13", "faces 0.1, wheel friction 0.4", 0.4, Variation::None, &[13]) },
+pub static CURVES: &[PaperCurve] = &[
+    PaperCurve {
+        file: &FIG_13,
+        ..curve("fig13", "crack-face friction 0.1, wheel–rail friction 0.4", 0.4, Variation::None, &[13])
+    },
     curve("reference", "Table 1", 0.025, Variation::None, &[14, 15, 16, 17, 18, 19, 20, 22, 23, 24, 25]),
-    curve("wheel+0.1", "wheel friction 0.1", 0.1, Variation::None, &[14, 16, 17, 27, 28, 29, 30]),
-    curve("wheel+0.4", "wheel friction 0.4", 0.4, Variation::None, &[14, 16, 17]),
-    curve("wheel-0.025", "wheel friction \u{2212}0.025", -0.025, Variation::None, &[15, 16]),
-    curve("wheel-0.1", "wheel friction \u{2212}0.1", -0.1, Variation::None, &[15, 16]),
-    curve("wheel-0.4", "wheel friction \u{2212}0.4", -0.4, Variation::None, &[15, 16]),
-    curve("faces-0.1", "faces 0.1", 0.025, Variation::FaceFriction(0.1), &[17, 18]),
-    curve("faces-0.2", "faces 0.2", 0.025, Variation::FaceFriction(0.2), &[17, 18]),
-    curve("faces-0.8", "faces 0.8", 0.025, Variation::FaceFriction(0.8), &[17, 18]),
+    curve("wheel+0.1", "wheel–rail friction 0.1", 0.1, Variation::None, &[14, 16, 17, 27, 28, 29, 30]),
+    curve("wheel+0.4", "wheel–rail friction 0.4", 0.4, Variation::None, &[14, 16, 17]),
+    curve("wheel-0.025", "wheel–rail friction \u{2212}0.025", -0.025, Variation::None, &[15, 16]),
+    curve("wheel-0.1", "wheel–rail friction \u{2212}0.1", -0.1, Variation::None, &[15, 16]),
+    curve("wheel-0.4", "wheel–rail friction \u{2212}0.4", -0.4, Variation::None, &[15, 16]),
+    curve("faces-0.1", "crack-face friction 0.1", 0.025, Variation::FaceFriction(0.1), &[17, 18]),
+    curve("faces-0.2", "crack-face friction 0.2", 0.025, Variation::FaceFriction(0.2), &[17, 18]),
+    curve("faces-0.8", "crack-face friction 0.8", 0.025, Variation::FaceFriction(0.8), &[17, 18]),
     curve("angle-30", "30\u{b0}", 0.025, Variation::Angle(30.0), &[19, 20]),
     curve("angle-45", "45\u{b0}", 0.025, Variation::Angle(45.0), &[19, 20]),
     curve("angle-60", "60\u{b0}", 0.025, Variation::Angle(60.0), &[19, 20]),
     curve("angle-75", "75\u{b0}", 0.025, Variation::Angle(75.0), &[19, 20]),
-    Curve { file: &FIG_22, ..curve("stress", "with Fig. 21", 0.025, Variation::None, &[22, 23]) },
-    Curve { file: &FIG_24, ..curve("pair", "two cracks", 0.025, Variation::None, &[24, 25]) },
+    PaperCurve {
+        file: &FIG_22,
+        ..curve("stress", "with residual stress", 0.025, Variation::None, &[22, 23])
+    },
+    PaperCurve { file: &FIG_24, ..curve("pair", "two cracks", 0.025, Variation::None, &[24, 25]) },
     curve(
         "crack-2-alone",
         "crack 2 alone",
@@ -83,7 +89,13 @@ pub static CURVES: &[Curve] = &[
         Variation::OnlyCrack { mouth: -1.0, angle: 165.0 },
         &[24, 25],
     ),
-    Curve { file: &FIG_27, ..curve("nine", "nine cracks", 0.1, Variation::None, &[27, 28, 29, 30]) },
-    Curve { file: &FIG_29, ..curve("nine-stress", "nine with Fig. 21", 0.1, Variation::None, &[29, 30]) },
-    Curve { file: &FIG_29, ..curve("one-stress", "one with Fig. 21", 0.1, Variation::OneOfNetwork, &[29]) },
+    PaperCurve { file: &FIG_27, ..curve("nine", "nine cracks", 0.1, Variation::None, &[27, 28, 29, 30]) },
+    PaperCurve {
+        file: &FIG_29,
+        ..curve("nine-stress", "nine cracks with residual stress", 0.1, Variation::None, &[29, 30])
+    },
+    PaperCurve {
+        file: &FIG_29,
+        ..curve("one-stress", "one crack with residual stress", 0.1, Variation::OneOfNetwork, &[29])
+    },
 ];

@@ -5,6 +5,7 @@ use railcrack_run::folder::{Durability, read_if_there, replace_file};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
+/// Name of the file.
 pub const STATEMENTS_FILE: &str = "statements.json";
 
 /// Everything that `railcrack paper` says in words and decisions. Keys are the fields' names.
@@ -31,7 +32,7 @@ pub struct PaperRecord {
 pub struct FigureRecord {
     /// Its number in the paper.
     pub number: u8,
-    /// What it shows.
+    /// Its title.
     pub title: String,
 }
 
@@ -49,7 +50,7 @@ pub struct CurveRecord {
 pub struct SetupRecord {
     /// Its name in the tables.
     pub name: String,
-    /// What it is.
+    /// Its description.
     pub words: String,
     /// The set-up that it varies; null for the main ones.
     pub varies: Option<String>,
@@ -62,19 +63,19 @@ pub struct StatementRecord {
     pub id: String,
     /// Where the paper says it.
     pub place: String,
-    /// What it says.
+    /// The statement.
     pub statement: String,
     /// When it counts as true.
     pub rule: String,
-    /// What all set-ups together say of it.
+    /// The verdict over all set-ups.
     pub verdict: String,
-    /// What is known of the reason; empty where nothing is.
+    /// The reason, as far as known; empty otherwise.
     pub why: String,
-    /// What each set-up says.
+    /// The decision in each set-up.
     pub decisions: Vec<DecisionRecord>,
 }
 
-/// What one set-up says of a statement.
+/// The decision on a statement in one set-up.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct DecisionRecord {
     /// The set-up.
@@ -88,7 +89,7 @@ pub struct DecisionRecord {
 /// A number that decides.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct NumberRecord {
-    /// What it is.
+    /// Its description.
     pub name: String,
     /// Its value; null where it is not finite.
     pub value: Option<f64>,

@@ -23,8 +23,9 @@ impl Edit {
         Self { section, key, value: format!("\"{value}\"") }
     }
 
-    /// `text` with this value, in every section of that name where it repeats. A key that is not there is added at the top
-    /// of its section, a section that is not there at the end. `text` as it is where it is no TOML.
+    /// `text` with this value, in every section of that name where it repeats. A key that is not
+    /// there is added at the top of its section, a section that is not there at the end. `text` as
+    /// it is where it is no TOML.
     pub(super) fn apply(&self, text: &str) -> String {
         let (document, _) = DeTable::parse_recoverable(text);
         let Some((name, value)) = document.get_ref().get_key_value(self.section) else {

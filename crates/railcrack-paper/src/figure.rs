@@ -1,13 +1,13 @@
-//! The figures: what each shows.
+//! The figures of the paper and their curves.
 
-use super::Curve;
+use super::curve::CURVES;
 use thiserror::Error;
 
 /// A figure of the paper.
 pub struct Figure {
     /// Its number.
     pub number: u8,
-    /// What it shows.
+    /// Its title.
     pub title: &'static str,
     /// How it is drawn.
     pub(super) kind: Kind,
@@ -32,23 +32,23 @@ const fn figure(number: u8, kind: Kind, title: &'static str, curves: &'static [&
 /// The figures with results: 13 to 25 and 27 to 30.
 #[rustfmt::skip]
 pub static FIGURES: &[Figure] = &[
-    figure(13, Kind::Sif, "K under strong braking, slippery faces", &["fig13"]),
-    figure(14, Kind::Sif, "K for positive friction of the wheel", &["reference", "wheel+0.1", "wheel+0.4"]),
-    figure(15, Kind::Sif, "K for negative friction of the wheel", &["wheel-0.025", "wheel-0.1", "wheel-0.4"]),
-    figure(16, Kind::Paths, "Paths for the friction of the wheel", &["reference", "wheel+0.1", "wheel+0.4", "wheel-0.025", "wheel-0.1", "wheel-0.4"]),
-    figure(17, Kind::Sif, "K for the friction of the faces", &["faces-0.1", "faces-0.2", "reference", "faces-0.8"]),
-    figure(18, Kind::Paths, "Paths for the friction of the faces", &["faces-0.1", "faces-0.2", "reference", "faces-0.8"]),
+    figure(13, Kind::Sif, "K under strong braking with low crack-face friction", &["fig13"]),
+    figure(14, Kind::Sif, "K for positive wheel–rail friction", &["reference", "wheel+0.1", "wheel+0.4"]),
+    figure(15, Kind::Sif, "K for negative wheel–rail friction", &["wheel-0.025", "wheel-0.1", "wheel-0.4"]),
+    figure(16, Kind::Paths, "Crack paths for wheel–rail friction", &["reference", "wheel+0.1", "wheel+0.4", "wheel-0.025", "wheel-0.1", "wheel-0.4"]),
+    figure(17, Kind::Sif, "K for crack-face friction", &["faces-0.1", "faces-0.2", "reference", "faces-0.8"]),
+    figure(18, Kind::Paths, "Crack paths for crack-face friction", &["faces-0.1", "faces-0.2", "reference", "faces-0.8"]),
     figure(19, Kind::Sif, "K for the inclination of the crack", &["reference", "angle-30", "angle-45", "angle-60", "angle-75"]),
-    figure(20, Kind::Paths, "Paths for the inclination of the crack", &["reference", "angle-30", "angle-45", "angle-60", "angle-75"]),
-    figure(21, Kind::Profile, "Stress by depth", &[]),
-    figure(22, Kind::Sif, "K with the stress of Fig. 21", &["reference", "stress"]),
-    figure(23, Kind::Paths, "Paths with the stress of Fig. 21", &["reference", "stress"]),
+    figure(20, Kind::Paths, "Crack paths for the inclination of the crack", &["reference", "angle-30", "angle-45", "angle-60", "angle-75"]),
+    figure(21, Kind::Profile, "Residual stress by depth", &[]),
+    figure(22, Kind::Sif, "K with the residual stress of Fig. 21", &["reference", "stress"]),
+    figure(23, Kind::Paths, "Crack paths with the residual stress of Fig. 21", &["reference", "stress"]),
     figure(24, Kind::Sif, "K of two cracks", &["reference", "crack-2-alone", "pair"]),
-    figure(25, Kind::Paths, "Paths of two cracks", &["reference", "crack-2-alone", "pair"]),
+    figure(25, Kind::Paths, "Crack paths of two cracks", &["reference", "crack-2-alone", "pair"]),
     figure(27, Kind::Sif, "K of nine cracks", &["nine", "wheel+0.1"]),
-    figure(28, Kind::Paths, "Paths of nine cracks", &["nine"]),
-    figure(29, Kind::Sif, "K of nine cracks with the stress of Fig. 21", &["nine-stress", "one-stress"]),
-    figure(30, Kind::Paths, "Paths of nine cracks with the stress of Fig. 21", &["nine", "nine-stress"]),
+    figure(28, Kind::Paths, "Crack paths of nine cracks", &["nine"]),
+    figure(29, Kind::Sif, "K of nine cracks with the residual stress of Fig. 21", &["nine-stress", "one-stress"]),
+    figure(30, Kind::Paths, "Crack paths of nine cracks with the residual stress of Fig. 21", &["nine", "nine-stress"]),
 ];
 
 impl Figure {
@@ -57,16 +57,17 @@ impl Figure {
         format!("fig{}", self.number)
     }
 
-    /// The words of `curve` in its legend: the reference case is called by the value that the figure varies.
-    pub(super) fn words(&self, curve: &Curve) -> &'static str {
-        match (self.number, curve.name) {
-            (14..=16, "reference") => "wheel friction 0.025",
-            (17 | 18, "reference") => "faces 0.5",
+    /// The words of the curve or profile `name` in its legend: the reference case is called by the
+    /// value that the figure varies.
+    pub(super) fn words<'a>(&self, name: &'a str) -> &'a str {
+        match (self.number, name) {
+            (14..=16, "reference") => "wheel–rail friction 0.025",
+            (17 | 18, "reference") => "crack-face friction 0.5",
             (19 | 20, "reference") => "15\u{b0}",
-            (22 | 23, "reference") => "without stress",
+            (22 | 23, "reference") => "without residual stress",
             (24 | 25, "reference") => "crack 1 alone",
             (27 | 29, "wheel+0.1" | "one-stress") => "one crack",
-            _ => curve.legend,
+            _ => CURVES.iter().find(|curve| curve.name == name).map_or(name, |curve| curve.legend),
         }
     }
 
@@ -80,13 +81,14 @@ impl Figure {
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error("`{given}` is no figure with results: must be one of {accepted}")]
 pub struct UnknownFigure {
-    /// What was given.
+    /// The name given.
     pub given: String,
-    /// What is accepted.
+    /// The numbers accepted.
     pub accepted: String,
 }
 
-/// The numbers of the figures called `names`, `13` or `fig13`, each once and in order; all where there are none.
+/// The numbers of the figures called `names`, `13` or `fig13`, each once and in order; all where
+/// there are none.
 ///
 /// Errors: a name that is no figure with results.
 pub fn parse_figures(names: &[String]) -> Result<Vec<u8>, UnknownFigure> {

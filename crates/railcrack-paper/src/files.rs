@@ -21,3 +21,9 @@ pub(super) const FIG_29: PaperFile = paper_file!("fig29.toml");
 
 /// The table that case files name.
 pub(super) const FIG_21: PaperFile = paper_file!("fig21.csv");
+
+/// The page in the folder of results.
+pub(super) const PAGE: &str = "paper.md";
+
+/// The folder of the finished runs in it.
+pub(super) const RUNS: &str = "runs";

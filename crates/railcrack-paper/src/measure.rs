@@ -18,7 +18,8 @@ impl CrackGrowth {
         self.steps[0].delta_keq
     }
 
-    /// Load cycles until the crack is `length` mm long, linear between steps; none where it is never that long.
+    /// Load cycles until the crack is `length` mm long, linear between steps; none where it is
+    /// never that long.
     pub fn cycles_to(&self, length: f64) -> Option<f64> {
         let pair = self.steps.windows(2).find(|pair| pair[1].length >= length)?;
         let share = (length - pair[0].length) / (pair[1].length - pair[0].length);
@@ -51,8 +52,8 @@ impl SifCurve {
         largest / other.peak()
     }
 
-    /// The largest change of K_II while the whole crack sticks, over the peak; none where it never does for two positions in a
-    /// row.
+    /// The largest change of K_II while the whole crack sticks, over the peak; none where it never
+    /// does for two positions in a row.
     pub fn change_while_stuck(&self) -> Option<f64> {
         let stuck = (1..self.kii.len()).filter(|&i| self.sticks[i] && self.sticks[i - 1]);
         stuck.map(|i| (self.kii[i] - self.kii[i - 1]).abs() / self.peak()).reduce(f64::max)

@@ -1,7 +1,7 @@
-//! The page: what was run, every statement with its verdict and numbers, what decides the differences.
+//! `paper.md`: runs, every statement with its verdict and numbers, reasons for differences.
 
 use super::claim::rounded;
-use super::profile_plot::StressProfile;
+use super::profile::StressProfile;
 use super::rolled::ROLLED_CLAIMS;
 use super::verdict::MAIN;
 use super::{FIGURES, Results, SETUPS, Verdict};
@@ -36,16 +36,19 @@ const HEAD: &str = "# The paper, recomputed
 
 COMMAND
 
-Trollé, Baietto, Gravouil, Mai & Prabel, *2D fatigue crack propagation in rails taking into account actual plastic stresses*,
-Eng. Fract. Mech. 123 (2014) 163\u{2013}181, leaves open what its results depend on: the supports of its block, whether the cracks lean along the
-travel or against it, how the friction of the wheel is signed (text, caption and conclusion contradict each other on Fig. 16), the friction of
-the faces in Figs 24 and 25 (0.5 in the text, 0.01 in the captions), the load steps of a passage, whether k1 of a closed kink counts as zero, and whether Fig. 21 is the
-plastic stress or the balanced one. So each statement of its text is decided here in several set-ups, by a rule that a program can apply, and
-the answer is a table: statement by set-up.
+Trollé, Baietto, Gravouil, Mai & Prabel, *2D fatigue crack propagation in rails taking into account
+actual plastic stresses*, Eng. Fract. Mech. 123 (2014) 163\u{2013}181, leaves open what its results
+depend on: the supports of its block; whether the cracks lean along the travel or against it; the sign
+of the wheel\u{2013}rail friction (text, caption and conclusion contradict each other on Fig. 16); the
+crack-face friction in Figs 24 and 25 (0.5 in the text, 0.01 in the captions); the load steps of a
+passage; whether k1 of a closed kink counts as zero; and whether Fig. 21 is the plastic stress or the
+balanced one. Each statement of its text is therefore decided in several set-ups, by a rule that a
+program can apply. The answer is a table: statement by set-up.
 
-What is compared are statements and the few numbers in the text. The curves of the figures were not at hand as numbers, and none have been read off
-pictures. The friction values of Figs 17 and 18 are ours (0.1, 0.2, 0.5, 0.8), since the text does not name those of the paper; the borders of the
-layers of Fig. 21 are ours too.
+Statements and the few numbers in the text are compared, not the curves of the figures: these were
+not available as numbers, and none were read off pictures. The text does not give the crack-face
+frictions of Figs 17 and 18; those here (0.1, 0.2, 0.5, 0.8) and the borders of the layers of Fig. 21
+are chosen.
 
 ";
 
@@ -79,7 +82,7 @@ pub(super) fn page(
     text.trim_end().to_owned() + "\n"
 }
 
-/// How this page came about.
+/// Origin of the page.
 fn command(figures: &[u8]) -> String {
     let only = if figures.len() == FIGURES.len() {
         String::new()
@@ -88,8 +91,7 @@ fn command(figures: &[u8]) -> String {
         format!(" --only {}", numbers.join(" "))
     };
     format!(
-        "`paper.md` in the folder that `railcrack paper{only}` writes (version {VERSION}): computed, apart from the sentences in the column *why*, which are ours. \
-         The folder also has the case files, the numbers behind every picture (`figures/*.csv`) and decision (`claims.csv`), and what each run took (`runs.csv`)."
+        "`paper.md` in the folder that `railcrack paper{only}` writes (version {VERSION}): computed,\napart from the column *why*, which is written by hand. The folder also has the case files, the numbers\nof each figure (`figures/*.csv`) and decision (`claims.csv`), and the effort of each run (`runs.csv`)."
     )
 }
 
@@ -98,11 +100,11 @@ fn summary(verdicts: &[Verdict], runs: usize) -> String {
     let only = count("holds only");
     let everywhere = count("holds") - only;
     let mut text = format!(
-        "## Result\n\n{} statements, {runs} runs: {everywhere} hold in all of the four main set-ups that decide them, {only} in some set-ups only, {} in none.\n\n",
+        "## Result\n\n{} statements, {runs} runs: {everywhere} hold in all of the main set-ups that\ndecide them, {only} in some set-ups only, {} in none.\n\n",
         verdicts.len(),
         count("does not")
     );
-    text.push_str("How many of the statements that a set-up can decide hold in it:\n\n| set-up | hold | of |\n|---|---|---|\n");
+    text.push_str("Statements that hold in each set-up, of those that it decides:\n\n| set-up | hold | of |\n|---|---|---|\n");
     for (at, setup) in SETUPS.iter().enumerate() {
         let decided: Vec<bool> = verdicts.iter().filter_map(|v| v.decision(at)).map(|d| d.holds).collect();
         if !decided.is_empty() {
@@ -121,10 +123,10 @@ fn mark(verdict: &Verdict, at: usize) -> &'static str {
 fn statements(verdicts: &[Verdict]) -> String {
     let mut text = "## Statements
 
-*with*: the cracks lean along the travel; *against*: against it. The rule that decides each statement, and its numbers, are below. A variant is named
-where it says otherwise than the set-up that it varies.
+*with*: the cracks lean along the travel; *against*: against it. The rule that decides each statement
+and its numbers are below. A variant is named where it differs from the set-up that it varies.
 
-| statement | where | half-plane with | against | block with | against | variants that say otherwise | verdict | why |
+| statement | where | half-plane with | against | block with | against | variants that differ | verdict | why |
 |---|---|---|---|---|---|---|---|---|
 "
     .to_owned();
@@ -178,7 +180,8 @@ K in MPa\u{221a}m, depths in mm. Numbers of all set-ups, unrounded, are in `clai
     text
 }
 
-/// ΔK of the initial crack of Table 1 and of Fig. 13 in every set-up: supports, fixed steps, engines, E.
+/// ΔK of the initial crack of Table 1 and of Fig. 13 in every set-up: supports, fixed steps,
+/// engines, E.
 fn reference_ranges(results: &Results) -> String {
     let mut rows = String::new();
     for r in results.setups() {
@@ -187,7 +190,8 @@ fn reference_ranges(results: &Results) -> String {
         if parent != r.setup().name && !r.setup().changes_k() {
             continue;
         }
-        // How far K of the curve is from that in the set-up it varies, where the positions are the same.
+        // How far K of the curve is from that in the set-up it varies, where the positions are the
+        // same.
         let off = |name: &str| {
             let (mine, other) = (r.run(name)?, r.elsewhere(parent, name)?);
             Some(100.0 * mine.crack().sif.difference(&other.crack().sif))
@@ -209,19 +213,20 @@ fn reference_ranges(results: &Results) -> String {
         return String::new();
     }
     format!(
-        "## What the set-up does to K
+        "## Effect of the set-up on K
 
-\u{394}K_I and \u{394}K_II of the initial crack, and the largest difference of K from the set-up that is varied, in per cent of its peak: supports, fixed load
-steps, engines, Young's modulus. Fixed steps of 0.1 a and 0.05 a are what a code without control of its load steps gets.
+\u{394}K_I and \u{394}K_II of the initial crack, and the largest difference of K from the set-up
+that is varied, in per cent of its peak: supports, fixed load steps, engines, Young's modulus. Fixed
+steps of 0.1 a and 0.05 a show the error without control of the load steps.
 
-| set-up | Table 1 \u{394}K_I | \u{394}K_II | off % | Fig. 13 \u{394}K_I | \u{394}K_II | off % |
+| set-up | Table 1 \u{394}K_I | \u{394}K_II | difference % | Fig. 13 \u{394}K_I | \u{394}K_II | difference % |
 |---|---|---|---|---|---|---|
 {rows}
 "
     )
 }
 
-/// What fixed load steps do to the verdicts.
+/// Effect of fixed load steps on the verdicts.
 fn fixed_steps(verdicts: &[Verdict]) -> String {
     let of = |verdict: &Verdict, departing: bool| -> Vec<&'static str> {
         let places: Vec<usize> = if departing {
@@ -235,17 +240,18 @@ fn fixed_steps(verdicts: &[Verdict]) -> String {
     if decided == 0 {
         return String::new();
     }
-    let mut text = format!("Of the {decided} decisions with fixed steps ");
+    let mut text = format!("Of the {decided} decisions with fixed load steps, ");
     let rows: Vec<String> = verdicts
         .iter()
         .filter(|verdict| !of(verdict, true).is_empty())
         .map(|verdict| format!("{} ({})", verdict.claim.id, of(verdict, true).join("; ")))
         .collect();
     match rows.is_empty() {
-        true => text.push_str("none differs from that with controlled steps.\n\n"),
-        false => {
-            text.push_str(&format!("these differ from that with controlled steps: {}.\n\n", rows.join(", ")))
-        }
+        true => text.push_str("none differs from that with controlled load steps.\n\n"),
+        false => text.push_str(&format!(
+            "these differ from those with controlled load steps: {}.\n\n",
+            rows.join(", ")
+        )),
     }
     text
 }
@@ -253,7 +259,8 @@ fn fixed_steps(verdicts: &[Verdict]) -> String {
 fn profile_section(profiles: &[StressProfile]) -> String {
     let mut text = "## Fig. 21
 
-The largest \u{3c3}_xx that rolling alone leaves under the wheel of Table 1, for steels that the paper might have used, next to the two readings of the figure.
+The largest residual stress \u{3c3}_xx due to rolling alone under the wheel of Table 1, for steels that the
+paper might have used, beside the two readings of the figure.
 
 | profile | state | largest \u{3c3}_xx, MPa | at depth, mm |
 |---|---|---|---|
@@ -266,7 +273,7 @@ The largest \u{3c3}_xx that rolling alone leaves under the wheel of Table 1, for
         text.push_str(&format!("| {} | {state} | {} | {depth} |\n", profile.name, rounded(stress)));
     }
     text.push('\n');
-    text.push_str("What the paper says of the state itself, in each of these steels, in that order:\n\n| statement | where | rule |");
+    text.push_str("Statements of the paper on the stabilised state, decided for each of these steels in that order:\n\n| statement | where | rule |");
     let steels = profiles.iter().filter(|profile| profile.state.is_some()).count();
     text.push_str(&format!(
         "{} verdict |\n|---|---|---|{}---|\n",
@@ -293,19 +300,19 @@ The largest \u{3c3}_xx that rolling alone leaves under the wheel of Table 1, for
 }
 
 fn pictures(figures: &[u8], results: &Results) -> String {
-    let mut text = "## Figures\n\nSolid: half-plane; dashed: block. The numbers of all set-ups are in `figures/*.csv` of the folder.\n\n".to_owned();
+    let mut text = "## Figures\n\nK: half-plane solid, block dashed. The numbers of all set-ups are in `figures/*.csv` of the folder.\n\n".to_owned();
     for figure in FIGURES.iter().filter(|figure| figures.contains(&figure.number)) {
         let stem = figure.file_stem();
         text.push_str(&format!("![Fig. {}: {}](figures/{stem}.svg)\n\n", figure.number, figure.title));
     }
-    if super::sif_plot::engines(results).is_some() {
+    if crate::figures::engines(results).is_some() {
         text.push_str("![Two engines on the case of Fig. 13](figures/engines.svg)\n\n");
     }
     text
 }
 
 fn setups(results: &Results) -> String {
-    let mut text = "## Set-ups\n\n| name | what it is |\n|---|---|\n".to_owned();
+    let mut text = "## Set-ups\n\n| name | description |\n|---|---|\n".to_owned();
     for r in results.setups() {
         text.push_str(&format!("| {} | {} |\n", r.setup().name, r.setup().words));
     }

@@ -1,4 +1,5 @@
-//! The shape of a path in the words of the paper: co-planar, branched up or down, parallel to the surface.
+//! The shape of a path in the words of the paper: co-planar, branched up or down, parallel to the
+//! surface.
 
 use super::CrackGrowth;
 
@@ -29,8 +30,9 @@ pub struct PathShape {
     pub increments: usize,
     /// Depth of its end, mm.
     pub depth: f64,
-    /// Angle of the line from the tip of the initial crack to its end, below the surface, degrees in (−90, 90]: of a path
-    /// that ends above that tip it is negative. None where nothing has grown.
+    /// Angle of the line from the tip of the initial crack to its end, below the surface, degrees
+    /// in (−90, 90]: of a path that ends above that tip it is negative. None where nothing has
+    /// grown.
     pub inclination: Option<f64>,
     /// The same from where it has branched.
     pub inclination_after: Option<f64>,
@@ -38,8 +40,8 @@ pub struct PathShape {
     pub along_after: Option<f64>,
 }
 
-/// Deviation (degrees) from the initial crack that counts as a branch: more than the slow turns of co-planar growth, less than
-/// the kinks of 60° to 76° that compete with it.
+/// Deviation (degrees) from the initial crack that counts as a branch: more than the slow turns of
+/// co-planar growth, less than the kinks of 60° to 76° that compete with it.
 pub const BRANCHED: f64 = 20.0;
 
 /// A path this close (degrees) to the surface's direction runs parallel to it.

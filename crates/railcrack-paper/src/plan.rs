@@ -2,7 +2,7 @@
 
 use super::figure::Figure;
 use super::setup::{Body, Stage};
-use super::{CURVES, Curve, SETUPS, Setup};
+use super::{CURVES, PaperCurve, SETUPS, Setup};
 use std::collections::BTreeMap;
 
 /// One run.
@@ -39,7 +39,7 @@ pub(super) fn plan(figures: &[u8]) -> Vec<Job> {
 }
 
 /// How far `setup` runs `curve` for `figures`; none where they do not need it.
-fn wanted(setup: &Setup, curve: &Curve, figures: &[u8]) -> Option<Stage> {
+fn wanted(setup: &Setup, curve: &PaperCurve, figures: &[u8]) -> Option<Stage> {
     let mine = |figure: &&u8| setup.figures.contains(figure) && curve.figures.contains(figure);
     if !setup.concerns(curve) || !figures.iter().any(|figure| mine(&figure)) {
         return None;
@@ -48,7 +48,7 @@ fn wanted(setup: &Setup, curve: &Curve, figures: &[u8]) -> Option<Stage> {
     Some(if grows { Stage::Growth } else { Stage::Initial })
 }
 
-fn effort(setup: &Setup, curve: &Curve, stage: Stage) -> f64 {
+fn effort(setup: &Setup, curve: &PaperCurve, stage: Stage) -> f64 {
     let cracks: f64 = match curve.name {
         "nine" | "nine-stress" => 9.0,
         "pair" => 2.0,

@@ -1,4 +1,4 @@
-//! What was decided, for `statements.json` and the report.
+//! The decisions, for `statements.json` and the report.
 
 use super::verdict::Verdict;
 use super::{CURVES, FIGURES, Results, SETUPS};

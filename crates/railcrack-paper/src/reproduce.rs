@@ -1,46 +1,26 @@
 //! From chosen figures to runs, pictures, tables and the page.
 
 use super::computation::{Computation, runs_table};
+use super::error::PaperError;
 use super::figure::{Figure, Kind};
-use super::files::{FIG_21, FIG_22, TABLE_1};
+use super::files::{FIG_21, FIG_22, PAGE, RUNS, TABLE_1};
 use super::plan::{Job, plan};
-use super::profile_plot::{self, StressProfile};
+use super::profile::{StressProfile, profiles};
 use super::record::record;
 use super::steel::{STEELS, Steel};
-use super::stored::RUNS;
-use super::{CLAIMS, FIGURES, Results, Verdict, page, path_plot, sif_plot};
+use super::telling::{Earlier, Telling};
+use super::{CLAIMS, FIGURES, Results, Verdict, page};
+use crate::figures::{FigureTable, engines, path_table, profile_table, sheet, sif_table};
 use crate::report_page::paper_page;
-use railcrack::growth::{GrowthError, Observer};
-use railcrack::material::HardeningError;
-use railcrack::shakedown::{ShakedownError, StabilisedRail};
-use railcrack_case::{CarriedStressError, Case, CaseErrors};
+use railcrack::shakedown::StabilisedRail;
+use railcrack_case::Case;
 use railcrack_report::put;
 use railcrack_run::OutputError;
-use railcrack_run::folder::REPORT_FILE;
+use railcrack_run::files::REPORT_FILE;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use thiserror::Error;
 
-/// Someone who is told how far it is, and may interrupt it.
-pub trait Telling: Observer {
-    /// So many runs are to be done.
-    fn planned(&self, runs: usize);
-    /// The run `name` is done, after `wall_s` seconds.
-    fn finished(&self, name: &str, wall_s: f64);
-}
-
-/// What becomes of results that are in the folder.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Earlier {
-    /// They stay: an error.
-    Refuse,
-    /// They are replaced.
-    Replace,
-    /// Runs of the same cases by the same version are taken over, the rest is computed.
-    TakeOver,
-}
-
-/// What was computed and written.
+/// Results of the recomputed paper.
 pub struct Reproduction {
     /// All runs.
     pub results: Results,
@@ -54,63 +34,13 @@ pub struct Reproduction {
     pub page: PathBuf,
 }
 
-/// Why the paper could not be recomputed.
-#[derive(Debug, Error)]
-pub enum PaperError {
-    /// The folder holds an earlier one.
-    #[error(
-        "{} already holds results of the paper ({PAGE}): replace them with --force, take its runs over with --resume, or choose another folder with --out",
-        folder.display()
-    )]
-    Exists {
-        /// The folder.
-        folder: PathBuf,
-    },
-    /// A case that is refused.
-    #[error(transparent)]
-    Case(#[from] CaseErrors),
-    /// A run that could not do its first step.
-    #[error("{name}: {source}")]
-    Run {
-        /// The run.
-        name: String,
-        /// Why.
-        source: GrowthError,
-    },
-    /// A stress that the rail cannot carry.
-    #[error("{name}: {source}")]
-    Stress {
-        /// The run.
-        name: String,
-        /// Why.
-        source: CarriedStressError,
-    },
-    /// The plastic state of Fig. 21.
-    #[error(transparent)]
-    Shakedown(#[from] ShakedownError),
-    /// A steel of Fig. 21.
-    #[error(transparent)]
-    Steel(#[from] HardeningError),
-    /// The system refuses threads.
-    #[error("cannot start threads: {0}")]
-    Threads(#[from] rayon::ThreadPoolBuildError),
-    /// It was interrupted.
-    #[error("interrupted")]
-    Interrupted,
-    /// The system refuses.
-    #[error(transparent)]
-    Output(#[from] OutputError),
-}
-
-/// The page in the folder.
-const PAGE: &str = "paper.md";
-
-/// Computes what `figures` need and writes to `folder`: `cases/` (every case file that was run), `figures/` (a picture and a
-/// table each), `claims.csv`, `runs.csv`, `paper.md`, `statements.json`, `report.html`, and `runs/` as runs finish. Runs go to the threads of
-/// rayon; apart from times the files do not depend on their number.
+/// Computes what `figures` need and writes to `folder`: `cases/` (every case file that was run),
+/// `figures/` (a picture and a table each), `claims.csv`, `runs.csv`, `paper.md`,
+/// `statements.json`, `report.html`, and `runs/` as runs finish. Runs go to the threads of rayon;
+/// apart from times the files do not depend on their number.
 ///
-/// Errors: the folder holds such results and may not be replaced; a case cannot be computed at all; the system refuses; `telling`
-/// asks to stop.
+/// Errors: the folder holds such results and may not be replaced; a case cannot be computed at all;
+/// the system refuses; `telling` asks to stop.
 pub fn reproduce(
     folder: &Path,
     figures: &[u8],
@@ -193,7 +123,7 @@ fn stress_profiles(
 ) -> Result<Vec<StressProfile>, PaperError> {
     let case = Case::parse(FIG_22.text, FIG_22.name, &folder.join("cases"))?;
     let Some(given) = &case.residual_stress else { return Ok(Vec::new()) };
-    Ok(profile_plot::profiles(given.profile(), rolled))
+    Ok(profiles(given.profile(), rolled))
 }
 
 fn write_figures(
@@ -206,19 +136,19 @@ fn write_figures(
     make(&figures_folder)?;
     let chosen = |figure: &&Figure| figures.contains(&figure.number);
     for figure in FIGURES.iter().filter(chosen) {
-        let (picture, table) = match figure.kind {
-            Kind::Sif => (sif_plot::draw(figure, results), sif_plot::table(figure, results)),
-            Kind::Paths => (path_plot::draw(figure, results), path_plot::table(figure, results)),
-            Kind::Profile => {
-                let profiles = profiles.unwrap_or_default();
-                (profile_plot::draw(profiles), profile_plot::table(profiles))
-            }
+        let table = match figure.kind {
+            Kind::Sif => sif_table(figure, results),
+            Kind::Paths => path_table(figure, results),
+            Kind::Profile => profile_table(profiles.unwrap_or_default()),
         };
-        write(&figures_folder.join(format!("{}.svg", figure.file_stem())), &picture)?;
-        write(&figures_folder.join(format!("{}.csv", figure.file_stem())), &table)?;
+        let path = figures_folder.join(format!("{}.csv", figure.file_stem()));
+        write(&path, &table)?;
+        let sheet = FigureTable::parse(&table).and_then(|table| sheet(figure, &table));
+        let sheet = sheet.map_err(|reason| OutputError::damaged(&path, reason))?;
+        write(&path.with_extension("svg"), &sheet.svg())?;
     }
-    if let Some(picture) = sif_plot::engines(results) {
-        write(&figures_folder.join("engines.svg"), &picture)?;
+    if let Some(sheet) = engines(results) {
+        write(&figures_folder.join("engines.svg"), &sheet.svg())?;
     }
     Ok(())
 }

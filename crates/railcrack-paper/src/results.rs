@@ -1,6 +1,6 @@
 //! The runs of all set-ups, by set-up and curve.
 
-use super::{CURVES, CaseRun, Curve, SETUPS, Setup};
+use super::{CURVES, CaseRun, PaperCurve, SETUPS, Setup};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -57,7 +57,7 @@ impl<'a> SetupResults<'a> {
     }
 
     /// The curves of `figure` with their runs.
-    pub fn of_figure(self, figure: u8) -> impl Iterator<Item = (&'static Curve, &'a CaseRun)> {
+    pub fn of_figure(self, figure: u8) -> impl Iterator<Item = (&'static PaperCurve, &'a CaseRun)> {
         let curves = CURVES.iter().filter(move |curve| curve.figures.contains(&figure));
         curves.filter_map(move |curve| Some((curve, self.run(curve.name)?)))
     }

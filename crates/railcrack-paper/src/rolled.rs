@@ -1,6 +1,6 @@
 //! Statements about the plastic state itself, decided by rolled rails.
 
-use super::profile_plot::StressProfile;
+use super::profile::StressProfile;
 use railcrack::shakedown::RailState;
 
 /// A statement that a rolled rail decides.
@@ -24,21 +24,21 @@ pub(super) static ROLLED_CLAIMS: &[RolledClaim] = &[
         id: "6-shakedown",
         place: "6",
         statement: "The stabilised state of the rail is likely to be elastic shakedown.",
-        rule: "the state that repeated passages lead to is elastic shakedown",
+        rule: "repeated passages lead to elastic shakedown",
         decide: |rail| rail.state == Some(RailState::ElasticShakedown),
     },
     RolledClaim {
         id: "5.4.1-layers",
         place: "5.4.1, Fig. 21",
-        statement: "From the surface down \u{3c3}_xx is tension, compression, tension, compression.",
+        statement: "From the running surface downwards, \u{3c3}_xx is tensile, compressive, tensile, compressive.",
         rule: "signs of \u{3c3}_xx where it is larger than 5 MPa, from the surface down: + \u{2212} + \u{2212}",
         decide: |rail| layers(rail) == [1, -1, 1, -1],
     },
     RolledClaim {
         id: "5.4.1-shear",
         place: "5.4.1, Fig. 21",
-        statement: "Plastic shear is found just beneath the running surface only.",
-        rule: "the largest \u{3b5}_p,xy is above 2 mm, and below 2 a it is less than 5 % of that",
+        statement: "Plastic shear occurs only just beneath the running surface.",
+        rule: "\u{3b5}_p,xy is largest above a depth of 2 mm, and below 2 a it is less than 5 % of that value",
         decide: |rail| {
             let largest = |from: f64, to: f64| {
                 let inside = rail.plastic_shear.iter().filter(|[depth, _]| (from..to).contains(depth));

@@ -1,15 +1,18 @@
-//! What the paper leaves open, made explicit: boundary, travel, load steps, criterion, readings.
+//! Choices that the paper leaves open, made explicit: boundary, travel, load steps, criterion,
+//! readings.
 
-use super::curve::Curve;
+use super::curve::PaperCurve;
 use super::edit::Edit;
 use super::steel::{STEELS, Steel};
 
-/// Which way the wheel runs with respect to the cracks of 15°, which lean towards +x as they go down.
+/// Direction of travel with respect to the cracks of 15°, which lean towards +x as they go
+/// down.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Travel {
     /// The cracks lean along the travel: the wheel meets the mouth first, then passes over the tip.
     With,
-    /// They lean against it: the wheel passes over the tip first. Crack 9 of a network is met first.
+    /// They lean against it: the wheel passes over the tip first. Crack 9 of a network is met
+    /// first.
     Against,
 }
 
@@ -28,7 +31,7 @@ pub enum Extent {
 pub struct Setup {
     /// Its name in files and tables.
     pub name: &'static str,
-    /// What it is.
+    /// Its description.
     pub words: &'static str,
     /// How far its runs go.
     pub extent: Extent,
@@ -55,7 +58,7 @@ pub(super) enum Body {
     },
 }
 
-/// One more thing that differs.
+/// A further difference.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Twist {
     None,
@@ -66,7 +69,7 @@ pub(super) enum Twist {
     FaceFriction(f64),
     /// Fig. 21 read as the plastic stress, which is still to be balanced.
     PlasticStress,
-    /// The residual stress that rolling leaves in this steel instead of Fig. 21.
+    /// The residual stress of a rail rolled in this steel instead of Fig. 21.
     Rolled(&'static Steel),
     Young(f64),
 }
@@ -85,15 +88,15 @@ const FEW: &[u8] = &[13, 17, 19, 20, 22];
 /// Those of the single crack.
 /// Without the paths of Fig. 20: under a thin ligament a fixed step costs thousands of iterations.
 const SINGLE: &[u8] = &[13, 14, 15, 16, 17, 18, 19, 22, 23];
-/// Paths of the single crack. With the stress of Fig. 21 and negative k1 counted the crack turns back under a ligament so thin that its contact
-/// takes hours.
+/// Paths of the single crack. With the stress of Fig. 21 and negative k1 counted the crack turns
+/// back under a ligament so thin that its contact takes hours.
 const GROWN: &[u8] = &[16, 18, 20];
 /// Those that friction of the wheel drives, and K for the inclination.
 const DRAGGED: &[u8] = &[14, 15, 16, 17, 18, 19];
 
 impl Setup {
     /// The text of the case of `curve` in this set-up.
-    pub(super) fn text(&self, curve: &Curve, stage: Stage) -> String {
+    pub(super) fn text(&self, curve: &PaperCurve, stage: Stage) -> String {
         let mut edits = curve.edits();
         let sign = if self.travel == Travel::With { self.drag } else { -self.drag };
         edits.push(Edit::number("contact", "friction", sign * curve.wheel_friction));
@@ -147,7 +150,7 @@ impl Setup {
     }
 
     /// Whether the cracks of `curve` grow in this set-up.
-    pub(super) fn grows(&self, curve: &Curve) -> bool {
+    pub(super) fn grows(&self, curve: &PaperCurve) -> bool {
         let block = matches!(self.body, Body::Block { .. });
         match (self.extent, self.twist) {
             // A slippery pair takes as long there as the nine cracks of all set-ups.
@@ -161,7 +164,7 @@ impl Setup {
     }
 
     /// Whether `curve` is another case here than in the set-up that this one varies.
-    pub(super) fn concerns(&self, curve: &Curve) -> bool {
+    pub(super) fn concerns(&self, curve: &PaperCurve) -> bool {
         match self.twist {
             Twist::PlasticStress | Twist::Rolled(_) => {
                 matches!(curve.name, "stress" | "nine-stress" | "one-stress" | "reference")
@@ -224,11 +227,11 @@ pub static SETUPS: &[Setup] = both_ways![
     ("steps 0.05 a", "half-plane, fixed load steps of 0.05 a", Growth, SINGLE, Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::FixedSteps(240)),
     ("unclipped", "half-plane, negative k1 counted in the direction", Growth, GROWN, Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::Direction("max-rate-unclipped")),
     ("block, unclipped", "block, negative k1 counted in the direction", Growth, &[18], Some(Main::Block), 1.0, BLOCK, Twist::Direction("max-rate-unclipped")),
-    ("Fig. 21 plastic", "half-plane, Fig. 21 read as plastic stress before the balance", Growth, &[22, 23], Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::PlasticStress),
-    ("block, Fig. 21 plastic", "block, Fig. 21 read as plastic stress before the balance", Growth, &[22, 23], Some(Main::Block), 1.0, BLOCK, Twist::PlasticStress),
-    ("rolled 430 MPa", "half-plane, the residual stress that rolling leaves at a yield stress of 430 MPa and C = 20 GPa instead of Fig. 21", Growth, &[22, 23], Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::Rolled(&STEELS[1])),
-    ("rolled 380 MPa", "half-plane, the residual stress that rolling leaves at a yield stress of 380 MPa and C = 20 GPa instead of Fig. 21", Growth, &[22, 23], Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::Rolled(&STEELS[2])),
-    ("faces 0.01", "half-plane, friction of the faces 0.01 as in the captions of Figs 24 and 25", Growth, &[24, 25], Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::FaceFriction(0.01)),
-    ("block, faces 0.01", "block, friction of the faces 0.01 as in the captions of Figs 24 and 25", Growth, &[24, 25], Some(Main::Block), 1.0, BLOCK, Twist::FaceFriction(0.01)),
-    ("E 70 GPa", "half-plane, Young's modulus a third", Initial, &[13, 19, 24], Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::Young(70e3)),
+    ("Fig. 21 plastic", "half-plane, Fig. 21 read as the plastic stress, which is then balanced", Growth, &[22, 23], Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::PlasticStress),
+    ("block, Fig. 21 plastic", "block, Fig. 21 read as the plastic stress, which is then balanced", Growth, &[22, 23], Some(Main::Block), 1.0, BLOCK, Twist::PlasticStress),
+    ("rolled 430 MPa", "half-plane, residual stress of a rail rolled at a yield stress of 430 MPa and C = 20 GPa instead of Fig. 21", Growth, &[22, 23], Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::Rolled(&STEELS[1])),
+    ("rolled 380 MPa", "half-plane, residual stress of a rail rolled at a yield stress of 380 MPa and C = 20 GPa instead of Fig. 21", Growth, &[22, 23], Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::Rolled(&STEELS[2])),
+    ("faces 0.01", "half-plane, crack-face friction 0.01 as in the captions of Figs 24 and 25", Growth, &[24, 25], Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::FaceFriction(0.01)),
+    ("block, faces 0.01", "block, crack-face friction 0.01 as in the captions of Figs 24 and 25", Growth, &[24, 25], Some(Main::Block), 1.0, BLOCK, Twist::FaceFriction(0.01)),
+    ("E 70 GPa", "half-plane, a third of Young's modulus", Initial, &[13, 19, 24], Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::Young(70e3)),
 ];

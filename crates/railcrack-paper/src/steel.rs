@@ -1,6 +1,6 @@
-//! Steels that the paper might have used: it names a linear kinematic hardening, and no numbers.
+//! Steels that the paper might have used: it states linear kinematic hardening without numbers.
 
-use super::PaperError;
+use super::error::PaperError;
 use railcrack::load::HertzianContact;
 use railcrack::material::KinematicHardening;
 use railcrack::shakedown::{RolledRail, Stabilisation, StabilisedRail, Travel, stabilise};
@@ -13,7 +13,7 @@ pub(super) struct Steel {
     pub yield_stress: f64,
     /// C of the back stress, MPa.
     pub modulus: f64,
-    /// Friction of the wheel.
+    /// Wheel–rail friction.
     pub wheel_friction: f64,
 }
 
@@ -54,7 +54,7 @@ impl Steel {
         Ok(stabilise(&rail, &Stabilisation::default(), |_| ())?)
     }
 
-    /// What it leaves, as a case takes it.
+    /// Its residual stress as the table of a case.
     pub(super) fn profile_table(&self, rolled: &StabilisedRail) -> String {
         let mut text = format!("# {}\ndepth_mm,sxx_mpa,szz_mpa\n", self.words());
         for layer in &rolled.profile {

@@ -1,18 +1,21 @@
-//! Runs that are done, in the folder: an interrupted command takes them over.
+//! Finished runs in the folder, which an interrupted command takes over.
 
-use super::CaseRun;
+use super::case_run::CaseRun;
+use super::files::RUNS;
 use railcrack_case::Case;
 use railcrack_run::{OutputError, VERSION};
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
-/// The folder of the runs.
-pub(super) const RUNS: &str = "runs";
+/// Version of the program, and of the layout of [`CaseRun`].
+fn writer() -> String {
+    format!("{VERSION}, layout 2")
+}
 
 /// A run with all that it depends on.
 #[derive(Serialize, Deserialize)]
 struct Stored {
-    /// Version of the program.
+    /// Its [`writer`].
     program: String,
     /// The case with its defaults, and the tables that it names.
     case: Vec<String>,
@@ -29,11 +32,12 @@ fn identity(case: &Case) -> Vec<String> {
     std::iter::once(case.to_toml()).chain(tables.iter().map(|table| table.text.to_owned())).collect()
 }
 
-/// The run called `name`, if the folder has one of this `case` by this version; what else is there is computed anew.
+/// The run called `name`, if the folder has one of this `case` by this version; what else is there
+/// is computed anew.
 pub(super) fn stored(folder: &Path, name: &str, case: &Case) -> Option<CaseRun> {
     let bytes = std::fs::read(path(folder, name)).ok()?;
     let stored: Stored = postcard::from_bytes(&bytes).ok()?;
-    (stored.program == VERSION && stored.case == identity(case)).then_some(stored.run)
+    (stored.program == writer() && stored.case == identity(case)).then_some(stored.run)
 }
 
 /// Keeps `run`.
@@ -41,7 +45,7 @@ pub(super) fn stored(folder: &Path, name: &str, case: &Case) -> Option<CaseRun> 
 /// Errors: the system refuses.
 pub(super) fn store(folder: &Path, name: &str, case: &Case, run: &CaseRun) -> Result<(), OutputError> {
     let path = path(folder, name);
-    let stored = Stored { program: VERSION.into(), case: identity(case), run: run.clone() };
+    let stored = Stored { program: writer(), case: identity(case), run: run.clone() };
     let bytes = postcard::to_stdvec(&stored)
         .map_err(|reason| OutputError::io("encode", &path)(std::io::Error::other(reason)))?;
     // Half a file would be no run: it is moved into place when it is whole.

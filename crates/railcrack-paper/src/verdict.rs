@@ -1,11 +1,11 @@
-//! What all set-ups together say of a statement.
+//! The verdict on a statement over all set-ups.
 
 use super::{Claim, Decision, Results, SETUPS, SetupResults};
 
 /// The set-ups that decide first: both bodies, both ways of travel.
 pub(super) const MAIN: usize = 4;
 
-/// A statement with what every set-up says of it.
+/// A statement with its decision in every set-up.
 pub struct Verdict {
     /// The statement.
     pub claim: &'static Claim,
@@ -14,9 +14,10 @@ pub struct Verdict {
 }
 
 impl Verdict {
-    /// What `results` say of `claim`; none where they lack its runs.
+    /// The verdict of `results` on `claim`; none where they lack its runs.
     pub fn of(claim: &'static Claim, results: &Results) -> Option<Self> {
-        // Runs that a set-up has for the sake of other figures do not count: the verdict must not hang on what else is computed.
+        // Runs that a set-up has for the sake of other figures do not count: the verdict must not
+        // hang on what else is computed.
         let concerned =
             |r: &SetupResults| claim.figures.iter().all(|figure| r.setup().figures.contains(figure));
         let decisions: Vec<(usize, Decision)> =
@@ -24,12 +25,13 @@ impl Verdict {
         (!decisions.is_empty()).then_some(Self { claim, decisions })
     }
 
-    /// What the set-up at `index` says.
+    /// The decision in the set-up at `index`.
     pub fn decision(&self, index: usize) -> Option<&Decision> {
         self.decisions.iter().find(|(at, _)| *at == index).map(|(_, decision)| decision)
     }
 
-    /// `holds`, `holds in the 2 decided` of the four main set-ups, `holds only with …`, `does not hold`.
+    /// `holds`, `holds in the 2 decided` of the four main set-ups, `holds only with …`,
+    /// `does not hold`.
     pub fn words(&self) -> String {
         let holding: Vec<usize> = self.decisions.iter().filter(|(_, d)| d.holds).map(|(at, _)| *at).collect();
         if holding.is_empty() {
@@ -52,13 +54,13 @@ impl Verdict {
         format!("holds only with: {}", names.join("; "))
     }
 
-    /// What the set-up says that the one at `index` varies.
+    /// The decision in the set-up that the one at `index` varies.
     pub(super) fn decision_of_varied(&self, index: usize) -> Option<&Decision> {
         let name = SETUPS[index].varies?;
         self.decision(SETUPS.iter().position(|setup| setup.name == name)?)
     }
 
-    /// The variants that say otherwise than the set-up that they vary.
+    /// The variants whose decision differs from that of the set-up that they vary.
     pub fn departures(&self) -> Vec<(usize, &Decision)> {
         let departs = |(at, decision): &&(usize, Decision)| {
             self.decision_of_varied(*at).is_some_and(|varied| varied.holds != decision.holds)

@@ -51,7 +51,8 @@ fn numbers(text: &str) -> Vec<f64> {
         .collect()
 }
 
-/// Whether `line` of the page says what `decision` says, to the three digits of the page and round-off of another machine.
+/// Whether `line` of the page says what `decision` says, to the three digits of the page and
+/// round-off of another machine.
 fn says(line: &str, setup: &str, decision: &Decision) -> bool {
     let answer = if decision.holds { "yes; " } else { "no; " };
     let Some(numbers_there) = line.strip_prefix(&format!("* {setup}: {answer}")) else { return false };
@@ -147,7 +148,8 @@ fn finished_runs_are_taken_over() {
 
 #[test]
 fn numbers_of_the_text() {
-    // Design values of two independent codes: the locked plateau of Fig. 13, and the fixed steps of Table 1.
+    // Design values of two independent codes: the locked plateau of Fig. 13, and the fixed steps of
+    // Table 1.
     let (done, _) = cheap();
     let half_plane = done.results.setup("half-plane, with").unwrap();
     let peak = half_plane.run("fig13").unwrap().crack().sif.peak();

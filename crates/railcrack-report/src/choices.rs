@@ -1,21 +1,22 @@
-//! What of a page a reader chooses to see.
+//! Switches of a page: curves and rows that a reader shows or hides.
 
 use super::chart::{CurveColour, CurveLook};
 use super::html::json_for_script;
 use serde_json::json;
 use std::fmt::Write;
 
-/// Groups of values that a reader switches on and off: a curve or a row is shown where its value of every group is on.
+/// Groups of values that a reader switches on and off: a curve or a row is shown where its value of
+/// every group is on.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Choices {
-    /// The groups, in the order of [`Curve::choices`](super::Curve::choices).
+    /// The groups, in the order of [`Curve::choices`](super::chart::Curve::choices).
     pub groups: Vec<ChoiceGroup>,
 }
 
 /// Values of one kind.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ChoiceGroup {
-    /// What they are values of.
+    /// The key or quantity of the values.
     pub name: String,
     /// The values.
     pub values: Vec<Choice>,
@@ -26,13 +27,13 @@ pub struct ChoiceGroup {
 pub struct Choice {
     /// The value as text.
     pub name: String,
-    /// What its curves have in common, as a legend.
+    /// Colour or dashes of its curves, as a legend.
     pub mark: ChoiceMark,
     /// Whether it is on when the page opens.
     pub at_first: AtFirst,
 }
 
-/// What curves have in common.
+/// Common look of curves.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ChoiceMark {
     /// Nothing that is seen.

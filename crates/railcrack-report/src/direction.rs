@@ -1,6 +1,7 @@
-//! Where a tip is heading, in words.
+//! Direction of a crack tip, in words.
 
 use super::numbers::fixed;
+use railcrack::growth::{RunStop, TipStop};
 use railcrack_run::CrackSummary;
 use railcrack_run::csv::TipRow;
 
@@ -8,6 +9,34 @@ use railcrack_run::csv::TipRow;
 const BRANCH_DEG: f64 = 30.0;
 /// A heading within this of the horizontal (degrees) is level.
 const LEVEL_DEG: f64 = 0.5;
+
+/// Direction of the last segment at a tip.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Course {
+    /// Into the rail.
+    Downward,
+    /// Parallel to the running surface.
+    Level,
+    /// Towards the running surface.
+    Upward,
+    /// Broken out at the running surface.
+    Spall,
+}
+
+impl Course {
+    /// Every course, in the order of reading.
+    pub(crate) const ALL: [Self; 4] = [Self::Downward, Self::Level, Self::Upward, Self::Spall];
+
+    /// One word.
+    pub(crate) fn word(self) -> &'static str {
+        match self {
+            Self::Downward => "downward",
+            Self::Level => "level",
+            Self::Upward => "upward",
+            Self::Spall => "spall",
+        }
+    }
+}
 
 /// The last segment of a tip.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,7 +51,8 @@ pub(crate) struct Heading {
     spalled: bool,
 }
 
-/// Where the tip of `crack` with the rows `history`, by step, is heading; none where the crack is a point.
+/// Direction at the tip of `crack` with the rows `history`, by step; none where the crack is a
+/// point.
 pub(crate) fn heading(crack: &CrackSummary, history: &[&TipRow]) -> Option<Heading> {
     let (first, last) = (history.first()?, history.last()?);
     let now = below_surface(&crack.points_mm, last.place)?;
@@ -32,7 +62,7 @@ pub(crate) fn heading(crack: &CrackSummary, history: &[&TipRow]) -> Option<Headi
         .filter_map(|row| Some((row.step, row.kink_deg?)))
         .reduce(|most, next| if next.1.abs() > most.1.abs() { next } else { most })
         .filter(|kink| kink.1.abs() > BRANCH_DEG);
-    Some(Heading { now, before, branch, spalled: last.stop == "break-out" })
+    Some(Heading { now, before, branch, spalled: last.stop == Some(RunStop::NoTipGrows(TipStop::BreakOut)) })
 }
 
 /// Degrees below the surface of the segment that ends at the end of `points` nearer to `tip`.
@@ -48,13 +78,13 @@ fn below_surface(points: &[[f64; 2]], tip: [f64; 2]) -> Option<f64> {
 }
 
 impl Heading {
-    /// One word.
-    pub(crate) fn word(&self) -> &'static str {
+    /// Its course.
+    pub(crate) fn course(&self) -> Course {
         match self {
-            Self { spalled: true, .. } => "spall",
-            Self { now, .. } if *now > LEVEL_DEG => "downward",
-            Self { now, .. } if *now < -LEVEL_DEG => "upward",
-            _ => "level",
+            Self { spalled: true, .. } => Course::Spall,
+            Self { now, .. } if *now > LEVEL_DEG => Course::Downward,
+            Self { now, .. } if *now < -LEVEL_DEG => Course::Upward,
+            _ => Course::Level,
         }
     }
 
@@ -64,8 +94,8 @@ impl Heading {
         let side = if self.now < -LEVEL_DEG { " above the horizontal" } else { " below the horizontal" };
         let short = |text: &str| text.strip_suffix(side).map(str::to_owned);
         let mut text = match short(&before) {
-            Some(before) if now.ends_with(side) => format!("{now}, at first {before}"),
-            _ => format!("{now}, at first {before}"),
+            Some(before) if now.ends_with(side) => format!("{now}, initially {before}"),
+            _ => format!("{now}, initially {before}"),
         };
         if let Some((step, kink)) = self.branch {
             text.push_str(&format!("; kinks by {}° in step {step}", fixed(kink, 0)));
@@ -75,10 +105,10 @@ impl Heading {
 
     /// For the end of a sentence.
     pub(crate) fn sentence(&self) -> String {
-        match self.word() {
-            "spall" => "and breaks out at the surface: a spall".to_owned(),
-            "upward" => format!("upward: a spall if it goes on ({})", self.note()),
-            word => format!("{word} ({})", self.note()),
+        match self.course() {
+            Course::Spall => "and breaks out at the running surface: a spall".to_owned(),
+            Course::Upward => format!("upward, towards a spall ({})", self.note()),
+            course => format!("{} ({})", course.word(), self.note()),
         }
     }
 }
@@ -108,9 +138,15 @@ mod tests {
     #[test]
     fn words_say_where_it_goes() {
         let heading = |now: f64| Heading { now, before: 15.0, branch: None, spalled: false };
-        assert_eq!([30.0, -20.0, 0.1].map(|now| heading(now).word()), ["downward", "upward", "level"]);
+        assert_eq!(
+            [30.0, -20.0, 0.1].map(|now| heading(now).course().word()),
+            ["downward", "upward", "level"]
+        );
         let branched = Heading { branch: Some((3, -62.4)), ..heading(77.0) };
-        assert_eq!(branched.note(), "77° below the horizontal, at first 15°; kinks by \u{2212}62° in step 3");
+        assert_eq!(
+            branched.note(),
+            "77° below the horizontal, initially 15°; kinks by \u{2212}62° in step 3"
+        );
         assert!(Heading { spalled: true, ..heading(-5.0) }.sentence().contains("a spall"));
     }
 }

@@ -1,5 +1,6 @@
 //! Text and data in HTML.
 
+use super::markup::{Piece, pieces};
 use railcrack_vtu::base64;
 use serde_json::Value;
 
@@ -21,33 +22,18 @@ pub(crate) fn escaped(text: &str) -> String {
     out
 }
 
-/// [`escaped`], with `K_{I}` set as K with the index I and `10^{6}` as a power.
+/// [`escaped`], with the index of `K_{I}` lowered and the power of `10^{6}` raised.
 pub(crate) fn typeset(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    let mut rest = text;
-    while let Some((before, tag, after)) = marked(rest) {
-        let Some((inside, behind)) = after.split_once('}') else { break };
-        out.push_str(&escaped(before));
-        out.push_str(&format!("<{tag}>{}</{tag}>", escaped(inside)));
-        rest = behind;
-    }
-    out.push_str(&escaped(rest));
-    out
-}
-
-/// What stands before the first mark, the element that the mark means, and what stands after.
-fn marked(text: &str) -> Option<(&str, &'static str, &str)> {
-    let at = |mark: &str| text.find(mark);
-    let (place, tag) = match (at("_{"), at("^{")) {
-        (Some(low), Some(high)) if high < low => (high, "sup"),
-        (Some(low), _) => (low, "sub"),
-        (None, Some(high)) => (high, "sup"),
-        (None, None) => return None,
+    let set = |piece| match piece {
+        Piece::Plain(text) => escaped(text),
+        Piece::Index(text) => format!("<sub>{}</sub>", escaped(text)),
+        Piece::Power(text) => format!("<sup>{}</sup>", escaped(text)),
     };
-    Some((&text[..place], tag, &text[place + 2..]))
+    pieces(text).into_iter().map(set).collect()
 }
 
-/// An SVG as an image of its own: its names cannot meet those of another picture, nor its content the page.
+/// An SVG as an image of its own: its names cannot meet those of another picture, nor its content
+/// the page.
 pub(crate) fn still(svg: &str, description: &str) -> String {
     let mut data = Vec::with_capacity(svg.len() / 3 * 4 + 4);
     base64::encode(svg.as_bytes(), &mut data);

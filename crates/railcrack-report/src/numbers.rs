@@ -18,7 +18,8 @@ pub fn numbers(values: impl IntoIterator<Item = f64>) -> Value {
     Value::Array(values.into_iter().map(number).collect())
 }
 
-/// A count with its digits in groups of three: `1 197 467`; a power of ten where it has more than 15 digits.
+/// A count with its digits in groups of three: `1 197 467`; a power of ten where it has more than
+/// 15 digits.
 pub fn grouped(value: f64) -> String {
     let digits = format!("{value:.0}");
     if digits.len() > 15 {
@@ -60,6 +61,18 @@ pub fn fixed(value: f64, decimals: usize) -> String {
 /// Million gross tonnes: three significant digits or two decimals.
 pub fn tonnage(value: f64) -> String {
     if value >= 0.1 || value == 0.0 { fixed(value, 2) } else { significant(value) }
+}
+
+/// `text` cut to about `letters` letters.
+pub(crate) fn shortened(text: &str, letters: f64) -> String {
+    let most = letters.max(8.0) as usize;
+    if text.chars().count() <= most {
+        return text.to_owned();
+    }
+    let mut short: String = text.chars().take(most - 1).collect();
+    short.truncate(short.trim_end().len());
+    short.push('\u{2026}');
+    short
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
-//! The page: what stands first, then sections of text, tables and charts, all in one file.
+//! A page: the first screen, then sections of text, tables and charts, all in one file.
 
-use super::chart::LineChart;
+use super::chart::Chart;
 use super::choices::Choices;
 use super::html::{escaped, json_for_script, still, typeset};
 use super::table::Table;
@@ -14,14 +14,14 @@ const PLOT: &str = include_str!("assets/vendor/plot.min.js");
 const KIT: &str = include_str!("assets/kit.js");
 const CHOICES: &str = include_str!("assets/choices.js");
 
-/// A number that a reader looks for first.
+/// A key figure.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fact {
-    /// What it is: "Load cycles".
+    /// Its name: "Load cycles".
     pub name: String,
     /// Its value with unit.
     pub value: String,
-    /// What else to know of it, a few words; empty for nothing.
+    /// A few words beside it; empty for none.
     pub note: String,
 }
 
@@ -34,12 +34,12 @@ pub enum Block {
     Text(String),
     /// A list of sentences.
     List(Vec<String>),
-    /// Something that the reader must not miss: a sentence each.
+    /// Warnings, a sentence each.
     Warnings(Vec<String>),
     /// A table.
     Table(Table),
     /// A chart.
-    Chart(LineChart),
+    Chart(Chart),
     /// Switches for curves and rows, once on a page.
     Choices(Choices),
     /// Parts beside each other where there is room.
@@ -48,14 +48,14 @@ pub enum Block {
     Picture {
         /// The SVG file.
         svg: String,
-        /// What it shows, a sentence.
+        /// Its caption, a sentence.
         caption: String,
     },
     /// A picture for readers without scripts only, in place of what these draw.
     Still {
         /// The SVG file.
         svg: String,
-        /// What it shows, a sentence.
+        /// Its caption, a sentence.
         caption: String,
     },
     /// Text as it stands, in letters of equal width.
@@ -67,7 +67,8 @@ pub enum Block {
         /// The parts.
         blocks: Vec<Block>,
     },
-    /// What the script of a page of its own kind builds. `html` is not escaped: it must be the program's own.
+    /// Elements built by a script of this kind of page. `html` is not escaped: it must be the
+    /// program's own.
     Viewer {
         /// Elements that the script fills.
         html: &'static str,
@@ -82,7 +83,7 @@ pub enum Block {
 
 impl Block {
     /// Charts beside each other where there is room.
-    pub fn charts(charts: impl IntoIterator<Item = LineChart>) -> Self {
+    pub fn charts(charts: impl IntoIterator<Item = Chart>) -> Self {
         Self::Beside(charts.into_iter().map(Self::Chart).collect())
     }
 }
@@ -103,13 +104,13 @@ pub struct Section {
 pub struct Page {
     /// Title of the page: that of the case.
     pub title: String,
-    /// What the page is: "Growth of cracks".
+    /// Kind of results: "Crack growth".
     pub kind: String,
     /// The result in a sentence or two.
     pub verdict: String,
-    /// The numbers that are looked for first.
+    /// Key figures.
     pub facts: Vec<Fact>,
-    /// What stands on the first screen below them.
+    /// Blocks of the first screen, below the key figures.
     pub lead: Vec<Block>,
     /// Everything else.
     pub sections: Vec<Section>,

@@ -1,40 +1,43 @@
-//! Plots and report of a folder, from what is stored in it.
+//! Plots and report of a results folder, built from its files.
 
-use crate::figures::{ComparedTip, ShakedownPlot, compared_paths, compared_sifs, run_plots, shakedown_plots};
-use crate::figures::{STUDY_PLOTS, study_plots};
+use crate::figures::{
+    Plot, STUDY_PLOTS, StudyRun, Styles, comparison_plots, run_plots, shakedown_plots, study_plots,
+};
 use crate::pages::{RunFolder, comparison_page, run_page, shakedown_page, study_page};
 use crate::shown::{ShownRun, ShownStep};
 use railcrack::growth::StepRecord;
-use railcrack_run::compare::{self, stored_comparison};
+use railcrack_run::compare::stored_comparison;
 use railcrack_run::csv::SifScale;
-use railcrack_run::folder::{Durability, PLOTS_FOLDER, REPORT_FILE, SUMMARY_FILE, replace_file};
-use railcrack_run::rolled::{self, StoredState};
-use railcrack_run::study::{PLAN_FILE, StudyFolder, StudyResults};
-use railcrack_run::{Comparison, OutputError, Presentation, RunPresentation};
+use railcrack_run::files::{
+    COMPARE_FILE, PLAN_FILE, PLOTS_FOLDER, REPORT_FILE, SHAKEDOWN_FILE, SUMMARY_FILE,
+};
+use railcrack_run::folder::{Durability, replace_file};
+use railcrack_run::study::{StudyFolder, StudyResults};
+use railcrack_run::{OutputError, Presentation, RunPresentation, ShakedownFolder};
 use std::path::Path;
 
-/// What a folder holds.
+/// Kind of results in a folder.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FolderKind {
     /// A growth run: `summary.json`.
     Run,
     /// A stabilised plastic state: `shakedown.json`.
     Shakedown,
-    /// Two runs set against each other: `compare.json`.
+    /// A comparison of two runs: `compare.json`.
     Comparison,
     /// A parametric study: `study.json`.
     Study,
 }
 
 impl FolderKind {
-    /// What `folder` holds.
+    /// The kind of results in `folder`.
     ///
     /// Errors: none of these; no such folder.
     pub fn of(folder: &Path) -> Result<Self, OutputError> {
         let kinds = [
             (Self::Run, SUMMARY_FILE),
-            (Self::Shakedown, rolled::SHAKEDOWN_FILE),
-            (Self::Comparison, compare::JSON_FILE),
+            (Self::Shakedown, SHAKEDOWN_FILE),
+            (Self::Comparison, COMPARE_FILE),
             (Self::Study, PLAN_FILE),
         ];
         let there = |&(_, file): &(Self, &str)| folder.join(file).is_file();
@@ -45,8 +48,9 @@ impl FolderKind {
     }
 }
 
-/// Builds plots and report of `folder` from its tables and summaries alone, in place of those that are there; of a study, also its table
-/// of runs, from the run folders in it. What a command wrote is built again bit for bit.
+/// Builds plots and report of `folder` anew from its tables and summaries alone; of a study, also
+/// its table of runs, from the run folders in it. The files of a command are built again bit for
+/// bit.
 ///
 /// Errors: the folder holds none of these; a file of it is damaged; the system refuses.
 pub fn rebuild_report(folder: &Path) -> Result<FolderKind, OutputError> {
@@ -74,13 +78,13 @@ fn write_run(run: &RunFolder, shown: &ShownRun) -> Result<(), OutputError> {
     put(&run.path.join(REPORT_FILE), &run_page(run, shown, &plots).html())
 }
 
-/// Writes `plots` (file name and SVG) into `folder`.
-pub fn write_plots(folder: &Path, plots: &[(&'static str, String)]) -> Result<(), OutputError> {
+/// Writes the files of `plots` into `folder`.
+fn write_plots(folder: &Path, plots: &[Plot]) -> Result<(), OutputError> {
     if plots.is_empty() {
         return Ok(());
     }
     std::fs::create_dir_all(folder).map_err(OutputError::io("create", folder))?;
-    plots.iter().try_for_each(|(file, picture)| put(&folder.join(file), picture))
+    plots.iter().try_for_each(|plot| put(&folder.join(plot.file), &plot.svg))
 }
 
 /// Writes `text` to `path` in one piece.
@@ -88,11 +92,11 @@ pub fn put(path: &Path, text: &str) -> Result<(), OutputError> {
     replace_file(path, text.as_bytes(), Durability::Cached)
 }
 
-/// The plots and pages of this crate, for what computes.
+/// The plots and pages of this crate, as a presentation of runs in progress.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Pages;
 
-/// What is shown of a run that is being computed.
+/// Results shown of a run in progress.
 #[derive(Debug, Default)]
 struct Gathered {
     shown: ShownRun,
@@ -126,10 +130,9 @@ impl Presentation for Pages {
     }
 
     fn shakedown(&self, folder: &Path) -> Result<(), OutputError> {
-        let state = StoredState::read(folder)?;
+        let state = ShakedownFolder::open(folder)?;
         let plots = shakedown_plots(&state);
-        let pictures: Vec<(&'static str, String)> = plots.iter().map(ShakedownPlot::file).collect();
-        write_plots(&folder.join(PLOTS_FOLDER), &pictures)?;
+        write_plots(&folder.join(PLOTS_FOLDER), &plots)?;
         put(&folder.join(REPORT_FILE), &shakedown_page(&state, &plots).html())
     }
 
@@ -141,32 +144,18 @@ impl Presentation for Pages {
     }
 
     fn study(&self, folder: &StudyFolder, results: &StudyResults) -> Result<(), OutputError> {
-        let plots = study_plots(folder.plan(), &results.rows);
+        let plan = folder.plan();
+        let rows = plan.runs.iter().zip(&results.rows);
+        let runs: Vec<StudyRun> = rows.map(|(planned, row)| StudyRun::new(plan, planned, row)).collect();
+        let styles = Styles::new(plan);
+        let plots = study_plots(plan, &runs, &styles);
         for file in STUDY_PLOTS {
-            match plots.iter().find(|(name, _)| *name == file) {
-                Some((_, picture)) => folder.put(&format!("plots/{file}"), picture.as_bytes())?,
+            match plots.iter().find(|plot| plot.file == file) {
+                Some(plot) => folder.put(&format!("plots/{file}"), plot.svg.as_bytes())?,
                 None => folder.take_away(&format!("plots/{file}"))?,
             }
         }
-        let page = study_page(folder.plan(), &results.rows, &folder.study_text()?, &plots);
+        let page = study_page(plan, &runs, &styles, &folder.study_text()?, &plots);
         folder.put(REPORT_FILE, page.html().as_bytes())
     }
-}
-
-/// The plots of a comparison: file name and SVG.
-fn comparison_plots(comparison: &Comparison) -> Vec<(&'static str, String)> {
-    if comparison.common_steps == 0 {
-        return Vec::new();
-    }
-    let sifs = |step: usize| {
-        let tips = comparison.tips.iter().zip(&comparison.aligned).filter(|(tip, _)| tip.step == step);
-        let tips = tips.map(|(tip, aligned)| ComparedTip { crack: tip.crack, tip: tip.tip, aligned });
-        compared_sifs(step, &comparison.names(), tips.collect())
-    };
-    let cracks = comparison.cracks.each_ref().map(Vec::as_slice);
-    vec![
-        (compare::FIRST_STEP, sifs(0)),
-        (compare::LAST_STEP, sifs(comparison.common_steps - 1)),
-        (compare::PATHS, compared_paths(&comparison.names(), cracks)),
-    ]
 }

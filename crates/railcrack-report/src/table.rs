@@ -6,7 +6,7 @@ use std::fmt::Write;
 /// A cell of a table. Its text is plain; `K_{I}` sets an index.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Cell {
-    /// What it says.
+    /// Its text.
     pub text: String,
     /// Where it leads: a path from the folder of the page, with `/`; empty for nowhere.
     pub link: String,
@@ -25,7 +25,7 @@ impl Cell {
     }
 }
 
-/// What the switches and the pointer know of a row.
+/// Name and choices of a row, for switches and pointer.
 #[derive(Debug, Clone, PartialEq)]
 struct RowMark {
     name: String,
@@ -35,7 +35,7 @@ struct RowMark {
 /// A table of a page. Headings and cells are plain text; `K_{I}` sets an index.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Table {
-    /// What the table shows, a sentence above it; empty for none.
+    /// A sentence above the table; empty for none.
     pub caption: String,
     /// Column headings with units.
     pub headings: Vec<String>,
@@ -56,7 +56,8 @@ impl Table {
         self.rows.push(cells.into_iter().map(Into::into).collect());
     }
 
-    /// Appends a row that stands for the curves called `name`, and is shown where `choices` are chosen. Rows of this kind come first.
+    /// Appends a row that stands for the curves called `name`, and is shown where `choices` are
+    /// chosen. Rows of this kind come first.
     pub fn row_of(
         &mut self,
         name: &str,
@@ -115,7 +116,8 @@ impl Table {
 /// A cell of numbers without one.
 pub const MISSING: &str = "\u{2013}";
 
-/// Whether a cell holds nothing but a number, or says that there is none: such cells are aligned at their right.
+/// Whether a cell holds nothing but a number, or says that there is none: such cells are aligned at
+/// their right.
 fn is_number(cell: &str) -> bool {
     let digits = cell.trim_start_matches(['\u{2212}', '-']);
     cell == MISSING

@@ -1,7 +1,12 @@
-//! The checkpoint: everything a run needs in order to go on after its last finished step.
+//! The checkpoint and the run log: everything a run needs in order to go on after its last finished
+//! step. Each step appends an entry to the log; the checkpoint is replaced, and says how much of
+//! the log and of the tables counts.
 
-use super::folder::{self, CHECKPOINT_FILE, CaseFiles, Durability};
-use super::story::Story;
+use super::case_files::CaseFiles;
+use super::csv::CsvFile;
+use super::files::{CHECKPOINT_FILE, RUN_LOG_FILE};
+use super::folder::{self, Durability};
+use super::run_log::{Present, RunLog, StepDigest};
 use super::{OutputError, VERSION};
 use railcrack::growth::GrowthState;
 use serde::{Deserialize, Serialize};
@@ -10,17 +15,18 @@ use std::path::Path;
 const MAGIC: [u8; 8] = *b"RAILCRCK";
 
 /// Raised whenever the layout of [`Checkpoint`] or of what it holds changes.
-const FORMAT: u32 = 6;
+const FORMAT: u32 = 7;
 
 /// Magic, format, checksum.
 const HEADER: usize = 8 + 4 + 8;
 
-/// Bytes in each table after the last finished step.
+/// Bytes in tables and run log after the last finished step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) struct TableLengths {
     pub sif: u64,
     pub growth: u64,
     pub faces: u64,
+    pub log: u64,
 }
 
 /// The state of a run after a finished step.
@@ -28,10 +34,85 @@ pub(crate) struct TableLengths {
 pub(crate) struct Checkpoint {
     /// Version of the program.
     pub program: String,
-    pub case: CaseFiles,
     pub state: GrowthState,
     pub lengths: TableLengths,
-    pub story: Story,
+    /// Checksum of the run log up to its length.
+    pub log_checksum: u64,
+    pub now: Present,
+}
+
+/// The run log as a file: program and case, then an entry per step, in postcard encoding.
+#[derive(Debug)]
+pub(crate) struct LogFile {
+    file: CsvFile,
+    checksum: u64,
+}
+
+impl LogFile {
+    /// A new log of a run of `case` in `folder`.
+    pub(crate) fn create(folder: &Path, case: &CaseFiles) -> Result<Self, OutputError> {
+        let file = CsvFile::create(&folder.join(RUN_LOG_FILE), "")?;
+        let mut log = Self { file, checksum: CHECKSUM_OF_NOTHING };
+        log.append(&encoded(folder, case)?)?;
+        Ok(log)
+    }
+
+    /// Content of the log of the run in `folder` as far as `checkpoint` counts on it: the case and
+    /// the finished steps.
+    pub(crate) fn read(folder: &Path, checkpoint: &Checkpoint) -> Result<(CaseFiles, RunLog), OutputError> {
+        let path = folder.join(RUN_LOG_FILE);
+        let bytes = folder::read_if_there(&path)?.unwrap_or_default();
+        let counts = usize::try_from(checkpoint.lengths.log).ok().and_then(|length| bytes.get(..length));
+        let bytes = counts.filter(|bytes| checksum(CHECKSUM_OF_NOTHING, bytes) == checkpoint.log_checksum);
+        let bytes =
+            bytes.ok_or_else(|| OutputError::damaged(&path, "does not hold what was written (checksum)"))?;
+        let damaged = |reason: postcard::Error| OutputError::damaged(&path, reason.to_string());
+        let (case, mut rest) = postcard::take_from_bytes(bytes).map_err(damaged)?;
+        let mut steps: Vec<StepDigest> = Vec::new();
+        while !rest.is_empty() {
+            let (step, behind) = postcard::take_from_bytes(rest).map_err(damaged)?;
+            steps.push(step);
+            rest = behind;
+        }
+        Ok((case, RunLog { steps, now: checkpoint.now.clone() }))
+    }
+
+    /// The log of the run in `folder`, cut back to what `checkpoint` counts on.
+    pub(crate) fn cut_back(folder: &Path, checkpoint: &Checkpoint) -> Result<Self, OutputError> {
+        let file = CsvFile::cut_back(&folder.join(RUN_LOG_FILE), checkpoint.lengths.log)?;
+        Ok(Self { file, checksum: checkpoint.log_checksum })
+    }
+
+    /// Appends a finished step.
+    pub(crate) fn add(&mut self, folder: &Path, step: &StepDigest) -> Result<(), OutputError> {
+        self.append(&encoded(folder, step)?)
+    }
+
+    fn append(&mut self, entry: &[u8]) -> Result<(), OutputError> {
+        self.file.append(entry)?;
+        self.checksum = checksum(self.checksum, entry);
+        Ok(())
+    }
+
+    /// Waits until the disk has it.
+    pub(crate) fn sync(&self) -> Result<(), OutputError> {
+        self.file.sync()
+    }
+
+    /// Bytes in the log.
+    pub(crate) fn length(&self) -> u64 {
+        self.file.length()
+    }
+
+    /// Checksum of these bytes.
+    pub(crate) fn checksum(&self) -> u64 {
+        self.checksum
+    }
+}
+
+fn encoded(folder: &Path, entry: &impl Serialize) -> Result<Vec<u8>, OutputError> {
+    postcard::to_stdvec(entry)
+        .map_err(|reason| OutputError::damaged(&folder.join(RUN_LOG_FILE), reason.to_string()))
 }
 
 impl Checkpoint {
@@ -43,7 +124,7 @@ impl Checkpoint {
         let mut bytes = Vec::with_capacity(HEADER + body.len());
         bytes.extend_from_slice(&MAGIC);
         bytes.extend_from_slice(&FORMAT.to_le_bytes());
-        bytes.extend_from_slice(&checksum(&body).to_le_bytes());
+        bytes.extend_from_slice(&checksum(CHECKSUM_OF_NOTHING, &body).to_le_bytes());
         bytes.extend_from_slice(&body);
         folder::replace_file(&path, &bytes, durability)
     }
@@ -69,7 +150,7 @@ impl Checkpoint {
             return Err(other_version(format!("with checkpoint format {format}"), this));
         }
         let body = &bytes[HEADER..];
-        if little_endian(&bytes[12..HEADER]) != checksum(body) {
+        if little_endian(&bytes[12..HEADER]) != checksum(CHECKSUM_OF_NOTHING, body) {
             return Err(damaged("does not hold what was written (checksum)"));
         }
         let checkpoint: Self = postcard::from_bytes(body).map_err(|reason| damaged(&reason.to_string()))?;
@@ -84,9 +165,10 @@ fn little_endian(bytes: &[u8]) -> u64 {
     bytes.iter().rev().fold(0, |value, &byte| value << 8 | u64::from(byte))
 }
 
-/// FNV-1a, 64 bits.
-fn checksum(bytes: &[u8]) -> u64 {
-    bytes
-        .iter()
-        .fold(0xcbf2_9ce4_8422_2325, |hash, &byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
+/// FNV-1a, 64 bits, of no bytes.
+const CHECKSUM_OF_NOTHING: u64 = 0xcbf2_9ce4_8422_2325;
+
+/// FNV-1a, 64 bits, of `bytes` behind those whose checksum is `before`.
+fn checksum(before: u64, bytes: &[u8]) -> u64 {
+    bytes.iter().fold(before, |hash, &byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
 }

@@ -1,85 +1,24 @@
-//! The run folder: which files are a run's, when they may be replaced, and how a file is replaced whole.
+//! The run folder on the disk: when the files of a run may be replaced, and how a file is
+//! replaced whole.
 
 use super::OutputError;
-use super::csv::{FACES_FILE, GROWTH_FILE, RESIDUAL_FILE, SIF_FILE};
-use super::fields::{FIELDS_FILE, FIELDS_FOLDER, is_field_file};
-use super::rolled::{CYCLE_FILE, PASSES_FILE, PLASTIC_FILE, PROFILE_FILE, SHAKEDOWN_FILE};
-use super::study::OUTCOME_FILE;
-use serde::{Deserialize, Serialize};
+use super::case_files::CaseFiles;
+use super::field_files::is_field_file;
+use super::files::{
+    CASE_FILE, CHECKPOINT_FILE, FIELDS_FOLDER, INPUTS_FOLDER, PLOT_FILES, PLOTS_FOLDER, REPORT_FILE,
+    ROLLED_FOLDER, RUN_FILES,
+};
+use railcrack_case::Case;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
 use std::fs::{self, File};
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-/// The page in a folder.
-pub const REPORT_FILE: &str = "report.html";
-
-/// Folder of the plots.
-pub const PLOTS_FOLDER: &str = "plots";
-
-/// Every plot of a run or of a stabilised plastic state.
-pub const PLOT_FILES: [&str; 14] = [
-    "ki.svg",
-    "kii.svg",
-    "paths.svg",
-    "length-cycles.svg",
-    "faces.svg",
-    "faces-last.svg",
-    "residual-stress.svg",
-    "plastic-strain.svg",
-    "passes.svg",
-    "passes-change.svg",
-    "bounds.svg",
-    "shakedown-map.svg",
-    "dang-van.svg",
-    "field.svg",
-];
-
-pub const CASE_FILE: &str = "case.toml";
-pub const CHECKPOINT_FILE: &str = "checkpoint.bin";
-pub const SUMMARY_FILE: &str = "summary.json";
-
-/// Files of a run beside `case.toml`, in the order in which a replaced run is removed: without its checkpoint a run
-/// is one that has not begun.
-const RUN_FILES: [&str; 18] = [
-    CHECKPOINT_FILE,
-    OUTCOME_FILE,
-    SIF_FILE,
-    GROWTH_FILE,
-    FACES_FILE,
-    RESIDUAL_FILE,
-    SUMMARY_FILE,
-    PASSES_FILE,
-    PROFILE_FILE,
-    SHAKEDOWN_FILE,
-    PLASTIC_FILE,
-    CYCLE_FILE,
-    REPORT_FILE,
-    FIELDS_FILE,
-    "inputs/residual-stress.csv",
-    "inputs/initial-residual.csv",
-    "inputs/plastic-stress.vtu",
-    "inputs/plastic-stress.csv",
-];
-
-/// Folder of the stabilised plastic state that a run computed first.
-pub const ROLLED_FOLDER: &str = "shakedown";
-
-/// Folder of the files that `case.toml` names.
-const INPUTS_FOLDER: &str = "inputs";
-
 /// Ending of a file that is being written and not yet in place.
 const PARTIAL: &str = "partial";
 
-/// What is computed: the text of `case.toml` and the files that it names.
-#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
-pub struct CaseFiles {
-    /// The case, defaults filled in.
-    pub toml: String,
-    /// Name in the run folder (`inputs/residual-stress.csv`) and text of each file that the case names.
-    pub companions: Vec<(String, String)>,
-}
-
-/// What to do with a run that the folder already holds.
+/// Treatment of a run that the folder already holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Existing {
     /// Leave it alone: an error.
@@ -97,7 +36,8 @@ pub enum Durability {
     Cached,
 }
 
-/// Writes `content` beside `path` and moves it into place: readers see the old file or the new one, never a part.
+/// Writes `content` beside `path` and moves it into place: readers see the old file or the new one,
+/// never a part.
 pub fn replace_file(path: &Path, content: &[u8], durability: Durability) -> Result<(), OutputError> {
     let partial = partial_of(path);
     let refused = || OutputError::io("write", path);
@@ -121,9 +61,9 @@ fn partial_of(path: &Path) -> PathBuf {
     PathBuf::from(name)
 }
 
-/// Makes `folder` a run folder with nothing but the case. From `case.toml` on, the folder holds a run that can be
-/// resumed.
-pub fn begin(folder: &Path, case: &CaseFiles, existing: Existing) -> Result<(), OutputError> {
+/// Makes `folder` a run folder with nothing but the case. From `case.toml` on, the folder holds a
+/// run that can be resumed.
+pub(crate) fn begin(folder: &Path, case: &CaseFiles, existing: Existing) -> Result<(), OutputError> {
     if existing == Existing::Refuse
         && let Some(file) = run_file_in(folder)
     {
@@ -135,8 +75,9 @@ pub fn begin(folder: &Path, case: &CaseFiles, existing: Existing) -> Result<(), 
     }
     fs::create_dir_all(folder).map_err(OutputError::io("create the run folder", folder))?;
     if existing == Existing::Replace {
-        // The order matters to a kill in between: first the old run loses its checkpoint, then the new case takes
-        // the old one's place; whatever is left over then belongs to a run that starts from its beginning.
+        // The order matters to a kill in between: first the old run loses its checkpoint, then the
+        // new case takes the old one's place; whatever is left over then belongs to a run that
+        // starts from its beginning.
         remove(&folder.join(CHECKPOINT_FILE))?;
     }
     replace_file(&folder.join(CASE_FILE), case.toml.as_bytes(), Durability::Synced)?;
@@ -148,7 +89,7 @@ pub fn begin(folder: &Path, case: &CaseFiles, existing: Existing) -> Result<(), 
 }
 
 /// Writes the case of a run that goes on: its text and the files that it names.
-pub fn restore_case(folder: &Path, case: &CaseFiles) -> Result<(), OutputError> {
+pub(crate) fn restore_case(folder: &Path, case: &CaseFiles) -> Result<(), OutputError> {
     replace_file(&folder.join(CASE_FILE), case.toml.as_bytes(), Durability::Cached)?;
     write_companions(folder, case)
 }
@@ -180,7 +121,8 @@ fn clear_results(folder: &Path) -> Result<(), OutputError> {
     let fields = folder.join(FIELDS_FOLDER);
     clear_fields(&fields)?;
     for emptied in [plots, fields, folder.join(INPUTS_FOLDER)] {
-        // Refused where the user keeps files of his own in it, or where it does not exist: both are fine.
+        // Refused where the user keeps files of his own in it, or where it does not exist: both are
+        // fine.
         let _ = fs::remove_dir(emptied);
     }
     Ok(())
@@ -215,18 +157,63 @@ fn clear_fields(fields: &Path) -> Result<(), OutputError> {
 }
 
 /// Whether a run in `folder` was killed before its case stood there.
-pub fn was_about_to_begin(folder: &Path) -> bool {
+pub(crate) fn was_about_to_begin(folder: &Path) -> bool {
     partial_of(&folder.join(CASE_FILE)).is_file()
 }
 
 /// The case of the run in `folder`; none where no `case.toml` stands there.
-pub fn stored_case(folder: &Path) -> Result<Option<String>, OutputError> {
+pub(crate) fn stored_case(folder: &Path) -> Result<Option<String>, OutputError> {
     read_if_there(&folder.join(CASE_FILE))?
         .map(|bytes| {
             String::from_utf8(bytes)
                 .map_err(|_| OutputError::damaged(&folder.join(CASE_FILE), "is not UTF-8 text"))
         })
         .transpose()
+}
+
+/// The case of the run in `folder`.
+///
+/// Errors: there is none, or this version does not accept it.
+pub(crate) fn read_case(folder: &Path) -> Result<Case, OutputError> {
+    let text = stored_case(folder)?
+        .ok_or_else(|| OutputError::NotARun { folder: folder.to_path_buf(), file: CASE_FILE })?;
+    let path = folder.join(CASE_FILE);
+    let case = Case::parse(&text, &path.display().to_string(), folder);
+    case.map_err(|errors| OutputError::damaged(&path, errors.to_string()))
+}
+
+/// The JSON file `file` of `folder`; none where it is not there.
+pub(crate) fn read_json_if_there<T: DeserializeOwned>(
+    folder: &Path,
+    file: &str,
+) -> Result<Option<T>, OutputError> {
+    let path = folder.join(file);
+    let Some(text) = read_if_there(&path)? else { return Ok(None) };
+    let value = serde_json::from_slice(&text);
+    value.map(Some).map_err(|reason| OutputError::damaged(&path, reason.to_string()))
+}
+
+/// The JSON file `file`, which makes `folder` what it is.
+pub(crate) fn read_json<T: DeserializeOwned>(folder: &Path, file: &'static str) -> Result<T, OutputError> {
+    read_json_if_there(folder, file)?
+        .ok_or_else(|| OutputError::NotARun { folder: folder.to_path_buf(), file })
+}
+
+/// `value` as the text of a JSON file.
+pub(crate) fn json_text(path: &Path, value: &impl Serialize) -> Result<String, OutputError> {
+    let text = serde_json::to_string_pretty(value);
+    text.map(|text| text + "\n").map_err(|reason| OutputError::damaged(path, reason.to_string()))
+}
+
+/// Writes `value` to the JSON file `file` of `folder`.
+pub(crate) fn write_json(
+    folder: &Path,
+    file: &str,
+    value: &impl Serialize,
+    durability: Durability,
+) -> Result<(), OutputError> {
+    let path = folder.join(file);
+    replace_file(&path, json_text(&path, value)?.as_bytes(), durability)
 }
 
 /// The content of a file; none where there is no such file.
@@ -239,7 +226,7 @@ pub fn read_if_there(path: &Path) -> Result<Option<Vec<u8>>, OutputError> {
 }
 
 /// Removes a run: its case, its results, and its folder where nothing else is in it.
-pub fn clear_run(folder: &Path) -> Result<(), OutputError> {
+pub(crate) fn clear_run(folder: &Path) -> Result<(), OutputError> {
     if run_file_in(folder).is_none() {
         return Ok(());
     }
@@ -255,18 +242,18 @@ pub fn clear_run(folder: &Path) -> Result<(), OutputError> {
 }
 
 /// A file of a run that stands in `folder`, where one does.
-pub fn run_file_in(folder: &Path) -> Option<&'static str> {
+pub(crate) fn run_file_in(folder: &Path) -> Option<&'static str> {
     std::iter::once(CASE_FILE).chain(RUN_FILES).find(|file| folder.join(file).exists())
 }
 
 /// The same in the folder of a study, which has a report of its own.
-pub fn run_file_in_study(folder: &Path) -> Option<&'static str> {
+pub(crate) fn run_file_in_study(folder: &Path) -> Option<&'static str> {
     let of_run = RUN_FILES.into_iter().filter(|file| *file != REPORT_FILE);
     std::iter::once(CASE_FILE).chain(of_run).find(|file| folder.join(file).exists())
 }
 
 /// Removes a file where it is there.
-pub fn remove(path: &Path) -> Result<(), OutputError> {
+pub(crate) fn remove(path: &Path) -> Result<(), OutputError> {
     match fs::remove_file(path) {
         Err(reason) if reason.kind() != ErrorKind::NotFound => Err(OutputError::io("remove", path)(reason)),
         _ => Ok(()),

@@ -1,47 +1,51 @@
-//! Runs of railcrack: what `railcrack run`, `shakedown`, `sweep` and `compare` compute, the run folder with its tables,
-//! checkpoint and summary, and how results are read back.
+//! Runs of railcrack: what `railcrack run`, `shakedown`, `sweep` and `compare` compute, the run
+//! folder with its tables, checkpoint and summary, and how results are read back.
 //!
-//! Every file, column, unit and sign is described in `docs/file-formats.md`. Plots and pages are made by someone above
-//! this crate ([`Presentation`]).
+//! Every file, column, unit and sign is described in `docs/file-formats.md`. Plots and pages are
+//! made by someone above this crate ([`Presentation`]).
 
+mod case_files;
 mod checkpoint;
 pub mod compare;
 pub mod csv;
 mod error;
-pub mod fields;
+mod field_files;
+pub mod files;
 pub mod folder;
 pub mod histories;
-pub mod leader;
 mod memory;
 mod presentation;
 pub mod queue;
 mod recorder;
+pub mod representative;
 mod residual;
-pub mod rolled;
+mod run_folder;
+mod run_info;
+mod run_log;
+mod same_case;
+pub mod shakedown;
 pub mod simulation;
-mod story;
 pub mod study;
 mod summary;
+mod tables;
+mod words;
 
-pub use compare::{
-    COMPARE_COLUMNS, COMPARE_POSITIONS_COLUMNS, CaseDifference, Comparison, Parting, RunLabel, SifDifference,
-    TipComparison, TipSifs,
-};
-pub use csv::{FACES_COLUMNS, GROWTH_COLUMNS, RESIDUAL_COLUMNS, ResidualRow, SIF_COLUMNS};
+pub use case_files::CaseFiles;
+pub use compare::Comparison;
+pub use csv::ResidualRow;
 pub use error::OutputError;
-pub use folder::{CaseFiles, Existing, ROLLED_FOLDER};
+pub use field_files::field_grids;
+pub use folder::Existing;
 pub use presentation::{Presentation, RunPresentation, TablesOnly};
-pub use recorder::{Recorder, RunInfo};
-pub use residual::{ProjectionSummary, ReleaseSummary, ResidualSummary, RolledSummary};
-pub use rolled::{
-    Extent, PASSES_COLUMNS, PLASTIC_FILE, PROFILE_COLUMNS, SHAKEDOWN_FILE, ShakedownRecorder,
-    ShakedownResults, ShakedownSummary,
-};
-pub use study::{
-    Entry, Outcome, PlannedRun, RunEnd, RunState, STUDY_COLUMNS, StudyAxis, StudyFolder, StudyKey, StudyPlan,
-    StudyResults, StudyRow, TIMES_COLUMNS,
-};
+pub use recorder::Recorder;
+pub use residual::{PlasticOrigin, ProjectionSummary, ReleaseSummary, ResidualSummary, RolledSummary};
+pub use run_folder::{FieldFile, RunFolder, field_files};
+pub use run_info::RunInfo;
+pub use shakedown::{ShakedownFolder, ShakedownSummary};
+pub use study::StudyFolder;
 pub use summary::{CrackSummary, JunctionSummary, PhaseSeconds, PieceSummary, Summary, TipSummary};
+pub use tables::table_descriptions;
+pub use words::Word;
 
 /// Version of the program that writes the files.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");

@@ -1,7 +1,8 @@
 //! Plots and pages of results, made by someone above this crate as results come in, or by nobody.
 
+use crate::OutputError;
 use crate::csv::SifScale;
-use crate::{OutputError, StudyFolder, StudyResults};
+use crate::study::{StudyFolder, StudyResults};
 use railcrack::growth::StepRecord;
 use std::fmt::Debug;
 use std::path::Path;
@@ -32,7 +33,7 @@ pub trait Presentation: Sync {
     fn study(&self, folder: &StudyFolder, results: &StudyResults) -> Result<(), OutputError>;
 }
 
-/// What is shown of one run, gathered step by step.
+/// Plots and page of one run, gathered step by step.
 pub trait RunPresentation: Debug + Send {
     /// Takes what is shown of the step `record`. It counts once the step is [kept](Self::keep).
     ///

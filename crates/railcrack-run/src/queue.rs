@@ -4,7 +4,8 @@ use railcrack_case::{Case, RailKey, SharedRail};
 use std::collections::{HashMap, VecDeque};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-/// A rail that several runs share, once one of them has made it; none where it cannot be made: the runs say why themselves.
+/// A rail that several runs share, once one of them has made it; none where it cannot be made: the
+/// runs say why themselves.
 type RailSlot = Arc<OnceLock<Option<SharedRail>>>;
 
 /// A run that waits.
@@ -29,8 +30,8 @@ pub struct NextRun {
 }
 
 impl NextRun {
-    /// The rail that this run of `case` shares with others, made where it is the first of them; none where it shares none, or where the rail cannot be
-    /// made, which the run itself will say.
+    /// The rail that this run of `case` shares with others, made where it is the first of them;
+    /// none where it shares none, or where the rail cannot be made, which the run itself will say.
     pub fn shared_rail(&self, case: &Case) -> Option<&SharedRail> {
         self.rail.as_ref()?.get_or_init(|| SharedRail::of(case).ok().flatten()).as_ref()
     }
@@ -45,9 +46,10 @@ struct Group {
     is_begun: bool,
 }
 
-/// Runs that wait for a thread. One that has a rail stays with it as long as runs wait for it, so that few rails are kept at a time; otherwise it
-/// begins the rail with the most work, so that the threads end together and none waits for a rail that another one makes. In which order runs are taken
-/// cannot show in their results.
+/// Runs that wait for a thread. One that has a rail stays with it as long as runs wait for it, so
+/// that few rails are kept at a time; otherwise it begins the rail with the most work, so that the
+/// threads end together and none waits for a rail that another one makes. In which order runs are
+/// taken cannot show in their results.
 #[derive(Debug)]
 pub struct RunQueue {
     groups: Mutex<Vec<Group>>,

@@ -1,17 +1,21 @@
-//! `summary.json`: the run in numbers.
+//! `summary.json`: a run in numbers.
 
 use super::VERSION;
-use super::recorder::RunInfo;
 use super::residual::ResidualSummary;
-use super::story::Story;
+use super::run_info::RunInfo;
+use super::run_log::{RunLog, StepDigest};
+use crate::words;
+use railcrack::bulk::Boundary;
 use railcrack::crack::{CrackEnd, End, Junction};
-use railcrack::growth::{Piece, StepRecord, Warning, WarningKind};
+use railcrack::growth::{Piece, PieceKind, RunStop, StepRecord, TipStop, Warning, WarningKind};
+use railcrack_case::{ContactSolver, Engine};
 use serde::{Deserialize, Serialize};
 
 /// Wall time by phase, of the run and its resumptions, seconds.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct PhaseSeconds {
-    /// The residual stress: the plastic state of the rolled rail where it is wanted, projection and balance.
+    /// The residual stress: the plastic state of the rolled rail where it is wanted, projection and
+    /// balance.
     pub residual: f64,
     /// The cracked body.
     pub body: f64,
@@ -44,14 +48,15 @@ pub struct TipSummary {
     pub x_mm: f64,
     /// Ordinate, mm.
     pub y_mm: f64,
-    /// Length of its crack, with what waits at its tips, mm.
+    /// Length of its crack, with the deferred growth at its tips, mm.
     pub length_mm: f64,
-    /// Its growth that is not in the crack yet, mm.
+    /// Its deferred growth, mm.
     pub waiting_mm: f64,
     /// da/dN in the last finished step, mm per cycle.
     pub rate_mm_per_cycle: f64,
     /// Why it stopped, where it did.
-    pub stop: Option<String>,
+    #[serde(with = "words::optional")]
+    pub stop: Option<TipStop>,
 }
 
 /// The path of a crack: points (x, y) in mm from the first to the last.
@@ -66,8 +71,9 @@ pub struct CrackSummary {
 /// A piece of the rail that cracks, or cracks and the running surface, enclose.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PieceSummary {
-    /// `spall` or `detached`.
-    pub kind: String,
+    /// How it came to be.
+    #[serde(with = "words")]
+    pub kind: PieceKind,
     /// The step in which a tip closed the outline.
     pub step: usize,
     /// Number of the crack of that tip, from 1.
@@ -83,8 +89,9 @@ pub struct PieceSummary {
 pub struct JunctionSummary {
     /// Number of the joining crack, from 1.
     pub crack: usize,
-    /// Which of its ends: `first` or `last`.
-    pub end: String,
+    /// Which of its ends.
+    #[serde(with = "words")]
+    pub end: End,
     /// Number of the crack that it has joined, from 1.
     pub onto: usize,
     /// Abscissa, mm.
@@ -93,25 +100,29 @@ pub struct JunctionSummary {
     pub y_mm: f64,
 }
 
-/// What `summary.json` holds. Keys are the fields' names.
+/// `summary.json`: its keys are the names of the fields.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Summary {
     /// Version of the program.
     pub version: String,
     /// Title of the case.
     pub title: String,
-    /// `xfem` or `dislocation`.
-    pub engine: String,
-    /// `latin` or `newton`.
-    pub contact: String,
-    /// Boundary of the rail: `half-plane` or `block`.
-    pub boundary: String,
+    /// Engine.
+    #[serde(with = "words")]
+    pub engine: Engine,
+    /// Contact solver.
+    #[serde(with = "words")]
+    pub contact: ContactSolver,
+    /// Boundary of the rail.
+    #[serde(with = "words")]
+    pub boundary: Boundary,
     /// Half-width a of the wheel contact, mm.
     pub half_width_mm: f64,
     /// Whether the run has ended; otherwise `--resume` goes on.
     pub complete: bool,
     /// Why the run ended; null while it is not complete.
-    pub stop: Option<String>,
+    #[serde(with = "words::optional")]
+    pub stop: Option<RunStop>,
     /// Number of increments done: the number of the last finished step.
     pub steps: usize,
     /// Number of finished steps, the initial geometry counted.
@@ -138,7 +149,7 @@ pub struct Summary {
     pub contact_iterations_mean: f64,
     /// The most iterations of one solution.
     pub contact_iterations_max: usize,
-    /// Largest violation of the law of the faces, relative.
+    /// Largest violation of the contact conditions, relative.
     pub complementarity_max: f64,
     /// Passages until the history repeated, the most of all steps.
     pub passages: usize,
@@ -161,31 +172,31 @@ pub struct Summary {
 }
 
 impl Summary {
-    pub(crate) fn new(info: &RunInfo, story: &Story) -> Self {
-        let steps = &story.steps;
+    pub(crate) fn new(info: &RunInfo, log: &RunLog) -> Self {
+        let steps = &log.steps;
         let last = steps.last();
-        let sum = |count: fn(&super::story::StepDigest) -> usize| steps.iter().map(count).sum::<usize>();
-        let most = |count: fn(&super::story::StepDigest) -> usize| steps.iter().map(count).max().unwrap_or(0);
-        let seconds = |time: fn(&super::story::StepDigest) -> f64| steps.iter().map(time).sum::<f64>();
+        let sum = |count: fn(&StepDigest) -> usize| steps.iter().map(count).sum::<usize>();
+        let most = |count: fn(&StepDigest) -> usize| steps.iter().map(count).max().unwrap_or(0);
+        let seconds = |time: fn(&StepDigest) -> f64| steps.iter().map(time).sum::<f64>();
         let solves = sum(|step| step.counts.solves);
         let load_cycles = last.map_or(0.0, |step| step.load_cycles);
         let stop = last.and_then(|step| step.stop);
         Self {
             version: VERSION.to_owned(),
             title: info.title.clone(),
-            engine: info.engine.clone(),
-            contact: info.contact.clone(),
-            boundary: info.boundary.clone(),
+            engine: info.engine,
+            contact: info.contact,
+            boundary: info.boundary,
             half_width_mm: info.half_width,
             complete: stop.is_some(),
-            stop: stop.map(|stop| stop.name().to_owned()),
+            stop,
             steps: last.map_or(0, |step| step.step),
             steps_recorded: steps.len(),
             load_cycles,
             million_gross_tonnes: info.axle_load.map(|tonnes| load_cycles * tonnes / 1e6),
-            wall_s: story.wall_s,
+            wall_s: log.now.wall_s,
             phases_s: PhaseSeconds {
-                residual: story.residual.as_ref().map_or(0.0, |residual| residual.wall_s),
+                residual: log.now.residual.as_ref().map_or(0.0, |residual| residual.wall_s),
                 body: seconds(|step| step.times.body_s),
                 body_mesh: seconds(|step| step.times.parts.mesh_s),
                 body_enrichment: seconds(|step| step.times.parts.enrichment_s),
@@ -194,9 +205,9 @@ impl Summary {
                 body_condensation: seconds(|step| step.times.parts.condensation_s),
                 contact: seconds(|step| step.times.contact_s),
                 growth: seconds(|step| step.times.growth_s),
-                output: story.output_s,
+                output: log.now.output_s,
             },
-            peak_memory_mb: story.peak_memory_mb,
+            peak_memory_mb: log.now.peak_memory_mb,
             dofs: most(|step| step.dofs),
             face_points: most(|step| step.face_points),
             substeps: sum(|step| step.counts.substeps),
@@ -206,46 +217,42 @@ impl Summary {
             complementarity_max: steps.iter().map(|step| step.counts.complementarity_max).fold(0.0, f64::max),
             passages: most(|step| step.counts.passages),
             passages_per_step: steps.iter().map(|step| step.counts.passages).collect(),
-            residual_stress: story.residual.clone(),
+            residual_stress: log.now.residual.clone(),
             warnings: info
                 .warnings
                 .iter()
                 .cloned()
-                .chain(of_residual(story))
-                .chain(story.warnings.clone())
+                .chain(of_residual(log))
+                .chain(log.warnings().cloned())
                 .collect(),
             tips: last.map_or_else(Vec::new, |step| step.tips.iter().map(tip_summary).collect()),
-            cracks: (story.initial_cracks.iter().zip(&story.cracks))
+            cracks: (log.now.initial_cracks.iter().zip(&log.now.cracks))
                 .map(|(initial, now)| CrackSummary {
                     initial_points_mm: points(initial),
                     points_mm: points(now),
                 })
                 .collect(),
-            junctions: story.junctions.iter().map(|junction| junction_summary(junction, story)).collect(),
-            pieces: story.pieces.iter().map(piece_summary).collect(),
+            junctions: log.now.junctions.iter().map(|junction| junction_summary(junction, log)).collect(),
+            pieces: log.pieces().map(piece_summary).collect(),
         }
     }
 }
 
 /// Notes on the residual stress, as warnings before the first step.
-fn of_residual(story: &Story) -> impl Iterator<Item = Warning> {
-    let notes = story.residual.iter().flat_map(|residual| &residual.notes);
+fn of_residual(log: &RunLog) -> impl Iterator<Item = Warning> {
+    let notes = log.now.residual.iter().flat_map(|residual| &residual.notes);
     notes.map(|text| Warning { step: 0, kind: WarningKind::ResidualStress, text: text.clone() })
 }
 
-fn junction_summary(junction: &Junction, story: &Story) -> JunctionSummary {
+fn junction_summary(junction: &Junction, log: &RunLog) -> JunctionSummary {
     let CrackEnd { crack, end } = junction.joining;
-    let at = story.cracks.get(crack).map_or_else(Default::default, |crack| crack.tip(end));
-    let end = match end {
-        End::First => "first",
-        End::Last => "last",
-    };
-    JunctionSummary { crack: crack + 1, end: end.into(), onto: junction.onto + 1, x_mm: at.x, y_mm: at.y }
+    let at = log.now.cracks.get(crack).map_or_else(Default::default, |crack| crack.tip(end));
+    JunctionSummary { crack: crack + 1, end, onto: junction.onto + 1, x_mm: at.x, y_mm: at.y }
 }
 
 fn piece_summary(piece: &Piece) -> PieceSummary {
     PieceSummary {
-        kind: piece.kind.name().to_owned(),
+        kind: piece.kind,
         step: piece.step,
         crack: piece.crack + 1,
         area_mm2: piece.area,
@@ -262,7 +269,7 @@ fn tip_summary(tip: &railcrack::growth::TipRecord) -> TipSummary {
         length_mm: tip.length,
         waiting_mm: tip.deferred.length,
         rate_mm_per_cycle: tip.rate,
-        stop: tip.stop.map(|stop| stop.name().to_owned()),
+        stop: tip.stop,
     }
 }
 
@@ -271,11 +278,11 @@ fn points(crack: &railcrack::crack::Crack) -> Vec<[f64; 2]> {
 }
 
 /// Checks what has no column in a table and yet goes into the summary.
-pub fn finite_summary(record: &StepRecord) -> Result<(), super::OutputError> {
+pub(crate) fn finite_summary(record: &StepRecord) -> Result<(), super::OutputError> {
     let value = record.counts.complementarity_max;
     if value.is_finite() {
         return Ok(());
     }
-    let (file, column) = (super::folder::SUMMARY_FILE, "complementarity_max");
+    let (file, column) = (super::files::SUMMARY_FILE, "complementarity_max");
     Err(super::OutputError::NotFinite { file, column, row: format!("step {}", record.step), value })
 }

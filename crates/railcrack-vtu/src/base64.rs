@@ -1,4 +1,4 @@
-//! Base64 (RFC 4648, section 4), as VTK files hold it.
+//! Base64 (RFC 4648, section 4) of VTK files.
 
 const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
@@ -30,8 +30,9 @@ pub fn encode(bytes: &[u8], text: &mut Vec<u8>) {
     }
 }
 
-/// The bytes that `text` encodes, white space left out, or the first `most` of them; the position of the first letter that
-/// does not belong there. Padding may occur between groups: VTK encodes header and data one by one.
+/// The bytes that `text` encodes, white space left out, or the first `most` of them; the position
+/// of the first letter that does not belong there. Padding may occur between groups: VTK encodes
+/// header and data one by one.
 pub fn decode(text: &[u8], most: usize) -> Result<Vec<u8>, usize> {
     let mut bytes = Vec::with_capacity((text.len() / 4 * 3).min(most));
     let (mut bits, mut letters, mut padding) = (0u32, 0, 0);
@@ -117,7 +118,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_base64_is_refused_where_it_stands() {
+    fn invalid_base64_is_located() {
         for (text, at) in [("Zm9-", 3), ("Zg=v", 3), ("=Zg=", 0), ("Zm9vY", 5), ("Zg=", 3)] {
             assert_eq!(decode(text.as_bytes(), usize::MAX), Err(at), "{text}");
         }

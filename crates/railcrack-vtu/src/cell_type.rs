@@ -27,7 +27,8 @@ pub(crate) fn vtk_type(shape: CellShape) -> u8 {
     }
 }
 
-/// The shape of a cell of this number in files with `nodes` nodes; none where there is no such shape here.
+/// The shape of a cell of this number in files with `nodes` nodes; none where there is no such
+/// shape here.
 pub(crate) fn shape_of(vtk_type: u8, nodes: usize) -> Option<CellShape> {
     let shape = match vtk_type {
         VTK_VERTEX => CellShape::Vertex,

@@ -17,7 +17,7 @@ pub enum VtuError {
         /// The system's reason.
         reason: std::io::Error,
     },
-    /// The parts of the grid do not fit together.
+    /// The grid is inconsistent.
     #[error("{}: {reason}", path.display())]
     Grid {
         /// The file.
@@ -25,7 +25,7 @@ pub enum VtuError {
         /// The inconsistency.
         reason: GridError,
     },
-    /// The file does not hold what the format asks for.
+    /// The contents of the file violate the format.
     #[error("{}: {part}: {reason}", path.display())]
     Malformed {
         /// The file.

@@ -1,4 +1,4 @@
-//! Numbers as they lie in a file.
+//! Binary numbers of a file.
 
 /// Order of the bytes of a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -23,7 +23,7 @@ pub(super) enum Compression {
     Zlib,
 }
 
-/// Where the numbers of one array are.
+/// Location of the numbers of one array.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Payload<'a> {
     /// Decimal numbers.
@@ -112,7 +112,7 @@ impl Payload<'_> {
         let bytes = match self {
             Self::Raw(bytes) => Cow::Borrowed(&bytes[..bytes.len().min(size)]),
             Self::Base64(text) => Cow::Owned(base64::decode(text, size).map_err(|at| {
-                Fault::malformed(part, format!("no base64 at byte {at} of {} of it", text.len()))
+                Fault::malformed(part, format!("invalid base64 at byte {at} of {}", text.len()))
             })?),
             Self::Ascii(text) => Cow::Borrowed(text.as_bytes()),
         };

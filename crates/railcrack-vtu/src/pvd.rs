@@ -1,4 +1,4 @@
-//! A collection: which grid belongs to which time.
+//! Collections of grids in time (`.pvd`).
 
 use super::VtuError;
 use super::write::{escaped, put};

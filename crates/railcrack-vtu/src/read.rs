@@ -1,4 +1,4 @@
-//! Reading a grid.
+//! Reader of `.vtu` files.
 
 use super::VtuError;
 use super::cell_type::shape_of;
@@ -178,7 +178,8 @@ impl File<'_> {
             let array =
                 self.array(array.ok_or_else(|| missing(&format!("`{name}` of <Cells>")))?, name, count)?;
             let index = |&value: &f64| {
-                index(value).ok_or_else(|| Fault::malformed(name, format!("{value:?} is no index of a grid")))
+                index(value)
+                    .ok_or_else(|| Fault::malformed(name, format!("{value:?} is not an index of a grid")))
             };
             array.values.iter().map(index).collect()
         };
@@ -282,6 +283,6 @@ fn missing(part: &str) -> Fault {
 
 fn count(piece: Node, name: &str) -> Result<usize, Fault> {
     let text = piece.attribute(name).unwrap_or("");
-    let refused = |_| Fault::malformed("<Piece>", format!("{name} is `{text}`, not a number that counts"));
+    let refused = |_| Fault::malformed("<Piece>", format!("{name} is `{text}`, not a count"));
     text.trim().parse().map_err(refused)
 }

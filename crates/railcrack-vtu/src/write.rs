@@ -1,4 +1,4 @@
-//! Writing a grid.
+//! Writer of `.vtu` files.
 
 use super::VtuError;
 use super::base64;
@@ -10,14 +10,14 @@ use std::path::Path;
 /// Writes `grid` to the file `path` as [`vtu_text`]. The file is written beside its target and
 /// moved into place.
 ///
-/// Errors: the parts of the grid do not fit together; a number that is not finite; the system
+/// Errors: an inconsistent grid; a number that is not finite; the system
 /// refuses.
 pub fn write_vtu(path: &Path, grid: &UnstructuredGrid) -> Result<(), VtuError> {
     let text = vtu_text(grid).map_err(|reason| VtuError::Grid { path: path.to_path_buf(), reason })?;
     put(path, &text)
 }
 
-/// Puts a file in its place.
+/// Moves a file into place.
 pub(super) fn put(path: &Path, text: &[u8]) -> Result<(), VtuError> {
     let mut name = path.as_os_str().to_owned();
     name.push(".partial");
@@ -29,7 +29,7 @@ pub(super) fn put(path: &Path, text: &[u8]) -> Result<(), VtuError> {
 /// The file of `grid`: numbers in base64, little endian, with headers of 64 bits, not compressed.
 /// The points get z = 0. The text is ASCII except for the names of arrays.
 ///
-/// Errors: the parts of the grid do not fit together; a number that is not finite.
+/// Errors: an inconsistent grid; a number that is not finite.
 pub fn vtu_text(grid: &UnstructuredGrid) -> Result<Vec<u8>, GridError> {
     grid.check()?;
     for array in grid.point_data.iter().chain(&grid.cell_data) {

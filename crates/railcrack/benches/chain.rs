@@ -1,9 +1,11 @@
-//! Times of the chain from cracks to increments: the body, one geometry under the wheel, one growth step.
+//! Times of the chain from cracks to increments: the body, one geometry under the wheel, one growth
+//! step.
 
 use divan::{Bencher, black_box};
 use railcrack::body::CrackedBody;
 use railcrack::contact::{ContactSolver, FaceProblem, Latin, Newton};
-use railcrack::dislocation::DislocationBody;
+use railcrack::dislocation;
+use railcrack::field::HertzWheel;
 use railcrack::growth::{Growth, RailLoad, StabilisedPassage, StepRecord, Unobserved, stabilised_passage};
 use railcrack_case::{Case, Overrides};
 use std::path::{Path, PathBuf};
@@ -23,23 +25,23 @@ fn read(case: &str) -> Case {
     Case::read(&path(case)).unwrap()
 }
 
-fn body(case: &Case) -> DislocationBody {
-    DislocationBody::new(&case.cracks, &case.steel, case.face_resolution()).unwrap()
+fn body(case: &Case) -> CrackedBody {
+    dislocation::cracked_body(&case.cracks, &case.steel, case.face_resolution()).unwrap()
 }
 
 /// C and S: assembly of the energy of the jumps, and its inverse.
 #[divan::bench(args = [REFERENCE, NINE_CRACKS], sample_count = 10, sample_size = 1)]
 fn cracked_body(bencher: Bencher, case: &str) {
     let case = read(case);
-    bencher.bench(|| body(black_box(&case)).dofs());
+    bencher.bench(|| body(black_box(&case)).dofs);
 }
 
 /// All passages of the reference case until the history repeats, on a body that is there.
 fn passages(bencher: Bencher, solver: &dyn ContactSolver) {
     let case = read(REFERENCE);
     let body = body(&case);
-    let problem = FaceProblem::new(&body, &case.crack_friction);
-    let load = RailLoad { contact: case.contact, poisson: case.steel.poisson(), residual: None };
+    let problem = FaceProblem::new(&body, &case.crack_friction).unwrap();
+    let load = RailLoad { wheel: &HertzWheel::new(&case.contact, &case.steel).unwrap(), residual: None };
     bencher.bench_local(|| -> StabilisedPassage {
         stabilised_passage(&problem, solver, load, &case.passages, &Unobserved).unwrap()
     });
@@ -55,7 +57,8 @@ fn stabilised_passage_latin(bencher: Bencher) {
     passages(bencher, &Latin::default());
 }
 
-/// The first growth step of the reference case as a run computes it: body, passages, direction, increment.
+/// The first growth step of the reference case as a run computes it: body, passages, direction,
+/// increment.
 #[divan::bench(args = ["newton", "latin"], sample_count = 3, sample_size = 1)]
 fn growth_step(bencher: Bencher, solver: &str) {
     let overrides = Overrides { contact: Some(solver.into()), ..Overrides::default() };

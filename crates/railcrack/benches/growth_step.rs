@@ -1,17 +1,19 @@
-//! A growth step of the finite-element engine against one factorisation of its system, phase by phase, in one run.
+//! A growth step of the finite-element engine against one factorisation of its system, phase by
+//! phase, in one run.
 //!
-//! `cargo bench --bench growth_step`, and `-- 0.2` for another element size in mm. Times are medians of what is repeated; the ratios are what
-//! counts.
+//! `cargo bench --bench growth_step`, and `-- 0.2` for another element size in mm. Times are
+//! medians of what is repeated; the ratios are what counts.
 
 use railcrack::body::BodyEngine;
 use railcrack::bulk::{Boundary, BulkRail};
-use railcrack::contact::{FaceProblem, Newton, StepControl};
+use railcrack::contact::{FaceProblem, Newton};
 use railcrack::crack::{Crack, CrackNetwork, End};
+use railcrack::field::HertzWheel;
 use railcrack::growth::{PassageSettings, RailLoad, Unobserved, stabilised_passage};
 use railcrack::linear::SparseCholesky;
-use railcrack::load::{HertzianContact, Passage};
+use railcrack::load::HertzianContact;
 use railcrack::material::IsotropicElastic;
-use railcrack::xfem::{MeshSettings, Outline, RailEnd, Window, XfemBody, XfemEngine, XfemSettings};
+use railcrack::xfem::{MeshSettings, Outline, RailEnd, Window, XfemEngine, XfemSettings, cracked_body};
 use std::error::Error;
 use std::sync::Arc;
 use std::time::Instant;
@@ -51,19 +53,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     let analysis = analysis?;
     let factor_ms = median((0..REPEATED).map(|_| timed(|| analysis.factor(&rail.stiffness())).0).collect());
     let cold_ms = median(
-        (0..REPEATED).map(|_| timed(|| XfemBody::new(&rail, &first, XfemSettings::default())).0).collect(),
+        (0..REPEATED).map(|_| timed(|| cracked_body(&rail, &first, XfemSettings::default())).0).collect(),
     );
 
     let mut engine =
         XfemEngine::new(&first, steel, settings, RailEnd::HalfPlane { centre: 0.0 }, XfemSettings::default());
-    let passage = PassageSettings {
-        passage: Passage { from: -40.5, to: 40.5, positions: 241 },
-        max_passages: 5,
-        passage_tolerance: 1e-3,
-        step_tolerance: 2e-3,
-        step_control: StepControl::Adaptive,
-    };
-    let load = RailLoad { contact: wheel, poisson: steel.poisson(), residual: None };
+    let passage = PassageSettings::default();
+    let load = RailLoad { wheel: &HertzWheel::new(&wheel, &steel).unwrap(), residual: None };
     engine.body(&first)?;
     let (mut bodies, mut passages, mut steps) = (Vec::new(), Vec::new(), Vec::new());
     for _ in 0..STEPS {
@@ -71,7 +67,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let network: CrackNetwork = crack.clone().into();
         let (body_ms, body) = timed(|| engine.body(&network));
         let body = body?;
-        let faces = FaceProblem::new(body.as_ref(), &[0.5]);
+        let faces = FaceProblem::new(&body, &[0.5]).unwrap();
         let (passage_ms, result) =
             timed(|| stabilised_passage(&faces, &Newton::default(), load, &passage, &Unobserved));
         result?;

@@ -1,13 +1,16 @@
-//! How time and memory of a growth step grow: with the unknowns of the mesh, the number of cracks, the load steps, the threads.
+//! How time and memory of a growth step grow: with the unknowns of the mesh, the number of cracks,
+//! the load steps, the threads.
 //!
-//! `cargo bench --bench scaling > scaling.csv` prints a table, and exponents (least squares in logarithms) as comments at its end. Every
-//! row is a process of its own, so that its peak of memory is its own; what counts are ratios within one table.
+//! `cargo bench --bench scaling > scaling.csv` prints a table, and exponents (least squares in
+//! logarithms) as comments at its end. Every row is a process of its own, so that its peak of
+//! memory is its own; what counts are ratios within one table.
 
 use railcrack::body::BodyEngine;
-use railcrack::contact::{FaceProblem, Newton, StepControl};
+use railcrack::contact::{FaceProblem, Newton};
 use railcrack::crack::{Crack, CrackNetwork, End};
+use railcrack::field::HertzWheel;
 use railcrack::growth::{PassageSettings, RailLoad, Unobserved, stabilised_passage};
-use railcrack::load::{HertzianContact, Passage};
+use railcrack::load::HertzianContact;
 use railcrack::material::IsotropicElastic;
 use railcrack::xfem::{MeshSettings, RailEnd, XfemEngine, XfemSettings};
 use rayon::ThreadPoolBuilder;
@@ -22,7 +25,7 @@ const MANY_CRACKS: usize = 32;
 /// Distance between cracks, mm.
 const SPACING: f64 = 3.375;
 
-/// What is varied.
+/// The varied quantity.
 #[derive(Debug, Clone, Copy)]
 struct Point {
     study: &'static str,
@@ -46,7 +49,7 @@ fn points() -> Vec<Point> {
     [&unknowns[..], &cracks, &load_steps, &threads, &of_nine].concat()
 }
 
-/// What a point costs.
+/// Cost of a point.
 struct Cost {
     unknowns: usize,
     face_points: usize,
@@ -71,14 +74,8 @@ fn measure(point: Point) -> Result<Cost, Box<dyn Error>> {
     let end = RailEnd::HalfPlane { centre: 0.0 };
     let mut engine =
         XfemEngine::new(&CrackNetwork::new(cracks.clone())?, steel, mesh, end, XfemSettings::default());
-    let passage = PassageSettings {
-        passage: Passage { from: -40.5, to: 40.5, positions: 241 },
-        max_passages: 5,
-        passage_tolerance: 1e-3,
-        step_tolerance: point.step_tolerance,
-        step_control: StepControl::Adaptive,
-    };
-    let load = RailLoad { contact: wheel, poisson: steel.poisson(), residual: None };
+    let passage = PassageSettings { step_tolerance: point.step_tolerance, ..PassageSettings::default() };
+    let load = RailLoad { wheel: &HertzWheel::new(&wheel, &steel).unwrap(), residual: None };
     let (mut bodies, mut contacts) = (Vec::new(), Vec::new());
     let mut cost = Cost { unknowns: 0, face_points: 0, solves: 0, body_ms: 0.0, contact_ms: 0.0 };
     let steps = if point.cracks < MANY_CRACKS { STEPS } else { 1 };
@@ -87,14 +84,14 @@ fn measure(point: Point) -> Result<Cost, Box<dyn Error>> {
         let begun = Instant::now();
         let body = engine.body(&network)?;
         let made = Instant::now();
-        let faces = FaceProblem::new(body.as_ref(), &vec![0.5; point.cracks]);
+        let faces = FaceProblem::new(&body, &vec![0.5; point.cracks]).unwrap();
         let result = stabilised_passage(&faces, &Newton::default(), load, &passage, &Unobserved)?;
         // The first body factors the mesh.
         if step > 0 {
             bodies.push((made - begun).as_secs_f64() * 1e3);
             contacts.push(made.elapsed().as_secs_f64() * 1e3);
         }
-        (cost.unknowns, cost.face_points, cost.solves) = (body.dofs(), faces.points(), result.counts.solves);
+        (cost.unknowns, cost.face_points, cost.solves) = (body.dofs, faces.points(), result.counts.solves);
         cracks = cracks
             .iter()
             .map(|crack| crack.extended(End::Last, 0.04 * crack.length(), -0.002))

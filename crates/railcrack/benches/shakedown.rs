@@ -1,4 +1,5 @@
-//! Times of the stabilised plastic state, against time marching of the same material on a fixed mesh.
+//! Times of the stabilised plastic state, against time marching of the same material on a fixed
+//! mesh.
 
 #[path = "../tests/verification/shakedown/brute_force.rs"]
 mod brute_force;
@@ -41,7 +42,8 @@ fn direct(bencher: Bencher, pressure: f64) {
     steady(bencher, pressure, Stabilisation { method: Method::Direct, ..Stabilisation::default() });
 }
 
-/// One passage of the steady solver: what a passage of [`time_marching_one_pass`] is to be compared with.
+/// One passage of the steady solver: what a passage of [`time_marching_one_pass`] is to be compared
+/// with.
 #[divan::bench(sample_count = 5, sample_size = 1)]
 fn one_pass(bencher: Bencher) {
     steady(bencher, LOADS[0], Stabilisation { max_passes: 1, ..Stabilisation::default() });

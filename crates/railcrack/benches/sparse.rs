@@ -1,8 +1,9 @@
-//! Times of the uncracked rail: its sparse factor, forward solves of local columns, their scalar products, and the correction of a
-//! block.
+//! Times of the uncracked rail: its sparse factor, forward solves of local columns, their scalar
+//! products, and the correction of a block.
 
 use divan::{Bencher, black_box};
 use railcrack::bulk::{BlockCorrection, BottomSupport, Boundary, BulkRail, SideSupport};
+use railcrack::field::HertzWheel;
 use railcrack::linear::{ReachedPanel, SparseCholesky, SparseColumn, gram};
 use railcrack::load::HertzianContact;
 use railcrack::material::IsotropicElastic;
@@ -17,6 +18,10 @@ const SIZES: [(usize, usize); 3] = [(70, 500), (70, 1500), (120, 500)];
 const SAMPLES: u32 = 10;
 
 const CONTACT: HertzianContact = HertzianContact { peak_pressure: 845.0, half_width: 6.75, friction: 0.4 };
+
+fn wheel() -> HertzWheel {
+    HertzWheel::new(&CONTACT, &IsotropicElastic::new(210e3, 0.3).unwrap()).unwrap()
+}
 
 const CLAMPED: Boundary = Boundary::Block { bottom: BottomSupport::Clamped, sides: SideSupport::Free };
 
@@ -38,7 +43,8 @@ fn square(n: usize) -> BulkRail {
     rail(QuadMesh::new(lines.clone(), lines).unwrap())
 }
 
-/// The block of 300 × 172 mm: elements of 0.2 mm in a window of 12 × 8 mm, growing outwards by a quarter, up to 15 mm.
+/// The block of 300 × 172 mm: elements of 0.2 mm in a window of 12 × 8 mm, growing outwards by a
+/// quarter, up to 15 mm.
 fn block_mesh() -> QuadMesh {
     let outwards = |window: f64, end: f64| {
         let (mut at, mut step, mut lines) = (0.0, 0.2, vec![0.0]);
@@ -63,7 +69,8 @@ fn analysed(rail: &BulkRail) -> SparseCholesky {
     SparseCholesky::analyse(&rail.stiffness(), order).unwrap()
 }
 
-/// Columns on the unknowns of single elements, along a slanted line that begins at the middle of the top.
+/// Columns on the unknowns of single elements, along a slanted line that begins at the middle of
+/// the top.
 fn local_columns(rail: &BulkRail, count: usize) -> Vec<SparseColumn> {
     let n = rail.mesh().columns();
     let column = |i: usize| {
@@ -128,14 +135,14 @@ fn bulk_rail(bencher: Bencher) {
 fn block_correction(bencher: Bencher) {
     let rail = rail(block_mesh());
     let rail = Arc::new(rail);
-    bencher.bench(|| BlockCorrection::new(black_box(&rail), &CONTACT, -40.5..=40.5).unwrap());
+    bencher.bench(|| BlockCorrection::new(black_box(&rail), &wheel(), -40.5..=40.5).unwrap());
 }
 
 /// The correction prepared for the points of a crack.
 #[divan::bench(sample_count = SAMPLES, sample_size = 1)]
 fn correction_at_points(bencher: Bencher) {
     let rail = rail(block_mesh());
-    let correction = BlockCorrection::new(&Arc::new(rail.clone()), &CONTACT, -40.5..=40.5).unwrap();
+    let correction = BlockCorrection::new(&Arc::new(rail.clone()), &wheel(), -40.5..=40.5).unwrap();
     bencher.bench(|| correction.at(black_box(&face_points())).unwrap());
 }
 
@@ -143,7 +150,7 @@ fn correction_at_points(bencher: Bencher) {
 #[divan::bench]
 fn correction_for_one_position(bencher: Bencher) {
     let rail = rail(block_mesh());
-    let correction = BlockCorrection::new(&Arc::new(rail.clone()), &CONTACT, -40.5..=40.5).unwrap();
+    let correction = BlockCorrection::new(&Arc::new(rail.clone()), &wheel(), -40.5..=40.5).unwrap();
     let points = face_points();
     let there = correction.at(&points).unwrap();
     bencher.bench(|| {

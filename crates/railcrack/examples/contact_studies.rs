@@ -1,11 +1,13 @@
-//! The studies behind the defaults of the contact solvers. `cargo run --release --example contact_studies -- latin` prints
-//! the table of `docs/latin.md`: iterations per contact solution against LATIN's search direction, stabilisation,
-//! relaxation and extrapolation. `-- steps` prints that of `docs/step-control.md`: error of K against the step tolerance
-//! and against fixed steps.
+//! The studies behind the defaults of the contact solvers.
+//! `cargo run --release --example contact_studies -- latin` prints the table of `docs/latin.md`:
+//! iterations per contact solution against LATIN's search direction, stabilisation, relaxation and
+//! extrapolation. `-- steps` prints that of `docs/step-control.md`: error of K against the step
+//! tolerance and against fixed steps.
 
 use railcrack::contact::{ContactSolver, FaceProblem, Latin, Newton, StepControl};
 use railcrack::crack::{Crack, CrackNetwork, End};
-use railcrack::dislocation::{DislocationBody, FaceResolution};
+use railcrack::dislocation::{FaceResolution, cracked_body};
+use railcrack::field::HertzWheel;
 use railcrack::growth::{PassageSettings, RailLoad, StabilisedPassage, Unobserved, stabilised_passage};
 use railcrack::load::{HertzianContact, Passage};
 use railcrack::material::IsotropicElastic;
@@ -130,8 +132,8 @@ fn passage(
 ) -> Result<StabilisedPassage, Box<dyn Error>> {
     let steel = IsotropicElastic::new(210e3, 0.3)?;
     let network = CrackNetwork::new(case.cracks.clone())?;
-    let body = DislocationBody::new(&network, &steel, FaceResolution::for_cracks(case.cracks.len()))?;
-    let problem = FaceProblem::new(&body, &vec![case.crack_friction; case.cracks.len()]);
+    let body = cracked_body(&network, &steel, FaceResolution::for_cracks(case.cracks.len()))?;
+    let problem = FaceProblem::new(&body, &vec![case.crack_friction; case.cracks.len()])?;
     let contact = HertzianContact { peak_pressure: 845.0, half_width: 6.75, friction: case.wheel_friction };
     let settings = PassageSettings {
         passage: Passage { from: -40.5, to: 40.5, positions: (POSITIONS - 1) * refinement + 1 },
@@ -140,6 +142,6 @@ fn passage(
         step_tolerance,
         step_control: StepControl::Adaptive,
     };
-    let load = RailLoad { contact, poisson: steel.poisson(), residual: None };
+    let load = RailLoad { wheel: &HertzWheel::new(&contact, &steel)?, residual: None };
     Ok(stabilised_passage(&problem, solver, load, &settings, &Unobserved)?)
 }

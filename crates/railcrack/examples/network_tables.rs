@@ -1,4 +1,5 @@
-//! The tables of docs/networks.md: K of every crack of the networks in `cases` beside the single crack.
+//! The tables of docs/networks.md: K of every crack of the networks in `cases` beside the single
+//! crack.
 //!
 //! `cargo run --release --example network_tables`
 
@@ -82,7 +83,8 @@ fn main() -> Result<(), Failure> {
     for file in ["squat-pair.toml", "squat-pair-block.toml"] {
         for friction in ["0.5", "0.01"] {
             table(file, friction, |crack, text| {
-                // Text up to the first crack, and the one that is wanted; the block stays where it is.
+                // Text up to the first crack, and the one that is wanted; the block stays where it
+                // is.
                 let parts: Vec<&str> = text.split("[[crack]]").collect();
                 let head = parts[0].replace("boundary = \"block\"", "boundary = \"block\"\ncentre_mm = -0.5");
                 format!("{head}[[crack]]{}", parts[crack + 1])

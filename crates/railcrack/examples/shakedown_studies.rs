@@ -1,4 +1,5 @@
-//! The tables of `docs/shakedown.md`: what columns, layers and period change, and what the direct method costs and misses.
+//! The tables of `docs/shakedown.md`: what columns, layers and period change, and what the direct
+//! method costs and misses.
 //!
 //! `cargo run --release --example shakedown_studies`
 

@@ -1,30 +1,10 @@
 //! How the lists of a study are combined.
 
 use super::variation::Variation;
-use crate::accept::Value;
-use crate::error::{Fault, Report};
-use crate::section::SectionValues;
-use crate::suggest::nearest;
+use crate::schema::{Fault, Report, Row, SectionValues, nearest};
+use crate::tables::{COLOUR_BY, COMBINE, Combine, TOGETHER};
+use std::fmt::Display;
 use std::ops::Range;
-
-/// How the axes of a study are combined.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Combine {
-    /// Every value with every value of the others.
-    Product,
-    /// Element by element.
-    Zip,
-}
-
-impl Combine {
-    /// The name in study files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Product => "product",
-            Self::Zip => "zip",
-        }
-    }
-}
 
 /// Keys that vary together: one direction of a study. Their lists are of one length.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,17 +15,19 @@ pub struct Axis {
 
 impl Axis {
     /// Number of its values; at least one.
+    #[must_use]
     pub fn len(&self) -> usize {
         self.variations.first().map_or(0, |variation| variation.values.len())
     }
 
     /// Whether it has no value, which no axis of a study is.
+    #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 }
 
-/// What `[study]` says.
+/// The settings of `[study]`.
 pub(super) struct Settings<'a> {
     section: &'a SectionValues,
     pub combine: Combine,
@@ -53,14 +35,11 @@ pub(super) struct Settings<'a> {
 
 impl<'a> Settings<'a> {
     pub fn new(section: &'a SectionValues) -> Self {
-        let combine = match section.text("combine") {
-            Some("zip") => Combine::Zip,
-            _ => Combine::Product,
-        };
-        Self { section, combine }
+        Self { section, combine: section.get(COMBINE).unwrap_or(Combine::Product) }
     }
 
-    /// The axes of a study, in the order of the file; none where something is wrong with them, which `report` then says.
+    /// The axes of a study, in the order of the file; none where something is wrong with them,
+    /// which `report` then says.
     pub fn axes(&self, variations: Vec<Variation>, report: &mut Report) -> Option<Vec<Axis>> {
         let groups = self.groups(&variations, report)?;
         let mut axes: Vec<(usize, Axis)> = Vec::new();
@@ -81,17 +60,15 @@ impl<'a> Settings<'a> {
 
     /// Indices of the variations that go together.
     fn groups(&self, variations: &[Variation], report: &mut Report) -> Option<Vec<Vec<usize>>> {
-        let entry = self.section.entry("together");
-        let written = match entry.map(|entry| &entry.value) {
-            Some(Value::Groups(groups)) => groups.as_slice(),
-            _ => &[],
-        };
-        let span = self.section.span_of("together");
+        let entry = self.section.entry(TOGETHER);
+        let written = self.section.get(TOGETHER).unwrap_or_default();
+        let span = self.section.span_of(TOGETHER);
         if self.combine == Combine::Zip {
             if entry.is_some() {
-                let message = "`study.together`: in a zip all lists go together".to_owned();
-                let help = "leave it out, or write combine = \"product\"";
-                report.add(self.fault("together", span, message, help.to_owned()));
+                let says = "in a zip all lists go together";
+                report.add(
+                    self.fault(TOGETHER, span, says).help("leave it out, or write combine = \"product\""),
+                );
                 return None;
             }
             return Some(vec![(0..variations.len()).collect()]);
@@ -102,14 +79,13 @@ impl<'a> Settings<'a> {
             let span = entry.and_then(|entry| entry.parts.get(group).cloned()).unwrap_or(span.clone());
             let mut members = Vec::new();
             for key in keys {
-                let Some(i) = self.find("together", key, span.clone(), variations, report) else {
+                let Some(i) = self.find(TOGETHER, key, span.clone(), variations, report) else {
                     clean = false;
                     continue;
                 };
                 if members.contains(&i) || groups.iter().any(|group| group.contains(&i)) {
-                    let message = format!("`study.together`: `{key}` is named twice");
-                    let help = "a key belongs to one group".to_owned();
-                    report.add(self.fault("together", span.clone(), message, help));
+                    let says = format!("`{key}` is named twice");
+                    report.add(self.fault(TOGETHER, span.clone(), says).help("a key belongs to one group"));
                     clean = false;
                 }
                 members.push(i);
@@ -121,18 +97,19 @@ impl<'a> Settings<'a> {
 
     /// The axis that `colour_by` names; the first one where it is not given.
     pub fn colour_axis(&self, axes: &[Axis], report: &mut Report) -> usize {
-        let Some(key) = self.section.text("colour_by") else { return 0 };
+        let Some(key) = self.section.get(COLOUR_BY) else { return 0 };
         let variations: Vec<Variation> = axes.iter().flat_map(|axis| axis.variations.clone()).collect();
-        let span = self.section.span_of("colour_by");
-        let Some(i) = self.find("colour_by", key, span, &variations, report) else { return 0 };
+        let span = self.section.span_of(COLOUR_BY);
+        let Some(i) = self.find(COLOUR_BY, &key, span, &variations, report) else { return 0 };
         let key = &variations[i].key;
         axes.iter().position(|axis| axis.variations.iter().any(|v| v.key == *key)).unwrap_or(0)
     }
 
-    /// The variation that a key of `[study]` names; where only one crack is written, `crack.` is it.
-    fn find(
+    /// The variation that a key of `[study]` names; where only one crack is written, `crack.` is
+    /// it.
+    fn find<T>(
         &self,
-        of: &str,
+        of: Row<T>,
         key: &str,
         span: Range<usize>,
         variations: &[Variation],
@@ -145,9 +122,8 @@ impl<'a> Settings<'a> {
         if found.is_none() {
             let near = nearest(key, variations.iter().map(|v| v.key.as_str())).unwrap_or_default();
             let all: Vec<&str> = variations.iter().map(|v| v.key.as_str()).collect();
-            let message = format!("`study.{of}`: `{key}` does not vary in this study");
-            let help = format!("nearest: `{near}`; what varies: {}", all.join(", "));
-            report.add(self.fault(of, span, message, help));
+            let help = format!("nearest: `{near}`; varying keys: {}", all.join(", "));
+            report.add(self.fault(of, span, format!("`{key}` does not vary in this study")).help(help));
         }
         found
     }
@@ -157,27 +133,25 @@ impl<'a> Settings<'a> {
         let mut equal = true;
         for other in others.iter().filter(|other| other.values.len() != first.values.len()) {
             equal = false;
-            report.add(Fault {
-                message: format!(
-                    "`{}` has {} values and `{}` has {}: lists that go together must be of one length",
-                    other.key,
-                    other.values.len(),
-                    first.key,
-                    first.values.len()
-                ),
-                key: Some(other.key.clone()),
-                span: Some(other.span.clone()),
-                help: Some(match self.combine {
-                    Combine::Zip => "[study] combine = \"product\" combines lists of any length".into(),
-                    Combine::Product => "[study] together says which lists go together".into(),
-                }),
-                also: Some((first.span.clone(), "the other list")),
-            });
+            let message = format!(
+                "`{}` has {} values and `{}` has {}: lists that go together must be of one length",
+                other.key,
+                other.values.len(),
+                first.key,
+                first.values.len()
+            );
+            let help = match self.combine {
+                Combine::Zip => "[study] combine = \"product\" combines lists of any length",
+                Combine::Product => "[study] together says which lists go together",
+            };
+            let fault = Fault::of(other.key.clone(), other.span.clone(), message).help(help);
+            report.add(fault.also(first.span.clone(), "the other list"));
         }
         equal
     }
 
-    fn fault(&self, key: &str, span: Range<usize>, message: String, help: String) -> Fault {
-        Fault { message, key: Some(format!("study.{key}")), span: Some(span), help: Some(help), also: None }
+    fn fault<T>(&self, row: Row<T>, span: Range<usize>, says: impl Display) -> Fault {
+        let key = self.section.dotted(row.key.name);
+        Fault::of(key.clone(), span, format!("`{key}`: {says}"))
     }
 }

@@ -1,7 +1,8 @@
 //! The runs of a study.
 
-use super::axes::{Axis, Combine};
-use crate::validated::Case;
+use super::axes::Axis;
+use crate::case::Case;
+use crate::tables::Combine;
 
 /// A case file with lists in place of values, and the cases that it makes.
 #[derive(Debug, Clone)]
@@ -10,7 +11,7 @@ pub struct Study {
     pub title: String,
     /// How its axes are combined.
     pub combine: Combine,
-    /// What varies, in the order of the file; at least one.
+    /// Its axes, in the order of the file; at least one.
     pub axes: Vec<Axis>,
     /// The axis whose values have the colours of the overlay plots, from 0.
     pub colour_axis: usize,
@@ -31,14 +32,15 @@ pub struct StudyRun {
     pub label: String,
     /// The name of its run folder.
     pub folder: String,
-    /// What it computes.
+    /// The case that it computes.
     pub case: Case,
 }
 
 /// The most runs of a study: beyond, a list is a slip of the pen, and no plot or table shows them.
 pub(super) const MOST_RUNS: usize = 10_000;
 
-/// Every combination of the values of `axes`, the last one changing fastest; none where there are more than [`MOST_RUNS`].
+/// Every combination of the values of `axes`, the last one changing fastest; none where there are
+/// more than [`MOST_RUNS`].
 pub(super) fn choices(axes: &[Axis]) -> Option<Vec<Vec<usize>>> {
     let count = axes.iter().try_fold(1usize, |count, axis| count.checked_mul(axis.len()))?;
     if count > MOST_RUNS {

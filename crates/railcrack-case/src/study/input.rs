@@ -1,15 +1,13 @@
-//! A file of which it is not known whether it is a case or a study.
+//! Files that may be cases or studies.
 
 use super::expand::Study;
 use super::variation::is_study;
-use crate::error::{CaseErrors, Report, Source};
-use crate::overrides::Overrides;
-use crate::read::parse_document;
-use crate::validated::Case;
+use crate::case::{Case, Overrides};
+use crate::schema::{CaseErrors, Report, Source, parse_document};
 use std::path::Path;
 use std::sync::Arc;
 
-/// What a file describes.
+/// A case or a study.
 #[derive(Debug, Clone)]
 pub enum Input {
     /// One case.
@@ -21,7 +19,7 @@ pub enum Input {
 impl Input {
     /// The case or study in the file `path`.
     ///
-    /// Errors: everything that is wrong with it.
+    /// Errors: all of the file.
     pub fn read(path: &Path) -> Result<Self, CaseErrors> {
         match std::fs::read_to_string(path) {
             Ok(text) if says_study(&text) => {
@@ -32,7 +30,8 @@ impl Input {
         }
     }
 
-    /// The case or study written in `text`; errors call it `name`, relative file names are relative to `folder`.
+    /// The case or study written in `text`; errors call it `name`, relative file names are relative
+    /// to `folder`.
     pub fn parse(text: &str, name: &str, folder: &Path) -> Result<Self, CaseErrors> {
         if says_study(text) {
             let study = Study::parse_with(text, name, folder, &Overrides::default())?;

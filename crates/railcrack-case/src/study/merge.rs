@@ -1,6 +1,6 @@
-//! What is wrong with the cases of a study, said once.
+//! Errors of the cases of a study, each reported once.
 
-use crate::error::{CaseError, Report};
+use crate::schema::{CaseError, Report};
 use std::collections::HashMap;
 use std::ops::Range;
 
@@ -12,10 +12,11 @@ struct Found {
     runs: usize,
 }
 
-/// What an error is about: place, key, and how many others of its run are about the same.
+/// Place and key of an error, and how many others of its run have the same.
 type About = (Option<Range<usize>>, Option<String>, usize);
 
-/// Collects the errors of all runs. Two are one when they are about the same: the numbers in their messages may be those of their runs.
+/// The errors of all runs. Two are one when they are about the same key and place: the numbers in
+/// their messages may be those of their runs.
 pub(super) struct RunErrors {
     /// Places that are reported already.
     known: Vec<Range<usize>>,
@@ -50,8 +51,9 @@ impl RunErrors {
         }
     }
 
-    /// Reports every error once. One that not all of the `runs` have, nor all that take an element of a list in which it lies, names the
-    /// first of these runs: there it is the combination that is wrong. `elements`: where they stand, and how many runs take each.
+    /// Reports every error once. One that not all of the `runs` have, nor all that take an element
+    /// of a list in which it lies, names the first of these runs: there the combination is wrong.
+    /// `elements`: where they stand, and how many runs take each.
     pub fn report(self, runs: usize, elements: &[(Range<usize>, usize)], report: &mut Report) {
         for Found { error, first: (number, label), runs: having } in self.found {
             let lies_in = |element: &Range<usize>| {

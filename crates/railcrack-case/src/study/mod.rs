@@ -1,7 +1,6 @@
 //! A study: a case file with lists in place of values, and the cases that it makes.
 
 mod axes;
-mod declare;
 mod expand;
 mod input;
 mod merge;
@@ -10,8 +9,7 @@ mod read;
 mod schema;
 mod variation;
 
-pub use axes::{Axis, Combine};
-pub use declare::STUDY;
+pub use axes::Axis;
 pub use expand::{Study, StudyRun};
 pub use input::Input;
 pub use schema::study_schema;

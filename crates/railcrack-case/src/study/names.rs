@@ -1,17 +1,17 @@
-//! What keys, values and runs of a study are called.
+//! Names of the keys, values and runs of a study.
 
 use super::axes::Axis;
 use super::variation::Variation;
-use crate::accept::Value;
-use crate::table::short;
-use crate::write::toml_value;
+use crate::schema::{Value, short};
 
-/// Letters of a folder's name after its number, at most: some file systems and many terminals have no room for more.
+/// Letters of a folder's name after its number, at most: some file systems and many terminals have
+/// no room for more.
 const MOST_LETTERS: usize = 60;
 /// Letters of a title, at most: as many as the case file accepts.
 const MOST_OF_TITLE: usize = 200;
 
-/// Gives every variation the shortest name that no other one has: `angle_deg`, or `contact.friction` beside `crack.friction`.
+/// Gives every variation the shortest name that no other one has: `angle_deg`, or
+/// `contact.friction` beside `crack.friction`.
 pub(super) fn name_variations(variations: &mut [Variation]) {
     let keys: Vec<String> = variations.iter().map(|v| v.key.clone()).collect();
     let last = |key: &str| key.rsplit('.').next().unwrap_or(key).to_owned();
@@ -32,11 +32,12 @@ pub(super) fn name_variations(variations: &mut [Variation]) {
 
 impl Variation {
     /// The value at `index` as people read it: `0.025`, `xfem`.
+    #[must_use]
     pub fn shown(&self, index: usize) -> String {
         match self.values.get(index) {
             Some(Value::Number(x)) => short(*x),
             Some(Value::Text(text)) => text.clone(),
-            Some(other) => toml_value(other),
+            Some(other) => other.to_string(),
             None => String::new(),
         }
     }
@@ -52,6 +53,7 @@ impl Variation {
 
 impl Axis {
     /// The values at `index`: `peak_pressure_mpa = 845, half_width_mm = 6.75`.
+    #[must_use]
     pub fn label(&self, index: usize) -> String {
         let said: Vec<String> =
             self.variations.iter().map(|v| format!("{} = {}", v.name, v.shown(index))).collect();

@@ -1,35 +1,33 @@
-//! From a study file to its cases, or to everything that is wrong with it.
+//! Study files, read to their cases or to all their errors.
 
 use super::axes::{Axis, Settings};
-use super::declare::STUDY;
 use super::expand::{MOST_RUNS, Study, StudyRun, choices};
 use super::merge::RunErrors;
-use super::names::{run_folder, run_label, run_title};
+use super::names::{name_variations, run_folder, run_label, run_title};
 use super::variation::{Variation, find_variations};
-use crate::build::build;
-use crate::chosen::{Chosen, Reading};
-use crate::error::{CaseErrors, Fault, Report, Source};
-use crate::overrides::Overrides;
-use crate::read::{parse_document, read_sections, source_of, tables};
-use crate::section::read_section;
-use crate::validated::Case;
+use crate::case::{Case, Overrides, build};
+use crate::schema::{
+    CaseErrors, Chosen, Fault, Override, Reading, Report, Source, parse_document, read_file, read_section,
+    read_sections, tables,
+};
+use crate::tables::{CASE_FILE, STUDY};
 use std::collections::HashMap;
 use std::path::Path;
 use std::sync::Arc;
 use toml::de::DeTable;
 
 impl Study {
-    /// The study in the file `path`, with `overrides` in place of what the file says. Relative file names in it are relative to its
-    /// folder.
+    /// The study in the file `path`, with `overrides` in place of the values in the file. Relative
+    /// file names in it are relative to its folder.
     ///
-    /// Errors: everything that is wrong with the file and with every case that it makes.
+    /// Errors: all of the file and of every case that it makes.
     pub fn read_with(path: &Path, overrides: &Overrides) -> Result<Self, CaseErrors> {
-        let name = path.display().to_string();
-        let source = source_of(path, &name)?;
-        Self::parse_with(&source.text, &name, path.parent().unwrap_or(Path::new("")), overrides)
+        let source = read_file(path)?;
+        Self::parse_with(&source.text, &source.name, path.parent().unwrap_or(Path::new("")), overrides)
     }
 
-    /// The study written in `text`; errors call it `name`, relative file names are relative to `folder`.
+    /// The study written in `text`; errors call it `name`, relative file names are relative to
+    /// `folder`.
     pub fn parse_with(
         text: &str,
         name: &str,
@@ -39,7 +37,7 @@ impl Study {
         let source = Source { name: name.into(), text: Arc::from(text) };
         let mut report = Report::new(source.clone());
         let study = parse_document(text, &mut report)
-            .and_then(|root| read_study(&source, root.get_ref(), folder, overrides, &mut report));
+            .and_then(|root| read_study(&source, root.get_ref(), folder, &overrides.list(), &mut report));
         match study {
             Some(study) if report.is_clean() => Ok(study),
             _ => Err(report.into_errors()),
@@ -54,10 +52,11 @@ fn read_study(
     source: &Source,
     root: &DeTable,
     folder: &Path,
-    overrides: &Overrides,
+    overrides: &[Override],
     report: &mut Report,
 ) -> Option<Study> {
-    let (variations, refused) = find_variations(root, overrides, report);
+    let (mut variations, refused) = find_variations(root, overrides, report);
+    name_variations(&mut variations);
     if variations.is_empty() && report.is_clean() {
         report.add(nothing_varies(&source.name));
     }
@@ -65,8 +64,7 @@ fn read_study(
         None => None,
         Some((name, value)) => tables(&STUDY, name.span(), value, report)?.into_iter().next(),
     };
-    let nothing = Overrides::default();
-    let reading = Reading { overrides: &nothing, chosen: &Chosen::default() };
+    let reading = Reading { file: &CASE_FILE, overrides: &[], chosen: &Chosen::default() };
     let section = read_section(&STUDY, 1, section, reading, report);
     let settings = Settings::new(&section);
     let axes = settings.axes(variations.clone(), report);
@@ -103,24 +101,18 @@ fn read_study(
 }
 
 fn nothing_varies(file: &str) -> Fault {
-    Fault {
-        message: "nothing varies: a study has a list in place of at least one value".into(),
-        help: Some(format!(
-            "such as friction = [0.1, 0.2] in [contact]; `railcrack run {file}` computes a single case"
-        )),
-        ..Fault::default()
-    }
+    Fault::new("nothing varies: a study has a list in place of at least one value").help(format!(
+        "such as friction = [0.1, 0.2] in [contact]; `railcrack run {file}` computes a single case"
+    ))
 }
 
 fn plan(axes: &[Axis], report: &mut Report) -> Option<Plan> {
     let Some(choices) = choices(axes) else {
         let lengths: Vec<String> = axes.iter().map(|axis| axis.len().to_string()).collect();
-        report.add(Fault {
-            message: format!("{} are more than {MOST_RUNS} runs", lengths.join(" x ")),
-            span: axes.first().and_then(|axis| axis.variations.first()).map(|v| v.span.clone()),
-            help: Some("shorter lists, or [study] combine = \"zip\", or several studies".into()),
-            ..Fault::default()
-        });
+        let span = axes.first().and_then(|axis| axis.variations.first()).map(|v| v.span.clone());
+        let fault = Fault::new(format!("{} are more than {MOST_RUNS} runs", lengths.join(" x ")))
+            .help("shorter lists, or [study] combine = \"zip\", or several studies");
+        report.add(Fault { span, ..fault });
         return None;
     };
     let labelled = |(i, choice): (usize, Vec<usize>)| (i + 1, run_label(axes, &choice), choice);
@@ -141,7 +133,7 @@ fn read_cases(
     root: &DeTable,
     source: &Source,
     folder: &Path,
-    overrides: &Overrides,
+    overrides: &[Override],
     (axes, plan): (&[Axis], &Plan),
     mut errors: RunErrors,
     report: &mut Report,
@@ -153,8 +145,8 @@ fn read_cases(
         });
         let chosen = Chosen::new(elements.collect());
         let mut own = Report::new(source.clone());
-        let sections = read_sections(root, Reading { overrides, chosen: &chosen }, &mut own);
-        match build(&sections, folder, &mut own) {
+        let reading = Reading { file: &CASE_FILE, overrides, chosen: &chosen };
+        match build(read_sections(root, reading, &mut own), folder, &mut own) {
             Some(case) if own.is_clean() => cases.push(case),
             _ => errors.add(*number, label, own.into_list()),
         }
@@ -179,15 +171,12 @@ fn report_repetitions(plan: &Plan, cases: &[Case], axes: &[Axis], report: &mut R
     for ((number, _, label), case) in plan.iter().zip(cases) {
         let Some(first) = known.insert(case.to_toml(), *number) else { continue };
         let span = axes.last().and_then(|axis| axis.variations.last()).map(|v| v.span.clone());
-        report.add(Fault {
-            message: format!("runs {first} and {number} of the study are the same ({label})"),
-            span,
-            help: Some(match axes {
-                [_] => "a value is given twice".into(),
-                _ => "a value is given twice, or lists that go together stand in a product".into(),
-            }),
-            ..Fault::default()
-        });
+        let help = match axes {
+            [_] => "a value is given twice",
+            _ => "a value is given twice, or lists that go together stand in a product",
+        };
+        let message = format!("runs {first} and {number} of the study are the same ({label})");
+        report.add(Fault { span, ..Fault::new(message).help(help) });
         return;
     }
 }

@@ -1,13 +1,7 @@
 //! Lists in place of values.
 
-use super::declare::STUDY;
-use super::names::name_variations;
-use crate::accept::{Raw, Value};
-use crate::error::{Fault, Report};
-use crate::overrides::Overrides;
-use crate::section::shown;
-use crate::sections::SECTIONS;
-use crate::table::{Key, Kind, Section, SectionPresence};
+use crate::schema::{Fault, Key, Kind, Override, Raw, Report, Section, SectionPresence, Value};
+use crate::tables::{CASE_FILE, SECTIONS, STUDY};
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -27,11 +21,11 @@ pub struct Variation {
     pub(super) elements: Vec<Range<usize>>,
 }
 
-/// The lists in place of values in the document `root`, in the order of the file, and where lists stand that cannot be, which are
-/// reported.
+/// The lists in place of values in the document `root`, in the order of the file, names not yet
+/// given; and the places of those that are refused, which `report` then says.
 pub(super) fn find_variations(
     root: &DeTable,
-    overrides: &Overrides,
+    overrides: &[Override],
     report: &mut Report,
 ) -> (Vec<Variation>, Vec<Range<usize>>) {
     let (mut found, mut refused) = (Vec::new(), Vec::new());
@@ -59,7 +53,6 @@ pub(super) fn find_variations(
         }
     }
     found.sort_by_key(|variation| variation.span.start);
-    name_variations(&mut found);
     (found, refused)
 }
 
@@ -76,7 +69,8 @@ pub(super) fn is_study(root: &DeTable) -> bool {
         })
 }
 
-/// The tables of a section with their dotted names; nothing where it is written as something else, which the reader reports.
+/// The tables of a section with their dotted names; nothing where it is written as something else,
+/// which the reader reports.
 fn tables_of<'d, 'i>(section: &Section, root: &'d DeTable<'i>) -> Vec<(String, &'d DeTable<'i>)> {
     if section.name.is_empty() {
         return vec![(String::new(), root)];
@@ -94,7 +88,8 @@ fn tables_of<'d, 'i>(section: &Section, root: &'d DeTable<'i>) -> Vec<(String, &
     }
 }
 
-/// The elements of a list that stands in place of a value of `kind`. What is a list by itself varies as a list of these.
+/// The elements of a list that stands in place of a value of `kind`. A value that is a list by
+/// itself varies as a list of these.
 fn list_in_place<'d, 'i>(kind: Kind, value: &'d DeValue<'i>) -> Option<&'d [Spanned<DeValue<'i>>]> {
     let DeValue::Array(items) = value else { return None };
     let is_list = |value: &Spanned<DeValue>| matches!(value.get_ref(), DeValue::Array(_));
@@ -104,8 +99,8 @@ fn list_in_place<'d, 'i>(kind: Kind, value: &'d DeValue<'i>) -> Option<&'d [Span
     };
     let stands_in_place = match kind {
         Kind::Numbers { .. } => items.first().is_some_and(is_list),
-        Kind::Points | Kind::Groups => items.first().and_then(first_of).is_some_and(is_list),
-        Kind::Number { .. } | Kind::Integer { .. } | Kind::Text | Kind::Choice(_) | Kind::Path => true,
+        Kind::Points { .. } | Kind::Groups { .. } => items.first().and_then(first_of).is_some_and(is_list),
+        Kind::Number { .. } | Kind::Integer { .. } | Kind::Text | Kind::Choice(_) | Kind::Path { .. } => true,
     };
     stands_in_place.then_some(items)
 }
@@ -117,25 +112,29 @@ fn fault(
     dotted: &str,
     value: &Spanned<DeValue>,
     items: &[Spanned<DeValue>],
-    overrides: &Overrides,
+    overrides: &[Override],
     report: &Report,
 ) -> Option<Fault> {
-    let given = format!("`{dotted} = {}`", shown(report, &value.span()));
+    let given = format!("`{dotted} = {}`", report.shown(&value.span()));
     let (message, help) = if section.name.is_empty() {
         (format!("{given}: may not vary"), "each run has this title with its own values behind it".to_owned())
     } else if items.is_empty() {
         let help = format!("each element must be {}", key.kind.accepted());
         (format!("{given}: a list of a study must have at least one element"), help)
-    } else if let Some((option, _)) = overrides.of(section.name, key.name) {
+    } else if let Some(given) =
+        overrides.iter().find(|given| (given.section, given.key) == (section.name, key.name))
+    {
         let help = "leave the option out, or write one value in place of the list";
-        (format!("`{option}` takes the place of `{dotted}`, which the study varies"), help.to_owned())
+        (format!("`{}` takes the place of `{dotted}`, which the study varies", given.option), help.to_owned())
     } else {
         return None;
     };
-    Some(Fault { message, key: Some(dotted.into()), span: Some(value.span()), help: Some(help), also: None })
+    Some(Fault::of(dotted, value.span(), message).help(help))
 }
 
-/// The accepted value of an element. A refused one is reported by every run that takes it; here its text will do.
+/// The accepted value of an element. A refused one stays text: every run that takes it reports it.
 fn value_of(key: &Key, item: &Spanned<DeValue>, report: &Report) -> Value {
-    key.kind.accept(&Raw::read(item.get_ref())).unwrap_or_else(|_| Value::Text(shown(report, &item.span())))
+    key.kind
+        .accept(&Raw::read(item.get_ref()), CASE_FILE.list)
+        .unwrap_or_else(|_| Value::Text(report.shown(&item.span())))
 }

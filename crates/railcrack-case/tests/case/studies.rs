@@ -315,7 +315,7 @@ fn wrong_settings() {
                 16,
                 "study.together",
                 "`contact.frction` does not vary",
-                "what varies: contact.friction, crack[1].angle_deg",
+                "varying keys: contact.friction, crack[1].angle_deg",
             ),
             wrong(
                 of("together = [[\"contact.friction\", \"contact.friction\"]]"),

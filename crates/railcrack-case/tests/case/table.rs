@@ -1,4 +1,4 @@
-//! What is derived from the table of keys.
+//! Pages, schemas and files derived from the table of keys.
 
 use railcrack_case::{Availability, Engine, Kind, Presence, SECTIONS, Section, json_schema, markdown};
 use serde_json::json;
@@ -22,8 +22,14 @@ fn names_are_unique_and_forms_name_keys() {
             assert!(section.keys[..j].iter().all(|k| k.name != key.name), "{}", key.name);
             assert!(key.doc.ends_with('.') && !key.doc.contains('\n'), "{}: {}", key.name, key.doc);
         }
-        for name in section.forms.iter().flat_map(|f| f.keys) {
+        let of_forms = section.forms.iter().flat_map(|f| f.keys).copied();
+        let pairs = section.keys.iter().filter_map(|key| Some(key.pair?.key));
+        for name in of_forms.chain(pairs) {
             assert!(section.key(name).is_some(), "{name}");
+        }
+        for with in section.keys.iter().filter_map(|key| key.only_with) {
+            let Some(Kind::Choice(words)) = section.key(with.key).map(|k| k.kind) else { panic!("{with:?}") };
+            assert!(words().iter().any(|word| word.name == with.choice), "{with:?}");
         }
     }
 }
@@ -75,8 +81,8 @@ fn the_schema_says_what_the_reader_accepts() {
 #[test]
 fn every_engine_that_a_case_may_name_is_listed() {
     let solver = SECTIONS.iter().find(|section| section.name == "solver").unwrap();
-    let Kind::Choice(choices) = solver.key("engine").unwrap().kind else { panic!("engine is a choice") };
-    let now = choices.iter().filter(|choice| choice.availability == Availability::Now);
+    let Kind::Choice(words) = solver.key("engine").unwrap().kind else { panic!("engine is a choice") };
+    let now = words().into_iter().filter(|word| word.availability == Availability::Now);
     let listed: Vec<&str> = Engine::ALL.iter().map(|engine| engine.name()).collect();
-    assert_eq!(now.map(|choice| choice.name).collect::<Vec<_>>(), listed);
+    assert_eq!(now.map(|word| word.name).collect::<Vec<_>>(), listed);
 }

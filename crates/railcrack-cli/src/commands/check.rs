@@ -66,7 +66,7 @@ fn rail(case: &Case) -> Vec<Row> {
     let (left, right) = (rail.centre - 0.5 * rail.width, rail.centre + 0.5 * rail.width);
     vec![
         ("elasticity", format!("E = {} MPa, nu = {}", case.steel.young(), case.steel.poisson())),
-        ("boundary", rail.boundary_name()),
+        ("boundary", railcrack_case::boundary_name(rail.boundary).into()),
         (
             "cracks stay within",
             format!("x = {} to {} mm, depth {} mm", number(left), number(right), rail.depth),
@@ -222,7 +222,7 @@ fn growth(case: &Case) -> Vec<Row> {
     rows
 }
 
-/// What `railcrack shakedown` would compute.
+/// Summary of the stabilised plastic state that `railcrack shakedown` would compute.
 fn plastic_state(case: &Case) -> Vec<Row> {
     let shakedown = &case.shakedown;
     let hardening = &shakedown.hardening;

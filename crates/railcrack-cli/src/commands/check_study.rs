@@ -1,4 +1,4 @@
-//! What `railcrack check` says of a study.
+//! `railcrack check` of a study.
 
 use railcrack_case::{Axis, RailKey, Study, StudyRun};
 use std::collections::HashMap;

@@ -1,7 +1,7 @@
 //! `railcrack report`.
 
 use crate::exit::{Exit, Failure};
-use crate::{png, print};
+use crate::print;
 use clap::Args;
 use railcrack_paper::STATEMENTS_FILE;
 use railcrack_report::{FolderKind, rebuild_report};
@@ -17,7 +17,7 @@ pub struct ReportArguments {
     /// The folder
     #[arg(value_name = "DIR")]
     pub folder: PathBuf,
-    /// Draw every plot as a PNG file, too
+    /// Draw every plot as a PNG file, too (in builds with the feature png)
     #[arg(long)]
     pub png: bool,
 }
@@ -25,6 +25,10 @@ pub struct ReportArguments {
 /// Builds the report and says where it is.
 pub fn report(arguments: &ReportArguments) -> Result<Exit, Failure> {
     let folder = &arguments.folder;
+    #[cfg(not(feature = "png"))]
+    if arguments.png {
+        return Err(Failure::NoPng);
+    }
     let what = if folder.join(STATEMENTS_FILE).is_file() {
         railcrack_paper::rebuild_report(folder).map_err(RunError::from)?;
         "paper"
@@ -36,10 +40,11 @@ pub fn report(arguments: &ReportArguments) -> Result<Exit, Failure> {
             FolderKind::Study => "study",
         }
     };
-    let mut text = format!("report of the {what} in {}\n", folder.join("report.html").display());
+    print::stdout(&format!("report of the {what} in {}\n", folder.join("report.html").display()))?;
+    #[cfg(feature = "png")]
     if arguments.png {
-        text.push_str(&format!("{} plots as PNG beside their SVG files\n", png::write_beside_plots(folder)?));
+        let plots = crate::png::write_beside_plots(folder)?;
+        print::stdout(&format!("{plots} plots as PNG beside their SVG files\n"))?;
     }
-    print::stdout(&text)?;
     Ok(Exit::Done)
 }

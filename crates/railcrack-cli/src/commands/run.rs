@@ -24,10 +24,10 @@ pub struct RunArguments {
     /// The run folder [default: the case's name beside it]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// What computes the cracked rail, in place of the case's: xfem or dislocation
+    /// Engine in place of the case's: xfem or dislocation
     #[arg(long, value_name = "ENGINE")]
     pub engine: Option<String>,
-    /// What solves the contact of the crack faces, in place of the case's: latin or newton
+    /// Contact solver in place of the case's: latin or newton
     #[arg(long, value_name = "SOLVER")]
     pub contact: Option<String>,
     /// Number of increments, in place of the case's
@@ -130,7 +130,7 @@ pub fn result_text(finished: &Finished) -> String {
         return format!("interrupted before the first step was finished\n{}", where_and_on(finished));
     }
     let how = match (ending, &summary.stop) {
-        (Ending::Ended, Some(stop)) => format!("{stop} at"),
+        (Ending::Ended, Some(stop)) => format!("{} at", stop.name()),
         (Ending::Ended, None) => "ended at".to_owned(),
         (Ending::Interrupted, _) => "interrupted after".to_owned(),
     };
@@ -140,7 +140,7 @@ pub fn result_text(finished: &Finished) -> String {
     }
     text.push('\n');
     for tip in &summary.tips {
-        let stop = tip.stop.as_ref().map_or_else(String::new, |stop| format!(", {stop}"));
+        let stop = tip.stop.map_or_else(String::new, |stop| format!(", {}", stop.name()));
         let waits = tip.waiting_mm > 0.0;
         let waiting = if waits { format!(", {:.3} mm waiting", tip.waiting_mm) } else { String::new() };
         text.push_str(&format!(
@@ -158,7 +158,10 @@ pub fn result_text(finished: &Finished) -> String {
     for piece in &summary.pieces {
         text.push_str(&format!(
             "{} at crack {} in step {}: {:.3} mm\u{b2}\n",
-            piece.kind, piece.crack, piece.step, piece.area_mm2
+            piece.kind.name(),
+            piece.crack,
+            piece.step,
+            piece.area_mm2
         ));
     }
     match summary.warnings.len() {

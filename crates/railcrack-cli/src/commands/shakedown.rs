@@ -50,7 +50,7 @@ pub fn shakedown(arguments: &ShakedownArguments) -> Result<Exit, Failure> {
     print::stdout(&result_text(&summary))?;
     print::stdout(&format!("results in {}\n", folder.display()))?;
     // An answer of its own, but not the one that was asked for.
-    let stabilised = summary.state != RailState::NotStabilised.name();
+    let stabilised = summary.state != RailState::NotStabilised;
     Ok(if stabilised { Exit::Done } else { Exit::NotConverged })
 }
 
@@ -60,11 +60,17 @@ fn result_text(summary: &ShakedownSummary) -> String {
     let passages = if summary.passes == 1 { "passage" } else { "passages" };
     let mut text = format!(
         "{} after {} {passages} ({}), p0 / k = {:.4}, shakedown limit {:.4}\n",
-        summary.state, summary.passes, summary.method, summary.p0_over_k, summary.shakedown_limit.p0_over_k
+        summary.state.name(),
+        summary.passes,
+        summary.method.name(),
+        summary.p0_over_k,
+        summary.shakedown_limit.p0_over_k
     );
     text.push_str(&format!(
         "largest residual stress: {} = {:.1} MPa at depth {:.3} mm\n",
-        peak.component, peak.stress_mpa, peak.depth_mm
+        peak.component.name(),
+        peak.stress_mpa,
+        peak.depth_mm
     ));
     if let Some(zone) = summary.alternating_zone {
         text.push_str(&format!(

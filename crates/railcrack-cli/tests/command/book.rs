@@ -6,6 +6,7 @@
 //!   run; a case or a study is checked;
 //! * `sh` are commands that must succeed;
 //! * `console` are commands behind `$ ` with what they print, `…` for anything; of one that fails, its message;
+//! * `console png` is run where the command has the feature `png`;
 //! * `python` is run with a Python that has meshio;
 //! * `text`, or of no language, is not run.
 //!
@@ -53,7 +54,10 @@ fn blocks(page: &str) -> Vec<Block> {
     for (i, line) in page.lines().enumerate() {
         match (&mut open, line.strip_prefix("```")) {
             (None, Some(language)) => {
-                open = Some(Block { line: i + 1, language: language.trim().to_owned(), text: String::new() });
+                let (language, feature) = language.trim().split_once(' ').unwrap_or((language.trim(), ""));
+                let is_run = feature != "png" || cfg!(feature = "png");
+                let language = if is_run { language } else { "text" }.to_owned();
+                open = Some(Block { line: i + 1, language, text: String::new() });
             }
             (None, None) => {}
             (Some(block), None) => block.text += &format!("{line}\n"),

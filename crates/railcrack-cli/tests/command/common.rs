@@ -1,4 +1,4 @@
-//! What the tests of the command share.
+//! Fixtures of the command tests.
 
 // Each test file is a program of its own and uses a part of this.
 #![allow(dead_code)]

@@ -57,7 +57,7 @@ fn blocks(text: &str, language: &str) -> Vec<(usize, String)> {
 const CONTACT: &str = "[contact]\npeak_pressure_mpa = 845.0\nhalf_width_mm = 6.75\nfriction = 0.025\n";
 const CRACK: &str = "[[crack]]\nmouth_mm = 0.0\nlength_mm = 6.0\nangle_deg = 15.0\nfriction = 0.5\n";
 
-/// What `fragment` says in a case that has the rest from the reference case.
+/// A case with the keys of `fragment` and the rest of the reference case.
 fn completed(fragment: &str) -> String {
     let mut text = fragment.to_owned();
     for (section, rest) in [("[contact]", CONTACT), ("[[crack]]", CRACK)] {
@@ -104,6 +104,27 @@ fn every_link_leads_to_a_file() {
                 assert!(path.exists(), "{}:{}: {target} is not there", document.display(), i + 1);
             }
         }
+    }
+}
+
+/// The program of the README is the tested one of the library's pages.
+#[test]
+fn the_readme_shows_the_tested_program() {
+    let library = std::fs::read_to_string(workspace().join("crates/railcrack/src/lib.rs")).unwrap();
+    let tested: Vec<&str> = library.lines().map(|line| line.trim_start_matches("//!").trim()).collect();
+    let readme = std::fs::read_to_string(workspace().join("README.md")).unwrap();
+    let shown = blocks(&readme, "rust");
+    assert_eq!(shown.len(), 1);
+    for line in shown[0].1.lines().filter(|line| !line.is_empty()) {
+        assert!(tested.contains(&line.trim()), "README.md: not in the tested program: {line}");
+    }
+}
+
+#[test]
+fn every_table_is_described_as_it_is_declared() {
+    let page = std::fs::read_to_string(workspace().join("docs/file-formats.md")).unwrap();
+    for (file, columns) in railcrack_run::table_descriptions() {
+        assert!(page.contains(&columns), "docs/file-formats.md is out of date; {file} has\n\n{columns}");
     }
 }
 

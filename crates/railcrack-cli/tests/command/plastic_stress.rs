@@ -26,7 +26,7 @@ steps = 2
 engine = \"dislocation\"
 ";
 
-/// What the program says on standard error where it succeeds.
+/// Standard error of a command that succeeds.
 #[track_caller]
 fn succeeds(folder: &Path, arguments: &[&str]) -> String {
     stderr(&ends(folder, arguments, 0))

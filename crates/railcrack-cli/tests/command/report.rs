@@ -89,6 +89,19 @@ fn a_study_is_built_again_bit_for_bit() {
     assert!(page.contains("Not computed yet, or in another folder: run 2."), "nothing said of run 2");
 }
 
+#[cfg(not(feature = "png"))]
+#[test]
+fn a_build_without_png_says_so_and_leaves_the_folder_alone() {
+    let folder = folder("no-png");
+    done(&folder, &["run", "case.toml", "--out", "run", "--steps", "0", "--quiet"]);
+    let before = shown(&folder.join("run"));
+    let refused = railcrack(&folder, &["report", "run", "--png"]);
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(common::stderr(&refused).contains("--features png"), "{}", common::stderr(&refused));
+    assert!(before == shown(&folder.join("run")));
+}
+
+#[cfg(feature = "png")]
 #[test]
 fn plots_are_drawn_as_png() {
     let folder = folder("png");
@@ -119,8 +132,8 @@ fn a_direct_state_shows_what_passages_lead_to() {
     done(&folder, &["shakedown", "case.toml", "--out", "state", "--quiet"]);
     again(&folder, "state", "plastic state");
     let page = fs::read_to_string(folder.join("state/report.html")).unwrap();
-    assert!(page.contains("\"name\":\"σxx, pass by pass\""));
-    assert!(page.contains("not the one that passages lead to"));
+    assert!(page.contains("\"name\":\"σ_{xx}, pass by pass\""));
+    assert!(page.contains("by the direct method, which does not follow the passages"));
 }
 
 #[test]

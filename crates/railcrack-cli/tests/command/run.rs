@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
-/// What two runs of one case must have in common.
+/// Files in which two runs of one case must agree.
 const FILES: [&str; 8] = [
     "case.toml",
     "sif.csv",

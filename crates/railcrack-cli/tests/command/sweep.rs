@@ -62,7 +62,9 @@ fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
             let name = path.strip_prefix(folder).unwrap().to_string_lossy().into_owned();
             if path.is_dir() {
                 pending.push(path);
-            } else if !["times.csv", "checkpoint.bin", "summary.json"].iter().any(|file| name.ends_with(file))
+            } else if !["times.csv", "checkpoint.bin", "run-log.bin", "summary.json"]
+                .iter()
+                .any(|file| name.ends_with(file))
             {
                 found.insert(name, fs::read(&path).unwrap());
             }

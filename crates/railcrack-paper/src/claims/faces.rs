@@ -28,8 +28,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "5.2-range",
         place: "5.2, Fig. 17b",
         figures: &[17],
-        statement: "More friction of the faces narrows the range of K_II.",
-        rule: "\u{394}K_II falls from 0.1 to 0.2 to 0.5 to 0.8",
+        statement: "Higher crack-face friction reduces the range of K_II.",
+        rule: "\u{394}K_II falls with the crack-face friction, from 0.1 to 0.2 to 0.5 to 0.8",
         decide: |r| {
             let ranges = over(r, CrackGrowth::delta_kii)?;
             Some(Decision::of(falls(&ranges)).with_all("\u{394}K_II at", &SIZES, &ranges))
@@ -40,21 +40,21 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "5.2-opening",
         place: "5.2, Fig. 17a",
         figures: &[17],
-        statement: "Friction of the faces leaves the opening and \u{394}K_I as they are.",
-        rule: "\u{394}K_I at 0.1 to 0.8 within 5 % of the largest of them",
+        statement: "Crack-face friction does not affect the opening and \u{394}K_I.",
+        rule: "\u{394}K_I at the crack-face frictions 0.1 to 0.8 within 5 % of the largest of them",
         decide: |r| {
             let ranges = over(r, CrackGrowth::delta_ki)?;
             let (low, high) = ranges.iter().fold((f64::INFINITY, 0.0_f64), |(l, h), &k| (l.min(k), h.max(k)));
             Some(Decision::of(high - low <= 0.05 * high).with_all("\u{394}K_I at", &SIZES, &ranges))
         },
-        why: "In the block it does from 0.2 on, where the crack opens most while the wheel is far away. At 0.1 it opens by its own slip under the wheel, near |x_c| = 0.5 a, and friction decides how far; in the half-plane this is nearly all the opening there is.",
+        why: "In the block the statement holds for friction from 0.2 on, where the crack opens most while the wheel is far away. At 0.1 the crack opens by slip of its faces under the wheel, near |x_c| = 0.5 a, by an amount that depends on friction; in the half-plane this is nearly all of the opening.",
     },
     Claim {
         id: "5.2-antagonists",
         place: "5.2; 6",
         figures: &[17],
-        statement: "Friction of the faces slows growth, friction of the wheel speeds it up.",
-        rule: "\u{394}K_eq falls from faces 0.1 to 0.8 and rises from wheel 0.025 to 0.1 to 0.4",
+        statement: "Crack-face friction slows growth, wheel–rail friction accelerates it.",
+        rule: "\u{394}K_eq falls with the crack-face friction from 0.1 to 0.8 and rises with the wheel–rail friction from 0.025 to 0.1 to 0.4",
         decide: |r| {
             let faces = over(r, CrackGrowth::delta_keq)?;
             let wheel: Option<Vec<f64>> = ["reference", "wheel+0.1", "wheel+0.4"]
@@ -66,14 +66,14 @@ pub(super) const CLAIMS: &[Claim] = &[
                 Decision::of(falls(&faces) && rises(&wheel)).with_all("\u{394}K_eq, faces", &SIZES, &faces);
             Some(decision.with_all("\u{394}K_eq, wheel", &["0.025", "0.1", "0.4"], &wheel))
         },
-        why: "The faces do what is said; along the travel the wheel does not between 0.025 and 0.1.",
+        why: "The statement on crack-face friction holds; that on wheel–rail friction fails between 0.025 and 0.1 for cracks that lean along the travel.",
     },
     Claim {
         id: "5.2-coplanar-first",
         place: "5.2, Fig. 18",
         figures: &[18],
-        statement: "Whatever the friction of the faces, growth is co-planar at first.",
-        rule: "at least 3 increments within 20\u{b0} of the initial line for each of 0.1 to 0.8",
+        statement: "At every crack-face friction, growth is co-planar at first.",
+        rule: "at least 3 increments within 20\u{b0} of the initial line at each friction from 0.1 to 0.8",
         decide: |r| {
             let paths = paths(r)?;
             let holds = paths.iter().all(|path| path.coplanar_increments() > 3);
@@ -85,7 +85,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "5.2-paths-differ",
         place: "5.2, Fig. 18",
         figures: &[18],
-        statement: "After that the paths differ.",
+        statement: "After co-planar growth, the crack paths differ with the crack-face friction.",
         rule: "depths of the ends of the paths at least 1 mm apart",
         decide: |r| {
             let paths = paths(r)?;
@@ -103,7 +103,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "5.2-earlier",
         place: "5.2, Fig. 18",
         figures: &[18],
-        statement: "More friction of the faces makes the crack branch earlier.",
+        statement: "With higher crack-face friction the crack branches earlier.",
         rule: "first increment > 20\u{b0} off the line: not later from 0.1 to 0.8, and earlier at 0.8 than at 0.1",
         decide: |r| {
             let paths = paths(r)?;
@@ -111,19 +111,19 @@ pub(super) const CLAIMS: &[Claim] = &[
             let holds = first[3] < first[0] && first.windows(2).all(|pair| pair[1] <= pair[0]);
             Some(with_branches(Decision::of(holds), &paths))
         },
-        why: "In the block, along the travel, it holds from 0.2 to 0.8, and all of these turn down; only 0.1 branches earlier than 0.2.",
+        why: "In the block with cracks that lean along the travel it holds from 0.2 to 0.8, where all paths branch down; only the path at 0.1 branches earlier than that at 0.2.",
     },
     Claim {
         id: "5.2-sides",
         place: "5.2, Fig. 18",
         figures: &[18],
-        statement: "With little friction of the faces the crack turns up, with much it turns down.",
+        statement: "With low crack-face friction the crack branches up, with high friction it branches down.",
         rule: "at 0.1 the path branches up, at 0.8 down",
         decide: |r| {
             let paths = paths(r)?;
             let holds = paths[0].branches(Side::Up) && paths[3].branches(Side::Down);
             Some(with_branches(Decision::of(holds), &paths))
         },
-        why: "Against the travel the rough cracks are the ones that turn up. Where negative k1 counts, 0.1 and 0.2 turn up and 0.5 and 0.8 down, but all of them at once.",
+        why: "For cracks that lean against the travel, those with high friction branch up. Where negative k1 counts, the paths at 0.1 and 0.2 branch up and those at 0.5 and 0.8 down, all of them in the first increment.",
     },
 ];

@@ -27,25 +27,25 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "5.3-range-2",
         place: "5.3, Fig. 19b",
         figures: &[19],
-        statement: "A steeper crack has a wider range of K_II.",
-        rule: "\u{394}K_II rises from 15\u{b0} to 30\u{b0}, 45\u{b0}, 60\u{b0}, 75\u{b0}",
+        statement: "The range of K_II increases with the inclination of the crack.",
+        rule: "\u{394}K_II rises with the inclination from 15\u{b0} to 30\u{b0}, 45\u{b0}, 60\u{b0}, 75\u{b0}",
         decide: |r| {
             let ranges = over(r, CrackGrowth::delta_kii)?;
             Some(Decision::of(rises(&ranges)).with_all("\u{394}K_II at", &ANGLES, &ranges))
         },
-        why: "It does from 30\u{b0} on in all four; 15\u{b0} stands out.",
+        why: "In all four main set-ups \u{394}K_II rises from 30\u{b0} on; the value at 15\u{b0} is the exception.",
     },
     Claim {
         id: "5.3-range-1",
         place: "5.3, Fig. 19a",
         figures: &[19],
-        statement: "A steeper crack opens less.",
-        rule: "\u{394}K_I falls from 15\u{b0} to 30\u{b0}, 45\u{b0}, 60\u{b0}, 75\u{b0}",
+        statement: "The opening of the crack decreases with its inclination.",
+        rule: "\u{394}K_I falls with the inclination from 15\u{b0} to 30\u{b0}, 45\u{b0}, 60\u{b0}, 75\u{b0}",
         decide: |r| {
             let ranges = over(r, CrackGrowth::delta_ki)?;
             Some(Decision::of(falls(&ranges)).with_all("\u{394}K_I at", &ANGLES, &ranges))
         },
-        why: "In the half-plane these cracks are closed: what is left of \u{394}K_I is below 0.1 MPa\u{221a}m. In the block they open most while the wheel is at the ends of its passage, and the steeper the wider.",
+        why: "In the half-plane these cracks are closed, with \u{394}K_I below 0.1 MPa\u{221a}m. In the block they open most with the wheel at the ends of its passage, and steeper cracks open more.",
     },
     Claim {
         id: "5.3-down",
@@ -58,32 +58,34 @@ pub(super) const CLAIMS: &[Claim] = &[
             let holds = paths[..4].iter().all(|path| path.branches(Side::Down));
             Some(with_paths(Decision::of(holds), &paths[..4]))
         },
-        why: "One path of the sixteen does: 15\u{b0} in the block, along the travel, at increment 18.",
+        why: "One path of the sixteen branches down: that of 15\u{b0} in the block, along the travel, at increment 18.",
     },
     Claim {
         id: "5.3-coplanar-75",
         place: "5.3, Fig. 20",
         figures: &[20],
-        statement: "The crack of 75\u{b0} goes straight on.",
-        rule: "no increment > 20\u{b0} off the line; the rival direction of the first increment and the ratio of its rate to the best beside it",
+        statement: "The crack of 75\u{b0} grows co-planar.",
+        rule: "no increment > 20\u{b0} off the initial line (given beside it: the secondary maximum of the direction criterion in the first increment, and its ratio to the chosen one)",
         decide: |r| {
             let crack = r.grown("angle-75")?.crack();
             let path = PathShape::of(crack);
             let first = crack.steps[0];
             let decision = Decision::of(path.is_coplanar())
-                .with(format!("{}, first kink \u{b0}", path.words()), first.kink?);
-            Some(match (first.rival, first.rival_ratio) {
-                (Some(angle), Some(ratio)) => decision.with("rival \u{b0}", angle).with("ratio", ratio),
+                .with(format!("{}, first kink \u{b0}", path.words()), first.kink_deg?);
+            Some(match (first.rival_deg, first.rival_ratio) {
+                (Some(angle), Some(ratio)) => {
+                    decision.with("secondary maximum \u{b0}", angle).with("ratio", ratio)
+                }
                 _ => decision,
             })
         },
-        why: "Leaning along the travel it is a near tie in the half-plane (ratio above 0.99): the path hangs on less than the model knows.",
+        why: "In the half-plane along the travel it is a near tie of the direction criterion (ratio above 0.99), so that the path depends on differences below the accuracy of the model.",
     },
     Claim {
         id: "6-same-direction",
         place: "6",
         figures: &[20],
-        statement: "Once branched down, cracks of all inclinations go on in the same direction.",
+        statement: "After branching down, cracks of all inclinations grow in the same direction.",
         rule: "of the paths that branch down (two at least), inclinations from the branch to the end within 15\u{b0}",
         decide: |r| {
             let paths = paths(r)?;
@@ -99,6 +101,6 @@ pub(super) const CLAIMS: &[Claim] = &[
                 decision.with("from \u{b0}", low).with("to \u{b0}", high)
             })
         },
-        why: "At the friction of Table 1 there are not two such paths.",
+        why: "At the friction of Table 1 fewer than two paths branch down.",
     },
 ];

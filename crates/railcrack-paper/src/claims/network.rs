@@ -33,8 +33,8 @@ pub(super) const NINE: &[Claim] = &[
         id: "5.5.2-opening",
         place: "5.5.2, Fig. 27a; 6",
         figures: &[27],
-        statement: "Every crack of the network opens more than a single one.",
-        rule: "\u{394}K_I of each of the nine larger than of the crack alone",
+        statement: "Every crack of the network of nine opens more than a single crack.",
+        rule: "\u{394}K_I of each of the nine larger than that of the crack alone",
         decide: |r| {
             let changes = changes(r, "nine", "wheel+0.1", CrackGrowth::delta_ki)?;
             let holds = changes.iter().all(|change| *change > 0.0);
@@ -46,8 +46,8 @@ pub(super) const NINE: &[Claim] = &[
         id: "5.5.2-opening-150",
         place: "5.5.2, Fig. 27a",
         figures: &[27],
-        statement: "\u{394}K_I grows by 150 % at most.",
-        rule: "largest growth of \u{394}K_I between 100 % and 200 %",
+        statement: "The network of nine increases \u{394}K_I by up to 150 %.",
+        rule: "largest increase of \u{394}K_I between 100 % and 200 %",
         decide: |r| {
             let changes = changes(r, "nine", "wheel+0.1", CrackGrowth::delta_ki)?;
             let (i, most) = changes.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1))?;
@@ -60,7 +60,7 @@ pub(super) const NINE: &[Claim] = &[
         id: "5.5.2-shielding",
         place: "5.5.2, Fig. 27b",
         figures: &[27],
-        statement: "The cracks shield each other in mode II: \u{394}K_II is 0 to 25 % smaller.",
+        statement: "The cracks of the network shield each other in mode II: \u{394}K_II is 0 to 25 % smaller than that of a single crack.",
         rule: "change of \u{394}K_II of each crack between \u{2212}30 % and 0, of one at least beyond \u{2212}10 %",
         decide: |r| {
             let changes = changes(r, "nine", "wheel+0.1", CrackGrowth::delta_kii)?;
@@ -74,7 +74,7 @@ pub(super) const NINE: &[Claim] = &[
         id: "6-shielding-centre",
         place: "6",
         figures: &[27],
-        statement: "It is the cracks in the middle that are shielded.",
+        statement: "Shielding in mode II acts on the cracks in the middle of the network.",
         rule: "mean change of \u{394}K_II of cracks 3 to 6 below zero and below the mean of 1, 2, 8, 9",
         decide: |r| {
             let changes = changes(r, "nine", "wheel+0.1", CrackGrowth::delta_kii)?;
@@ -88,7 +88,7 @@ pub(super) const NINE: &[Claim] = &[
         id: "5.5.2-single-down",
         place: "5.5.2, Fig. 18",
         figures: &[28],
-        statement: "A single crack under this wheel is co-planar at first, then branches down.",
+        statement: "A single crack at the wheel–rail friction of the network (0.1) grows co-planar at first, then branches down.",
         rule: "at least 3 increments within 20\u{b0} of the line, then a branch down",
         decide: |r| {
             let path = PathShape::of(r.grown("wheel+0.1")?.crack());
@@ -101,7 +101,7 @@ pub(super) const NINE: &[Claim] = &[
         id: "5.5.2-outer",
         place: "5.5.2, Fig. 28",
         figures: &[28],
-        statement: "Cracks 1, 2, 8 and 9 grow as they would alone.",
+        statement: "Cracks 1, 2, 8 and 9 of the network grow as a single crack does.",
         rule: "within five increments each of the four branches to the same side as the crack alone, or like it not at all",
         decide: |r| {
             let paths = paths(r, "nine")?;
@@ -118,8 +118,8 @@ pub(super) const NINE: &[Claim] = &[
         id: "5.5.2-middle",
         place: "5.5.2, Fig. 28; 6",
         figures: &[28],
-        statement: "Cracks 3, 4, 5 and 7 branch and run parallel to the surface.",
-        rule: "their paths branch, and from there run within 10\u{b0} of the surface's direction",
+        statement: "Cracks 3, 4, 5 and 7 of the network branch and then grow parallel to the running surface.",
+        rule: "the four paths branch, and from there run within 10\u{b0} of the surface's direction",
         decide: |r| {
             let paths = paths(r, "nine")?;
             let holds = [3, 4, 5, 7].iter().all(|&i| paths[i - 1].runs_parallel());
@@ -131,7 +131,7 @@ pub(super) const NINE: &[Claim] = &[
         id: "5.5.2-both",
         place: "5.5.2, Fig. 28; 6",
         figures: &[28],
-        statement: "Some cracks are about to spall, others go into the depth.",
+        statement: "Some cracks of the network are about to form a spall, others grow into the rail.",
         rule: "one path at least branches up or parallel, one at least is co-planar or branches down",
         decide: |r| {
             let paths = paths(r, "nine")?;
@@ -148,7 +148,7 @@ pub(super) const NINE_WITH_STRESS: &[Claim] = &[
         id: "5.5.3-closed",
         place: "5.5.3, Fig. 29a",
         figures: &[29],
-        statement: "With the stress of Fig. 21 cracks 1 to 8 stay closed.",
+        statement: "With the residual stress of Fig. 21, cracks 1 to 8 of the network stay closed.",
         rule: "max K_I of each <= 0.1 MPa\u{221a}m",
         decide: |r| {
             let tops: Vec<f64> = r.run("nine-stress")?.cracks.iter().map(top).collect();
@@ -161,20 +161,20 @@ pub(super) const NINE_WITH_STRESS: &[Claim] = &[
         id: "5.5.3-crack-9",
         place: "5.5.3, Fig. 29a",
         figures: &[29],
-        statement: "Crack 9, at the edge of the network, opens.",
+        statement: "With the residual stress of Fig. 21, crack 9, at the edge of the network, opens.",
         rule: "max K_I of crack 9 > 0.1 MPa\u{221a}m",
         decide: |r| {
             let top = top(&r.run("nine-stress")?.cracks[8]);
             Some(Decision::of(top > 0.1).with("max K_I", top))
         },
-        why: "Against the travel crack 9 is the one that the wheel meets first.",
+        why: "Where the cracks lean against the travel, crack 9 is the first under the wheel.",
     },
     Claim {
         id: "5.5.3-range",
         place: "5.5.3, Fig. 29b",
         figures: &[29],
-        statement: "The stress narrows the range of K_II of every crack.",
-        rule: "\u{394}K_II of each smaller than without the stress",
+        statement: "The residual stress of Fig. 21 reduces the range of K_II of every crack of the network.",
+        rule: "\u{394}K_II of each crack smaller than without the residual stress",
         decide: |r| {
             let (with, without) = (r.run("nine-stress")?, r.run("nine")?);
             let change = |(a, b): (&CrackGrowth, &CrackGrowth)| 100.0 * (a.delta_kii() / b.delta_kii() - 1.0);
@@ -188,7 +188,7 @@ pub(super) const NINE_WITH_STRESS: &[Claim] = &[
         id: "5.5.3-parallel",
         place: "5.5.3, Fig. 30",
         figures: &[30],
-        statement: "All cracks branch and run parallel to the surface, in the direction of the moving load.",
+        statement: "With the residual stress of Fig. 21, all cracks of the network branch and then grow parallel to the running surface, in the direction of the moving load.",
         rule: "all nine paths branch, and from there run within 10\u{b0} of the surface's direction, along the travel",
         decide: |r| {
             let paths = paths(r, "nine-stress")?;
@@ -203,7 +203,7 @@ pub(super) const NINE_WITH_STRESS: &[Claim] = &[
         id: "5.5.3-crack-9-path",
         place: "5.5.3, Fig. 30",
         figures: &[30],
-        statement: "Crack 9 grows in another way than the others.",
+        statement: "With the residual stress of Fig. 21, crack 9 grows differently from the other cracks of the network.",
         rule: "its side of branching, or whether it branches, differs from that of most of the others",
         decide: |r| {
             let paths = paths(r, "nine-stress")?;

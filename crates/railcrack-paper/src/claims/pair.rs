@@ -24,8 +24,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "5.5.1-mode-2",
         place: "5.5.1, Fig. 24b",
         figures: &[24],
-        statement: "The neighbour hardly changes mode II.",
-        rule: "\u{394}K_II of each crack within 10 % of that of the crack alone",
+        statement: "The neighbouring crack hardly changes K_II.",
+        rule: "\u{394}K_II of each crack of the pair within 10 % of that of the crack alone",
         decide: |r| {
             let (pair, alone) = cracks(r)?;
             let change = [0, 1].map(|i| 100.0 * (pair[i].delta_kii() / alone[i].delta_kii() - 1.0));
@@ -38,7 +38,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "5.5.1-mode-1",
         place: "5.5.1, Fig. 24a",
         figures: &[24],
-        statement: "What it changes most is the opening, thus \u{394}K_I, of both cracks.",
+        statement: "The neighbouring crack mainly increases the opening, and thus \u{394}K_I, of both cracks.",
         rule: "\u{394}K_I of each crack changes by a larger share than its \u{394}K_II, and grows",
         decide: |r| {
             let (pair, alone) = cracks(r)?;
@@ -54,7 +54,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "5.5.1-opening-1",
         place: "5.5.1, Fig. 24a",
         figures: &[24],
-        statement: "Crack 1 opens more by crack 2 while the wheel is at x_c/a < \u{2212}2.",
+        statement: "Crack 2 increases the opening of crack 1 while the wheel is at x_c/a < \u{2212}2.",
         rule: "the largest gain of K_I of crack 1 is at x_c/a < \u{2212}2 and >= 10 % of the largest K_I of the crack alone",
         decide: |r| {
             let (pair, alone) = cracks(r)?;
@@ -68,7 +68,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "5.5.1-opening-2",
         place: "5.5.1, Fig. 24a",
         figures: &[24],
-        statement: "Crack 2 opens more by crack 1 while the wheel is at x_c/a > 2.",
+        statement: "Crack 1 increases the opening of crack 2 while the wheel is at x_c/a > 2.",
         rule: "the largest gain of K_I of crack 2 is at x_c/a > 2 and >= 10 % of the largest K_I of the crack alone",
         decide: |r| {
             let (pair, alone) = cracks(r)?;
@@ -82,7 +82,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "5.5.1-parallel",
         place: "5.5.1, Fig. 25",
         figures: &[25],
-        statement: "Crack 1 branches and runs on parallel to the surface.",
+        statement: "Crack 1 of the pair branches and then grows parallel to the running surface.",
         rule: "the path of crack 1 branches, and from there to its end within 10\u{b0} of the surface's direction",
         decide: |r| {
             let path = PathShape::of(grown(r)?[0]);
@@ -99,7 +99,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "5.5.1-coplanar",
         place: "5.5.1, Fig. 25",
         figures: &[25],
-        statement: "Crack 2 goes straight on, as alone.",
+        statement: "Crack 2 of the pair grows co-planar, as it does alone.",
         rule: "no increment of crack 2 > 20\u{b0} off its line",
         decide: |r| {
             let path = PathShape::of(grown(r)?[1]);
@@ -111,7 +111,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "5.5.1-slower",
         place: "5.5.1",
         figures: &[25],
-        statement: "After some increments \u{394}K_eq of crack 1 decreases.",
+        statement: "After some increments \u{394}K_eq of crack 1 of the pair decreases.",
         rule: "\u{394}K_eq of crack 1 in the last step is smaller than at first",
         decide: |r| {
             let steps = &grown(r)?[0].steps;
@@ -124,12 +124,12 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "5.5.1-deeper",
         place: "5.5.1, Fig. 25",
         figures: &[25],
-        statement: "Crack 2 gets deeper than crack 1.",
-        rule: "depth of the end of crack 2 larger",
+        statement: "Crack 2 of the pair grows deeper than crack 1.",
+        rule: "the end of the path of crack 2 is deeper than that of crack 1",
         decide: |r| {
             let depth = grown(r)?.map(|crack| PathShape::of(crack).depth);
             Some(Decision::of(depth[1] > depth[0]).with_all("depth of crack", &["1", "2"], &depth))
         },
-        why: "In the half-plane the crack that leans against the travel turns up and the other one goes deep: crack 1 is the first of these only where it leans against the travel.",
+        why: "In the half-plane the crack that leans against the travel branches up and the other one grows into the rail: crack 1 branches up only where it leans against the travel.",
     },
 ];

@@ -8,34 +8,34 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "5.4-closed",
         place: "5.4.2, Fig. 22a",
         figures: &[22],
-        statement: "With the stress of Fig. 21 the crack stays closed during the whole passage.",
+        statement: "With the residual stress of Fig. 21 the crack stays closed during the whole passage.",
         rule: "max K_I <= 0.1 MPa\u{221a}m",
         decide: |r| {
             let top = |curve: &str| Some(r.run(curve)?.crack().sif.ki.iter().copied().fold(0.0, f64::max));
             let (with, without) = (top("stress")?, top("reference")?);
             Some(Decision::of(with <= 0.1).with("max K_I", with).with("without", without))
         },
-        why: "In the half-plane it is closed without the stress as well.",
+        why: "In the half-plane the crack is closed without the residual stress as well.",
     },
     Claim {
         id: "5.4-range",
         place: "5.4.2, Fig. 22b; 6",
         figures: &[22],
-        statement: "The stress narrows the range of K_II.",
-        rule: "\u{394}K_II with the stress is smaller",
+        statement: "The residual stress of Fig. 21 reduces the range of K_II.",
+        rule: "\u{394}K_II is smaller with the residual stress than without",
         decide: |r| {
             let range = |curve: &str| Some(r.run(curve)?.crack().delta_kii());
             let (with, without) = (range("stress")?, range("reference")?);
             Some(Decision::of(with < without).with("\u{394}K_II with", with).with("without", without))
         },
-        why: "What rolling leaves in the steels of the variants lies deeper than the tip, and changes nothing yet.",
+        why: "The residual stress of the rolled steels lies deeper than the tip of the initial crack and does not affect it.",
     },
     Claim {
         id: "5.4-rate",
         place: "5.4.2",
         figures: &[23],
-        statement: "The stress slows growth.",
-        rule: "\u{394}K_eq of the initial crack is smaller, and more cycles to a length of 7 mm",
+        statement: "The residual stress of Fig. 21 slows growth.",
+        rule: "with the residual stress \u{394}K_eq of the initial crack is smaller, and more cycles are needed to a length of 7 mm",
         decide: |r| {
             let (with, without) = (r.grown("stress")?.crack(), r.grown("reference")?.crack());
             let cycles = (with.cycles_to(7.0), without.cycles_to(7.0));
@@ -54,22 +54,22 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "5.4-longer-coplanar",
         place: "5.4.2, Fig. 23; 6",
         figures: &[23],
-        statement: "With the stress the crack goes straight on for longer.",
-        rule: "first increment > 20\u{b0} off the line comes later",
+        statement: "With the residual stress of Fig. 21, co-planar growth lasts longer.",
+        rule: "with the residual stress the first increment > 20\u{b0} off the initial line comes later",
         decide: |r| {
             let first = |curve: &str| Some(PathShape::of(r.grown(curve)?.crack()).coplanar_increments());
             let (with, without) = (first("stress")?, first("reference")?);
             let decision = Decision::of(with > without).with("branches in increment, with", with as f64);
             Some(decision.with("without", without as f64))
         },
-        why: "With the stress the crack turns up in the first increment in all four.",
+        why: "With the residual stress the crack branches up in the first increment in all four main set-ups.",
     },
     Claim {
         id: "5.4-up",
         place: "5.4.2, Fig. 23",
         figures: &[23],
-        statement: "Then it turns up, where without the stress it turns down.",
-        rule: "the path with the stress branches up, that without down",
+        statement: "With the residual stress of Fig. 21 the crack branches up, without it down.",
+        rule: "the path with the residual stress branches up, that without it down",
         decide: |r| {
             let path = |curve: &str| Some(PathShape::of(r.grown(curve)?.crack()));
             let (with, without) = (path("stress")?, path("reference")?);

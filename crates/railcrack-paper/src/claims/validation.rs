@@ -7,7 +7,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "4-agreement",
         place: "4, Fig. 13",
         figures: &[13],
-        statement: "Finite elements and a code of dislocations in a half-plane give nearly the same K_I and K_II.",
+        statement: "Finite elements and distributed dislocations in a half-plane give nearly the same K_I and K_II.",
         rule: "largest |K \u{2212} K of the dislocations in the half-plane| <= 5 % of the peak",
         decide: |r| {
             let parent =
@@ -29,14 +29,14 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "4-locked",
         place: "4, Fig. 13",
         figures: &[13],
-        statement: "While the whole crack sticks, K_II from the jumps of displacement is constant, and K_II from a domain integral \
+        statement: "While the whole crack sticks, K_II from the displacement jumps is constant, and K_II from a domain integral \
                     varies a little.",
         rule: "largest change of K_II between two positions at which the whole crack sticks >= 0.1 % of the peak",
         decide: |r| {
             let change = 100.0 * r.run("fig13")?.crack().sif.change_while_stuck()?;
             Some(Decision::of(change >= 0.1).with("change %", change))
         },
-        why: "K depends on the jumps alone, and they are frozen while the faces stick: a variation is an error of the integral. It \
-              vanishes once the tractions on the faces are part of the integral.",
+        why: "K depends on the displacement jumps alone, which do not change while the faces stick: a variation is an error of the \
+              integral. It vanishes once the integral includes the tractions on the crack faces.",
     },
 ];

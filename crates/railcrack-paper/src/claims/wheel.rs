@@ -17,7 +17,8 @@ fn widens(r: SetupResults, curves: [&str; 3]) -> Option<Decision> {
     Some(Decision::of(rises(&ranges)).with_all("\u{394}K_II at", &SIZES, &ranges))
 }
 
-/// The first increment off the line, for growing friction; one more than there are where there is none.
+/// The first increment off the line, for growing friction; one more than there are where there is
+/// none.
 fn branches_earlier(r: SetupResults, curves: [&str; 3]) -> Option<Decision> {
     let first: Option<Vec<f64>> = curves
         .iter()
@@ -28,7 +29,8 @@ fn branches_earlier(r: SetupResults, curves: [&str; 3]) -> Option<Decision> {
     Some(Decision::of(earlier).with_all("branches in increment", &SIZES, &first))
 }
 
-/// How far K at the wheel positions rises and falls when the friction goes from `from` to `to`, MPa√m.
+/// How far K at the wheel positions rises and falls when the friction goes from `from` to `to`,
+/// MPa√m.
 fn rise_and_fall(from: &SifCurve, to: &SifCurve, which: usize) -> [f64; 2] {
     let changes = to.minus(from).into_iter().map(|difference| {
         let size = |curve: &SifCurve| curve.at(difference[0]).map_or(0.0, |k| k[which].abs());
@@ -60,7 +62,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "5.1-superposition",
         place: "5.1, Figs 14b, 15b",
         figures: &[14, 15],
-        statement: "In mode II, shear and pressure of the wheel add or subtract, depending on the sign of the friction and on the position.",
+        statement: "The contributions of wheel pressure and shear traction to K_II add or subtract, depending on the sign of the wheel–rail friction and on the wheel position.",
         rule: "from |\u{3bc}| = 0.025 to 0.4, |K_II| rises somewhere and falls somewhere by >= 5 % of the peak, in three of the four cases",
         decide: |r| adds_or_subtracts(r, 1),
         why: "",
@@ -69,8 +71,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "5.1-opening",
         place: "5.1, Figs 14a, 15a",
         figures: &[14, 15],
-        statement: "So they do in the opening: it depends on sign and position, and either sign opens the crack somewhere else.",
-        rule: "max K_I at +0.4 and at \u{2212}0.4 >= 1 MPa\u{221a}m, positions >= a apart",
+        statement: "Wheel–rail friction of either sign opens the crack, at different wheel positions.",
+        rule: "max K_I at friction +0.4 and at \u{2212}0.4 >= 1 MPa\u{221a}m, at wheel positions >= a apart",
         decide: |r| {
             let top = |curve: &str| {
                 let sif = &r.run(curve)?.crack().sif;
@@ -88,52 +90,52 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "5.1-range-braking",
         place: "5.1, Fig. 14b",
         figures: &[14],
-        statement: "More friction of a braking wheel widens the range of K_II.",
+        statement: "Higher friction of a braking wheel increases the range of K_II.",
         rule: "\u{394}K_II rises from 0.025 to 0.1 to 0.4",
         decide: |r| widens(r, BRAKING),
-        why: "Along the travel a little drag first takes away from the shear that the pressure alone brings: the range at 0.1 is the smallest. Against the travel the drag adds from the beginning.",
+        why: "For cracks that lean along the travel, low friction reduces the shear due to the pressure alone, so that \u{394}K_II is smallest at 0.1. For cracks that lean against the travel, friction adds to that shear at every value.",
     },
     Claim {
         id: "5.1-range-driving",
         place: "5.1, Fig. 15b",
         figures: &[15],
-        statement: "More friction of a driven wheel widens the range of K_II.",
+        statement: "Higher friction of a driven wheel increases the range of K_II.",
         rule: "\u{394}K_II rises from \u{2212}0.025 to \u{2212}0.1 to \u{2212}0.4",
         decide: |r| widens(r, DRIVING),
-        why: "The other way round: against the travel it is the range at \u{2212}0.1 that is the smallest.",
+        why: "For cracks that lean against the travel, \u{394}K_II is smallest at \u{2212}0.1.",
     },
     Claim {
         id: "5.1-earlier-braking",
         place: "5.1, Fig. 16a; 6",
         figures: &[16],
-        statement: "More friction of a braking wheel makes the crack branch earlier.",
+        statement: "With higher friction of a braking wheel the crack branches earlier.",
         rule: "first increment > 20\u{b0} off the initial line: not later from 0.025 to 0.1 to 0.4, and earlier at 0.4",
         decide: |r| branches_earlier(r, BRAKING),
-        why: "Against the travel the crack turns up in the first increment at any friction.",
+        why: "A crack that leans against the travel branches up in the first increment at every friction.",
     },
     Claim {
         id: "5.1-earlier-driving",
         place: "5.1, Fig. 16b; 6",
         figures: &[16],
-        statement: "More friction of a driven wheel makes the crack branch earlier.",
-        rule: "as above, from \u{2212}0.025 to \u{2212}0.1 to \u{2212}0.4",
+        statement: "With higher friction of a driven wheel the crack branches earlier.",
+        rule: "first increment > 20\u{b0} off the initial line: not later from \u{2212}0.025 to \u{2212}0.1 to \u{2212}0.4, and earlier at \u{2212}0.4",
         decide: |r| branches_earlier(r, DRIVING),
-        why: "At \u{2212}0.4 the crack branches earlier than at \u{2212}0.1 everywhere; from \u{2212}0.025 to \u{2212}0.1 it branches later, except along the travel in the half-plane, where neither branches.",
+        why: "At \u{2212}0.4 the crack branches earlier than at \u{2212}0.1 in every main set-up; from \u{2212}0.025 to \u{2212}0.1 it branches later, except along the travel in the half-plane, where neither branches.",
     },
     Claim {
         id: "5.1-sides-caption",
         place: "5.1, caption of Fig. 16",
         figures: &[16],
-        statement: "Braking turns the crack up, driving down (caption and text of Fig. 16 read together).",
+        statement: "Under a braking wheel the crack branches up, under a driven wheel down (caption and text of Fig. 16 read together).",
         rule: "at +0.4 the path branches up, at \u{2212}0.4 down",
         decide: |r| sides(r, Side::Up, Side::Down),
-        why: "Against the travel it is as the caption says, and with the drag reversed as the conclusion says: the two differ by the sign of the friction. Along the travel both turn down.",
+        why: "For cracks that lean against the travel the caption holds, and with the drag reversed the conclusion: the two differ by the sign of the friction. For cracks that lean along the travel both paths branch down.",
     },
     Claim {
         id: "5.1-sides-conclusion",
         place: "6",
         figures: &[16],
-        statement: "Driving turns the crack up, braking down.",
+        statement: "Under a driven wheel the crack branches up, under a braking wheel down.",
         rule: "at \u{2212}0.4 the path branches up, at +0.4 down",
         decide: |r| sides(r, Side::Down, Side::Up),
         why: "",

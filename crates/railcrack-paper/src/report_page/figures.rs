@@ -1,77 +1,39 @@
 //! The figures, from their tables.
 
-use super::tables::FigureTable;
 use super::{look, symbols};
-use crate::document::{FigureRecord, PaperRecord};
-use railcrack_report::{Block, Cell, ChartAspect, ChartAxis, ChartScale, Curve, CurveLook, LineChart, Table};
+use crate::document::{PaperRecord, SetupRecord};
+use crate::figure::{FIGURES, Figure};
+use crate::figures::{FigureTable, Quantity, TableCurve, page_chart};
+use railcrack_report::{Block, Cell, Chart, Curve, CurveLook, Table};
 use railcrack_run::OutputError;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 /// The most points in the page: 14 bytes each. Main set-ups go first, variants while there is room.
 const POINTS: usize = 180_000;
-/// Quantities of the tables: name, columns of x and y, id, titles, scale.
-const QUANTITIES: [Quantity; 4] = [
-    Quantity {
-        id: "ki",
-        words: "K_{I} over the passage",
-        columns: ["xc_over_a", "ki_mpa_sqrt_m"],
-        titles: ["x_{c}/a, along the travel", "K_{I} (MPa√m)"],
-        scale: ChartScale::Linear,
-        aspect: ChartAspect::Free,
-    },
-    Quantity {
-        id: "kii",
-        words: "K_{II} over the passage",
-        columns: ["xc_over_a", "kii_mpa_sqrt_m"],
-        titles: ["x_{c}/a, along the travel", "K_{II} (MPa√m)"],
-        scale: ChartScale::Linear,
-        aspect: ChartAspect::Free,
-    },
-    Quantity {
-        id: "paths",
-        words: "Paths to scale",
-        columns: ["x_mm", "depth_mm"],
-        titles: ["x (mm), along the travel", "Depth (mm)"],
-        scale: ChartScale::Depth,
-        aspect: ChartAspect::Equal,
-    },
-    Quantity {
-        id: "profile",
-        words: "Stress by depth",
-        columns: ["sxx_mpa", "depth_mm"],
-        titles: ["σ_{xx} (MPa)", "Depth (mm)"],
-        scale: ChartScale::Depth,
-        aspect: ChartAspect::Free,
-    },
-];
-
-struct Quantity {
-    id: &'static str,
-    words: &'static str,
-    columns: [&'static str; 2],
-    titles: [&'static str; 2],
-    scale: ChartScale,
-    aspect: ChartAspect,
-}
 
 /// The figures one below the other, then their files.
 ///
 /// Errors: a table is damaged; the system refuses.
 pub(super) fn blocks(folder: &Path, record: &PaperRecord) -> Result<Vec<Block>, OutputError> {
     let mut charts = Vec::new();
-    for figure in &record.figures {
-        let path = folder.join("figures").join(format!("fig{}.csv", figure.number));
-        let table = FigureTable::read(&path)?;
-        for quantity in &QUANTITIES {
-            if let Some(curves) = curves(&path, &table, quantity, record)? {
-                charts.push((figure.number, chart(figure, quantity, curves)));
+    let recomputed = |figure: &&Figure| record.figures.iter().any(|other| other.number == figure.number);
+    for figure in FIGURES.iter().filter(recomputed) {
+        let path = folder.join("figures").join(format!("{}.csv", figure.file_stem()));
+        let damaged = |reason| OutputError::damaged(&path, reason);
+        let text = std::fs::read_to_string(&path).map_err(OutputError::io("read", &path))?;
+        let table = FigureTable::parse(&text).map_err(damaged)?;
+        for quantity in Quantity::ALL {
+            let curves = quantity.curves(&table);
+            if let Some(curves) = curves.map_err(|text| damaged(format!("\"{text}\" is no number")))? {
+                let styled = |table: &TableCurve, curve| styled(&record.setups, table, curve);
+                charts.push((figure.number, page_chart(figure, quantity, &curves, styled)));
             }
         }
     }
     let mut blocks = Vec::new();
     if leave_out(charts.iter_mut().map(|(_, chart)| chart)) == Whole::No {
-        let text = "Not all variants are on the charts of this page; the tables have them.";
+        let text = "The charts of this page leave out some variants; the tables have all.";
         blocks.push(Block::Text(text.to_owned()));
     }
     let mut files = Table::new(["Figure", "Shows", "Picture", "Numbers"]);
@@ -91,75 +53,27 @@ pub(super) fn blocks(folder: &Path, record: &PaperRecord) -> Result<Vec<Block>, 
     if folder.join("figures").join("engines.svg").is_file() {
         files.row([
             Cell::from("Fig. 13"),
-            "Both engines on its case, and their difference".into(),
+            "Both engines on the case of this figure, and their difference".into(),
             Cell::linked("SVG", "figures/engines.svg"),
             "".into(),
         ]);
     }
     blocks.push(Block::Heading("Files".to_owned()));
-    let cases = "Every case that was run is in the folder cases/ and can be run and changed.";
+    let cases = "The folder cases/ has every case, ready to be run or changed.";
     blocks.push(Block::Text(cases.to_owned()));
     blocks.push(Block::Table(files));
     Ok(blocks)
 }
 
-fn chart(figure: &FigureRecord, quantity: &Quantity, curves: Vec<Curve>) -> LineChart {
-    LineChart {
-        id: format!("fig{}-{}", figure.number, quantity.id),
-        caption: format!("Fig. {}: {}.", figure.number, quantity.words),
-        x: ChartAxis::linear(quantity.titles[0]),
-        y: ChartAxis { scale: quantity.scale, ..ChartAxis::linear(quantity.titles[1]) },
-        curves,
-        aspect: quantity.aspect,
-        ..LineChart::default()
+/// `curve` with the line, the name and the switch of its set-up.
+fn styled(setups: &[SetupRecord], table: &TableCurve, curve: Curve) -> Curve {
+    let at = setups.iter().position(|setup| setup.name == table.setup);
+    Curve {
+        look: at.map_or(CurveLook::Line, |at| look(setups, at)),
+        note: table.setup.clone(),
+        choices: at.into_iter().collect(),
+        ..curve
     }
-}
-
-/// The curves of `quantity` in a table; none where the table has no such columns.
-fn curves(
-    path: &Path,
-    table: &FigureTable,
-    quantity: &Quantity,
-    record: &PaperRecord,
-) -> Result<Option<Vec<Curve>>, OutputError> {
-    let [Some(x), Some(y)] = quantity.columns.map(|name| table.column(name)) else { return Ok(None) };
-    let texts = ["setup", "curve", "crack", "profile"].map(|name| table.column(name));
-    let mut curves: Vec<([String; 4], Curve)> = Vec::new();
-    // The order in which curve and crack first appear gives the colour, in all set-ups alike.
-    let mut seen: Vec<[String; 3]> = Vec::new();
-    let has_several = table.rows().any(|row| texts[2].is_some_and(|crack| row[crack] != "1"));
-    for row in table.rows() {
-        let number = |at: usize| {
-            let value = row[at].parse().ok().filter(|value: &f64| value.is_finite());
-            value.ok_or_else(|| OutputError::damaged(path, format!("\"{}\" is no number", row[at])))
-        };
-        let key = texts.map(|place| place.map_or_else(String::new, |place| row[place].clone()));
-        let point = [number(x)?, number(y)?];
-        if let Some((_, curve)) = curves.last_mut().filter(|(last, _)| *last == key) {
-            curve.points.push(point);
-            continue;
-        }
-        let [setup, name, crack, profile] = &key;
-        let own = [name.clone(), crack.clone(), profile.clone()];
-        let place = seen.iter().position(|other| *other == own).unwrap_or_else(|| {
-            seen.push(own);
-            seen.len() - 1
-        });
-        let legend =
-            record.curves.iter().find(|curve| curve.name == *name).map(|curve| curve.legend.as_str());
-        let words = match (legend, has_several) {
-            (Some(legend), true) => format!("{legend}, crack {crack}"),
-            (Some(legend), false) => legend.to_owned(),
-            (None, _) => format!("{name}{profile}"),
-        };
-        let at = record.setups.iter().position(|other| other.name == *setup);
-        let look = at.map_or(CurveLook::Line, |at| look(&record.setups, at));
-        let mut curve = Curve::line(&words, vec![point]).with_look(look).with_colour(place);
-        curve.note = setup.clone();
-        curve.choices = at.into_iter().collect();
-        curves.push((key, curve));
-    }
-    Ok(Some(curves.into_iter().map(|(_, curve)| curve).collect()))
 }
 
 /// Whether all curves are on the page.
@@ -169,9 +83,10 @@ enum Whole {
     No,
 }
 
-/// Leaves out the curves that find no room on the page: those of the first set-ups go first, on all charts.
-fn leave_out<'a>(charts: impl Iterator<Item = &'a mut LineChart>) -> Whole {
-    let mut charts: Vec<&mut LineChart> = charts.collect();
+/// Leaves out the curves that find no room on the page: those of the first set-ups go first, on all
+/// charts.
+fn leave_out<'a>(charts: impl Iterator<Item = &'a mut Chart>) -> Whole {
+    let mut charts: Vec<&mut Chart> = charts.collect();
     let mut sizes: BTreeMap<Vec<usize>, usize> = BTreeMap::new();
     for curve in charts.iter().flat_map(|chart| &chart.curves) {
         *sizes.entry(curve.choices.clone()).or_default() += curve.points.len();
@@ -203,14 +118,14 @@ mod tests {
 
     #[test]
     fn variants_are_left_out_before_main_set_ups_on_all_charts() {
-        let chart = |setups: &[usize], points: usize| LineChart {
+        let chart = |setups: &[usize], points: usize| Chart {
             curves: setups
                 .iter()
                 .map(|&setup| Curve::line("", vec![[0.0, 0.0]; points]).with_choices(vec![setup]))
                 .collect(),
-            ..LineChart::default()
+            ..Chart::default()
         };
-        let shown = |charts: &[LineChart]| -> Vec<Vec<usize>> {
+        let shown = |charts: &[Chart]| -> Vec<Vec<usize>> {
             charts.iter().map(|chart| chart.curves.iter().map(|curve| curve.choices[0]).collect()).collect()
         };
         let mut charts = [chart(&[0, 1, 2], POINTS / 4), chart(&[0, 2], POINTS / 4)];

@@ -1,8 +1,7 @@
-//! The page of the paper, recomputed.
+//! The report of the recomputed paper.
 
 mod figures;
 mod statements;
-mod tables;
 
 use crate::document::{PaperRecord, SetupRecord};
 use railcrack_report::{
@@ -26,8 +25,8 @@ pub(crate) fn paper_page(folder: &Path) -> Result<Page, OutputError> {
     }
     lead.push(Block::Text(
         "The paper leaves open what its results depend on: the supports of its block, whether the cracks lean along the travel or \
-         against it, the sign of the wheel's friction, the load steps. So each statement of its text is decided in several set-ups, \
-         by a rule; what is compared are statements and the few numbers in the text, not the curves of its figures."
+         against it, the sign of the wheel–rail friction, the load steps. Each statement of its text is therefore decided in several \
+         set-ups, by a rule. Statements and the few numbers in the text are compared, not the curves of its figures."
             .to_owned(),
     ));
     if !record.statements.is_empty() {
@@ -67,9 +66,9 @@ fn facts(record: &PaperRecord) -> Vec<Fact> {
     };
     let [everywhere, somewhere, nowhere] = statements::counts(record);
     vec![
-        fact("Statements", record.statements.len(), "of its text, each with a rule"),
+        fact("Statements", record.statements.len(), "of the text, each with a rule"),
         fact("Hold", everywhere, "in all main set-ups that decide them"),
-        fact("Hold in some", somewhere, "of the main set-ups, or in a variant only"),
+        fact("Hold in some", somewhere, "main set-ups, or in variants only"),
         fact("Do not hold", nowhere, "in any set-up"),
         fact("Figures", record.figures.len(), "with their numbers as tables"),
         fact("Runs", record.runs, &format!("in {} set-ups", record.setups.len())),
@@ -80,7 +79,8 @@ fn facts(record: &PaperRecord) -> Vec<Fact> {
 const LOOKS: [CurveLook; 4] =
     [CurveLook::Line, CurveLook::FineDashed, CurveLook::Dashed, CurveLook::DashDotted];
 
-/// The look of the curves of the set-up at `index`: a variant has that of the main one that it varies.
+/// The look of the curves of the set-up at `index`: a variant has that of the main one that it
+/// varies.
 fn look(setups: &[SetupRecord], index: usize) -> CurveLook {
     let mut at = index;
     // A variant may vary another one; none varies itself through others.
@@ -114,7 +114,7 @@ fn choices(setups: &[SetupRecord]) -> Choices {
 }
 
 fn setups(setups: &[SetupRecord]) -> Table {
-    let mut table = Table::new(["Set-up", "What it is", "Varies"]);
+    let mut table = Table::new(["Set-up", "Description", "Varies"]);
     for setup in setups {
         table.row([setup.name.clone(), setup.words.clone(), setup.varies.clone().unwrap_or_default()]);
     }

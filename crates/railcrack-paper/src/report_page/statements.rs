@@ -51,7 +51,7 @@ pub(super) fn verdict(record: &PaperRecord) -> String {
 
 /// How many of the statements that a set-up can decide hold in it.
 pub(super) fn by_setup(record: &PaperRecord) -> Table {
-    let mut table = Table::new(["Set-up", "Statements that hold", "Of those it decides"]);
+    let mut table = Table::new(["Set-up", "Statements that hold", "Statements decided"]);
     for setup in record.setups.iter().filter(|setup| is_main(setup)) {
         let decided = || record.statements.iter().filter_map(|statement| decision(statement, &setup.name));
         let holding = decided().filter(|decision| decision.holds).count();
@@ -67,7 +67,8 @@ pub(super) fn blocks(record: &PaperRecord) -> Vec<Block> {
     headings.extend(main.iter().map(|setup| setup.name.clone()));
     headings.extend(["Verdict", "Why"].map(str::to_owned));
     let mut table = Table::new(headings);
-    table.caption = "With: the cracks lean along the travel of the wheel; against: against it".to_owned();
+    table.caption =
+        "With: the cracks lean along the travel of the wheel; against: they lean against it".to_owned();
     for statement in &record.statements {
         let mut cells = vec![symbols(&statement.statement), place(statement)];
         cells.extend(main.iter().map(|setup| says(decision(statement, &setup.name)).to_owned()));

@@ -95,12 +95,12 @@
     });
     find("field").querySelector(".drawing").replaceChildren(typeset(svg));
     find("field").querySelector(".legends").replaceChildren(legend([
-      { name: `stress of von Mises, 0 to ${words(most)} MPa`, colours: d3.range(9).map((i) => d3.interpolateViridis(1 - i / 8)) },
+      { name: `von Mises stress, 0 to ${words(most)} MPa`, colours: d3.range(9).map((i) => d3.interpolateViridis(1 - i / 8)) },
     ]));
     find("field-scale-value").textContent = magnified ? `magnified ${words(magnified)} times` : "none";
     find("field-scale").setAttribute("aria-valuetext", find("field-scale-value").textContent);
     find("field-caption").textContent =
-      `Step ${choice.step}, x_c/a = ${run.xc_over_a[choice.at].toFixed(3).replace("-", "\u2212")}: displacement from its mean over the picture, ` +
+      `Step ${choice.step}, x_c/a = ${run.xc_over_a[choice.at].toFixed(3).replace("-", "\u2212")}: displacement relative to its mean over the picture, ` +
       "and total stress; at the tips it is beyond the scale. From the files in fields/.";
   }
 

@@ -106,6 +106,7 @@ const railcrack = (() => {
     const options = { label: axis.title, labelAnchor: "center", labelArrow: "none", grid: true };
     if (axis.scale === "log") Object.assign(options, { type: "log", grid: false });
     else options.tickFormat = ticks;
+    if (axis.zero) options.zero = true;
     if (axis.range) options.domain = axis.scale === "depth" ? [axis.range[1], axis.range[0]] : axis.range;
     else if (axis.scale === "depth") options.reverse = true;
     return options;
@@ -199,7 +200,7 @@ const railcrack = (() => {
       ...curve,
       stroke: `var(--${curve.colour})`,
       points: curve.x
-        .map((x, i) => ({ x, y: curve.y[i], name: curve.name, note: curve.note }))
+        .map((x, i) => ({ x, y: curve.y[i], name: curve.name, note: curve.note, dot: curve.dots === true || (curve.dots && curve.dots.includes(i)) }))
         .filter(({ x, y }) => x !== null && y !== null && !(log.x && x <= 0) && !(log.y && y <= 0)),
     })).filter((curve) => curve.points.length);
     const self = { svg: null, marks: [], mark, choose, emphasise, curves };
@@ -212,8 +213,8 @@ const railcrack = (() => {
       // Cracks of one run share a name; what the dashes say, the switches say where curves have any.
       const key = ({ name, stroke, look, note }) => `${name} ${stroke} ${note ? "" : look}`;
       const named = [...new Map(shown.filter((curve) => curve.name).map((curve) => [key(curve), curve])).values()];
-      names.replaceChildren(...(named.length ? [legend(named.map(({ name, stroke, look, note }) => ({
-        name, colour: stroke, dashes: note ? null : DASHES[look], dots: look === "dots" ? "only" : look === "dotted",
+      names.replaceChildren(...(named.length ? [legend(named.map(({ name, stroke, look, dots, note }) => ({
+        name, colour: stroke, dashes: note ? null : DASHES[look], dots: look === "dots" ? "only" : dots === true,
       })))] : []));
     }
 
@@ -242,10 +243,14 @@ const railcrack = (() => {
         axes.y.reverse = false;
         height = Math.round(fit.height) + margin.top + margin.bottom;
       }
-      const marks = shown.flatMap(({ points, stroke, look }) => [
-        look === "dots" ? null : Plot.line(points, { x: "x", y: "y", stroke, strokeWidth: 1.8, strokeDasharray: DASHES[look] ?? null, clip: true }),
-        look === "dots" || look === "dotted" ? Plot.dot(points, { x: "x", y: "y", fill: stroke, r: 2.6, clip: true }) : null,
+      const marks = shown.flatMap(({ points, stroke, look, wide }) => [
+        look === "dots" ? null : Plot.line(points, { x: "x", y: "y", stroke, strokeWidth: wide ? 3.2 : 1.8, strokeDasharray: DASHES[look] ?? null, clip: true }),
+        points.some((point) => point.dot) ? Plot.dot(points.filter((point) => point.dot), { x: "x", y: "y", fill: stroke, r: 2.6, clip: true }) : null,
       ]);
+      const corners = ({ x, y }) => [...x, x[0]].map((x, i) => ({ x, y: y[i % y.length] }));
+      const areas = (data.areas ?? []).map((area) => Plot.line(corners(area), { x: "x", y: "y", fill: "var(--c4)", fillOpacity: 0.3, stroke: "var(--c4)", strokeDasharray: "4 3", className: "area" }));
+      const notes = (data.notes ?? []).map(({ at, words }) => Plot.text([at], { x: "0", y: "1", text: () => plain(words), dy: -8 }));
+      const inset = (axis) => (axis.range || data.equal ? 0 : 7);
       const under = shown.flatMap((curve) => curve.points);
       const svg = Plot.plot({
         width,
@@ -256,7 +261,10 @@ const railcrack = (() => {
         marginTop: margin.top,
         ...axes,
         // Points at the ends are not cut off by the frame.
-        inset: data.x.range || data.y.range || data.equal ? 0 : 7,
+        insetLeft: inset(data.x),
+        insetRight: inset(data.x),
+        insetTop: inset(data.y),
+        insetBottom: inset(data.y),
         ariaLabel: plain(data.caption),
         style: { fontSize: "12px", overflow: "visible" },
         marks: [
@@ -264,7 +272,9 @@ const railcrack = (() => {
           // The running surface.
           data.equal && data.y.scale === "depth" ? Plot.ruleY([0], { stroke: "var(--ink)", strokeWidth: 2 }) : null,
           ...["x", "y"].flatMap((name) => (log[name] && all.length ? logarithmicAxis(name, data[name].title, d3.extent(all, (point) => point[name])) : [])),
+          ...areas,
           ...marks,
+          ...notes,
           Plot.tip(under, Plot.pointer({ x: "x", y: "y", title, fill: "var(--ground)", fontSize: 12, lineWidth: 32 })),
         ],
       });
@@ -287,7 +297,7 @@ const railcrack = (() => {
       if (!self.svg) return;
       const has = shown.some((curve) => curve.name === name);
       const lines = shown.filter((curve) => curve.look !== "dots");
-      self.svg.querySelectorAll("g[aria-label=line]").forEach((group, i) => {
+      self.svg.querySelectorAll("g[aria-label=line]:not(.area)").forEach((group, i) => {
         group.style.opacity = has && lines[i]?.name !== name ? 0.25 : 1;
       });
     }

@@ -326,7 +326,7 @@
 
   function drawDeformed(faces) {
     if (!widths.deformed) return;
-    if (!faces) return find("deformed").querySelector(".drawing").replaceChildren("No data of the faces.");
+    if (!faces) return find("deformed").querySelector(".drawing").replaceChildren("No data of the crack faces in this step.");
     const points = polyline(faces.crack, state.step);
     const column = faceColumn(faces, state.position);
     const length = d3.sum(d3.pairs(points, (p, q) => Math.hypot(q[0] - p[0], q[1] - p[1])));
@@ -390,8 +390,8 @@
     const openings = stations.map(({ jump }) => jump[1]);
     const slips = stations.map(({ jump }) => Math.abs(jump[0]));
     find("deformed-caption").textContent =
-      `Crack ${faces.crack}. Jump of displacement magnified ${words(magnified)} times, half of it drawn on each face. ` +
-      `Here the largest opening is ${words(1e3 * d3.max(openings))} \u00b5m, the largest slip ${words(1e3 * d3.max(slips))} \u00b5m.`;
+      `Crack ${faces.crack}. Displacement jump magnified ${words(magnified)} times, half of it drawn on each face. ` +
+      `At this position the largest opening is ${words(1e3 * d3.max(openings))} \u00b5m, the largest slip ${words(1e3 * d3.max(slips))} \u00b5m.`;
   }
 
   // ---- Face maps -----------------------------------------------------------------------------------------------
@@ -545,7 +545,7 @@
     });
     const shownK = k.length <= 4 ? k.join("; ") : k[Math.max(0, step.tips.indexOf(tip))];
     const direction = tip.kink === null ? "no kink, the tip is not loaded" : `a kink of ${signed(tip.kink, 1)}\u00b0`;
-    const rival = tip.rival === null ? "" : ` (its rival, ${signed(tip.rival, 1)}\u00b0, would grow ${signed(tip.ratio, 3)} times as fast)`;
+    const rival = tip.rival === null ? "" : ` (secondary maximum at ${signed(tip.rival, 1)}\u00b0, ${signed(tip.ratio, 3)} times the chosen one)`;
     const joined = data.junctions.filter(({ crack, step: from }) => crack === state.crack && step.step >= from);
     const event = joined.length && !step.tips.some((tip) => tip.crack === state.crack) ? `Crack ${state.crack} has joined crack ${joined[0].onto}. ` : "";
     say("readout", `${event}${shownK}. The step ends with ${direction}${rival}${tip.stop ? `; stop: ${tip.stop}` : ""}.`);
@@ -647,7 +647,7 @@
 })().catch((reason) => {
   const note = document.createElement("p");
   note.className = "failure";
-  note.textContent = `The explorer cannot be shown: ${reason.message}. It needs a browser of 2023 or later; the plots folder has pictures.`;
+  note.textContent = `The explorer cannot be shown: ${reason.message}. It needs a browser of 2023 or later; the folder plots/ has pictures.`;
   document.getElementById("explorer").before(note);
   console.error(reason);
 });

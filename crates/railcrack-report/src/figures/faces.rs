@@ -1,14 +1,13 @@
 //! The face map: wheel position × arc length, status and pressure.
 
-use super::{HEADING, draw_heading, wheel_position};
+use super::cells::{CellMap, level_colour, level_words};
+use crate::chart::{HEADING, draw_heading};
 use crate::shown::CrackFaces;
 use crate::svg::{
-    Anchor, Axes, Axis, BLUE, Entry, Frame, INK, Mark, ORANGE, Span, Svg, TextStyle, coordinate, draw_legend,
-    legend_width, round_step, sequence,
+    Anchor, Axes, Axis, BLUE, Entry, Frame, INK, Mark, ORANGE, Svg, TextStyle, draw_legend, legend_width,
+    quantity, round_step, text,
 };
 use railcrack::contact::FaceStatus;
-use railcrack_run::Summary;
-use std::fmt::Write;
 
 /// The most cracks on one picture.
 const SHOWN_CRACKS: usize = 9;
@@ -31,7 +30,8 @@ pub(super) struct CrackMap<'a> {
     pub faces: &'a CrackFaces,
 }
 
-pub(super) fn face_map(summary: &Summary, map: &FaceMap) -> String {
+/// The picture of `map` for the run called `title` on the model `model`.
+pub(super) fn face_map(title: &str, model: &str, map: &FaceMap) -> String {
     let shown = &map.cracks[..map.cracks.len().min(SHOWN_CRACKS)];
     let row_height = (560.0 / shown.len().max(1) as f64).clamp(90.0, 260.0);
     let step = pressure_step(shown);
@@ -41,11 +41,13 @@ pub(super) fn face_map(summary: &Summary, map: &FaceMap) -> String {
     let width = right + 18.0 + legend_width(&legend);
     let bottom = HEADING + 20.0 + shown.len() as f64 * (row_height + 14.0) - 14.0;
     let mut svg = Svg::new(width, bottom + 56.0);
-    let mut shows = format!("Crack faces, step {}", map.step);
-    if shown.len() < map.cracks.len() {
-        let _ = write!(shows, " (cracks 1 to {} of {})", shown.len(), map.cracks.len());
-    }
-    draw_heading(&mut svg, left, width - left, summary, &[Span::Plain(shows)]);
+    let some = if shown.len() < map.cracks.len() {
+        format!(" (cracks 1 to {} of {})", shown.len(), map.cracks.len())
+    } else {
+        String::new()
+    };
+    let subtitle = format!("Crack faces, step {}{some} · {model}", map.step);
+    draw_heading(&mut svg, left, width - left, title, &subtitle);
     let cells = borders(map.xc_over_a, None);
     let (first, last) = match (cells.first(), cells.last()) {
         (Some(&a), Some(&b)) => (a.min(b), a.max(b)),
@@ -62,10 +64,8 @@ pub(super) fn face_map(summary: &Summary, map: &FaceMap) -> String {
                 x: Axis::exact(first, last, 8),
                 y: Axis::exact(0.0, crack.length.max(f64::MIN_POSITIVE), y_ticks),
             };
-            axes.clip(&mut svg);
             draw_cells(&mut svg, &axes, &cells, crack, column, step);
-            svg.unclip();
-            let x_title = if row + 1 == shown.len() { wheel_position() } else { Vec::new() };
+            let x_title = quantity(if row + 1 == shown.len() { "Wheel position x_{c}/a" } else { "" });
             axes.draw_frame(&mut svg, &x_title, &[]);
             if row == 0 {
                 draw_column_title(&mut svg, frame, column);
@@ -75,11 +75,11 @@ pub(super) fn face_map(summary: &Summary, map: &FaceMap) -> String {
             }
         }
     }
-    let arc = [Span::plain("Arc length "), Span::Italic("s"), Span::plain("  (mm)")];
+    let arc = quantity("Arc length s (mm)");
     let style = TextStyle { size: 13.0, anchor: Anchor::Upwards, colour: INK, weight: "normal" };
     svg.text([left - 36.0, 0.5 * (HEADING + 20.0 + bottom)], &arc, style);
     draw_legend(&mut svg, [right + 14.0, HEADING + 20.0], &legend);
-    svg.finish(&format!("Crack faces in step {}: {}", map.step, summary.title))
+    svg.finish(&format!("Crack faces in step {}: {title}", map.step))
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -94,7 +94,7 @@ fn draw_column_title(svg: &mut Svg, frame: Frame, column: Column) {
         Column::Pressure => "Contact pressure",
     };
     let style = TextStyle { size: 12.5, anchor: Anchor::Start, colour: INK, weight: "bold" };
-    svg.text([frame.left, frame.top - 7.0], &[Span::plain(words)], style);
+    svg.text([frame.left, frame.top - 7.0], &text(words), style);
 }
 
 /// One class of cells: 0 is an open face in either column.
@@ -112,38 +112,25 @@ fn colour(class: usize, column: Column) -> String {
         (_, 0) => OPEN.to_owned(),
         (Column::Status, 1) => BLUE.to_owned(),
         (Column::Status, _) => ORANGE.to_owned(),
-        (Column::Pressure, level) => sequence(1.0 - (level - 1) as f64 / (LEVELS - 1) as f64),
+        (Column::Pressure, level) => level_colour(level - 1, LEVELS - 1),
     }
 }
 
-/// Cells of the same class are one path; neighbours along the passage are one rectangle of it.
 fn draw_cells(svg: &mut Svg, axes: &Axes, cells: &[f64], crack: &CrackMap, column: Column, step: f64) {
     let faces = crack.faces;
-    let heights = borders(&faces.s, Some((0.0, crack.length)));
-    let mut outlines = vec![String::new(); LEVELS + 1];
-    let positions = faces.positions().min(cells.len().saturating_sub(1));
-    for point in 0..faces.s.len() {
-        let at = |position: usize| class(faces.state(position, point), column, step);
-        let mut from = 0;
-        while from < positions {
-            let here = at(from);
-            let to = (from + 1..positions).find(|&position| at(position) != here).unwrap_or(positions);
-            let [x0, y0] = axes.at(cells[from], heights[point]).map(coordinate);
-            let [x1, y1] = axes.at(cells[to], heights[point + 1]).map(coordinate);
-            // Writing to a string does not fail.
-            let _ = write!(outlines[here], "M{x0} {y0}H{x1}V{y1}H{x0}z");
-            from = to;
-        }
-    }
-    for (class, outline) in outlines.iter().enumerate() {
-        if !outline.is_empty() {
-            svg.area("cells", outline, &colour(class, column));
-        }
-    }
+    let map = CellMap {
+        axes,
+        columns: cells,
+        shown: 0..faces.positions().min(cells.len().saturating_sub(1)),
+        rows: &borders(&faces.s, Some((0.0, crack.length))),
+        classes: LEVELS + 1,
+    };
+    let class = |position: usize, point: usize| class(faces.state(position, point), column, step);
+    map.draw(svg, class, |class| colour(class, column));
 }
 
-/// Borders of the cells around `centres`: halfway between neighbours; the outer ones at `ends`, or as far out as the
-/// nearest inner one is in.
+/// Borders of the cells around `centres`: halfway between neighbours; the outer ones at `ends`, or
+/// as far out as the nearest inner one is in.
 fn borders(centres: &[f64], ends: Option<(f64, f64)>) -> Vec<f64> {
     let n = centres.len();
     if n == 0 {
@@ -180,10 +167,8 @@ fn legend(step: f64, cracks: &[CrackMap]) -> Vec<Entry> {
     if highest > 0 {
         entries.extend([heading(""), heading("Pressure")]);
     }
-    let decimals = (-step.log10() - 1e-9).ceil().clamp(0.0, 12.0) as usize;
     for level in (1..=highest).rev() {
-        let (low, high) = ((level - 1) as f64 * step, level as f64 * step);
-        let words = format!("{low:.decimals$} to {high:.decimals$} MPa");
+        let words = format!("{} MPa", level_words(level - 1, step));
         entries.push(entry(colour(level, Column::Pressure), words));
     }
     entries

@@ -1,12 +1,11 @@
 //! Stress and plastic strain around the contact.
 
-use super::{HEADING, draw_title};
+use super::cells::{CellMap, level_colour, level_words};
+use crate::chart::{HEADING, draw_heading};
 use crate::svg::{
-    Anchor, Axes, Axis, Entry, Frame, INK, Mark, Span, Svg, TextStyle, coordinate, draw_legend, round_step,
-    sequence,
+    Anchor, Axes, Axis, Entry, Frame, INK, Mark, Svg, TextStyle, draw_legend, quantity, round_step, text,
 };
-use railcrack_run::rolled::{StoredCycle, StoredState};
-use std::fmt::Write;
+use railcrack_run::shakedown::{CycleField, ShakedownFolder};
 use std::ops::Range;
 
 /// Half-widths on each side of the contact.
@@ -20,12 +19,12 @@ const LEVELS: usize = 9;
 struct Panel {
     name: &'static str,
     unit: &'static str,
-    value: fn(&StoredCycle, usize) -> f64,
+    value: fn(&CycleField, usize) -> f64,
 }
 
 const PANELS: [Panel; 2] = [
     Panel {
-        name: "Stress of von Mises",
+        name: "Von Mises stress",
         unit: "MPa",
         value: |cycle, at| {
             let s = cycle.stress[at].deviator();
@@ -39,7 +38,7 @@ const PANELS: [Panel; 2] = [
     },
 ];
 
-pub(super) fn rolled_field(state: &StoredState) -> String {
+pub(super) fn rolled_field(state: &ShakedownFolder) -> String {
     let a = state.summary.half_width_mm;
     let cycle = &state.cycle;
     let layers = cycle.depths.len().saturating_sub(1);
@@ -47,12 +46,12 @@ pub(super) fn rolled_field(state: &StoredState) -> String {
     let columns = shown_columns(borders, AROUND * a);
     let (left, width, height, gap) = (72.0, 400.0, 200.0, 62.0);
     let mut svg = Svg::new(left + width + 240.0, HEADING + 20.0 + 2.0 * (height + gap));
-    draw_title(
+    draw_heading(
         &mut svg,
         left,
         width + 220.0,
         &state.summary.title,
-        &[Span::plain("The last passage around the contact")],
+        "Around the contact in the last passage",
     );
     for (place, panel) in PANELS.iter().enumerate() {
         let top = HEADING + 20.0 + place as f64 * (height + gap);
@@ -63,42 +62,24 @@ pub(super) fn rolled_field(state: &StoredState) -> String {
         let most = columns.clone().flat_map(|i| (0..layers).map(move |j| (i, j))).map(|(i, j)| value(i, j));
         let step = round_step(most.fold(0.0, f64::max).max(f64::MIN_POSITIVE), LEVELS);
         let class = |i: usize, j: usize| ((value(i, j) / step) as usize).min(LEVELS);
-        let mut outlines = vec![String::new(); LEVELS + 1];
-        for j in 0..layers {
-            let mut from = columns.start;
-            while from < columns.end {
-                let here = class(from, j);
-                let to = (from + 1..columns.end).find(|&c| class(c, j) != here).unwrap_or(columns.end);
-                let [x0, y0] = axes.at(borders[from], depths[j]).map(coordinate);
-                let [x1, y1] = axes.at(borders[to], depths[j + 1]).map(coordinate);
-                // Writing to a string does not fail.
-                let _ = write!(outlines[here], "M{x0} {y0}H{x1}V{y1}H{x0}z");
-                from = to;
-            }
-        }
-        axes.clip(&mut svg);
-        let colour = |level: usize| sequence(1.0 - level as f64 / LEVELS as f64);
-        for (level, outline) in outlines.iter().enumerate().filter(|(_, outline)| !outline.is_empty()) {
-            svg.area("cells", outline, &colour(level));
-        }
-        svg.unclip();
-        let x_title = [Span::Italic("x"), Span::plain(" from the centre of the contact  (mm)")];
-        axes.draw_frame(&mut svg, &x_title, &[Span::plain("Depth  (mm)")]);
+        let map = CellMap {
+            axes: &axes,
+            columns: borders,
+            shown: columns.clone(),
+            rows: depths,
+            classes: LEVELS + 1,
+        };
+        let colour = |level: usize| level_colour(level, LEVELS);
+        let there = map.draw(&mut svg, class, colour);
+        axes.draw_frame(&mut svg, &quantity("x from the contact centre (mm)"), &text("Depth (mm)"));
         let style = TextStyle { size: 12.5, anchor: Anchor::Start, colour: INK, weight: "bold" };
-        svg.text([left, top - 7.0], &[Span::Plain(format!("{}  ({})", panel.name, panel.unit))], style);
-        let entries: Vec<Entry> = (0..=LEVELS)
-            .rev()
-            .filter(|&level| !outlines[level].is_empty())
-            .map(|level| Entry { mark: Mark::Box(colour(level)), words: words(level, step) })
-            .collect();
+        svg.text([left, top - 7.0], &text(&format!("{} ({})", panel.name, panel.unit)), style);
+        let entry =
+            |&level: &usize| Entry { mark: Mark::Box(colour(level)), words: level_words(level, step) };
+        let entries: Vec<Entry> = there.iter().rev().map(entry).collect();
         draw_legend(&mut svg, [frame.right() + 16.0, top], &entries);
     }
     svg.finish(&format!("Stress and plastic strain around the contact: {}", state.summary.title))
-}
-
-fn words(level: usize, step: f64) -> String {
-    let decimals = (-step.log10() - 1e-9).ceil().clamp(0.0, 12.0) as usize;
-    format!("{:.decimals$} to {:.decimals$}", level as f64 * step, (level + 1) as f64 * step)
 }
 
 /// Columns that lie at least in part within `reach` of the contact.

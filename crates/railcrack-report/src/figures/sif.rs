@@ -1,123 +1,103 @@
 //! K_I and K_II against the wheel position.
 
-use super::{HEADING, draw_heading, wheel_position};
-use crate::svg::{
-    Axes, Axis, CATEGORIES, Entry, Frame, Mark, Span, Stroke, Svg, draw_legend, legend_width, sequence,
+use super::plot::Plot;
+use crate::chart::{
+    Chart, ChartAxis, ChartRange, ChartSheet, Curve, CurveColour, CurveLook, LegendEntry, SheetLegend,
 };
-use railcrack_run::Summary;
 use railcrack_run::histories::History;
 
-/// The most entries of a legend: further tips are told by their colour's place in the order.
-const LEGEND_ENTRIES: usize = 18;
-
-pub(super) fn mode_1(summary: &Summary, histories: &[&History]) -> String {
-    sif_plot(summary, histories, "I", |history| &history.ki)
+/// A mode of fracture.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Mode {
+    /// Opening.
+    I,
+    /// In-plane shear.
+    II,
 }
 
-pub(super) fn mode_2(summary: &Summary, histories: &[&History]) -> String {
-    sif_plot(summary, histories, "II", |history| &history.kii)
-}
+impl Mode {
+    pub(super) const BOTH: [Self; 2] = [Self::I, Self::II];
 
-/// A line of the plot and its words in the legend.
-struct Curve<'a> {
-    history: &'a History,
-    stroke: Stroke,
-    words: String,
-}
-
-fn sif_plot(
-    summary: &Summary,
-    histories: &[&History],
-    mode: &'static str,
-    k: fn(&History) -> &[f64],
-) -> String {
-    let curves = curves(histories);
-    let entries = entries(&curves);
-    let frame = Frame { left: 72.0, top: HEADING, width: 600.0, height: 360.0 };
-    let width = frame.right() + 18.0 + legend_width(&entries).max(40.0);
-    let height = (frame.bottom() + 56.0).max(HEADING + 20.0 + 18.0 * entries.len() as f64);
-    let mut svg = Svg::new(width, height);
-    let symbol = [Span::Italic("K"), Span::Sub(mode)];
-    let mut shows = symbol.to_vec();
-    shows.push(Span::plain(" of the stabilised passage"));
-    draw_heading(&mut svg, frame.left, width - frame.left, summary, &shows);
-    let (first, last) = ends(histories);
-    let axes = Axes {
-        frame,
-        x: Axis::exact(first, last, 13),
-        y: Axis::around(histories.iter().flat_map(|history| k(history).iter().copied()).chain([0.0]), 8),
-    };
-    axes.draw_grid(&mut svg);
-    axes.clip(&mut svg);
-    for curve in &curves {
-        let points: Vec<[f64; 2]> =
-            curve.history.xc_over_a.iter().zip(k(curve.history)).map(|(&x, &k)| axes.at(x, k)).collect();
-        svg.polyline("series", &points, &curve.stroke);
+    /// K of this mode, for titles.
+    pub(super) fn symbol(self) -> &'static str {
+        match self {
+            Self::I => "K_{I}",
+            Self::II => "K_{II}",
+        }
     }
-    svg.unclip();
-    let mut y_title = symbol.to_vec();
-    y_title.push(Span::plain("  (MPa\u{221a}m)"));
-    axes.draw_frame(&mut svg, &wheel_position(), &y_title);
-    draw_legend(&mut svg, [frame.right() + 16.0, frame.top], &entries);
-    svg.finish(&format!("K_{mode} against the wheel position: {}", summary.title))
+
+    /// Name of its charts.
+    pub(super) fn id(self) -> &'static str {
+        match self {
+            Self::I => "ki",
+            Self::II => "kii",
+        }
+    }
+
+    /// Name of its file.
+    pub(super) fn file(self) -> &'static str {
+        match self {
+            Self::I => "ki.svg",
+            Self::II => "kii.svg",
+        }
+    }
+
+    fn of(self, history: &History) -> &[f64] {
+        match self {
+            Self::I => &history.ki,
+            Self::II => &history.kii,
+        }
+    }
+
+    /// K over the wheel positions of `history`.
+    pub(super) fn points(self, history: &History) -> Vec<[f64; 2]> {
+        history.xc_over_a.iter().zip(self.of(history)).map(|(&x, &k)| [x, k]).collect()
+    }
 }
 
-/// One colour per step for a single tip; for several tips one colour per tip, the last step dashed.
-fn curves<'a>(histories: &[&'a History]) -> Vec<Curve<'a>> {
+/// `curves` of a quantity in MPa√m over the wheel positions.
+pub(super) fn chart(id: &str, quantity: &str, caption: String, curves: Vec<Curve>) -> Chart {
+    Chart {
+        id: id.to_owned(),
+        caption,
+        x: ChartAxis::linear("Wheel position x_{c}/a", "").over(ChartRange::Tight),
+        y: ChartAxis::linear(quantity, "MPa√m").over(ChartRange::AroundZero),
+        curves,
+        ..Chart::default()
+    }
+}
+
+/// The plot of one mode for the run called `title` on the model `model`: of a single tip one colour
+/// per step, of several tips one colour per tip, the last step dashed.
+pub(super) fn plot(title: &str, model: &str, histories: &[&History], mode: Mode) -> Plot {
     let initial: Vec<(usize, usize)> =
         histories.iter().filter(|h| h.step == 0).map(|h| (h.crack, h.tip)).collect();
     let has_two_tips = histories.iter().any(|h| h.tip > 1);
-    let steps: Vec<usize> = {
-        let mut steps: Vec<usize> = histories.iter().map(|h| h.step).collect();
-        steps.dedup();
-        steps
+    let mut steps: Vec<usize> = histories.iter().map(|h| h.step).collect();
+    steps.dedup();
+    let name = |crack: usize, tip: usize| {
+        if has_two_tips { format!("crack {crack}, tip {tip}") } else { format!("crack {crack}") }
     };
-    let named = |history: &History| -> (Stroke, String) {
-        let History { step, crack, tip, .. } = history;
+    let curve = |history: &&History| {
+        let History { step, crack, tip, .. } = **history;
+        let points = mode.points(history);
         if initial.len() <= 1 {
-            let place = steps.iter().position(|s| s == step).unwrap_or(0) as f64 / steps.len().max(2) as f64;
-            let colour = sequence(place * 1.1);
-            let words = if *step == 0 { "initial crack".to_owned() } else { format!("step {step}") };
-            return (Stroke::solid(&colour, 1.8), words);
+            let place = steps.iter().position(|&s| s == step).unwrap_or(0) as f64;
+            let words = if step == 0 { "initial crack".to_owned() } else { format!("step {step}") };
+            let along = CurveColour::Along(1.1 * place / steps.len().max(2) as f64);
+            return Curve::line(&words, points).with_colour(along);
         }
-        let place = initial.iter().position(|tip| *tip == (history.crack, history.tip)).unwrap_or(0);
-        let colour = tip_colour(place, initial.len());
-        let dashes = if *step == 0 { "" } else { "6 4" };
-        let name = if has_two_tips { format!("crack {crack}, tip {tip}") } else { format!("crack {crack}") };
-        let words = if *step == 0 { name } else { format!("{name}, step {step}") };
-        (Stroke { dashes, ..Stroke::solid(&colour, 1.6) }, words)
+        let place = initial.iter().position(|&tip| tip == (history.crack, history.tip)).unwrap_or(0);
+        let curve = Curve::line(&name(crack, tip), points).with_colour(CurveColour::of(place, initial.len()));
+        if step == 0 { curve } else { curve.with_look(CurveLook::Dashed) }
     };
-    let curve = |(history, (stroke, words))| Curve { history, stroke, words };
-    histories.iter().map(|&history| (history, named(history))).map(curve).collect()
-}
-
-/// The colour of tip or crack `place` of `count`: distinct colours for a few, an ordered scale for many.
-pub(super) fn tip_colour(place: usize, count: usize) -> String {
-    if count <= CATEGORIES.len() {
-        CATEGORIES[place.min(CATEGORIES.len() - 1)].to_owned()
-    } else {
-        sequence(place as f64 / (count - 1) as f64)
+    let curves: Vec<Curve> = histories.iter().map(curve).collect();
+    let words = format!("{} over the stabilised passage", mode.symbol());
+    let chart = chart(mode.id(), mode.symbol(), format!("{words}."), curves);
+    let mut sheet = ChartSheet::of(title, &format!("{words} · {model}"), chart);
+    if let (true, [_, .., last]) = (initial.len() > 1, &steps[..]) {
+        let last = format!("step {last}");
+        sheet.legend = SheetLegend::Names(LegendEntry::solid_and_dashed(["initial cracks", &last]).into());
     }
-}
-
-/// All curves where they are few; otherwise the initial ones, evenly thinned, and a line that explains the dashes.
-fn entries(curves: &[Curve]) -> Vec<Entry> {
-    let entry = |curve: &Curve| Entry { mark: Mark::Line(curve.stroke.clone()), words: curve.words.clone() };
-    let solid: Vec<&Curve> = curves.iter().filter(|curve| curve.stroke.dashes.is_empty()).collect();
-    let Some(dashed) = curves.iter().find(|curve| !curve.stroke.dashes.is_empty()) else {
-        return curves.iter().map(entry).collect();
-    };
-    let every = solid.len().div_ceil(LEGEND_ENTRIES).max(1);
-    let mut entries: Vec<Entry> = solid.into_iter().step_by(every).map(entry).collect();
-    let grey = |dashes| Mark::Line(Stroke { dashes, ..Stroke::solid("#444444", 1.6) });
-    entries.push(Entry { mark: grey(""), words: "initial".to_owned() });
-    entries.push(Entry { mark: grey("6 4"), words: format!("step {}", dashed.history.step) });
-    entries
-}
-
-/// The smallest and largest x_c/a.
-fn ends(histories: &[&History]) -> (f64, f64) {
-    let all = histories.iter().flat_map(|history| history.xc_over_a.iter().copied());
-    let ends = all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
-    if ends.0 <= ends.1 { ends } else { (0.0, 0.0) }
+    Plot::sheet(mode.file(), sheet)
 }

@@ -1,6 +1,7 @@
 //! The pages, one for each kind of folder.
 
 mod compare;
+mod pictures;
 mod run;
 mod shakedown;
 mod study;

@@ -1,13 +1,16 @@
-//! The page of a stabilised plastic state.
+//! The report of a stabilised plastic state.
 
-use crate::figures::ShakedownPlot;
+use super::pictures::{charts, still};
+use crate::figures::Plot;
 use crate::numbers::{fixed, significant};
-use crate::{Block, Fact, LineChart, Page, Section, Table};
-use railcrack_run::folder::CASE_FILE;
-use railcrack_run::rolled::{ShakedownSummary, StoredState};
+use crate::page::{Block, Fact, Page, Section};
+use crate::table::Table;
+use railcrack::shakedown::Method;
+use railcrack_run::files::CASE_FILE;
+use railcrack_run::shakedown::{ShakedownFolder, ShakedownSummary};
 
 /// The page of `state`, with its plots.
-pub(crate) fn shakedown_page(state: &StoredState, plots: &[ShakedownPlot]) -> Page {
+pub(crate) fn shakedown_page(state: &ShakedownFolder, plots: &[Plot]) -> Page {
     let summary = &state.summary;
     let mut lead = Vec::new();
     if !summary.warnings.is_empty() {
@@ -15,8 +18,11 @@ pub(crate) fn shakedown_page(state: &StoredState, plots: &[ShakedownPlot]) -> Pa
     }
     lead.push(Block::Heading("Assumptions".to_owned()));
     lead.push(Block::List(assumptions(summary)));
-    let charts = |ids: &[&str]| Block::charts(ids.iter().filter_map(|id| chart(plots, id)));
-    let field = plots.iter().map(ShakedownPlot::file).find(|(name, _)| *name == "field.svg");
+    let charts = |ids: &[&str]| {
+        let stills = ids.iter().filter_map(|id| still(plots, &format!("{id}.svg"), ""));
+        std::iter::once(charts(plots, ids)).chain(stills).collect::<Vec<_>>()
+    };
+    let field = plots.iter().find(|plot| plot.file == "field.svg");
     let section =
         |id: &str, heading: &str, blocks| Section { id: id.to_owned(), heading: heading.to_owned(), blocks };
     Page {
@@ -26,40 +32,33 @@ pub(crate) fn shakedown_page(state: &StoredState, plots: &[ShakedownPlot]) -> Pa
         facts: facts(summary),
         lead,
         sections: vec![
-            section(
-                "depth",
-                "What the unloaded rail keeps, by depth",
-                vec![charts(&["residual-stress", "plastic-strain"])],
-            ),
-            section("initiation", "Where a crack starts", vec![charts(&["dang-van"])]),
-            section("passages", "Passage after passage", vec![charts(&["passes", "passes-change"])]),
-            section("limits", "What the rail bears", vec![charts(&["bounds", "shakedown-map"])]),
+            section("depth", "Residual stress and plastic strain", charts(&["residual-stress", "plastic-strain"])),
+            section("initiation", "Crack initiation", charts(&["dang-van"])),
+            section("passages", "Evolution over the passages", charts(&["passes", "passes-change"])),
+            section("limits", "Shakedown limits", charts(&["bounds", "shakedown-map"])),
             section(
                 "around",
                 "Around the contact",
                 field
-                    .map(|(_, svg)| Block::Picture {
-                        svg,
-                        caption: "Stress and plastic strain in the last passage, from cycle.vtu.".to_owned(),
+                    .map(|plot| Block::Picture {
+                        svg: plot.svg.clone(),
+                        caption: "Von Mises stress and equivalent plastic strain in the last passage, from cycle.vtu."
+                            .to_owned(),
                     })
                     .into_iter()
                     .collect(),
             ),
-            section("numbers", "In numbers", vec![Block::Table(numbers(summary))]),
+            section("numbers", "Key figures", vec![Block::Table(numbers(summary))]),
             section(
                 "case",
                 "Case",
                 vec![Block::Folded {
                     heading: format!("{CASE_FILE}, defaults filled in"),
-                    blocks: vec![Block::Verbatim(state.case.clone())],
+                    blocks: vec![Block::Verbatim(state.case_text.clone())],
                 }],
             ),
         ],
     }
-}
-
-fn chart(plots: &[ShakedownPlot], id: &str) -> Option<LineChart> {
-    plots.iter().filter_map(ShakedownPlot::chart).find(|chart| chart.id == id).cloned()
 }
 
 /// `text` as a sentence of its own.
@@ -83,16 +82,16 @@ fn verdict(summary: &ShakedownSummary) -> String {
     };
     let starts = if dang_van.margin_mpa < 0.0 {
         format!(
-            "A crack starts {place}: the Dang Van criterion is exceeded by {} MPa.",
+            "Crack initiation is predicted {place}: the Dang Van criterion is exceeded by {} MPa.",
             fixed(-dang_van.margin_mpa, 1)
         )
     } else {
         format!(
-            "No crack starts: the Dang Van criterion has a margin of {} MPa, the smallest {place}.",
+            "No crack initiation is predicted: the Dang Van criterion has a margin of {} MPa, smallest {place}.",
             fixed(dang_van.margin_mpa, 1)
         )
     };
-    let state = match summary.state.as_str() {
+    let state = match summary.state.name() {
         "elastic" => "The rail stays elastic.".to_owned(),
         "elastic shakedown" => {
             format!("The rail shakes down to an elastic state in {}.", passages(summary.passes))
@@ -108,7 +107,7 @@ fn verdict(summary: &ShakedownSummary) -> String {
                 )
             },
         ),
-        _ => format!("The rail has not come to a state that repeats in {}.", passages(summary.passes)),
+        _ => format!("The rail has not reached a stabilised state in {}.", passages(summary.passes)),
     };
     format!("{state} {starts}")
 }
@@ -118,12 +117,16 @@ fn facts(summary: &ShakedownSummary) -> Vec<Fact> {
     let peak = &summary.peak_residual_stress;
     let warnings = summary.warnings.len();
     vec![
-        fact("State", summary.state.clone(), format!("{}, {}", passages(summary.passes), summary.method)),
+        fact(
+            "State",
+            summary.state.name().to_owned(),
+            format!("{}, {}", passages(summary.passes), summary.method.name()),
+        ),
         fact(
             "Load p_{0}/k",
             fixed(summary.p0_over_k, 3),
             format!(
-                "first yield {}, limit of elastic shakedown {}",
+                "first yield {}, shakedown limit {}",
                 fixed(summary.first_yield.p0_over_k, 3),
                 fixed(summary.shakedown_limit.p0_over_k, 3)
             ),
@@ -131,7 +134,11 @@ fn facts(summary: &ShakedownSummary) -> Vec<Fact> {
         fact(
             "Largest residual stress",
             format!("{} MPa", fixed(peak.stress_mpa, 1)),
-            format!("σ{} at {} mm of depth", peak.component.trim_start_matches('s'), fixed(peak.depth_mm, 2)),
+            format!(
+                "σ{} at {} mm of depth",
+                peak.component.name().trim_start_matches('s'),
+                fixed(peak.depth_mm, 2)
+            ),
         ),
         fact(
             "Dang Van margin",
@@ -154,19 +161,29 @@ fn facts(summary: &ShakedownSummary) -> Vec<Fact> {
 fn assumptions(summary: &ShakedownSummary) -> Vec<String> {
     vec![
         format!(
-            "Wheel: Hertzian line contact in full sliding, p_{{0}} = {} MPa, half-width a = {} mm, friction {}; the same in every \
-             passage, over a virgin rail.",
+            "Wheel: Hertzian line contact in full sliding, p_{{0}} = {} MPa, half-width a = {} mm, wheel–rail \
+             friction {}; the same in every passage, on a rail that is virgin at first.",
             fixed(summary.peak_pressure_mpa, 0),
             fixed(summary.half_width_mm, 2),
             summary.friction.to_string().replace('-', "\u{2212}")
         ),
-        "Steel: linear kinematic hardening without bound; it shakes down or alternates and never ratchets. Plane strain, half-plane."
+        "Steel: linear kinematic hardening without bound, which leads to shakedown, elastic or plastic, and \
+         never to ratchetting. Plane strain, half-plane."
             .to_owned(),
         format!(
-            "State found {}; of a state of elastic shakedown, the residual stress depends on the first passages.",
-            if summary.method == "direct" { "directly, not the one that passages lead to" } else { "pass by pass" }
+            "The stabilised state was computed {}; under elastic shakedown the residual stress depends on the \
+             first passages.",
+            if summary.method == Method::Direct {
+                "by the direct method, which does not follow the passages"
+            } else {
+                "pass by pass"
+            }
         ),
-        format!("Initiation: τ + {} p_{{h}} against b = {} MPa over the stabilised cycle; yes or no, no number of cycles.", summary.dang_van.a, summary.dang_van.b_mpa),
+        format!(
+            "Crack initiation: τ + {} p_{{h}} ≤ b = {} MPa over the stabilised cycle (Dang Van); the criterion gives no \
+             number of cycles.",
+            summary.dang_van.a, summary.dang_van.b_mpa
+        ),
     ]
 }
 
@@ -181,7 +198,7 @@ fn numbers(summary: &ShakedownSummary) -> Table {
         at(summary.first_yield.depth_mm),
     ]);
     table.row([
-        "p_{0}/k at the limit of elastic shakedown".to_owned(),
+        "p_{0}/k at the shakedown limit".to_owned(),
         fixed(summary.shakedown_limit.p0_over_k, 4),
         at(summary.shakedown_limit.depth_mm),
     ]);
@@ -217,7 +234,7 @@ fn numbers(summary: &ShakedownSummary) -> Table {
         table.row([
             "Largest difference from pass by pass (MPa)".to_owned(),
             fixed(other.stress_difference_mpa, 1),
-            format!("{}, {}", other.state, passages(other.passes)),
+            format!("{}, {}", other.state.name(), passages(other.passes)),
         ]);
     }
     table

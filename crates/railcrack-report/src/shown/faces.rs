@@ -1,21 +1,20 @@
-//! The crack faces: all of what is shown of a step packed, the first and the last step also as they are.
+//! The crack faces: all of what is shown of a step packed, the first and the last step also as they
+//! are.
 
 use super::pack::{Deflated, Quantised, every, every_count};
 use super::{OfSteps, Thinned};
 use railcrack::contact::FaceStatus;
 use railcrack::growth::StepRecord;
 use railcrack_run::OutputError;
-use railcrack_run::csv::{FACES_FILE, StepBlock, status_of};
+use railcrack_run::csv::{FaceRow, StepBlock};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// The most face states that are shown (points × positions × steps): about two bytes each in a page.
+/// The most face states that are shown (points × positions × steps): about two bytes each in a
+/// page.
 const STATES: usize = 1_000_000;
 /// Faces are given at this many positions at least before steps are left out.
 const POSITIONS: usize = 61;
-
-const COLUMNS: [&str; 8] =
-    ["position", "crack", "s_mm", "opening_mm", "slip_mm", "s22_mpa", "s12_mpa", "status"];
 
 /// The faces of one crack; what has a value per position and point is in that order.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -57,45 +56,25 @@ pub(crate) struct StepFaces {
 }
 
 impl StepFaces {
-    fn of_record(record: &StepRecord) -> Self {
+    /// Errors: the first row that is one.
+    fn of_rows(rows: impl Iterator<Item = Result<FaceRow, OutputError>>) -> Result<Self, OutputError> {
         let mut cracks: BTreeMap<usize, CrackFaces> = BTreeMap::new();
-        for (i, states) in record.faces.states.iter().enumerate() {
-            for (point, state) in record.faces.points.iter().zip(states) {
-                let faces = cracks.entry(point.crack + 1).or_default();
-                if i == 0 {
-                    faces.s.push(point.s);
-                }
-                faces.opening.push(state.opening);
-                faces.slip.push(state.slip);
-                faces.pressure.push(-state.s22);
-                faces.shear.push(state.s12);
-                faces.status.push(state.status);
+        for row in rows {
+            let row = row?;
+            let faces = cracks.entry(row.crack).or_default();
+            if row.position == 1 {
+                faces.s.push(row.s);
             }
+            faces.opening.push(row.opening);
+            faces.slip.push(row.slip);
+            faces.pressure.push(-row.s22);
+            faces.shear.push(row.s12);
+            faces.status.push(row.status);
         }
-        Self::of_cracks(cracks)
+        Ok(Self { cracks: cracks.into_iter().map(|(crack, faces)| CrackFaces { crack, ..faces }).collect() })
     }
 
-    /// Errors: the table is damaged.
-    fn of_block(block: &StepBlock) -> Result<Self, OutputError> {
-        let mut cracks: BTreeMap<usize, CrackFaces> = BTreeMap::new();
-        block.rows(|row| {
-            let faces = cracks.entry(row.count(1)?).or_default();
-            if row.count(0)? == 1 {
-                faces.s.push(row.real(2)?);
-            }
-            faces.opening.push(row.real(3)?);
-            faces.slip.push(row.real(4)?);
-            faces.pressure.push(-row.real(5)?);
-            faces.shear.push(row.real(6)?);
-            faces
-                .status
-                .push(status_of(row.text(7)).ok_or_else(|| row.unreadable(7, "open, stick or slip"))?);
-            Ok(())
-        })?;
-        Ok(Self::of_cracks(cracks))
-    }
-
-    /// What a face map shows of it: status and pressure.
+    /// Its status and pressure alone, for a face map.
     fn drawn(self) -> Self {
         let drawn = |faces: CrackFaces| CrackFaces {
             opening: Vec::new(),
@@ -104,10 +83,6 @@ impl StepFaces {
             ..faces
         };
         Self { cracks: self.cracks.into_iter().map(drawn).collect() }
-    }
-
-    fn of_cracks(cracks: BTreeMap<usize, CrackFaces>) -> Self {
-        Self { cracks: cracks.into_iter().map(|(crack, faces)| CrackFaces { crack, ..faces }).collect() }
     }
 }
 
@@ -195,7 +170,8 @@ fn code(status: FaceStatus) -> u8 {
     }
 }
 
-/// Values by position and point as values by point and position: along the passage they change little.
+/// Values by position and point as values by point and position: along the passage they change
+/// little.
 fn by_point<T: Copy>(values: &[T], points: usize) -> Vec<T> {
     (0..points).flat_map(|point| values.iter().skip(point).step_by(points.max(1)).copied()).collect()
 }
@@ -208,14 +184,15 @@ pub(crate) struct FacesOfStep {
     stride: usize,
 }
 
-/// The faces of the steps that are shown: as much as fits. All steps and positions where they do, else every 2ⁿ-th position, then
-/// every 2ⁿ-th step.
+/// The faces of the steps that are shown: as much as fits. All steps and positions where they do,
+/// else every 2ⁿ-th position, then every 2ⁿ-th step.
 #[derive(Debug, Clone)]
 pub(crate) struct ShownFaces {
     pub steps: Thinned<PackedFaces>,
     /// Every how many positions the faces are packed.
     pub stride: usize,
-    /// What face maps show: of the first step, and of the last where it is another one.
+    /// Status and pressure for face maps: of the first step, and of the last where it is another
+    /// one.
     pub ends: Vec<(usize, StepFaces)>,
     most: usize,
 }
@@ -227,8 +204,8 @@ impl Default for ShownFaces {
 }
 
 impl ShownFaces {
-    pub(crate) fn of_record(&self, record: &StepRecord) -> FacesOfStep {
-        self.packed(StepFaces::of_record(record))
+    pub(crate) fn of_record(&self, record: &StepRecord) -> Result<FacesOfStep, OutputError> {
+        Ok(self.packed(StepFaces::of_rows(FaceRow::of_step(record).map(Ok))?))
     }
 
     fn packed(&self, faces: StepFaces) -> FacesOfStep {
@@ -249,15 +226,14 @@ impl ShownFaces {
 
 impl OfSteps for ShownFaces {
     type Part = FacesOfStep;
-    const FILE: &'static str = FACES_FILE;
-    const COLUMNS: &'static [&'static str] = &COLUMNS;
+    type Row = FaceRow;
 
     fn keeps(&self, step: usize) -> bool {
         self.steps.is_kept(step)
     }
 
-    fn read(&self, block: &StepBlock) -> Result<FacesOfStep, OutputError> {
-        Ok(self.packed(StepFaces::of_block(block)?))
+    fn read(&self, block: &StepBlock<FaceRow>) -> Result<FacesOfStep, OutputError> {
+        Ok(self.packed(StepFaces::of_rows(block.rows())?))
     }
 
     fn push(&mut self, step: usize, part: FacesOfStep) {

@@ -2,8 +2,8 @@
 
 use super::{OfSteps, Thinned};
 use railcrack_run::OutputError;
-use railcrack_run::csv::{SIF_FILE, StepBlock};
-use railcrack_run::histories::{HISTORY_COLUMNS, History};
+use railcrack_run::csv::{SifRow, StepBlock};
+use railcrack_run::histories::History;
 
 /// The most values of K that are shown (tips × positions × steps). A page then stays below 3 MB.
 const VALUES: usize = 300_000;
@@ -16,15 +16,14 @@ pub(crate) struct ShownHistories {
 
 impl OfSteps for ShownHistories {
     type Part = Vec<History>;
-    const FILE: &'static str = SIF_FILE;
-    const COLUMNS: &'static [&'static str] = &HISTORY_COLUMNS;
+    type Row = SifRow;
 
     fn keeps(&self, step: usize) -> bool {
         self.steps.is_kept(step)
     }
 
-    fn read(&self, block: &StepBlock) -> Result<Vec<History>, OutputError> {
-        History::of_block(block)
+    fn read(&self, block: &StepBlock<SifRow>) -> Result<Vec<History>, OutputError> {
+        History::of_step(block.rows())
     }
 
     fn push(&mut self, step: usize, histories: Vec<History>) {

@@ -1,6 +1,7 @@
-//! What plots and page show of a run beyond its short tables: K, crack faces, fields. It is gathered step by step, from the
-//! records of a run that is being computed or from the files of one that was, and holds no more than is shown. Both give the same
-//! numbers, since the tables hold every number to its last bit.
+//! Histories of K, crack faces and fields as plots and page show them, beyond the short tables of a
+//! run. It is gathered step by step, from the records of a run that is being computed or from the
+//! files of one that was, and holds no more than is shown. Both give the same numbers, since the
+//! tables hold every number to its last bit.
 
 mod faces;
 mod histories;
@@ -13,7 +14,7 @@ use histories::ShownHistories;
 use neighbourhood::PackedFields;
 use railcrack::growth::StepRecord;
 use railcrack_run::OutputError;
-use railcrack_run::csv::{SifScale, StepBlock, read_step_blocks};
+use railcrack_run::csv::{SifRow, SifScale, StepBlock, StepBlocks, Table};
 use railcrack_run::histories::History;
 use rayon::prelude::*;
 use std::path::Path;
@@ -26,55 +27,50 @@ pub(crate) use pack::Deflated;
 /// Steps of a table that are read at once: as many as may stand in memory.
 const AT_ONCE: usize = 4;
 
-/// What is gathered of a table, step by step.
+/// Parts of a table, gathered step by step.
 trait OfSteps: Sync {
-    /// What is taken of one step.
+    /// The part of one step.
     type Part: Send;
-    /// The table.
-    const FILE: &'static str;
-    /// Its columns that are needed.
-    const COLUMNS: &'static [&'static str];
+    /// The rows of the table.
+    type Row: Table;
 
     /// Whether a step is shown once there are newer ones, as far as is known by now.
     fn keeps(&self, step: usize) -> bool;
 
     /// Errors: the table is damaged.
-    fn read(&self, block: &StepBlock) -> Result<Self::Part, OutputError>;
+    fn read(&self, block: &StepBlock<Self::Row>) -> Result<Self::Part, OutputError>;
 
     /// Takes up the step after the last one. Steps that are not kept may be left out.
     fn push(&mut self, step: usize, part: Self::Part);
 }
 
-/// What is shown of a table for the first `steps` steps of the run in `folder`.
+/// The shown part of a table for the first `steps` steps of the run in `folder`.
 ///
 /// Errors: the table is damaged; the system refuses.
 fn read_table<S: OfSteps + Default>(folder: &Path, steps: usize) -> Result<S, OutputError> {
-    let path = folder.join(S::FILE);
     let mut shown = S::default();
-    let mut waiting: Vec<StepBlock> = Vec::new();
-    let take = |shown: &mut S, waiting: &mut Vec<StepBlock>| -> Result<(), OutputError> {
-        let read = |block: &StepBlock| Ok((block.step, shown.read(block)?));
+    let mut waiting: Vec<StepBlock<S::Row>> = Vec::new();
+    let take = |shown: &mut S, waiting: &mut Vec<StepBlock<S::Row>>| -> Result<(), OutputError> {
+        let read = |block: &StepBlock<S::Row>| Ok((block.step, shown.read(block)?));
         let parts: Result<Vec<_>, OutputError> = waiting.par_iter().map(read).collect();
         waiting.clear();
         parts?.into_iter().for_each(|(step, part)| shown.push(step, part));
         Ok(())
     };
-    read_step_blocks(
-        &path,
-        S::COLUMNS,
-        |step| step < steps,
-        |block| {
-            if shown.keeps(block.step) || block.step + 1 == steps {
-                waiting.push(block);
-            }
-            if waiting.len() == AT_ONCE { take(&mut shown, &mut waiting) } else { Ok(()) }
-        },
-    )?;
+    for block in StepBlocks::open(folder, 0..steps)? {
+        let block = block?;
+        if shown.keeps(block.step) || block.step + 1 == steps {
+            waiting.push(block);
+        }
+        if waiting.len() == AT_ONCE {
+            take(&mut shown, &mut waiting)?;
+        }
+    }
     take(&mut shown, &mut waiting)?;
     Ok(shown)
 }
 
-/// What is shown of a run.
+/// The shown part of a run.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct ShownRun {
     histories: ShownHistories,
@@ -82,7 +78,7 @@ pub(crate) struct ShownRun {
     pub fields: ShownFields,
 }
 
-/// What is taken of one step.
+/// The shown part of one step.
 #[derive(Debug)]
 pub(crate) struct ShownStep {
     step: usize,
@@ -92,7 +88,7 @@ pub(crate) struct ShownStep {
 }
 
 impl ShownRun {
-    /// What is shown of the first `steps` steps of the run in `folder`.
+    /// The shown part of the first `steps` steps of the run in `folder`.
     ///
     /// Errors: a file is damaged; the system refuses.
     pub(crate) fn read(folder: &Path, steps: usize) -> Result<Self, OutputError> {
@@ -107,14 +103,14 @@ impl ShownRun {
         Ok(Self { histories: histories?, faces: faces?, fields: fields? })
     }
 
-    /// What is taken of a step that is recorded.
+    /// The shown part of a recorded step.
     ///
     /// Errors: its fields do not belong together.
     pub(crate) fn of_record(&self, record: &StepRecord, scale: SifScale) -> Result<ShownStep, OutputError> {
         Ok(ShownStep {
             step: record.step,
-            histories: History::of_record(record, scale),
-            faces: self.faces.of_record(record),
+            histories: History::of_step(SifRow::of_step(record, scale).map(Ok))?,
+            faces: self.faces.of_record(record)?,
             fields: ShownFields::of_record(record)?,
         })
     }
@@ -149,7 +145,8 @@ impl ShownRun {
         self.faces.stride
     }
 
-    /// Status and pressure on the crack faces: of the first step, and of the last where it is another one.
+    /// Status and pressure on the crack faces: of the first step, and of the last where it is
+    /// another one.
     pub(crate) fn end_faces(&self) -> impl Iterator<Item = (usize, &StepFaces)> {
         self.faces.ends.iter().map(|(step, faces)| (*step, faces))
     }

@@ -1,18 +1,18 @@
-//! The deformed neighbourhood of the cracks: the fields of the first and the last step that have any.
+//! The deformed neighbourhood of the cracks: the fields of the first and the last step that have
+//! any.
 
 use super::pack::{Deflated, Quantised};
 use railcrack::growth::StepRecord;
 use railcrack::math::Vec2;
 use railcrack::mesh::{CellShape, UnstructuredGrid};
 use railcrack_run::OutputError;
-use railcrack_run::fields::{FIELDS_FOLDER, field_grids, step_and_position};
-use railcrack_vtu::read_vtu;
+use railcrack_run::{FieldFile, field_files, field_grids};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
-use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
-/// The most cells of a grid in the page: about eight bytes each, and as many for each wheel position.
+/// The most cells of a grid in the page: about eight bytes each, and as many for each wheel
+/// position.
 const CELLS: usize = 20_000;
 /// The most wheel positions of a step.
 const POSITIONS: usize = 5;
@@ -48,13 +48,16 @@ impl ShownFields {
     ///
     /// Errors: a file is damaged; the system refuses.
     pub(crate) fn read(folder: &Path, steps: usize) -> Result<Self, OutputError> {
-        let mut files = files(folder, steps)?;
+        let mut files: BTreeMap<usize, Vec<FieldFile>> = BTreeMap::new();
+        for file in field_files(folder, steps)? {
+            files.entry(file.step).or_default().push(file);
+        }
         let ends = [files.pop_first(), files.pop_last()];
         let mut shown = Self::default();
         for (step, positions) in ends.into_iter().flatten() {
-            let grids = positions.into_iter().map(|(position, path)| {
-                let grid = read_vtu(&path)?;
-                Ok((position, path, grid))
+            let grids = positions.into_iter().map(|file| {
+                let grid = file.read()?;
+                Ok((file.position, file.path, grid))
             });
             shown.push(packed_fields(step, grids)?);
         }
@@ -79,29 +82,8 @@ impl ShownFields {
     }
 }
 
-/// The field files of the first `steps` steps: position (from 1) and path, by step.
-fn files(folder: &Path, steps: usize) -> Result<BTreeMap<usize, Vec<(usize, PathBuf)>>, OutputError> {
-    let folder = folder.join(FIELDS_FOLDER);
-    let mut files: BTreeMap<usize, Vec<(usize, PathBuf)>> = BTreeMap::new();
-    let entries = match std::fs::read_dir(&folder) {
-        Err(reason) if reason.kind() == ErrorKind::NotFound => return Ok(files),
-        entries => entries.map_err(OutputError::io("read", &folder))?,
-    };
-    for entry in entries {
-        let path = entry.map_err(OutputError::io("read", &folder))?.path();
-        let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-        if let Some((step, position)) = step_and_position(&name)
-            && step < steps
-        {
-            files.entry(step).or_default().push((position, path));
-        }
-    }
-    // The order of a folder is that of no one.
-    files.values_mut().for_each(|positions| positions.sort());
-    Ok(files)
-}
-
-/// The fields of a step of which `grids` are the wheel position (from 1), the file and what it holds.
+/// The fields of a step of which `grids` are the wheel position (from 1), the file and what it
+/// holds.
 ///
 /// Errors: those of `grids`; another grid than at the first position, or no fields on it.
 fn packed_fields(

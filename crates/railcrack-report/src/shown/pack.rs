@@ -27,8 +27,8 @@ impl Deflated {
         Self::of(&bytes)
     }
 
-    /// Whole numbers as differences from one to the next in rows of `row` (each begins anew). First the low bytes, then the
-    /// high ones: the latter are mostly zero.
+    /// Whole numbers as differences from one to the next in rows of `row` (each begins anew). First
+    /// the low bytes, then the high ones: the latter are mostly zero.
     pub(crate) fn levels(levels: &[u16], row: usize) -> Self {
         let mut lows = Vec::with_capacity(2 * levels.len());
         let mut highs = Vec::with_capacity(levels.len());
@@ -49,11 +49,11 @@ impl Deflated {
 
     /// The bytes.
     pub(crate) fn inflated(&self) -> Vec<u8> {
-        // What was deflated here can be inflated.
+        // Data deflated here can be inflated.
         decompress_to_vec_zlib(&self.0).unwrap_or_default()
     }
 
-    /// What [`Deflated::levels`] was given.
+    /// The levels given to [`Deflated::levels`].
     fn inflated_levels(&self, row: usize) -> Vec<u16> {
         let bytes = self.inflated();
         let (lows, highs) = bytes.split_at(bytes.len() / 2);
@@ -95,7 +95,8 @@ impl Quantised {
         Self::every(1, values, row)
     }
 
-    /// Of `values` in rows of `row`, in each every `stride`-th and the last. The levels are those of all values.
+    /// Of `values` in rows of `row`, in each every `stride`-th and the last. The levels are those
+    /// of all values.
     pub(crate) fn every(stride: usize, values: &[f64], row: usize) -> Self {
         let (low, high) = values
             .iter()

@@ -1,6 +1,7 @@
 //! Steps of a run as they come, thinned out so that they stay few.
 
-/// Of the steps of a run, every 2ⁿ-th and the newest one. Whatever step it is at, n follows from the steps before alone.
+/// Of the steps of a run, every 2ⁿ-th and the newest one. Whatever step it is at, n follows from
+/// the steps before alone.
 #[derive(Debug, Clone)]
 pub(crate) struct Thinned<T> {
     every: usize,
@@ -32,7 +33,8 @@ impl<T> Thinned<T> {
         step.is_multiple_of(self.every)
     }
 
-    /// Leaves out every other one of the steps that are kept, until their weights are `most` together or only the first is left.
+    /// Leaves out every other one of the steps that are kept, until their weights are `most`
+    /// together or only the first is left.
     pub(crate) fn thin_to(&mut self, most: usize, weight: impl Fn(&T) -> usize) {
         while self.kept.len() > 1 && self.weight(&weight) > most {
             self.every *= 2;

@@ -1,23 +1,24 @@
 //! Axes: a frame, two scales, ticks at round numbers.
 
+use super::element::{Anchor, Span, Stroke, Svg, TextStyle};
+use super::palette::{INK, LIGHT};
 use super::ticks::{multiples, round_step, scale_exponent, tick_label};
-use super::{Anchor, INK, LIGHT, Span, Stroke, Svg, TextStyle};
 
 /// The rectangle inside the axes, pixels.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Frame {
-    pub left: f64,
-    pub top: f64,
-    pub width: f64,
-    pub height: f64,
+pub(crate) struct Frame {
+    pub(crate) left: f64,
+    pub(crate) top: f64,
+    pub(crate) width: f64,
+    pub(crate) height: f64,
 }
 
 impl Frame {
-    pub fn bottom(self) -> f64 {
+    pub(crate) fn bottom(self) -> f64 {
         self.top + self.height
     }
 
-    pub fn right(self) -> f64 {
+    pub(crate) fn right(self) -> f64 {
         self.left + self.width
     }
 
@@ -26,19 +27,28 @@ impl Frame {
     }
 }
 
+/// How values are laid out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Layout {
+    Linear,
+    Logarithmic,
+}
+
 /// One scale, from its left or lower end to its right or upper end (`from` > `to` runs backwards).
 #[derive(Debug, Clone, PartialEq)]
-pub struct Axis {
+pub(crate) struct Axis {
     from: f64,
     to: f64,
+    layout: Layout,
     ticks: Vec<f64>,
     step: f64,
     exponent: i32,
 }
 
 impl Axis {
-    /// Exactly from `from` to `to`, with at most `most` ticks or so; a range without extent is widened.
-    pub fn exact(from: f64, to: f64, most: usize) -> Self {
+    /// Exactly from `from` to `to`, with at most `most` ticks or so; a range without extent is
+    /// widened.
+    pub(crate) fn exact(from: f64, to: f64, most: usize) -> Self {
         let (from, to) = if from == to {
             let half = 0.5 * from.abs().max(1.0);
             (from - half, to + half)
@@ -47,67 +57,77 @@ impl Axis {
         };
         let step = round_step((to - from).abs(), most);
         let exponent = scale_exponent(from.abs().max(to.abs()));
-        Self { from, to, ticks: multiples(from.min(to), from.max(to), step), step, exponent }
+        let ticks = multiples(from.min(to), from.max(to), step);
+        Self { from, to, layout: Layout::Linear, ticks, step, exponent }
     }
 
-    /// Around all `values` with 6 % of air at both ends; around zero where there is nothing else.
-    pub fn around(values: impl IntoIterator<Item = f64>, most: usize) -> Self {
-        let ends = values
-            .into_iter()
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
-        let (low, high) = if ends.0 <= ends.1 { ends } else { (0.0, 0.0) };
-        // Round-off is not a range.
-        if high - low <= 1e-9 * high.abs().max(low.abs()) {
-            return Self::exact(low, low, most);
-        }
-        let air = 0.06 * (high - low);
-        Self::exact(low - air, high + air, most)
-    }
-
-    /// Its left or lower end and its right or upper one.
-    pub fn ends(&self) -> [f64; 2] {
-        [self.from, self.to]
+    /// Exactly between two positive values by their logarithm, with ticks at powers of ten, over
+    /// less than three decades also at 2 and 5 times these.
+    pub(crate) fn logarithmic(from: f64, to: f64) -> Self {
+        let (from, to) = if from < to { (from, to) } else { (0.5 * from, 2.0 * to) };
+        let digits: &[f64] = if to < 1e3 * from { &[1.0, 2.0, 5.0] } else { &[1.0] };
+        let decades = from.log10().floor() as i32..=to.log10().ceil() as i32;
+        let all = decades.flat_map(|decade| digits.iter().map(move |digit| digit * 10f64.powi(decade)));
+        let ticks = all.filter(|tick| (from..=to).contains(tick)).collect();
+        Self { from, to, layout: Layout::Logarithmic, ticks, step: 0.0, exponent: 0 }
     }
 
     /// Place along the axis, 0 at its start and 1 at its end.
     fn place(&self, value: f64) -> f64 {
-        (value - self.from) / (self.to - self.from)
-    }
-
-    fn label(&self, tick: f64) -> String {
-        let unit = 10f64.powi(self.exponent);
-        tick_label(tick / unit, self.step / unit)
-    }
-
-    /// The title, with the power of ten that the labels leave out.
-    fn titled(&self, title: &[Span]) -> Vec<Span> {
-        let mut spans = title.to_vec();
-        if self.exponent != 0 {
-            spans.push(Span::plain("  (\u{d7}10"));
-            spans.push(Span::Super(self.exponent.to_string().replace('-', "\u{2212}")));
-            spans.push(Span::plain(")"));
+        match self.layout {
+            Layout::Linear => (value - self.from) / (self.to - self.from),
+            Layout::Logarithmic => (value / self.from).ln() / (self.to / self.from).ln(),
         }
-        spans
+    }
+
+    fn label(&self, tick: f64) -> Vec<Span> {
+        if self.layout == Layout::Linear {
+            let unit = 10f64.powi(self.exponent);
+            return vec![Span::Plain(tick_label(tick / unit, self.step / unit))];
+        }
+        let exponent = (tick.log10() + 1e-9).floor();
+        let digit = (tick / 10f64.powf(exponent)).round();
+        let factor = if digit == 1.0 { String::new() } else { format!("{digit}\u{b7}") };
+        let power = exponent.to_string().replace('-', "\u{2212}");
+        vec![Span::Plain(format!("{factor}10")), Span::Super(power)]
+    }
+
+    /// The power of ten that the labels leave out.
+    pub(crate) fn exponent(&self) -> i32 {
+        self.exponent
     }
 }
 
-/// Whether ticks have labels.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Labels {
-    Shown,
-    Hidden,
+/// The ends of `values` with 6 % of air; zero twice where there are none.
+pub(crate) fn around(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
+    let [low, high] = ends(values);
+    // Round-off is not a range.
+    if high - low <= 1e-9 * high.abs().max(low.abs()) {
+        return [low, low];
+    }
+    let air = 0.06 * (high - low);
+    [low - air, high + air]
+}
+
+/// The smallest and the largest of `values`; zero twice where there are none.
+pub(crate) fn ends(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
+    let ends = values
+        .into_iter()
+        .filter(|value| value.is_finite())
+        .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(v), high.max(v)]);
+    if ends[0] <= ends[1] { ends } else { [0.0, 0.0] }
 }
 
 /// A frame with two scales.
-pub struct Axes {
-    pub frame: Frame,
-    pub x: Axis,
-    pub y: Axis,
+pub(crate) struct Axes {
+    pub(crate) frame: Frame,
+    pub(crate) x: Axis,
+    pub(crate) y: Axis,
 }
 
 impl Axes {
     /// Where the point (x, y) is on the picture.
-    pub fn at(&self, x: f64, y: f64) -> [f64; 2] {
+    pub(crate) fn at(&self, x: f64, y: f64) -> [f64; 2] {
         [
             self.frame.left + self.x.place(x) * self.frame.width,
             self.frame.bottom() - self.y.place(y) * self.frame.height,
@@ -115,7 +135,7 @@ impl Axes {
     }
 
     /// Grid lines, the zero line of y a little stronger. Drawn before the data.
-    pub fn draw_grid(&self, svg: &mut Svg) {
+    pub(crate) fn draw_grid(&self, svg: &mut Svg) {
         let quiet = Stroke::solid(LIGHT, 0.8);
         for &tick in &self.x.ticks {
             let [x, _] = self.at(tick, self.y.from);
@@ -129,58 +149,40 @@ impl Axes {
     }
 
     /// Begins the data: what leaves the frame is cut off.
-    pub fn clip(&self, svg: &mut Svg) {
+    pub(crate) fn clip(&self, svg: &mut Svg) {
         svg.clip(self.frame.rectangle());
     }
 
-    /// Frame, ticks and their labels. Drawn after the data; an empty title leaves it out, on the x axis with the
-    /// labels: another panel below has them.
-    pub fn draw_frame(&self, svg: &mut Svg, x_title: &[Span], y_title: &[Span]) {
+    /// Frame, ticks and their labels. Drawn after the data; without a title the x axis has no
+    /// labels either: another panel below has them.
+    pub(crate) fn draw_frame(&self, svg: &mut Svg, x_title: &[Span], y_title: &[Span]) {
         svg.rectangle(self.frame.rectangle(), "none", INK);
-        self.draw_x_ticks(svg, if x_title.is_empty() { Labels::Hidden } else { Labels::Shown });
-        let tick_style = TextStyle { size: 12.0, anchor: Anchor::End, colour: INK, weight: "normal" };
+        let labels = TextStyle { size: 12.0, anchor: Anchor::Middle, colour: INK, weight: "normal" };
+        let title = TextStyle { size: 13.0, ..labels };
+        let (left, bottom) = (self.frame.left, self.frame.bottom());
+        for &tick in &self.x.ticks {
+            let [x, _] = self.at(tick, self.y.from);
+            svg.polyline("tick", &[[x, bottom], [x, bottom + 4.0]], &Stroke::solid(INK, 1.0));
+            if !x_title.is_empty() {
+                svg.text([x, bottom + 18.0], &self.x.label(tick), labels);
+            }
+        }
+        svg.text([left + 0.5 * self.frame.width, bottom + 40.0], x_title, title);
         let mut widest: usize = 0;
         for &tick in &self.y.ticks {
             let [_, y] = self.at(self.x.from, tick);
             let label = self.y.label(tick);
-            widest = widest.max(label.chars().count());
-            svg.polyline(
-                "tick",
-                &[[self.frame.left - 4.0, y], [self.frame.left, y]],
-                &Stroke::solid(INK, 1.0),
-            );
-            svg.text([self.frame.left - 8.0, y + 4.2], &[Span::Plain(label)], tick_style);
+            widest = widest.max(label.iter().map(Span::letters).sum());
+            svg.polyline("tick", &[[left - 4.0, y], [left, y]], &Stroke::solid(INK, 1.0));
+            svg.text([left - 8.0, y + 4.2], &label, TextStyle { anchor: Anchor::End, ..labels });
         }
-        let title = TextStyle { size: 13.0, anchor: Anchor::Middle, colour: INK, weight: "normal" };
-        if !x_title.is_empty() {
-            let middle = self.frame.left + 0.5 * self.frame.width;
-            svg.text([middle, self.frame.bottom() + 40.0], &self.x.titled(x_title), title);
-        }
-        if !y_title.is_empty() {
-            let middle = self.frame.top + 0.5 * self.frame.height;
-            let beside = self.frame.left - 20.0 - 7.0 * widest as f64;
-            svg.text(
-                [beside, middle],
-                &self.y.titled(y_title),
-                TextStyle { anchor: Anchor::Upwards, ..title },
-            );
-        }
-    }
-
-    fn draw_x_ticks(&self, svg: &mut Svg, labels: Labels) {
-        let style = TextStyle { size: 12.0, anchor: Anchor::Middle, colour: INK, weight: "normal" };
-        let bottom = self.frame.bottom();
-        for &tick in &self.x.ticks {
-            let [x, _] = self.at(tick, self.y.from);
-            svg.polyline("tick", &[[x, bottom], [x, bottom + 4.0]], &Stroke::solid(INK, 1.0));
-            if labels == Labels::Shown {
-                svg.text([x, bottom + 18.0], &[Span::Plain(self.x.label(tick))], style);
-            }
-        }
+        let beside = left - 20.0 - 7.0 * widest as f64;
+        let middle = self.frame.top + 0.5 * self.frame.height;
+        svg.text([beside, middle], y_title, TextStyle { anchor: Anchor::Upwards, ..title });
     }
 
     /// A small label on a light ground inside the upper left corner.
-    pub fn note(&self, svg: &mut Svg, text: &str) {
+    pub(crate) fn note(&self, svg: &mut Svg, text: &str) {
         let style = TextStyle { size: 11.0, anchor: Anchor::Start, colour: INK, weight: "normal" };
         let (x, y) = (self.frame.left + 5.0, self.frame.top + 5.0);
         svg.rectangle([x, y, 6.6 * text.chars().count() as f64 + 8.0, 16.0], "#ffffff", "none");

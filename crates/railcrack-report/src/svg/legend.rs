@@ -1,25 +1,30 @@
 //! Legends: a column of marks and words beside the axes.
 
-use super::{Anchor, INK, Span, Stroke, Svg, TextStyle};
+use super::element::{Anchor, Stroke, Svg, TextStyle};
+use super::palette::INK;
+use super::words::text;
+use crate::markup::plain;
 
-/// What stands before the words.
+/// The mark before the words.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Mark {
+pub(crate) enum Mark {
     /// A line as in the plot.
     Line(Stroke),
-    /// A line with the dots of its increments.
+    /// A line with dots.
     Dotted(Stroke),
+    /// A dot.
+    Dot(String),
     /// A filled box.
     Box(String),
-    /// Nothing: the words head the entries below.
+    /// None: the words head the entries below.
     Heading,
 }
 
 /// One line of a legend.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Entry {
-    pub mark: Mark,
-    pub words: String,
+pub(crate) struct Entry {
+    pub(crate) mark: Mark,
+    pub(crate) words: String,
 }
 
 /// Distance between entries, pixels.
@@ -28,13 +33,16 @@ const LINE: f64 = 18.0;
 const MARK: f64 = 24.0;
 
 /// Width of the legend, pixels, from the usual width of letters.
-pub fn legend_width(entries: &[Entry]) -> f64 {
-    let letters = entries.iter().map(|entry| entry.words.chars().count()).max().unwrap_or(0);
+pub(crate) fn legend_width(entries: &[Entry]) -> f64 {
+    let letters = entries.iter().map(|entry| plain(&entry.words).chars().count()).max().unwrap_or(0);
+    if entries.is_empty() {
+        return 0.0;
+    }
     MARK + 8.0 + 6.9 * letters as f64
 }
 
 /// Draws `entries` downwards from the upper left corner `at`.
-pub fn draw_legend(svg: &mut Svg, at: [f64; 2], entries: &[Entry]) {
+pub(crate) fn draw_legend(svg: &mut Svg, at: [f64; 2], entries: &[Entry]) {
     let style = TextStyle { size: 12.0, anchor: Anchor::Start, colour: INK, weight: "normal" };
     for (i, entry) in entries.iter().enumerate() {
         let (x, y) = (at[0], at[1] + 8.0 + LINE * i as f64);
@@ -46,11 +54,12 @@ pub fn draw_legend(svg: &mut Svg, at: [f64; 2], entries: &[Entry]) {
                     svg.dot([x + part * MARK, y], 2.2, &stroke.colour);
                 }
             }
+            Mark::Dot(colour) => svg.dot([x + 0.5 * MARK, y], 2.6, colour),
             Mark::Heading => {}
             Mark::Box(fill) => svg.rectangle([x + 6.0, y - 6.0, 12.0, 12.0], fill, "#999999"),
         }
         let (indent, weight) =
             if entry.mark == Mark::Heading { (0.0, "bold") } else { (MARK + 8.0, "normal") };
-        svg.text([x + indent, y + 4.2], &[Span::plain(&entry.words)], TextStyle { weight, ..style });
+        svg.text([x + indent, y + 4.2], &text(&entry.words), TextStyle { weight, ..style });
     }
 }

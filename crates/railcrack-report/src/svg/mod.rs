@@ -1,13 +1,15 @@
 //! Drawing: SVG elements, axes with round ticks, legends, colours. Knows nothing of cracks.
 
 mod axes;
+mod element;
 mod legend;
 mod palette;
-mod svg;
 mod ticks;
+mod words;
 
-pub use axes::{Axes, Axis, Frame};
-pub use legend::{Entry, Mark, draw_legend, legend_width};
-pub use palette::{BLUE, CATEGORIES, GREY, INK, LIGHT, ORANGE, sequence};
-pub use svg::{Anchor, Span, Stroke, Svg, TextStyle, coordinate};
-pub use ticks::round_step;
+pub(crate) use axes::{Axes, Axis, Frame, around, ends};
+pub(crate) use element::{Anchor, Span, Stroke, Svg, TextStyle, coordinate};
+pub(crate) use legend::{Entry, Mark, draw_legend, legend_width};
+pub(crate) use palette::{BLUE, CATEGORIES, GREY, INK, ORANGE, sequence};
+pub(crate) use ticks::{decimals_of, round_step};
+pub(crate) use words::{quantity, text};

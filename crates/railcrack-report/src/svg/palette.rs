@@ -1,20 +1,22 @@
 //! Colours that people with any colour vision tell apart.
 
 /// Text and frames.
-pub const INK: &str = "#222222";
+pub(crate) const INK: &str = "#222222";
 /// Secondary text.
-pub const GREY: &str = "#666666";
+pub(crate) const GREY: &str = "#666666";
 /// Grid lines and quiet areas.
-pub const LIGHT: &str = "#e4e4e4";
+pub(crate) const LIGHT: &str = "#e4e4e4";
 /// Blue of [`CATEGORIES`].
-pub const BLUE: &str = "#0072b2";
+pub(crate) const BLUE: &str = "#0072b2";
 /// Orange of [`CATEGORIES`].
-pub const ORANGE: &str = "#e69f00";
+pub(crate) const ORANGE: &str = "#e69f00";
 
 /// Colours for things without order (Okabe and Ito 2008, yellow left out: too light on white).
-pub const CATEGORIES: [&str; 7] = [BLUE, "#d55e00", "#009e73", "#cc79a7", ORANGE, "#56b4e9", "#000000"];
+pub(crate) const CATEGORIES: [&str; 7] =
+    [BLUE, "#d55e00", "#009e73", "#cc79a7", ORANGE, "#56b4e9", "#000000"];
 
-/// Anchors of viridis (Smith and van der Walt 2015), dark to light; the lightest tenth is left out on white.
+/// Anchors of viridis (Smith and van der Walt 2015), dark to light; the lightest tenth is left out
+/// on white.
 const VIRIDIS: [[f64; 3]; 9] = [
     [68.0, 1.0, 84.0],
     [71.0, 40.0, 120.0],
@@ -28,7 +30,7 @@ const VIRIDIS: [[f64; 3]; 9] = [
 ];
 
 /// The colour at `place` (0 dark to 1 light) of an ordered scale, as `#rrggbb`.
-pub fn sequence(place: f64) -> String {
+pub(crate) fn sequence(place: f64) -> String {
     let along = place.clamp(0.0, 1.0) * (VIRIDIS.len() - 1) as f64;
     let from = (along as usize).min(VIRIDIS.len() - 2);
     let part = along - from as f64;

@@ -1,7 +1,7 @@
 //! Round numbers on an axis.
 
 /// The smallest 1, 2 or 5 times a power of ten that divides `span` into at most `most` steps.
-pub fn round_step(span: f64, most: usize) -> f64 {
+pub(crate) fn round_step(span: f64, most: usize) -> f64 {
     let least = span / most.max(1) as f64;
     if !(least > 0.0 && least.is_finite()) {
         return 1.0;
@@ -13,24 +13,29 @@ pub fn round_step(span: f64, most: usize) -> f64 {
 }
 
 /// Multiples of `step` from `low` to `high`, ends included.
-pub fn multiples(low: f64, high: f64, step: f64) -> Vec<f64> {
+pub(crate) fn multiples(low: f64, high: f64, step: f64) -> Vec<f64> {
     let first = (low / step - 1e-9).ceil() as i64;
     let last = (high / step + 1e-9).floor() as i64;
     (first..=last).map(|i| i as f64 * step).collect()
 }
 
-/// The power of ten, a multiple of three, that brings values up to `largest` between 1 and 10⁴; 0 for values that
-/// read well as they are.
-pub fn scale_exponent(largest: f64) -> i32 {
+/// The power of ten, a multiple of three, that brings values up to `largest` between 1 and 10⁴; 0
+/// for values that read well as they are.
+pub(crate) fn scale_exponent(largest: f64) -> i32 {
     if !(largest > 0.0 && largest.is_finite()) || (1e-2..1e4).contains(&largest) {
         return 0;
     }
     (largest.log10() / 3.0).floor() as i32 * 3
 }
 
+/// Decimals that multiples of `step` need.
+pub(crate) fn decimals_of(step: f64) -> usize {
+    (-step.log10() - 1e-9).ceil().clamp(0.0, 12.0) as usize
+}
+
 /// `value` with the decimals that multiples of `step` need; a true minus sign.
-pub fn tick_label(value: f64, step: f64) -> String {
-    let decimals = (-step.log10() - 1e-9).ceil().clamp(0.0, 12.0) as usize;
+pub(crate) fn tick_label(value: f64, step: f64) -> String {
+    let decimals = decimals_of(step);
     // No "-0".
     let value = if value.abs() < 1e-9 * step { 0.0 } else { value };
     format!("{value:.decimals$}").replace('-', "\u{2212}")

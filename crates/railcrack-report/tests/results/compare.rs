@@ -1,7 +1,7 @@
 //! Two run folders set against each other: synthetic runs, whose differences are known.
 
 use super::support::{SMALL, Scratch, Size, case, info, record_steps};
-use railcrack_report::Pages;
+use railcrack_report::{Pages, rebuild_report};
 use railcrack_run::{Comparison, Existing, OutputError, Recorder};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -15,7 +15,8 @@ fn run(scratch: &Scratch, name: &str, size: Size) -> PathBuf {
     folder
 }
 
-/// Replaces the field `column` of the rows of a table for which `wanted` (step, crack, tip as text) holds.
+/// Replaces the field `column` of the rows of a table for which `wanted` (step, crack, tip as text)
+/// holds.
 fn edit(folder: &Path, file: &str, column: &str, wanted: [&str; 3], value: impl Fn(&str) -> String) {
     let path = folder.join(file);
     let text = fs::read_to_string(&path).unwrap();
@@ -51,7 +52,8 @@ fn a_known_difference_is_found_where_it_is() {
     for tip in &comparison.tips {
         let sifs = tip.sifs.unwrap();
         let (kii, apart) = (if tip.step == 3 { 0.25 } else { 0.0 }, if tip.step == 4 { 0.5 } else { 0.0 });
-        // Both passages of the step were changed, of which the last one counts; round-off of the sums.
+        // Both passages of the step were changed, of which the last one counts; round-off of the
+        // sums.
         assert!((sifs.kii.largest - kii).abs() < 1e-12 && (sifs.kii.rms - kii).abs() < 1e-12, "{tip:?}");
         assert_eq!((sifs.ki.largest, sifs.positions), (0.0, SMALL.positions));
         assert!((tip.distance - apart).abs() < 1e-12, "{tip:?}");
@@ -124,7 +126,8 @@ fn what_only_one_run_has_is_left_out_and_said() {
     ] {
         assert!(comparison.notes.iter().any(|note| note.contains(says)), "{says}: {:?}", comparison.notes);
     }
-    // Every other position of the first is one of the second: interpolation there is exact up to the round-off of x_c/a.
+    // Every other position of the first is one of the second: interpolation there is exact up to
+    // the round-off of x_c/a.
     assert!(comparison.tips.iter().all(|tip| tip.sifs.unwrap().positions == 21));
     assert!(comparison.largest_percent().unwrap() < 1e-9);
     // The other way round the same run is interpolated.
@@ -132,6 +135,7 @@ fn what_only_one_run_has_is_left_out_and_said() {
     assert!(reversed.notes.iter().any(|note| note.contains("K of the second run is interpolated")));
     let out = scratch.path().join("out");
     comparison.write(&out, Existing::Refuse, None).unwrap();
+    rebuild_report(&out).unwrap();
     assert!(fs::read_to_string(out.join("compare-sif-last.svg")).unwrap().contains("at step 2"));
 }
 

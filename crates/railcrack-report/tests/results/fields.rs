@@ -29,7 +29,8 @@ fn fields(record: &StepRecord) -> &FieldRecord {
 
 #[test]
 fn the_running_surface_carries_the_wheel() {
-    // Of the peak pressure: the stress of the cracked body is extrapolated to the surface; measured 5e-4.
+    // Of the peak pressure: the stress of the cracked body is extrapolated to the surface; measured
+    // 5e-4.
     const TOLERANCE: f64 = 2e-3;
     let record = step("[output]\nfields_over_a = [-1.1, 0.0, 0.9]\n");
     let fields = fields(&record);
@@ -56,7 +57,8 @@ fn the_running_surface_carries_the_wheel() {
 
 #[test]
 fn closed_faces_carry_their_contact_traction() {
-    // Of the largest traction, between the mean around a face point and the stress at the ends of cells; measured 1e-3.
+    // Of the largest traction, between the mean around a face point and the stress at the ends of
+    // cells; measured 1e-3.
     const TOLERANCE: f64 = 3e-3;
     let record = step("[output]\nfields_over_a = [0.0]\n");
     let fields = fields(&record);

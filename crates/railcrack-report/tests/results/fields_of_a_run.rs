@@ -30,9 +30,9 @@ fn meshio_reads_the_fields_of_a_run() {
     let case = Case::parse(CASE, "case.toml", Path::new("")).unwrap();
     let info = RunInfo {
         title: case.title.clone(),
-        engine: case.engine.name().into(),
-        contact: case.contact_solver.name().into(),
-        boundary: case.rail.boundary_name(),
+        engine: case.engine,
+        contact: case.contact_solver,
+        boundary: case.rail.boundary,
         half_width: case.contact.half_width,
         axle_load: None,
         warnings: Vec::new(),

@@ -1,6 +1,7 @@
-//! The report of a run: its numbers against the tables, its structure, its safety against texts, its size.
+//! The report of a run: its numbers against the tables, its structure, its safety against texts,
+//! its size.
 
-use super::support::{SMALL, Scratch, Size, case, info, record_steps};
+use super::support::{SMALL, Scratch, Size, case, case_of, case_text, info, record_steps};
 use miniz_oxide::inflate::decompress_to_vec_zlib;
 use railcrack_report::{Block, FolderKind, Page, Pages, Section, rebuild_report};
 use railcrack_run::{Existing, Recorder};
@@ -141,7 +142,8 @@ fn fields_are_those_of_the_first_and_the_last_step_that_have_files() {
             assert!((found - want).abs() <= 1.001 * half, "{name}: {found}, not {want}");
         }
     }
-    // A triangle: points 0, 1, 2, 2 as differences 0, 1, 1, 0, of which twice the size is kept, low bytes first.
+    // A triangle: points 0, 1, 2, 2 as differences 0, 1, 1, 0, of which twice the size is kept, low
+    // bytes first.
     assert_eq!(unpacked(&last["corners"]), [0, 2, 2, 0, 0, 0, 0, 0]);
     let snapshot = &last["snapshots"][1];
     assert_eq!(snapshot["position"], 21);
@@ -159,10 +161,7 @@ fn fields_are_those_of_the_first_and_the_last_step_that_have_files() {
 #[test]
 fn the_first_lines_say_cycles_tonnes_direction_stop_and_warnings() {
     let scratch = Scratch::new("report-first");
-    let with_traffic = railcrack_run::CaseFiles {
-        toml: "title = \"x\"\n[traffic]\naxle_load_t = 20.0\n[growth]\nsteps = 4\n".to_owned(),
-        companions: Vec::new(),
-    };
+    let with_traffic = case_of(&case_text("[traffic]\naxle_load_t = 20.0\n[growth]\nsteps = 4"));
     let mut recorder =
         Recorder::start(scratch.path(), with_traffic, info(), Existing::Refuse, &Pages).unwrap();
     record_steps(&mut recorder, SMALL, 0, 5).unwrap();
@@ -176,19 +175,57 @@ fn the_first_lines_say_cycles_tonnes_direction_stop_and_warnings() {
         "<dt>Million gross tonnes</dt><dd>2.82",
         "<dt>Direction</dt><dd>downward",
         "<dt>Ended by</dt><dd>steps done<small>after step 4 of 4",
-        "Near ties of directions: read the path as one of several. Step 1: ",
+        "Near ties of the direction criterion, so that the path is one of several. Step 1: ",
         "<th scope=\"row\">6.80</th>",
-        "Crack faces: no gap, unilateral contact, Coulomb friction; virgin in each growth step.",
+        "Crack faces: no initial gap, unilateral contact, Coulomb friction with the coefficient 0.5; virgin at the start",
     ] {
         assert!(result.contains(words), "no \"{words}\" in {result}");
     }
     // Without an axle load, no tonnes: they are never derived.
     let other = Scratch::new("report-no-traffic");
-    run(other.path(), SMALL);
+    let without = case_of(&case_text(""));
+    let mut recorder = Recorder::start(other.path(), without, info(), Existing::Refuse, &Pages).unwrap();
+    record_steps(&mut recorder, SMALL, 0, 5).unwrap();
+    recorder.finish().unwrap();
     assert!(report(other.path()).contains("<dt>Million gross tonnes</dt><dd>not given"));
 }
 
-/// Names of elements in the order of their tags, scripts and styles left out; every tag must be closed.
+/// The report of a run without a step, of a case with these sections at its end.
+fn report_of(name: &str, more: &str) -> String {
+    let scratch = Scratch::new(name);
+    let case = case_of(&case_text(more));
+    Recorder::start(scratch.path(), case, info(), Existing::Refuse, &Pages).unwrap().finish().unwrap();
+    report(scratch.path())
+}
+
+#[test]
+fn the_size_of_a_block_is_among_the_assumptions() {
+    let block = "[rail]\nboundary = \"block\"\nwidth_mm = 250.0\ndepth_mm = 150.0\n\
+                 bottom = \"clamped\"\nsides = \"rollers\"";
+    let page = report_of("report-block", block);
+    assert!(page.contains("block of 250 × 150 mm, bottom clamped, sides rollers."), "no size of the block");
+    let half_plane = report_of("report-half-plane", "");
+    assert!(half_plane.contains("half-plane, bounded by the running surface only."));
+}
+
+#[test]
+fn every_direction_criterion_has_its_words() {
+    for (name, words) in [
+        ("max-rate", "maximises the growth rate of the virtual kink over the passage"),
+        (
+            "max-rate-unclipped",
+            "virtual kink, with negative k<sub>1</sub> counted in its range, over the passage",
+        ),
+        ("max-delta-k1", "maximises the range of k<sub>1</sub> over the passage"),
+        ("max-k1", "maximises k<sub>1</sub> over the passage"),
+    ] {
+        let page = report_of(&format!("report-{name}"), &format!("[growth]\ndirection = \"{name}\""));
+        assert!(page.contains(words), "{name}: no \"{words}\"");
+    }
+}
+
+/// Names of elements in the order of their tags, scripts and styles left out; every tag must be
+/// closed.
 fn check_structure(page: &str) {
     let mut open: Vec<String> = Vec::new();
     let mut rest = page.strip_prefix("<!DOCTYPE html>").unwrap();
@@ -237,8 +274,8 @@ fn texts_of_the_case_are_harmless() {
     let mut info = info();
     info.title = evil.to_owned();
     let files = railcrack_run::CaseFiles {
-        toml: format!("# {evil}\ntitle = '''{evil}'''\n"),
-        companions: Vec::new(),
+        toml: format!("# {evil}\n{}", case_text("").replace("\"synthetic\"", &format!("'''{evil}'''"))),
+        ..case()
     };
     let mut recorder = Recorder::start(scratch.path(), files, info, Existing::Refuse, &Pages).unwrap();
     record_steps(&mut recorder, SMALL, 0, 5).unwrap();
@@ -298,12 +335,13 @@ fn rebuilt_from_the_folder_alone_it_is_the_same_whatever_the_times() {
 
 #[test]
 fn what_is_left_out_is_the_same_in_one_go_resumed_and_rebuilt() {
-    // Too many face states: of the first run positions are left out, of the second, which has few of them, steps.
+    // Too many face states: of the first run positions are left out, of the second, which has few
+    // of them, steps.
     let first = Size { increments: 25, positions: 125, face_points: 330, cracks: 1 };
     let second = Size { positions: 61, face_points: 330, cracks: 2, ..first };
     for (size, says) in [
         (first, "faces are shown at one in 2 wheel positions"),
-        (second, "the passage explorer has 14 of 26 steps"),
+        (second, "the passage explorer has 14 of 26 growth steps"),
     ] {
         let (whole, cut) = (Scratch::new("report-whole"), Scratch::new("report-cut"));
         run(whole.path(), size);
@@ -328,9 +366,7 @@ fn an_unfinished_run_is_shown_as_such() {
     assert!(report(scratch.path()).contains("No step is finished yet."));
     record_steps(&mut recorder, SMALL, 0, 2).unwrap();
     recorder.finish().unwrap();
-    assert!(
-        report(scratch.path()).contains("The run has not ended: step 1 is the last one that is finished.")
-    );
+    assert!(report(scratch.path()).contains("The run has not ended: step 1 is the last finished one."));
     check_structure(&report(scratch.path()));
 }
 
@@ -354,6 +390,7 @@ fn bad_folders_are_named() {
         ("faces.csv", ",stick\n", ",stuck\n", "status is \"stuck\", not open, stick or slip"),
         ("sif.csv", "-6.0,", "x,", "xc_over_a is \"x\", not a finite number"),
         ("summary.json", "\"engine\"", "\"motor\"", "missing field `engine`"),
+        ("case.toml", "friction", "fraction", "fraction"),
     ] {
         let refused = table(file, from, to);
         assert!(refused.contains(says) && refused.contains(file), "{file}: {refused}");

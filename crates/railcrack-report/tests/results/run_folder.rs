@@ -2,12 +2,10 @@
 
 use super::support::{SMALL, Scratch, Size, case, info, record_steps, step};
 use railcrack::body::FacePoint;
-use railcrack::growth::StepRecord;
+use railcrack::growth::{GrowthState, StepRecord};
 use railcrack_report::{Pages, rebuild_report};
-use railcrack_run::{
-    Existing, FACES_COLUMNS, GROWTH_COLUMNS, OutputError, RESIDUAL_COLUMNS, Recorder, ResidualRow,
-    ResidualSummary, SIF_COLUMNS,
-};
+use railcrack_run::csv::{FaceRow, SifRow, TipRow, column_names};
+use railcrack_run::{Existing, OutputError, Recorder, ResidualRow, ResidualSummary, TablesOnly};
 use railcrack_vtu::read_vtu;
 use std::collections::BTreeMap;
 use std::fs;
@@ -77,18 +75,18 @@ fn table(folder: &Path, file: &str) -> Vec<String> {
 fn columns_are_those_of_the_contract() {
     let wanted = [
         (
-            SIF_COLUMNS.join(","),
+            column_names::<SifRow>(&[]).join(","),
             "step,passage,crack,tip,position,xc_mm,xc_over_a,ki_mpa_sqrt_m,kii_mpa_sqrt_m",
         ),
         (
-            GROWTH_COLUMNS.join(","),
+            column_names::<TipRow>(&[]).join(","),
             "step,crack,tip,tip_x_mm,tip_y_mm,length_mm,ki_max_mpa_sqrt_m,delta_ki_mpa_sqrt_m,delta_kii_mpa_sqrt_m,delta_keq_mpa_sqrt_m,kink_angle_deg,rival_angle_deg,rival_ratio,increment_mm,rate_mm_per_cycle,load_cycles,stop",
         ),
         (
-            FACES_COLUMNS.join(","),
+            column_names::<FaceRow>(&[]).join(","),
             "step,passage,position,crack,segment,s_mm,opening_mm,slip_mm,s22_mpa,s12_mpa,status",
         ),
-        (RESIDUAL_COLUMNS.join(","), "depth_mm,sxx_mpa,syy_mpa,szz_mpa,sxy_mpa"),
+        (column_names::<ResidualRow>(&[]).join(","), "depth_mm,sxx_mpa,syy_mpa,szz_mpa,sxy_mpa"),
     ];
     for (columns, contract) in wanted {
         assert_eq!(columns, contract);
@@ -101,11 +99,11 @@ fn tables_hold_every_row_with_its_numbers() {
     run_through(scratch.path(), SMALL);
     let steps = SMALL.increments + 1;
     let sif = table(scratch.path(), "sif.csv");
-    assert_eq!(sif[0], SIF_COLUMNS.join(","));
+    assert_eq!(sif[0], column_names::<SifRow>(&[]).join(","));
     assert_eq!(sif.len(), 1 + steps * 2 * SMALL.positions);
     assert!(sif[1].starts_with("0,1,1,1,1,-40.5,-6.0,"), "{}", sif[1]);
     let growth = table(scratch.path(), "growth.csv");
-    assert_eq!(growth[0], GROWTH_COLUMNS.join(","));
+    assert_eq!(growth[0], column_names::<TipRow>(&[]).join(","));
     assert_eq!(growth.len(), 1 + steps);
     let fields = |row: usize| growth[row].split(',').collect::<Vec<_>>();
     let (initial, second, last) = (fields(1), fields(2), fields(steps));
@@ -114,7 +112,7 @@ fn tables_hold_every_row_with_its_numbers() {
     assert_eq!((initial[10], fields(4)[10]), ("-2.0", ""));
     assert_eq!((last[13], last[16]), ("0.0", "steps-done"));
     let faces = table(scratch.path(), "faces.csv");
-    assert_eq!(faces[0], FACES_COLUMNS.join(","));
+    assert_eq!(faces[0], column_names::<FaceRow>(&[]).join(","));
     assert_eq!(faces.len(), 1 + steps * SMALL.positions * SMALL.face_points);
     assert!(faces[1].starts_with("0,2,1,1,1,0.25,"), "{}", faces[1]);
 }
@@ -163,7 +161,9 @@ fn what_an_unfinished_step_wrote_is_cut_off() {
     let whole = Scratch::new("whole-garbage");
     run_through(whole.path(), SMALL);
     // Killed between tables, within a row, within the summary, within a plot.
-    for damaged in ["sif.csv", "growth.csv", "faces.csv", "summary.json.partial", "plots/ki.svg.partial"] {
+    let cut_short =
+        ["sif.csv", "growth.csv", "faces.csv", "run-log.bin", "summary.json.partial", "plots/ki.svg.partial"];
+    for damaged in cut_short {
         let cut = Scratch::new("garbage");
         let mut recorder = Recorder::start(cut.path(), case(), info(), Existing::Refuse, &Pages).unwrap();
         record_steps(&mut recorder, SMALL, 0, 2).unwrap();
@@ -176,6 +176,28 @@ fn what_an_unfinished_step_wrote_is_cut_off() {
         assert_eq!(resume_to_the_end(cut.path(), SMALL), 2);
         assert_same_run(whole.path(), cut.path(), damaged);
     }
+}
+
+#[test]
+fn a_step_writes_no_more_after_many_steps() {
+    let scratch = Scratch::new("bytes");
+    let size = Size { increments: 2000, positions: 3, face_points: 2, cracks: 1 };
+    let mut recorder =
+        Recorder::start(scratch.path(), case(), info(), Existing::Refuse, &TablesOnly).unwrap();
+    let length = |file: &str| fs::metadata(scratch.path().join(file)).unwrap().len();
+    // The cracks keep their vertices: with each new one the checkpoint grows.
+    let (first, state) = step(size, 0);
+    let (mut before, mut written) = (length("run-log.bin"), Vec::new());
+    for n in 0..=1000 {
+        let record = StepRecord { step: n, fields: None, ..first.clone() };
+        recorder.record(&record, &GrowthState { step: n + 1, ..state.clone() }).unwrap();
+        let log = length("run-log.bin");
+        written.push(log - before + length("checkpoint.bin"));
+        before = log;
+    }
+    // Numbers that count take a byte more from 128 on.
+    assert!(written[1000] <= written[10] + 8, "{} and {} bytes", written[10], written[1000]);
+    println!("checkpoint and run log: {} bytes in step 10, {} in step 1000", written[10], written[1000]);
 }
 
 #[test]
@@ -203,9 +225,9 @@ fn resuming_needs_a_run_of_the_same_case() {
     assert!(matches!(refused, OutputError::NoRun { .. }), "{refused}");
     run_through(scratch.path(), SMALL);
     let mut other = case();
-    other.toml = other.toml.replace("dislocation", "xfem");
+    other.toml = other.toml.replace("xfem", "dislocation");
     let refused = Recorder::resume(scratch.path(), other, info(), &Pages).unwrap_err();
-    assert!(matches!(refused, OutputError::CaseChanged { line: 3, .. }), "{refused}");
+    assert!(matches!(refused, OutputError::CaseChanged { line: 14, .. }), "{refused}");
     let mut other = case();
     other.companions[0].1 = other.companions[0].1.replace("-100", "-90");
     let refused = Recorder::resume(scratch.path(), other, info(), &Pages).unwrap_err();
@@ -225,6 +247,16 @@ fn resuming_needs_a_run_of_the_same_case() {
         assert!(expected, "{what}: {refused}");
     }
     fs::write(&checkpoint, intact).unwrap();
+    let log = scratch.path().join("run-log.bin");
+    let intact = fs::read(&log).unwrap();
+    let mut bytes = intact.clone();
+    bytes[300] ^= 4;
+    for damaged in [&bytes[..], &intact[..intact.len() - 1]] {
+        fs::write(&log, damaged).unwrap();
+        let refused = Recorder::resume(scratch.path(), case(), info(), &Pages).unwrap_err();
+        assert!(refused.to_string().contains("run-log.bin: does not hold what was written"), "{refused}");
+    }
+    fs::write(&log, intact).unwrap();
     fs::write(scratch.path().join("faces.csv"), "step\n").unwrap();
     let refused = Recorder::resume(scratch.path(), case(), info(), &Pages).unwrap_err();
     assert!(refused.to_string().contains("faces.csv: holds 5 bytes"), "{refused}");
@@ -253,6 +285,7 @@ fn a_run_is_replaced_on_request_only_and_alone() {
             "inputs/residual-stress.csv",
             "notes.txt",
             "plots/own.svg",
+            "run-log.bin",
             "sif.csv",
         ]
     );
@@ -333,7 +366,7 @@ fn residual_stress_is_a_table_of_its_own() {
     let stress = railcrack::math::Stress { xx: -120.5, yy: 0.0, zz: 1e-7, xy: 0.25 };
     recorder.residual(&[ResidualRow { depth: 0.5, stress }], ResidualSummary::default()).unwrap();
     let rows = table(scratch.path(), "residual.csv");
-    assert_eq!(rows, [RESIDUAL_COLUMNS.join(",").as_str(), "0.5,-120.5,0.0,1e-7,0.25"]);
+    assert_eq!(rows, [column_names::<ResidualRow>(&[]).join(",").as_str(), "0.5,-120.5,0.0,1e-7,0.25"]);
 }
 
 /// Elements of class `class` in the picture `file`; fails where the picture is no well-formed XML.

@@ -5,6 +5,7 @@
 
 use railcrack::body::FacePoint;
 use railcrack::body::{BodyTimes, Face, FieldGrid, FieldLine};
+use railcrack::bulk::Boundary;
 use railcrack::contact::{FaceState, FaceStatus};
 use railcrack::crack::{Crack, CrackTip, End};
 use railcrack::fracture::Sif;
@@ -13,6 +14,7 @@ use railcrack::growth::{
     PieceKind, RunStop, SolverCounts, StepRecord, TipRecord, Warning, WarningKind,
 };
 use railcrack::math::{Stress, Vec2};
+use railcrack_case::{ContactSolver, Engine};
 use railcrack_run::{CaseFiles, OutputError, Recorder, RunInfo};
 use std::path::{Path, PathBuf};
 
@@ -55,9 +57,9 @@ pub const SMALL: Size = Size { increments: 4, positions: 41, face_points: 12, cr
 pub fn info() -> RunInfo {
     RunInfo {
         title: "Synthetic <run> & its \"title\"".to_owned(),
-        engine: "dislocation".to_owned(),
-        contact: "newton".to_owned(),
-        boundary: "half-plane".to_owned(),
+        engine: Engine::Dislocation,
+        contact: ContactSolver::Newton,
+        boundary: Boundary::HalfPlane,
         half_width: HALF_WIDTH,
         axle_load: Some(17.0),
         warnings: Vec::new(),
@@ -66,10 +68,24 @@ pub fn info() -> RunInfo {
 
 /// A case with a file that it names.
 pub fn case() -> CaseFiles {
-    CaseFiles {
-        toml: "title = \"synthetic\"\n[solver]\nengine = \"dislocation\"\n".to_owned(),
-        companions: vec![("inputs/residual-stress.csv".to_owned(), "depth_mm,sxx_mpa\n0,-100\n".to_owned())],
-    }
+    case_of(&case_text("[traffic]\naxle_load_t = 17.0"))
+}
+
+/// A case with the text `toml`, and the file that it names.
+pub fn case_of(toml: &str) -> CaseFiles {
+    let table = "depth_mm,sxx_mpa\n0,-100\n5,0\n".to_owned();
+    CaseFiles { toml: toml.to_owned(), companions: vec![("inputs/residual-stress.csv".to_owned(), table)] }
+}
+
+/// The text of a case of one crack in four increments, with `more` sections at its end.
+pub fn case_text(more: &str) -> String {
+    format!(
+        "title = \"synthetic\"\n\
+         [contact]\npeak_pressure_mpa = 845.0\nhalf_width_mm = 6.75\nfriction = 0.025\n\
+         [[crack]]\nmouth_mm = 0.0\nlength_mm = 6.0\nangle_deg = 15.0\nfriction = 0.5\n\
+         [residual_stress]\nprofile = \"inputs/residual-stress.csv\"\n\
+         [solver]\nengine = \"xfem\"\n{more}\n"
+    )
 }
 
 /// The cracks at the start of `step`.

@@ -15,12 +15,13 @@ pub struct Aligned {
     pub interpolated: Option<usize>,
 }
 
-/// Positions closer than this, relative to the extent of the passage, are the same: they differ by the round-off of
-/// x_c/a.
+/// Positions closer than this, relative to the extent of the passage, are the same: they differ by
+/// the round-off of x_c/a.
 const SAME_POSITION: f64 = 1e-9;
 
-/// Brings two histories to common positions: their own where they agree; otherwise, within the range of both, the
-/// positions of the one that has fewer there, at which the other is interpolated linearly.
+/// Brings two histories to common positions: their own where they agree; otherwise, within the
+/// range of both, the positions of the one that has fewer there, at which the other is interpolated
+/// linearly.
 pub(super) fn align(histories: [&History; 2]) -> Aligned {
     let rows = histories.map(rows);
     let [first, second] = &rows;
@@ -47,7 +48,8 @@ pub(super) fn align(histories: [&History; 2]) -> Aligned {
     }
 }
 
-/// x_c/a, K_I, K_II of each position, in ascending order: a wheel that runs towards −x passes them the other way.
+/// x_c/a, K_I, K_II of each position, in ascending order: a wheel that runs towards −x passes them
+/// the other way.
 fn rows(history: &History) -> Vec<[f64; 3]> {
     let mut rows: Vec<[f64; 3]> = (history.xc_over_a.iter())
         .zip(&history.ki)

@@ -1,14 +1,15 @@
-//! What two cases say differently.
+//! Differences of two cases, key by key.
 
 use crate::OutputError;
-use crate::folder::CASE_FILE;
+use crate::files::CASE_FILE;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::Path;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// A key of the case file with different values, each as it is written; none where the key is not there.
+/// A key of the case file with different values, each as it is written; none where the key is not
+/// there.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct CaseDifference {
     /// The key with its sections: `contact.friction`, `crack[1].mouth_mm` (cracks from 1).
@@ -32,7 +33,8 @@ pub(super) fn case_differences(cases: [(&str, &Path); 2]) -> Result<Vec<CaseDiff
     Ok(differs.map(difference).collect())
 }
 
-/// The keys of a case with their values as written: `contact.friction`, `crack[1].mouth_mm` (cracks from 1).
+/// The keys of a case with their values as written: `contact.friction`, `crack[1].mouth_mm` (cracks
+/// from 1).
 pub fn keys(text: &str, folder: &Path) -> Result<BTreeMap<String, String>, OutputError> {
     let table = DeTable::parse(text)
         .map_err(|reason| OutputError::damaged(&folder.join(CASE_FILE), reason.message().to_owned()))?;

@@ -5,61 +5,9 @@ use super::case_keys::{CaseDifference, case_differences};
 use super::notes::notes;
 use super::parting::{Parting, parting};
 use super::stored::{RunLabel, StoredRun, TipKey};
+use super::tip::{SifDifference, TipComparison, TipSifs, percent};
 use crate::{CrackSummary, OutputError};
 use std::path::Path;
-
-/// Difference of K_I or K_II of a tip over the stabilised passage.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SifDifference {
-    /// The largest, MPa √m, ≥ 0.
-    pub largest: f64,
-    /// Where: x_c/a.
-    pub xc_over_a: f64,
-    /// Root of the mean of its square over the positions, MPa √m.
-    pub rms: f64,
-}
-
-/// Differences of both modes of a tip.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TipSifs {
-    /// Number of positions compared.
-    pub positions: usize,
-    /// K_I.
-    pub ki: SifDifference,
-    /// K_II.
-    pub kii: SifDifference,
-}
-
-/// A tip at a step in both runs.
-#[derive(Debug, Clone, PartialEq)]
-pub struct TipComparison {
-    /// Growth step.
-    pub step: usize,
-    /// Crack, from 1.
-    pub crack: usize,
-    /// Tip, from 1 within its crack.
-    pub tip: usize,
-    /// Differences of K; none where the passages have no position in common.
-    pub sifs: Option<TipSifs>,
-    /// The largest |K_I| or |K_II| of both runs at this step, all tips, MPa √m.
-    pub step_peak: f64,
-    /// Place of the tip in each run, [x, y] in mm.
-    pub places: [[f64; 2]; 2],
-    /// Distance of these, mm.
-    pub distance: f64,
-    /// Length of the crack in each run, mm.
-    pub lengths: [f64; 2],
-    /// Load cycles up to the step in each run.
-    pub load_cycles: [f64; 2],
-    /// Chosen kink of each run, degrees.
-    pub kink_deg: [Option<f64>; 2],
-    /// SecondaryMaximum direction of each run, degrees.
-    pub rival_deg: [Option<f64>; 2],
-    /// Growth rate of the rival over that of the chosen direction, of each run.
-    pub rival_ratio: [Option<f64>; 2],
-    /// Why the tip stopped in each run; empty where it did not.
-    pub stops: [String; 2],
-}
 
 /// Two runs set against each other.
 #[derive(Debug, Clone, PartialEq)]
@@ -85,7 +33,8 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    /// Compares the runs in two folders by their stored tables, for the steps and tips that both have.
+    /// Compares the runs in two folders by their stored tables, for the steps and tips that both
+    /// have.
     ///
     /// Errors: a folder holds no run; a file of it is damaged; the system refuses.
     pub fn of(first: &Path, second: &Path) -> Result<Self, OutputError> {
@@ -105,14 +54,16 @@ impl Comparison {
         }
         Ok(Self {
             runs: runs.map(StoredRun::label),
-            case_differences: case_differences(runs.map(|run| (run.case.as_str(), run.folder.as_path())))?,
+            case_differences: case_differences(
+                runs.map(|run| (run.folder.case_text.as_str(), run.folder.path.as_path())),
+            )?,
             notes: notes(runs, &tips, &aligned),
-            common_steps: first.summary.steps_recorded.min(second.summary.steps_recorded),
+            common_steps: first.summary().steps_recorded.min(second.summary().steps_recorded),
             peak: tips.iter().map(|tip| tip.step_peak).fold(0.0, f64::max),
             parting: parting(runs, &keys),
             tips,
             aligned,
-            cracks: [first.summary.cracks, second.summary.cracks],
+            cracks: [first.folder.summary.cracks, second.folder.summary.cracks],
         })
     }
 
@@ -121,23 +72,12 @@ impl Comparison {
         percent(k, self.peak)
     }
 
-    /// The largest difference of K_I or K_II, in per cent of the largest |K| of the case; none where the runs have
-    /// nothing in common.
+    /// The largest difference of K_I or K_II, in per cent of the largest |K| of the case; none
+    /// where the runs have nothing in common.
     pub fn largest_percent(&self) -> Option<f64> {
         let all = self.tips.iter().filter_map(|tip| tip.sifs);
         all.map(|sifs| self.percent(sifs.ki.largest.max(sifs.kii.largest))).reduce(f64::max)
     }
-}
-
-impl TipComparison {
-    /// `k` (MPa √m) in per cent of the largest |K| of the step.
-    pub fn percent(&self, k: f64) -> f64 {
-        percent(k, self.step_peak)
-    }
-}
-
-fn percent(k: f64, peak: f64) -> f64 {
-    if peak > 0.0 { 100.0 * k / peak } else { 0.0 }
 }
 
 /// The largest |K| of both runs at a step.
@@ -170,7 +110,7 @@ fn tip_comparison(runs: [&StoredRun; 2], key: TipKey, aligned: &Aligned) -> Opti
         kink_deg: rows.map(|row| row.kink_deg),
         rival_deg: rows.map(|row| row.rival_deg),
         rival_ratio: rows.map(|row| row.rival_ratio),
-        stops: rows.map(|row| row.stop.clone()),
+        stops: rows.map(|row| row.stop),
     })
 }
 

@@ -1,6 +1,7 @@
 //! `compare.json`: the comparison in numbers.
 
-use super::{Comparison, SifDifference, TipComparison, TipSifs};
+use super::comparison::Comparison;
+use super::tip::{SifDifference, TipComparison, TipSifs};
 use crate::VERSION;
 use serde_json::{Value, json};
 

@@ -1,8 +1,8 @@
-//! What a comparison leaves out or changes, in sentences.
+//! Notes on a comparison: what it leaves out or changes, in sentences.
 
 use super::align::Aligned;
-use super::comparison::TipComparison;
 use super::stored::{StoredRun, TipKey};
+use super::tip::TipComparison;
 use std::collections::BTreeSet;
 
 const NAMES: [&str; 2] = ["first", "second"];
@@ -10,11 +10,11 @@ const NAMES: [&str; 2] = ["first", "second"];
 pub(super) fn notes(runs: [&StoredRun; 2], tips: &[TipComparison], aligned: &[Aligned]) -> Vec<String> {
     let mut notes = Vec::new();
     for (run, name) in runs.iter().zip(NAMES) {
-        if !run.summary.complete {
+        if !run.summary().complete {
             notes.push(format!("the {name} run has not ended"));
         }
     }
-    let [first, second] = runs.map(|run| run.summary.steps_recorded);
+    let [first, second] = runs.map(|run| run.summary().steps_recorded);
     if first != second {
         let both = match first.min(second) {
             0 => "no step is compared".to_owned(),
@@ -24,7 +24,7 @@ pub(super) fn notes(runs: [&StoredRun; 2], tips: &[TipComparison], aligned: &[Al
     }
     notes.extend(lone_tips(runs));
     notes.extend(positions(runs, tips, aligned));
-    let [first, second] = runs.map(|run| run.summary.half_width_mm);
+    let [first, second] = runs.map(|run| run.summary().half_width_mm);
     if first != second {
         notes.push(format!("K is compared at equal x_c/a, with a = {first} mm and {second} mm"));
     }

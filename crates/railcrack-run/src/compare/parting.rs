@@ -4,9 +4,9 @@ use super::stored::{StoredRun, TipKey};
 use railcrack::growth::NEAR_TIE;
 use serde::{Deserialize, Serialize};
 
-/// Kinks farther apart than this (degrees) are different choices: a rival is at least 15° away, and where two runs choose
-/// alike their kinks differ by a fraction of a degree. Paths that drift apart by such fractions do not part: the
-/// distance of their tips tells.
+/// Kinks farther apart than this (degrees) are different choices: a secondary maximum is at least
+/// 15° away, and where two runs choose alike their kinks differ by a fraction of a degree. Paths
+/// that drift apart by such fractions do not part: the distance of their tips tells.
 const PARTED_DEG: f64 = 5.0;
 
 /// The first step at which two runs choose different directions.
@@ -22,7 +22,7 @@ pub struct Parting {
     pub apart_deg: f64,
     /// Kink of each run, degrees from straight ahead.
     pub kink_angle_deg: [Option<f64>; 2],
-    /// Growth rate in the rival direction over that in the chosen one, of each run.
+    /// Growth rate at the secondary maximum over that at the chosen angle, of each run.
     pub rival_ratio: [Option<f64>; 2],
     /// Whether one of the runs had to choose between directions of nearly equal rate.
     pub near_tie: bool,

@@ -1,9 +1,12 @@
-//! A run as its folder has it.
+//! A run that is compared, from its folder.
 
-use crate::csv::{GROWTH_FILE, SIF_FILE, TipRow, read_growth};
-use crate::folder::{CASE_FILE, SUMMARY_FILE, read_if_there, stored_case};
-use crate::histories::{History, read_histories};
-use crate::{OutputError, Summary};
+use crate::csv::{SifRow, Table, TipRow};
+use crate::files::{CASE_FILE, SUMMARY_FILE};
+use crate::histories::History;
+use crate::{OutputError, RunFolder, Summary};
+use railcrack::bulk::Boundary;
+use railcrack::growth::RunStop;
+use railcrack_case::{ContactSolver, Engine};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -11,23 +14,27 @@ use std::path::{Path, PathBuf};
 /// Step, crack and tip, as in the tables.
 pub(super) type TipKey = (usize, usize, usize);
 
-/// How a run is told from the other.
+/// The run in a comparison: what tells it from the other.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RunLabel {
     /// The run folder.
     pub folder: PathBuf,
-    /// `xfem` or `dislocation`.
-    pub engine: String,
-    /// `latin` or `newton`.
-    pub contact: String,
-    /// Boundary of the rail: `half-plane` or `block`.
-    pub boundary: String,
+    /// Engine.
+    #[serde(with = "crate::words")]
+    pub engine: Engine,
+    /// Contact solver.
+    #[serde(with = "crate::words")]
+    pub contact: ContactSolver,
+    /// Boundary of the rail.
+    #[serde(with = "crate::words")]
+    pub boundary: Boundary,
     /// Half-width a of the wheel contact, mm.
     pub half_width_mm: f64,
     /// Finished steps, the initial geometry counted.
     pub steps_recorded: usize,
     /// Why the run ended; null where it has not.
-    pub stop: Option<String>,
+    #[serde(with = "crate::words::optional")]
+    pub stop: Option<RunStop>,
     /// Load cycles at the start of the last finished step.
     pub load_cycles: f64,
     /// Wall time, seconds.
@@ -37,9 +44,7 @@ pub struct RunLabel {
 /// Everything of a run that is compared.
 #[derive(Debug)]
 pub(super) struct StoredRun {
-    pub folder: PathBuf,
-    pub case: String,
-    pub summary: Summary,
+    pub folder: RunFolder,
     pub growth: BTreeMap<TipKey, TipRow>,
     pub histories: BTreeMap<TipKey, History>,
 }
@@ -49,36 +54,34 @@ impl StoredRun {
     ///
     /// Errors: not a run folder; a file of it is damaged; the system refuses.
     pub(super) fn read(folder: &Path) -> Result<Self, OutputError> {
-        for file in [CASE_FILE, SUMMARY_FILE, SIF_FILE, GROWTH_FILE] {
+        for file in [CASE_FILE, SUMMARY_FILE, SifRow::FILE, TipRow::FILE] {
             if !folder.join(file).is_file() {
                 return Err(OutputError::NotARun { folder: folder.to_path_buf(), file });
             }
         }
-        let path = folder.join(SUMMARY_FILE);
-        let text = read_if_there(&path)?.unwrap_or_default();
-        let summary: Summary = serde_json::from_slice(&text)
-            .map_err(|reason| OutputError::damaged(&path, reason.to_string()))?;
-        let histories = read_histories(folder, |step| step < summary.steps_recorded)?;
-        let growth = read_growth(folder, summary.steps_recorded)?;
+        let folder = RunFolder::open(folder)?;
+        let (histories, growth) = (folder.histories(folder.summary.steps_recorded)?, folder.growth()?);
         Ok(Self {
-            folder: folder.to_path_buf(),
-            case: stored_case(folder)?.unwrap_or_default(),
             growth: growth.into_iter().map(|row| ((row.step, row.crack, row.tip), row)).collect(),
             histories: histories.into_iter().map(|h| ((h.step, h.crack, h.tip), h)).collect(),
-            summary,
+            folder,
         })
     }
 
+    pub(super) fn summary(&self) -> &Summary {
+        &self.folder.summary
+    }
+
     pub(super) fn label(&self) -> RunLabel {
-        let summary = &self.summary;
+        let summary = self.summary();
         RunLabel {
-            folder: self.folder.clone(),
-            engine: summary.engine.clone(),
-            contact: summary.contact.clone(),
-            boundary: summary.boundary.clone(),
+            folder: self.folder.path.clone(),
+            engine: summary.engine,
+            contact: summary.contact,
+            boundary: summary.boundary,
             half_width_mm: summary.half_width_mm,
             steps_recorded: summary.steps_recorded,
-            stop: summary.stop.clone(),
+            stop: summary.stop,
             load_cycles: summary.load_cycles,
             wall_s: summary.wall_s,
         }
@@ -88,9 +91,9 @@ impl StoredRun {
     pub(super) fn history(&self, key: TipKey) -> Result<&History, OutputError> {
         self.histories.get(&key).ok_or_else(|| {
             let (step, crack, tip) = key;
-            let reason =
-                format!("has no row of step {step}, crack {crack}, tip {tip}, which {GROWTH_FILE} has");
-            OutputError::damaged(&self.folder.join(SIF_FILE), reason)
+            let (growth, sif) = (TipRow::FILE, self.folder.path.join(SifRow::FILE));
+            let reason = format!("has no row of step {step}, crack {crack}, tip {tip}, which {growth} has");
+            OutputError::damaged(&sif, reason)
         })
     }
 }

@@ -1,11 +1,16 @@
 //! A comparison as people read it.
 
-use super::{Comparison, Parting, SifDifference, TipComparison};
+use super::comparison::Comparison;
+use super::parting::Parting;
+use super::tip::{SifDifference, TipComparison};
+use crate::words::Word;
+use railcrack::growth::RunStop;
 use std::fmt::Write;
 
 impl Comparison {
-    /// What differs, for a terminal: runs, cases, a table with the tip that differs most in each step, where paths
-    /// part, and, where there is a `tolerance` (per cent of the largest |K| of the case), whether K is within it.
+    /// What differs, for a terminal: runs, cases, a table with the tip that differs most in each
+    /// step, where paths part, and, where there is a `tolerance` (per cent of the largest |K| of
+    /// the case), whether K is within it.
     pub fn text(&self, tolerance: Option<f64>) -> String {
         let mut text = self.runs_text();
         self.add_cases(&mut text);
@@ -32,9 +37,9 @@ impl Comparison {
     fn runs_text(&self) -> String {
         let mut text = String::new();
         for (run, name) in self.runs.iter().zip(["first ", "second"]) {
-            let stop = run.stop.as_deref().unwrap_or("not ended");
-            let (folder, engine, contact) = (run.folder.display(), &run.engine, &run.contact);
-            let (boundary, steps) = (&run.boundary, run.steps_recorded);
+            let stop = run.stop.map_or("not ended", RunStop::name);
+            let (folder, engine, contact) = (run.folder.display(), run.engine.name(), run.contact.name());
+            let (boundary, steps) = (run.boundary.word(), run.steps_recorded);
             add(
                 &mut text,
                 format_args!("{name}  {folder}: {engine}, {contact}, {boundary}; {steps} steps, {stop}"),
@@ -108,8 +113,7 @@ impl Comparison {
             Some(parting) => add(text, format_args!("{}", parting_text(parting))),
         }
         for tip in self.tips.iter().filter(|tip| tip.stops[0] != tip.stops[1]) {
-            let named = |stop: &str| if stop.is_empty() { "goes on".to_owned() } else { stop.to_owned() };
-            let [first, second] = tip.stops.each_ref().map(|stop| named(stop));
+            let [first, second] = tip.stops.map(|stop| stop.map_or("goes on", RunStop::name));
             let TipComparison { step, crack, tip, .. } = tip;
             add(text, format_args!("step {step}, crack {crack}, tip {tip}: {first} | {second}"));
         }
@@ -121,7 +125,7 @@ fn add(text: &mut String, line: std::fmt::Arguments) {
     let _ = writeln!(text, "{line}");
 }
 
-/// What orders the tips of a step: the largest difference of K.
+/// Order of the tips of a step: by the largest difference of K.
 fn badness(tip: &TipComparison) -> f64 {
     tip.sifs.map_or(tip.distance, |sifs| sifs.ki.largest.max(sifs.kii.largest))
 }

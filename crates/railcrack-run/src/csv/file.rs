@@ -5,14 +5,15 @@ use std::fs::{File, OpenOptions};
 use std::io::{Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
-/// The most bytes of one write: a kill between two writes leaves whole rows. Within a write it takes effect at the
-/// border of two pages of memory only, so a small write is hardly ever cut (3 in 2000 kills of a program that does
-/// nothing but write); what is cut, [`CsvFile::cut_back`] removes.
+/// The most bytes of one write: a kill between two writes leaves whole rows. Within a write it
+/// takes effect at the border of two pages of memory only, so a small write is hardly ever cut (3
+/// in 2000 kills of a program that does nothing but write); what is cut, [`CsvFile::cut_back`]
+/// removes.
 const CHUNK: usize = 4096;
 
 /// An open table of the run folder.
 #[derive(Debug)]
-pub struct CsvFile {
+pub(crate) struct CsvFile {
     path: PathBuf,
     file: File,
     length: u64,
@@ -20,14 +21,15 @@ pub struct CsvFile {
 
 impl CsvFile {
     /// A new table at `path` that holds `header` only, whatever was there.
-    pub fn create(path: &Path, header: &str) -> Result<Self, OutputError> {
+    pub(crate) fn create(path: &Path, header: &str) -> Result<Self, OutputError> {
         let mut table = Self::open(path, 0)?;
         table.append(header.as_bytes())?;
         Ok(table)
     }
 
-    /// The table at `path`, cut back to `length` bytes: what came after was written by a step that did not finish.
-    pub fn cut_back(path: &Path, length: u64) -> Result<Self, OutputError> {
+    /// The table at `path`, cut back to `length` bytes: what came after was written by a step that
+    /// did not finish.
+    pub(crate) fn cut_back(path: &Path, length: u64) -> Result<Self, OutputError> {
         let found = std::fs::metadata(path).map_err(OutputError::io("read", path))?.len();
         if found < length {
             let reason = format!("holds {found} bytes where the finished steps wrote {length}");
@@ -46,7 +48,7 @@ impl CsvFile {
     }
 
     /// Appends whole rows. On an error the table is cut back to what it held before.
-    pub fn append(&mut self, rows: &[u8]) -> Result<(), OutputError> {
+    pub(crate) fn append(&mut self, rows: &[u8]) -> Result<(), OutputError> {
         if let Err(reason) = write_whole_rows(&mut self.file, rows) {
             self.take_back(self.length);
             return Err(OutputError::Io { action: "write", path: self.path.clone(), reason });
@@ -55,25 +57,27 @@ impl CsvFile {
         Ok(())
     }
 
-    /// Takes rows back that should not have been appended: the table held `length` bytes before. Best effort, since there is another error to report.
-    pub fn take_back(&mut self, length: u64) {
+    /// Takes rows back that should not have been appended: the table held `length` bytes before.
+    /// Best effort, since there is another error to report.
+    pub(crate) fn take_back(&mut self, length: u64) {
         let _ = self.file.set_len(length);
         let _ = self.file.seek(SeekFrom::Start(length));
         self.length = length;
     }
 
     /// Waits until the disk has the rows: a checkpoint must not outlive what it counts on.
-    pub fn sync(&self) -> Result<(), OutputError> {
+    pub(crate) fn sync(&self) -> Result<(), OutputError> {
         self.file.sync_data().map_err(OutputError::io("write", &self.path))
     }
 
     /// Bytes in the table.
-    pub fn length(&self) -> u64 {
+    pub(crate) fn length(&self) -> u64 {
         self.length
     }
 }
 
-/// Writes `rows` by calls of at most [`CHUNK`] bytes that end with a row; a row longer than that goes alone.
+/// Writes `rows` by calls of at most [`CHUNK`] bytes that end with a row; a row longer than that
+/// goes alone.
 fn write_whole_rows(out: &mut impl Write, mut rows: &[u8]) -> std::io::Result<()> {
     while !rows.is_empty() {
         let window = &rows[..rows.len().min(CHUNK)];

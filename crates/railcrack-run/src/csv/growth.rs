@@ -1,71 +1,147 @@
 //! `growth.csv`: every tip at every step.
 
-use super::{Rows, header};
-use railcrack::growth::StepRecord;
+use super::table;
+use railcrack::growth::{RunStop, StepRecord, TipRecord};
 use railcrack::math::MPA_SQRT_MM;
+use serde::{Deserialize, Serialize};
 
-pub const GROWTH_FILE: &str = "growth.csv";
-
-/// Columns of `growth.csv`.
-pub const GROWTH_COLUMNS: [&str; 17] = [
-    "step",
-    "crack",
-    "tip",
-    "tip_x_mm",
-    "tip_y_mm",
-    "length_mm",
-    "ki_max_mpa_sqrt_m",
-    "delta_ki_mpa_sqrt_m",
-    "delta_kii_mpa_sqrt_m",
-    "delta_keq_mpa_sqrt_m",
-    "kink_angle_deg",
-    "rival_angle_deg",
-    "rival_ratio",
-    "increment_mm",
-    "rate_mm_per_cycle",
-    "load_cycles",
-    "stop",
-];
-
-pub fn growth_header() -> String {
-    header(
-        &[
-            "One row per step and tip: the state at the start of the step, and the increment that follows it",
-            "step: 0 is the initial geometry; crack: from 1; tip: from 1 within its crack",
-            "lengths and coordinates: mm, y upwards, the rail is y <= 0; length_mm: of the whole crack, with what waits at its tips",
-            "K: MPa sqrt(m), ranges over the stabilised passage, K_I clipped at zero",
-            "angles: degrees from straight ahead, counter-clockwise positive; empty: a tip that is not loaded, or no rival direction",
-            "rival_ratio: growth rate in the rival direction over the chosen one",
-            "load_cycles: axles up to the start of the step (explicit Euler); stop: why the tip, or in the last step the run, stopped",
-            "increments of a slow tip wait, and are put into its crack together: until then the tip stays where it is",
-        ],
-        &GROWTH_COLUMNS,
-    )
+table! {
+    /// A tip at the start of a growth step, and its increment, in the units of `growth.csv`.
+    #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+    pub struct TipRow in "growth.csv", [
+        "One row per step and tip: the state at the start of the step, and the increment that follows it",
+        "step: 0 is the initial geometry; crack: from 1; tip: from 1 within its crack",
+        "lengths and coordinates: mm, y upwards, the rail is y <= 0; length_mm: of the whole crack, with what waits at its tips",
+        "K: MPa sqrt(m), ranges over the stabilised passage, K_I clipped at zero",
+        "angles: degrees from straight ahead, counter-clockwise positive; empty: a tip that is not loaded, or no rival direction",
+        "rival_ratio: growth rate in the rival direction over the chosen one",
+        "load_cycles: axles up to the start of the step (explicit Euler); stop: why the tip, or in the last step the run, stopped",
+        "increments of a slow tip wait, and are put into its crack together: until then the tip stays where it is",
+    ] {
+        /// Which tip, when.
+        step: usize = "step";
+        /// Which tip, when.
+        crack: usize = "crack";
+        /// Which tip, when.
+        tip: usize = "tip";
+        /// Position of the tip, mm.
+        place: [f64; 2] = "tip_x_mm" "tip_y_mm";
+        /// Length of the whole crack along its path, mm, with the deferred growth at its tips.
+        length: f64 = "length_mm";
+        /// Largest K_I of the stabilised passage, MPa√m.
+        ki_max: f64 = "ki_max_mpa_sqrt_m";
+        /// Range of K_I, clipped at zero, MPa√m.
+        delta_ki: f64 = "delta_ki_mpa_sqrt_m";
+        /// Range of K_II, MPa√m.
+        delta_kii: f64 = "delta_kii_mpa_sqrt_m";
+        /// ΔK_eq of the actual tip, MPa√m.
+        delta_keq: f64 = "delta_keq_mpa_sqrt_m";
+        /// Chosen kink angle, degrees; empty for a tip that is not loaded.
+        kink_deg: Option<f64> = "kink_angle_deg";
+        /// Secondary maximum of the direction criterion: the best other local maximum at least 15°
+        /// away, degrees; empty if there is none.
+        rival_deg: Option<f64> = "rival_angle_deg";
+        /// Growth rate at the secondary maximum over that at the chosen angle; empty with it.
+        rival_ratio: Option<f64> = "rival_ratio";
+        /// Growth to the next step, mm; 0 in the last step and for a stopped tip. At coalescence
+        /// the increment ends on the other crack, and is negative if that crack lies across the
+        /// deferred growth.
+        increment: f64 = "increment_mm";
+        /// Rate da/dN, mm per load cycle.
+        rate: f64 = "rate_mm_per_cycle";
+        /// Load cycles up to the start of the step (explicit Euler).
+        load_cycles: f64 = "load_cycles";
+        /// Why the tip stopped; in the last step, for tips without a reason of their own, why the
+        /// run ended; else empty.
+        stop: Option<RunStop> = "stop";
+    }
 }
 
-/// Appends the rows of a step, tip by tip.
-pub fn growth_rows(rows: &mut Rows, record: &StepRecord) {
-    let [_, _, _, x, y, length, ki_max, dki, dkii, dkeq, kink, rival, ratio, increment, rate, cycles, _] =
-        GROWTH_COLUMNS;
-    for tip in &record.tips {
-        rows.count(record.step);
-        rows.count(tip.tip.crack + 1);
-        rows.count(tip.tip.tip + 1);
-        rows.real(x, tip.x);
-        rows.real(y, tip.y);
-        rows.real(length, tip.length);
-        rows.real(ki_max, tip.ki_max / MPA_SQRT_MM);
-        rows.real(dki, tip.delta_ki / MPA_SQRT_MM);
-        rows.real(dkii, tip.delta_kii / MPA_SQRT_MM);
-        rows.real(dkeq, tip.delta_keq / MPA_SQRT_MM);
-        rows.optional(kink, tip.kink.map(f64::to_degrees));
-        rows.optional(rival, tip.secondary.map(f64::to_degrees));
-        rows.optional(ratio, tip.secondary_ratio);
-        rows.real(increment, tip.increment);
-        rows.real(rate, tip.rate);
-        rows.real(cycles, record.load_cycles);
-        let own = tip.stop.map(|stop| stop.name());
-        rows.name(own.or(record.stop.map(|stop| stop.name())).unwrap_or(""));
-        rows.end();
+impl TipRow {
+    /// The rows of a step, tip by tip.
+    pub fn of_step(record: &StepRecord) -> impl Iterator<Item = Self> {
+        record.tips.iter().map(|tip| Self {
+            stop: tip.stop.map(RunStop::NoTipGrows).or(record.stop),
+            ..Self::of_tip(record.step, record.load_cycles, tip)
+        })
+    }
+
+    /// The row of `tip` in a growth step that begins after `load_cycles`.
+    pub fn of_tip(step: usize, load_cycles: f64, tip: &TipRecord) -> Self {
+        Self {
+            step,
+            crack: tip.tip.crack + 1,
+            tip: tip.tip.tip + 1,
+            place: [tip.x, tip.y],
+            length: tip.length,
+            ki_max: tip.ki_max / MPA_SQRT_MM,
+            delta_ki: tip.delta_ki / MPA_SQRT_MM,
+            delta_kii: tip.delta_kii / MPA_SQRT_MM,
+            delta_keq: tip.delta_keq / MPA_SQRT_MM,
+            kink_deg: tip.kink.map(f64::to_degrees),
+            rival_deg: tip.secondary.map(f64::to_degrees),
+            rival_ratio: tip.secondary_ratio,
+            increment: tip.increment,
+            rate: tip.rate,
+            load_cycles,
+            stop: tip.stop.map(RunStop::NoTipGrows),
+        }
+    }
+
+    /// Why the tip stopped, or in the last step the run, as the table has it; empty where neither
+    /// did.
+    pub fn stop_word(&self) -> &'static str {
+        self.stop.map_or("", RunStop::name)
+    }
+}
+
+/// Deferred growth (mm) of the tip of `row`: its increments since it came to where it is. `growth`
+/// holds all rows of the run.
+pub fn deferred_growth(growth: &[TipRow], row: &TipRow) -> f64 {
+    let before = growth
+        .iter()
+        .rev()
+        .filter(|other| other.step < row.step && (other.crack, other.tip) == (row.crack, row.tip));
+    before.take_while(|other| other.place == row.place).map(|other| other.increment).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn row(step: usize, tip: usize, x: f64, increment: f64) -> TipRow {
+        TipRow {
+            step,
+            crack: 1,
+            tip,
+            place: [x, -1.0],
+            length: 2.0,
+            ki_max: 0.0,
+            delta_ki: 0.0,
+            delta_kii: 0.0,
+            delta_keq: 0.0,
+            kink_deg: None,
+            rival_deg: None,
+            rival_ratio: None,
+            increment,
+            rate: 0.0,
+            load_cycles: 0.0,
+            stop: None,
+        }
+    }
+
+    #[test]
+    fn deferred_growth_is_the_increments_since_the_tip_moved() {
+        let growth: Vec<TipRow> = (0..6)
+            .flat_map(|step| {
+                let slow = if step < 2 { 0.0 } else { 1.0 };
+                [row(step, 1, step as f64, 1.0), row(step, 2, slow, 0.1 * (1 + step) as f64)]
+            })
+            .collect();
+        let expected = [0.0, 0.1, 0.0, 0.3, 0.3 + 0.4, 0.3 + 0.4 + 0.5];
+        for (pair, expected) in growth.chunks(2).zip(expected) {
+            assert_eq!(deferred_growth(&growth, &pair[0]), 0.0);
+            assert!((deferred_growth(&growth, &pair[1]) - expected).abs() < 1e-12, "step {}", pair[1].step);
+        }
     }
 }

@@ -1,190 +1,142 @@
-//! Reading the tables of a run back.
+//! Reading the tables of a run back, step by step.
 
+use super::fields::Layout;
+use super::table::Table;
 use crate::OutputError;
 use std::fs::File;
 use std::io::{BufRead, BufReader};
+use std::marker::PhantomData;
+use std::ops::Range;
 use std::path::Path;
+use std::sync::Arc;
 
-/// One row: the columns asked for, in the order asked for.
-pub struct Row<'a> {
-    path: &'a Path,
+/// The whole lines of a table behind its header. A last line without its end, left by a kill, is
+/// not a row.
+#[derive(Debug)]
+struct Lines {
+    layout: Arc<Layout>,
+    reader: BufReader<File>,
     line: usize,
-    columns: &'a [&'static str],
-    fields: &'a [&'a str],
+    text: String,
 }
 
-impl Row<'_> {
-    /// The text of the `i`-th column asked for.
-    pub fn text(&self, i: usize) -> &str {
-        self.fields[i]
+impl Lines {
+    fn open<T: Table>(path: &Path) -> Result<Self, OutputError> {
+        let file = File::open(path).map_err(OutputError::io("read", path))?;
+        let layout = Arc::new(Layout::of(path, &[], "")?);
+        let reader = BufReader::with_capacity(1 << 18, file);
+        let mut lines = Self { layout, reader, line: 0, text: String::new() };
+        let header = lines.advance()?.then(|| lines.text.trim_end().to_owned());
+        // A run that was killed before the header stood there has no row.
+        if let Some(header) = header {
+            lines.layout = Arc::new(Layout::of(path, T::COLUMNS, &header)?);
+        }
+        Ok(lines)
     }
 
-    /// A number that counts.
-    pub fn count(&self, i: usize) -> Result<usize, OutputError> {
-        self.fields[i].parse().map_err(|_| self.unreadable(i, "a whole number"))
-    }
-
-    /// A real number.
-    pub fn real(&self, i: usize) -> Result<f64, OutputError> {
-        let value = self.fields[i].parse().ok().filter(|value: &f64| value.is_finite());
-        value.ok_or_else(|| self.unreadable(i, "a finite number"))
-    }
-
-    /// A real number, or an empty field.
-    pub fn optional(&self, i: usize) -> Result<Option<f64>, OutputError> {
-        if self.fields[i].is_empty() { Ok(None) } else { self.real(i).map(Some) }
-    }
-
-    /// The error that the `i`-th column asked for should hold what is `accepted`.
-    pub fn unreadable(&self, i: usize, accepted: &str) -> OutputError {
-        let (line, column, found) = (self.line, self.columns[i], self.fields[i]);
-        OutputError::damaged(self.path, format!("line {line}: {column} is \"{found}\", not {accepted}"))
+    /// Reads the next line that is not a comment into `text`; false at the end.
+    fn advance(&mut self) -> Result<bool, OutputError> {
+        loop {
+            self.text.clear();
+            self.line += 1;
+            let read = self.reader.read_line(&mut self.text);
+            let read = read.map_err(OutputError::io("read", &self.layout.path))?;
+            if read == 0 || !self.text.ends_with('\n') {
+                return Ok(false);
+            }
+            if !self.text.starts_with('#') {
+                return Ok(true);
+            }
+        }
     }
 }
 
-/// Gives the rows of the table at `path` whose step is `wanted` to `take`, with the named `columns` only. The first
-/// column of the table must be the step. A last line without its end, left by a kill, is not a row.
-pub fn read_steps(
-    path: &Path,
-    columns: &[&'static str],
-    wanted: impl Fn(usize) -> bool,
-    mut take: impl FnMut(&Row) -> Result<(), OutputError>,
-) -> Result<(), OutputError> {
-    let file = File::open(path).map_err(OutputError::io("read", path))?;
-    let mut reader = BufReader::with_capacity(1 << 16, file);
-    let mut text = String::new();
-    let mut order: Option<Vec<usize>> = None;
-    for line in 1.. {
-        text.clear();
-        let read = reader.read_line(&mut text).map_err(OutputError::io("read", path))?;
-        if read == 0 || !text.ends_with('\n') {
-            break;
-        }
-        let row = text.trim_end();
-        if row.starts_with('#') {
-            continue;
-        }
-        let Some(order) = &order else {
-            order = Some(find_columns(path, row, columns)?);
-            continue;
-        };
-        let step = row.split(',').next().and_then(|step| step.parse().ok());
-        let step = step.ok_or_else(|| OutputError::damaged(path, format!("line {line}: no step number")))?;
-        if !wanted(step) {
-            continue;
-        }
-        let all: Vec<&str> = row.split(',').collect();
-        let fields: Option<Vec<&str>> = order.iter().map(|&place| all.get(place).copied()).collect();
-        let fields =
-            fields.ok_or_else(|| OutputError::damaged(path, format!("line {line}: {} fields", all.len())))?;
-        take(&Row { path, line, columns, fields: &fields })?;
-    }
-    Ok(())
-}
-
-/// The named `columns` of the table at `path`, all of them numbers, row by row. A last line without its end is not a row.
-pub fn read_columns<const N: usize>(
-    path: &Path,
-    columns: &[&'static str; N],
-) -> Result<Vec<[f64; N]>, OutputError> {
-    let text = std::fs::read_to_string(path).map_err(OutputError::io("read", path))?;
-    let whole = text.rfind('\n').map_or("", |end| &text[..end]);
-    let mut lines = whole.lines().enumerate().filter(|(_, line)| !line.starts_with('#'));
-    let header = lines.next().map_or("", |(_, header)| header);
-    let order = find_columns(path, header, columns)?;
+/// All rows of the table in `folder`.
+///
+/// Errors: the table is damaged; the system refuses.
+pub fn read_table<T: Table>(folder: &Path) -> Result<Vec<T>, OutputError> {
+    let mut lines = Lines::open::<T>(&folder.join(T::FILE))?;
     let mut rows = Vec::new();
-    for (i, line) in lines {
-        let all: Vec<&str> = line.split(',').collect();
-        let fields: Option<Vec<&str>> = order.iter().map(|&place| all.get(place).copied()).collect();
-        let missing = || OutputError::damaged(path, format!("line {}: {} fields", i + 1, all.len()));
-        let row = Row { path, line: i + 1, columns, fields: &fields.ok_or_else(missing)? };
-        let mut values = [0.0; N];
-        for (c, value) in values.iter_mut().enumerate() {
-            *value = row.real(c)?;
-        }
-        rows.push(values);
+    while lines.advance()? {
+        rows.push(T::take(&mut lines.layout.fields(lines.line, lines.text.trim_end(), &mut Vec::new())?)?);
     }
     Ok(rows)
 }
 
-/// The rows of one step as they stand in a table.
-pub struct StepBlock<'a> {
-    path: &'a Path,
-    columns: &'a [&'static str],
-    order: Vec<usize>,
+/// The rows of one growth step as they stand in a table: several threads can read blocks at once.
+#[derive(Debug)]
+pub struct StepBlock<T> {
+    layout: Arc<Layout>,
     /// Number of its first line in the table.
     line: usize,
-    /// The step.
+    /// The growth step.
     pub step: usize,
     text: String,
+    row: PhantomData<fn() -> T>,
 }
 
-impl StepBlock<'_> {
-    /// Gives the rows to `take`, with the columns asked for only.
-    pub fn rows(&self, mut take: impl FnMut(&Row) -> Result<(), OutputError>) -> Result<(), OutputError> {
-        let mut all = Vec::with_capacity(16);
-        let mut fields = Vec::with_capacity(self.order.len());
-        for (i, row) in self.text.lines().enumerate() {
-            let line = self.line + i;
-            all.clear();
-            all.extend(row.split(','));
-            fields.clear();
-            for &place in &self.order {
-                let field = all.get(place).copied();
-                let missing =
-                    || OutputError::damaged(self.path, format!("line {line}: {} fields", all.len()));
-                fields.push(field.ok_or_else(missing)?);
+impl<T: Table> StepBlock<T> {
+    /// Its rows, each an error where it is damaged.
+    pub fn rows(&self) -> impl Iterator<Item = Result<T, OutputError>> {
+        let row =
+            |(i, text)| T::take(&mut self.layout.fields(self.line + i, text, &mut Vec::with_capacity(16))?);
+        self.text.lines().enumerate().map(row)
+    }
+}
+
+/// A table whose first column is the growth step, read step by step: the rows of a step stand
+/// together.
+#[derive(Debug)]
+pub struct StepBlocks<T> {
+    lines: Lines,
+    steps: Range<usize>,
+    next: Option<StepBlock<T>>,
+}
+
+impl<T: Table> StepBlocks<T> {
+    /// The table in the run folder `folder`, of the growth steps `steps`.
+    ///
+    /// Errors: a column is missing; the system refuses.
+    pub fn open(folder: &Path, steps: Range<usize>) -> Result<Self, OutputError> {
+        Ok(Self { lines: Lines::open::<T>(&folder.join(T::FILE))?, steps, next: None })
+    }
+
+    /// All rows of these steps.
+    ///
+    /// Errors: a row is damaged; the system refuses.
+    pub fn read(self) -> Result<Vec<T>, OutputError> {
+        let mut rows = Vec::new();
+        for block in self {
+            for row in block?.rows() {
+                rows.push(row?);
             }
-            take(&Row { path: self.path, line, columns: self.columns, fields: &fields })?;
         }
-        Ok(())
+        Ok(rows)
+    }
+
+    fn next_block(&mut self) -> Result<Option<StepBlock<T>>, OutputError> {
+        while self.lines.advance()? {
+            let Lines { layout, line, text, .. } = &self.lines;
+            let step = text.split(',').next().and_then(|step| step.parse().ok());
+            let step = step.ok_or_else(|| layout.damaged(format!("line {line}: no step number")))?;
+            let finished = self.next.take_if(|block| block.step != step);
+            if self.steps.contains(&step) {
+                let (layout, line) = (layout.clone(), *line);
+                let new = || StepBlock { layout, line, step, text: String::new(), row: PhantomData };
+                self.next.get_or_insert_with(new).text.push_str(text);
+            }
+            if finished.is_some() {
+                return Ok(finished);
+            }
+        }
+        Ok(self.next.take())
     }
 }
 
-/// Gives the rows of the table at `path` step by step, of the steps that are `wanted`, to `take`: blocks can be read by
-/// several threads. Rules as for [`read_steps`]; the rows of a step must stand together.
-pub fn read_step_blocks<'a>(
-    path: &'a Path,
-    columns: &'a [&'static str],
-    wanted: impl Fn(usize) -> bool,
-    mut take: impl FnMut(StepBlock<'a>) -> Result<(), OutputError>,
-) -> Result<(), OutputError> {
-    let file = File::open(path).map_err(OutputError::io("read", path))?;
-    let mut reader = BufReader::with_capacity(1 << 18, file);
-    let mut order: Option<Vec<usize>> = None;
-    let mut block: Option<StepBlock> = None;
-    let mut text = String::new();
-    for line in 1.. {
-        text.clear();
-        let read = reader.read_line(&mut text).map_err(OutputError::io("read", path))?;
-        if read == 0 || !text.ends_with('\n') {
-            break;
-        }
-        if text.starts_with('#') {
-            continue;
-        }
-        let Some(order) = &order else {
-            order = Some(find_columns(path, text.trim_end(), columns)?);
-            continue;
-        };
-        let step = text.split(',').next().and_then(|step| step.parse().ok());
-        let step = step.ok_or_else(|| OutputError::damaged(path, format!("line {line}: no step number")))?;
-        if let Some(finished) = block.take_if(|block| block.step != step) {
-            take(finished)?;
-        }
-        if wanted(step) {
-            let new = || StepBlock { path, columns, order: order.clone(), line, step, text: String::new() };
-            block.get_or_insert_with(new).text.push_str(&text);
-        }
-    }
-    block.map_or(Ok(()), take)
-}
+impl<T: Table> Iterator for StepBlocks<T> {
+    type Item = Result<StepBlock<T>, OutputError>;
 
-fn find_columns(path: &Path, header: &str, columns: &[&'static str]) -> Result<Vec<usize>, OutputError> {
-    let present: Vec<&str> = header.split(',').collect();
-    let place = |column: &&'static str| {
-        let found = present.iter().position(|name| name == column);
-        found.ok_or_else(|| OutputError::damaged(path, format!("no column {column}")))
-    };
-    columns.iter().map(place).collect()
+    fn next(&mut self) -> Option<Self::Item> {
+        self.next_block().transpose()
+    }
 }

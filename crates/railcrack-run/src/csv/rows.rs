@@ -5,12 +5,24 @@ use crate::OutputError;
 /// Rows under construction. Fields are pushed left to right; [`Rows::end`] closes a row.
 #[derive(Debug, Default)]
 pub struct Rows {
+    /// Sections of the case that bring columns of their own.
+    sections: &'static [&'static str],
     text: Vec<u8>,
     row_start: usize,
     not_finite: Option<(&'static str, f64, String)>,
 }
 
 impl Rows {
+    /// Rows of a run whose case has `sections`.
+    pub fn with_sections(sections: &'static [&'static str]) -> Self {
+        Self { sections, ..Self::default() }
+    }
+
+    /// Whether the case has `section`, whose columns are then there.
+    pub fn has(&self, section: &str) -> bool {
+        self.sections.contains(&section)
+    }
+
     /// Forgets the rows and keeps the memory.
     pub fn clear(&mut self) {
         self.text.clear();
@@ -50,18 +62,19 @@ impl Rows {
         self.text.push(b',');
     }
 
-    /// The real number of `column`, or an empty field.
-    pub fn optional(&mut self, column: &'static str, value: Option<f64>) {
-        match value {
-            Some(value) => self.real(column, value),
-            None => self.text.push(b','),
-        }
-    }
-
-    /// A name without commas, or several fields that are already text.
+    /// A name without commas.
     pub fn name(&mut self, name: &str) {
         self.text.extend_from_slice(name.as_bytes());
         self.text.push(b',');
+    }
+
+    /// A text, in quotes where it has commas, quotes or line ends (RFC 4180).
+    pub fn quoted(&mut self, text: &str) {
+        if text.contains([',', '"', '\n', '\r', '#']) {
+            self.name(&format!("\"{}\"", text.replace('"', "\"\"").replace(['\n', '\r'], " ")));
+        } else {
+            self.name(text);
+        }
     }
 
     /// Closes the row.
@@ -94,7 +107,7 @@ mod tests {
         for value in values {
             rows.count(usize::MAX);
             rows.real("value", value);
-            rows.optional("none", None);
+            rows.name("");
             rows.end();
         }
         let text = String::from_utf8(rows.text("test.csv").unwrap().to_vec()).unwrap();
@@ -104,6 +117,17 @@ mod tests {
             let read: f64 = line.split(',').nth(1).unwrap().parse().unwrap();
             assert_eq!(read.to_bits(), value.to_bits(), "{line}");
         }
+    }
+
+    #[test]
+    fn fields_with_commas_are_quoted() {
+        let mut rows = Rows::default();
+        for text in ["0.025", "[[0.0, 0.0], [4.0, -1.0]]", "a \"b\"\nc"] {
+            rows.quoted(text);
+        }
+        rows.end();
+        let text = rows.text("test.csv").unwrap();
+        assert_eq!(text, b"0.025,\"[[0.0, 0.0], [4.0, -1.0]]\",\"a \"\"b\"\" c\"\n");
     }
 
     #[test]

@@ -1,61 +1,73 @@
 //! `sif.csv`: K_I and K_II of every tip at every wheel position.
 
-use super::{Rows, header};
+use super::table;
 use railcrack::growth::StepRecord;
-use railcrack::math::MPA_SQRT_MM;
 
-pub const SIF_FILE: &str = "sif.csv";
+table! {
+    /// K of a tip at a wheel position, in the units of `sif.csv`.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub struct SifRow in "sif.csv", [
+        "Stress intensity factors of every tip at every wheel position, all passages of each step",
+        "step: 0 is the initial geometry; passage, position, crack: from 1; tip: from 1 within its crack",
+        "the last passage of a step is the stabilised one",
+        "xc_mm: abscissa of the Hertz centre, mm; xc_over_a: from the first crack's mouth (its initial first point if buried), over the half-width a",
+        "ki, kii: MPa sqrt(m); K_II > 0: shear stress > 0 ahead of the tip, the + face moves along the crack's walk",
+    ] {
+        /// Growth step.
+        step: usize = "step";
+        /// Passage on the fixed cracks; the last one of a step is the stabilised passage.
+        passage: usize = "passage";
+        /// Which tip.
+        crack: usize = "crack";
+        /// Which tip.
+        tip: usize = "tip";
+        /// Number of the wheel position, in the order of travel.
+        position: usize = "position";
+        /// Abscissa of the contact centre, mm.
+        xc: f64 = "xc_mm";
+        /// (x_c − x_m)/a: x_m the mouth of the first crack in step 0 (its first point if it is
+        /// buried), a the half-width of the contact.
+        xc_over_a: f64 = "xc_over_a";
+        /// K_I, MPa√m.
+        ki: f64 = "ki_mpa_sqrt_m";
+        /// K_II, MPa√m.
+        kii: f64 = "kii_mpa_sqrt_m";
+    }
+}
 
-/// Columns of `sif.csv`.
-pub const SIF_COLUMNS: [&str; 9] =
-    ["step", "passage", "crack", "tip", "position", "xc_mm", "xc_over_a", "ki_mpa_sqrt_m", "kii_mpa_sqrt_m"];
-
-/// What `xc_over_a` is measured by.
+/// Scale of the wheel positions x_c/a.
 #[derive(Debug, Clone, Copy)]
 pub struct SifScale {
-    /// Mouth of the first crack in the initial geometry (its first point where it is buried), mm.
+    /// Mouth of the first crack in the initial geometry (its first point if it is buried), mm.
     pub origin: f64,
     /// Half-width a of the wheel contact, mm.
     pub half_width: f64,
 }
 
 impl SifScale {
-    /// `xc_over_a` of the wheel position `xc`, mm.
-    pub fn over_a(self, xc: f64) -> f64 {
+    /// x_c/a of the wheel position `xc`, mm.
+    fn over_a(self, xc: f64) -> f64 {
         (xc - self.origin) / self.half_width
     }
 }
 
-pub fn sif_header() -> String {
-    header(
-        &[
-            "Stress intensity factors of every tip at every wheel position, all passages of each step",
-            "step: 0 is the initial geometry; passage, position, crack: from 1; tip: from 1 within its crack",
-            "the last passage of a step is the stabilised one",
-            "xc_mm: abscissa of the Hertz centre, mm; xc_over_a: from the first crack's mouth (its initial first point if buried), over the half-width a",
-            "ki, kii: MPa sqrt(m); K_II > 0: shear stress > 0 ahead of the tip, the + face moves along the crack's walk",
-        ],
-        &SIF_COLUMNS,
-    )
-}
-
-/// Appends the rows of a step: passage by passage, tip by tip, position by position.
-pub fn sif_rows(rows: &mut Rows, record: &StepRecord, scale: SifScale) {
-    let [_, _, _, _, _, xc_mm, xc_over_a, ki, kii] = SIF_COLUMNS;
-    for (p, passage) in record.passages.iter().enumerate() {
-        for (tip, history) in record.tips.iter().zip(&passage.sifs) {
-            for (i, (&xc, sif)) in passage.xc.iter().zip(history).enumerate() {
-                rows.count(record.step);
-                rows.count(p + 1);
-                rows.count(tip.tip.crack + 1);
-                rows.count(tip.tip.tip + 1);
-                rows.count(i + 1);
-                rows.real(xc_mm, xc);
-                rows.real(xc_over_a, scale.over_a(xc));
-                rows.real(ki, sif.ki_mpa_sqrt_m());
-                rows.real(kii, sif.kii_mpa_sqrt_m());
-                rows.end();
-            }
-        }
+impl SifRow {
+    /// The rows of a step: passage by passage, tip by tip, position by position.
+    pub fn of_step(record: &StepRecord, scale: SifScale) -> impl Iterator<Item = Self> {
+        record.passages.iter().enumerate().flat_map(move |(p, passage)| {
+            record.tips.iter().zip(&passage.sifs).flat_map(move |(tip, history)| {
+                passage.xc.iter().zip(history).enumerate().map(move |(i, (&xc, sif))| Self {
+                    step: record.step,
+                    passage: p + 1,
+                    crack: tip.tip.crack + 1,
+                    tip: tip.tip.tip + 1,
+                    position: i + 1,
+                    xc,
+                    xc_over_a: scale.over_a(xc),
+                    ki: sif.ki_mpa_sqrt_m(),
+                    kii: sif.kii_mpa_sqrt_m(),
+                })
+            })
+        })
     }
 }

@@ -1,21 +1,22 @@
 //! The loop of a run: compute a step, write it, say so.
 
-use super::{RunError, RunObserver};
+use super::error::RunError;
+use super::observer::RunObserver;
 use crate::{OutputError, Recorder, Summary};
 use railcrack::growth::{Growth, GrowthError, GrowthState, Observer, StepRecord};
 use std::sync::mpsc::{SyncSender, sync_channel};
 
-/// What computes steps: [`Growth`], and synthetic runs in tests.
+/// Source of growth steps: [`Growth`], and synthetic runs in tests.
 pub trait StepSource {
     /// The next step; none when the run has ended. On an error the state is that before the step.
-    fn next_step(&mut self, watch: &dyn Observer) -> Result<Option<StepRecord>, GrowthError>;
+    fn next_step(&mut self, observer: &dyn Observer) -> Result<Option<StepRecord>, GrowthError>;
     /// The state after the last computed step.
     fn state(&self) -> &GrowthState;
 }
 
 impl StepSource for Growth {
-    fn next_step(&mut self, watch: &dyn Observer) -> Result<Option<StepRecord>, GrowthError> {
-        Growth::next_step(self, watch)
+    fn next_step(&mut self, observer: &dyn Observer) -> Result<Option<StepRecord>, GrowthError> {
+        Growth::next_step(self, observer)
     }
 
     fn state(&self) -> &GrowthState {
@@ -45,11 +46,11 @@ impl Observer for OfSteps<'_> {
     }
 }
 
-/// Computes the steps of `source` into `recorder` until the run ends or is interrupted, and writes summary and plots. What the
-/// computation held is free before these are built.
+/// Computes the steps of `source` into `recorder` until the run ends or is interrupted, and writes
+/// summary and plots. What the computation held is free before these are built.
 ///
-/// Errors: a step cannot be computed (the steps before it are kept, with summary and plots); the system refuses to
-/// write.
+/// Errors: a step cannot be computed (the steps before it are kept, with summary and plots); the
+/// system refuses to write.
 pub(super) fn drive(
     source: impl StepSource,
     recorder: &mut Recorder,
@@ -96,7 +97,8 @@ fn compute(
     })
 }
 
-/// Computes steps into `finished` until the run ends, is interrupted or fails, or nobody takes them any more.
+/// Computes steps into `finished` until the run ends, is interrupted or fails, or nobody takes them
+/// any more.
 fn compute_into(
     mut source: impl StepSource,
     observer: &dyn RunObserver,

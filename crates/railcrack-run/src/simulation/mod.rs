@@ -2,6 +2,7 @@
 
 mod drive;
 mod error;
+mod job;
 mod observer;
 mod residual_stress;
 mod rolling;
@@ -10,8 +11,9 @@ mod sweep;
 
 pub use drive::{Ending, StepSource};
 pub use error::RunError;
+pub use job::{Job, Stage, case_files};
 pub use observer::{RunObserver, Silent, StudyObserver};
 pub use residual_stress::{Residual, plastic_stress_left_out};
 pub use rolling::{pass_text, roll};
-pub use run::{Finished, Job, RunEntry, Simulation, Stage, case_files, run_steps};
+pub use run::{Finished, RunEntry, Simulation, run_steps};
 pub use sweep::{FailedRun, StudyComputation, study_plan};

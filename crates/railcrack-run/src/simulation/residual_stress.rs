@@ -1,10 +1,13 @@
 //! The residual stress of a run: the stages before its first step.
 
+use super::error::RunError;
+use super::job::Stage;
+use super::observer::RunObserver;
 use super::rolling::{pass_text, roll};
-use super::{RunError, RunObserver, Stage};
-use crate::rolled::{PLASTIC_FILE, SHAKEDOWN_FILE, ShakedownSummary};
+use crate::files::{PLASTIC_FILE, ROLLED_FOLDER, SHAKEDOWN_FILE};
+use crate::shakedown::ShakedownSummary;
 use crate::{
-    Existing, OutputError, ProjectionSummary, ROLLED_FOLDER, Recorder, ReleaseSummary, ResidualRow,
+    Existing, OutputError, PlasticOrigin, ProjectionSummary, Recorder, ReleaseSummary, ResidualRow,
     ResidualSummary, RolledSummary,
 };
 use railcrack::math::Vec2;
@@ -15,7 +18,7 @@ use railcrack_vtu::read_vtu;
 use std::path::Path;
 use std::time::Instant;
 
-/// What the run folder says of the residual stress.
+/// Residual stress of a run, for its folder.
 #[derive(Debug)]
 pub struct Residual {
     /// `residual.csv`.
@@ -36,9 +39,11 @@ impl Residual {
     }
 }
 
-/// Computes the plastic state of the rolled rail where the case wants it, and balances what the rail carries.
+/// Computes the plastic state of the rolled rail where the case wants it, and balances what the
+/// rail carries.
 ///
-/// Errors: the plastic state cannot be computed, written or read back; the residual stress cannot be balanced.
+/// Errors: the plastic state cannot be computed, written or read back; the residual stress cannot
+/// be balanced.
 pub(super) fn prepare<'a>(
     case: &'a Case,
     stage: &Stage,
@@ -60,7 +65,7 @@ pub(super) fn prepare<'a>(
     notes.extend(carried.release.map(release_note));
     let summary = ResidualSummary {
         balanced_profile: case.residual_stress.as_ref().map(|file| file.given_name().into()),
-        plastic_source: case.plastic_stress.as_ref().map(|source| source.name().into()),
+        plastic_source: case.plastic_stress.as_ref().map(origin),
         rolled,
         projection: carried.projection.map(|projection| ProjectionSummary {
             nodes_norm_ratio: projection.recovery.map(|loss| loss.norm_ratio),
@@ -81,6 +86,14 @@ pub(super) fn prepare<'a>(
     Ok((prepared, Some(Residual { rows, summary })))
 }
 
+fn origin(source: &PlasticSource) -> PlasticOrigin {
+    match source {
+        PlasticSource::Field(_) => PlasticOrigin::Field,
+        PlasticSource::Profile(_) => PlasticOrigin::Profile,
+        PlasticSource::Rolled => PlasticOrigin::Rolled,
+    }
+}
+
 /// The stress on the middle line; none where the rail carries none.
 fn rows(case: &Case, carried: &CarriedStress) -> Option<Vec<ResidualRow>> {
     let field = carried.field.as_ref()?;
@@ -88,7 +101,8 @@ fn rows(case: &Case, carried: &CarriedStress) -> Option<Vec<ResidualRow>> {
     Some(carried.depths.iter().map(at).collect())
 }
 
-/// The stabilised state of the rail, in a folder of its own: computed, or taken from there by a run that goes on.
+/// The stabilised state of the rail, in a folder of its own: computed, or taken from there by a run
+/// that goes on.
 fn rolled_state(case: &Case, stage: &Stage) -> Result<(PlasticField, ShakedownSummary), RunError> {
     let folder = stage.folder.join(ROLLED_FOLDER);
     let stored = match stage.state {
@@ -116,7 +130,7 @@ fn stored(folder: &Path) -> Option<ShakedownSummary> {
 }
 
 fn rolled_summary(summary: &ShakedownSummary, notes: &mut Vec<String>) -> RolledSummary {
-    if summary.state == RailState::PlasticShakedown.name() {
+    if summary.state == RailState::PlasticShakedown {
         notes.push(
             "plastic shakedown: the rail yields in every passage, and the crack is given the stress between passages".into(),
         );
@@ -124,7 +138,7 @@ fn rolled_summary(summary: &ShakedownSummary, notes: &mut Vec<String>) -> Rolled
     notes.extend(summary.warnings.iter().cloned());
     RolledSummary {
         folder: ROLLED_FOLDER.into(),
-        state: summary.state.clone(),
+        state: summary.state,
         passes: summary.passes,
         p0_over_k: summary.p0_over_k,
     }

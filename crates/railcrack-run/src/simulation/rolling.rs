@@ -1,7 +1,8 @@
 //! The stabilised plastic state of a rolled rail, computed into a folder.
 
-use super::{RunError, case_files};
-use crate::rolled::{Extent, ShakedownRecorder, ShakedownResults, ShakedownSummary};
+use super::error::RunError;
+use super::job::case_files;
+use crate::shakedown::{Extent, ShakedownRecorder, ShakedownResults, ShakedownSummary};
 use crate::{Existing, Presentation};
 use railcrack::fatigue::Initiation;
 use railcrack::shakedown::{
@@ -19,7 +20,8 @@ const BOUNDS_DEPTH: f64 = 3.0;
 const MAP: usize = 21;
 const MAP_FRICTION: f64 = 0.5;
 
-/// Computes the stabilised state of the rail of `case` into `folder`, telling `watch` of every passage.
+/// Computes the stabilised state of the rail of `case` into `folder`, telling `observe` of every
+/// passage.
 ///
 /// Errors: a rail that has no such state; the folder cannot be written.
 pub fn roll(
@@ -27,7 +29,7 @@ pub fn roll(
     folder: &Path,
     existing: Existing,
     presentation: &dyn Presentation,
-    mut watch: impl FnMut(&PassRecord),
+    mut observe: impl FnMut(&PassRecord),
 ) -> Result<ShakedownSummary, RunError> {
     let (rail, settings) = (case.rolled_rail(), case.stabilisation());
     check_rail(&rail)?;
@@ -35,7 +37,7 @@ pub fn roll(
     let mut recorder = ShakedownRecorder::start(folder, &case_files(case), existing)?;
     let mut refused = None;
     let stabilised = stabilise(&rail, &settings, |pass| {
-        watch(pass);
+        observe(pass);
         if refused.is_none() {
             refused = recorder.pass(pass).err();
         }
@@ -56,7 +58,7 @@ fn results(
     settings: &Stabilisation,
     started: Instant,
 ) -> Result<ShakedownResults, RunError> {
-    // What the direct method leaves out is shown beside it.
+    // The history that the direct method leaves out is shown beside it.
     let pass_by_pass = match settings.method {
         Method::PassByPass => None,
         Method::Direct => {

@@ -1,14 +1,16 @@
 //! One run: from a case to its folder.
 
-use super::drive::drive;
+use super::drive::{Ending, StepSource, drive};
+use super::error::RunError;
+use super::job::{Job, Stage};
+use super::observer::{RunObserver, Silent};
 use super::residual_stress::{Residual, prepare};
-use super::{Ending, RunError, RunObserver, Silent, StepSource};
-use crate::{CaseFiles, Existing, OutputError, Presentation, Recorder, RunInfo, Summary, TablesOnly};
+use crate::{Existing, OutputError, Presentation, Recorder, Summary, TablesOnly};
 use railcrack::growth::GrowthState;
 use railcrack_case::{Case, SharedRail};
 use std::path::{Path, PathBuf};
 
-/// What a run does with the folder that it is to write.
+/// Way in which a run enters its folder.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RunEntry {
     /// Begins; a folder that holds a run is left alone: an error.
@@ -56,8 +58,8 @@ impl<'a> Simulation<'a> {
 
     /// Computes the run into `folder`, step by step, until it ends or is interrupted.
     ///
-    /// Errors: the folder may not be written, holds another run or is damaged; the plastic state or a step cannot be
-    /// computed (the steps before it are kept).
+    /// Errors: the folder may not be written, holds another run or is damaged; the plastic state or
+    /// a step cannot be computed (the steps before it are kept).
     pub fn run_in(&self, folder: &Path, entry: RunEntry) -> Result<Finished, RunError> {
         let job = Job::of(self.case);
         run_steps(folder, entry, job, self.observer, self.presentation, |stage| {
@@ -66,53 +68,6 @@ impl<'a> Simulation<'a> {
             Ok((prepared.growth(stage.state), residual))
         })
     }
-}
-
-/// What a run starts from.
-pub struct Stage<'a> {
-    /// The run folder.
-    pub folder: &'a Path,
-    /// Who is told of the run.
-    pub observer: &'a dyn RunObserver,
-    /// Who makes plots and pages.
-    pub presentation: &'a dyn Presentation,
-    /// What another run computed already.
-    pub shared: Option<&'a SharedRail>,
-    /// The state to go on from; none at the beginning.
-    pub state: Option<GrowthState>,
-}
-
-/// What the case says of a run before anything is computed.
-#[derive(Debug)]
-pub struct Job {
-    /// `case.toml` and the files that it names.
-    pub case: CaseFiles,
-    /// What the files say of the run.
-    pub info: RunInfo,
-}
-
-impl Job {
-    /// The run of `case`.
-    pub fn of(case: &Case) -> Self {
-        Self {
-            case: case_files(case),
-            info: RunInfo {
-                title: case.title.clone(),
-                engine: case.engine.name().into(),
-                contact: case.contact_solver.name().into(),
-                boundary: case.rail.boundary_name(),
-                half_width: case.contact.half_width,
-                axle_load: case.axle_load,
-                warnings: Vec::new(),
-            },
-        }
-    }
-}
-
-/// `case.toml` and the files that it names.
-pub fn case_files(case: &Case) -> CaseFiles {
-    let companions = case.companions().into_iter().map(|file| (file.name.into(), file.text.into())).collect();
-    CaseFiles { toml: case.to_toml(), companions }
 }
 
 /// A run that came to an end or was interrupted.
@@ -126,8 +81,8 @@ pub struct Finished {
     pub folder: PathBuf,
 }
 
-/// Runs `job` in `folder`: checks and prepares the folder, then has `start` build what computes the steps with the
-/// residual stress that the rail carries, and writes step by step.
+/// Runs `job` in `folder`: checks and prepares the folder, then has `start` build what computes the
+/// steps with the residual stress that the rail carries, and writes step by step.
 ///
 /// Errors: see [`Simulation::run_in`].
 pub fn run_steps<S: StepSource>(

@@ -1,9 +1,13 @@
 //! The runs of a study, side by side.
 
-use super::{Ending, RunEntry, RunError, Simulation, StudyObserver};
+use super::drive::Ending;
+use super::error::RunError;
+use super::observer::StudyObserver;
+use super::run::{RunEntry, Simulation};
 use crate::queue::{NextRun, RunQueue, WaitingRun};
 use crate::study::{Outcome, PlannedRun, RunEnd, StudyAxis, StudyFolder, StudyKey, StudyPlan};
 use crate::{OutputError, Presentation, Summary, VERSION};
+use railcrack::growth::RunStop;
 use railcrack::shakedown::ShakedownError;
 use railcrack_case::{Axis, Study, StudyRun, Variation};
 use std::sync::{Mutex, PoisonError};
@@ -34,8 +38,8 @@ pub struct FailedRun {
 }
 
 impl StudyComputation<'_> {
-    /// Computes the runs `waiting` (indices) on `threads` threads: one run each, and where there are fewer runs than
-    /// threads, several threads for each. Those that failed.
+    /// Computes the runs `waiting` (indices) on `threads` threads: one run each, and where there
+    /// are fewer runs than threads, several threads for each. Those that failed.
     ///
     /// Errors: the system refuses threads.
     pub fn compute(&self, waiting: &[usize], threads: usize) -> Result<Vec<FailedRun>, RunError> {
@@ -77,8 +81,8 @@ impl StudyComputation<'_> {
         Ok(failed.into_inner().unwrap_or_else(PoisonError::into_inner))
     }
 
-    /// Computes a run, or what is missing of it, into its run folder, and remembers there how it ended. One that is
-    /// interrupted has no end yet.
+    /// Computes a run, or what is missing of it, into its run folder, and remembers there how it
+    /// ended. One that is interrupted has no end yet.
     fn compute_run(&self, next: &NextRun) -> Option<FailedRun> {
         let (run, planned) = (&self.study.runs[next.run], &self.folder.plan().runs[next.run]);
         let computed = self.steps(run, planned, next);
@@ -111,7 +115,8 @@ impl StudyComputation<'_> {
 }
 
 impl StudyFolder {
-    /// The runs of `study` with the numbers `own` that are still to be computed (indices), and those that failed before for good.
+    /// The runs of `study` with the numbers `own` that are still to be computed (indices), and
+    /// those that failed before for good.
     ///
     /// Errors: a file of a run is damaged; the system refuses.
     pub fn left_to_do(
@@ -156,11 +161,12 @@ fn end_of(error: &RunError) -> RunEnd {
 }
 
 fn done(summary: &Summary) -> String {
-    let stop = summary.stop.as_deref().unwrap_or("ended");
+    let stop = summary.stop.map_or("ended", RunStop::name);
     format!("{stop} at step {}, {:.1} s", summary.steps, summary.wall_s)
 }
 
-/// The study as its folder remembers it; `options` are those of the command line that change what is computed.
+/// The study as its folder remembers it; `options` are those of the command line that change what
+/// is computed.
 pub fn study_plan(study: &Study, options: Vec<String>) -> StudyPlan {
     let axis = |axis: &Axis| {
         let key = |variation: &Variation| StudyKey {

@@ -1,13 +1,17 @@
 //! The folder of a study: entered by one process or by several at once.
 
-use super::outcome::{OUTCOME_FILE, Outcome};
+use super::outcome::Outcome;
 use super::plan::{PlannedRun, StudyPlan};
-use crate::folder::{clear_run, read_if_there, remove, run_file_in, run_file_in_study};
-use crate::{CaseFiles, OutputError, Recorder};
+use crate::case_files::CaseFiles;
+use crate::files::{OUTCOME_FILE, PLAN_FILE};
+use crate::folder::{
+    clear_run, json_text, read_if_there, read_json_if_there, remove, run_file_in, run_file_in_study,
+};
+use crate::same_case::check_case;
+use crate::{OutputError, RunFolder};
 use std::path::{Path, PathBuf};
 use std::time::{SystemTime, UNIX_EPOCH};
 
-pub const PLAN_FILE: &str = "study.json";
 const STUDY_FILE: &str = "study.toml";
 const RUNS_FOLDER: &str = "runs";
 
@@ -28,8 +32,8 @@ pub enum Entry {
     ReplacePart,
 }
 
-/// The folder of a study. Each run folder in it belongs to one process at a time; what belongs to all is written whole, and by
-/// everyone the same.
+/// The folder of a study. Each run folder in it belongs to one process at a time; what belongs to
+/// all is written whole, and by everyone the same.
 #[derive(Debug, Clone)]
 pub struct StudyFolder {
     path: PathBuf,
@@ -37,11 +41,11 @@ pub struct StudyFolder {
 }
 
 impl StudyFolder {
-    /// Enters `path`, which is created where it does not exist, with the study `plan` from the file with `text`, to compute the runs
-    /// with the numbers `own`; `cases` are those of all runs.
+    /// Enters `path`, which is created where it does not exist, with the study `plan` from the file
+    /// with `text`, to compute the runs with the numbers `own`; `cases` are those of all runs.
     ///
-    /// Errors: the folder holds another study, a single run, or runs of this one that `entry` does not allow to touch; one of the
-    /// runs to go on with computes another case; the system refuses.
+    /// Errors: the folder holds another study, a single run, or runs of this one that `entry` does
+    /// not allow to touch; one of the runs to go on with computes another case; the system refuses.
     pub fn enter(
         path: &Path,
         plan: StudyPlan,
@@ -51,7 +55,7 @@ impl StudyFolder {
         cases: &[CaseFiles],
     ) -> Result<Self, OutputError> {
         let folder = Self { path: path.to_path_buf(), plan };
-        let stored = stored_plan(path)?;
+        let stored = read_json_if_there::<StudyPlan>(path, PLAN_FILE)?;
         folder.may_enter(stored.as_ref(), entry)?;
         let own = || folder.plan.runs.iter().filter(|run| own.contains(&run.number));
         for run in own() {
@@ -64,7 +68,7 @@ impl StudyFolder {
                 }
                 Entry::Resume | Entry::ResumePart => {
                     if let Some(case) = cases.get(run.number - 1) {
-                        Recorder::check_case(&of_run, case)?;
+                        check_case(&of_run, case)?;
                     }
                 }
                 Entry::Replace | Entry::ReplacePart => {}
@@ -82,7 +86,8 @@ impl StudyFolder {
             }
         }
         folder.put(STUDY_FILE, text.as_bytes())?;
-        folder.put(PLAN_FILE, &folder.plan_text()?)?;
+        let text = json_text(&path.join(PLAN_FILE), &folder.plan)?;
+        folder.put(PLAN_FILE, text.as_bytes())?;
         Ok(folder)
     }
 
@@ -120,7 +125,8 @@ impl StudyFolder {
     ///
     /// Errors: no study in the folder; its plan is damaged; the system refuses.
     pub fn open(path: &Path) -> Result<Self, OutputError> {
-        let plan = stored_plan(path)?.ok_or_else(|| OutputError::NoStudy { folder: path.to_path_buf() })?;
+        let plan = read_json_if_there::<StudyPlan>(path, PLAN_FILE)?
+            .ok_or_else(|| OutputError::NoStudy { folder: path.to_path_buf() })?;
         Ok(Self { path: path.to_path_buf(), plan })
     }
 
@@ -128,13 +134,6 @@ impl StudyFolder {
     pub fn study_text(&self) -> Result<String, OutputError> {
         let text = read_if_there(&self.path.join(STUDY_FILE))?.unwrap_or_default();
         Ok(String::from_utf8_lossy(&text).into_owned())
-    }
-
-    fn plan_text(&self) -> Result<Vec<u8>, OutputError> {
-        let mut text = serde_json::to_vec_pretty(&self.plan)
-            .map_err(|reason| OutputError::damaged(&self.path.join(PLAN_FILE), reason.to_string()))?;
-        text.push(b'\n');
-        Ok(text)
     }
 
     /// The folder itself.
@@ -150,6 +149,13 @@ impl StudyFolder {
     /// The run folder of `run`.
     pub fn run_folder(&self, run: &PlannedRun) -> PathBuf {
         self.path.join(RUNS_FOLDER).join(&run.folder)
+    }
+
+    /// The results of `run`.
+    ///
+    /// Errors: it has none yet; a file of it is damaged; the system refuses.
+    pub fn run(&self, run: &PlannedRun) -> Result<RunFolder, OutputError> {
+        RunFolder::open(&self.run_folder(run))
     }
 
     /// How `run` ended; none while it is not over.
@@ -169,7 +175,8 @@ impl StudyFolder {
         remove(&self.run_folder(run).join(OUTCOME_FILE))
     }
 
-    /// Puts `content` into a file that several processes may write at once: readers see the file of one of them, whole.
+    /// Puts `content` into a file that several processes may write at once: readers see the file of
+    /// one of them, whole.
     pub fn put(&self, file: &str, content: &[u8]) -> Result<(), OutputError> {
         let path = self.path.join(file);
         if read_if_there(&path)?.as_deref() == Some(content) {
@@ -194,13 +201,6 @@ impl StudyFolder {
     pub fn take_away(&self, file: &str) -> Result<(), OutputError> {
         remove(&self.path.join(file))
     }
-}
-
-fn stored_plan(folder: &Path) -> Result<Option<StudyPlan>, OutputError> {
-    let path = folder.join(PLAN_FILE);
-    let Some(text) = read_if_there(&path)? else { return Ok(None) };
-    let plan = serde_json::from_slice(&text);
-    plan.map(Some).map_err(|reason| OutputError::damaged(&path, reason.to_string()))
 }
 
 impl StudyPlan {

@@ -1,11 +1,10 @@
 //! How a run of a study ended, in its run folder.
 
-use crate::folder::{Durability, read_if_there, replace_file};
+use crate::files::OUTCOME_FILE;
+use crate::folder::{Durability, read_json_if_there, write_json};
 use crate::{OutputError, VERSION};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
-
-pub const OUTCOME_FILE: &str = "outcome.json";
 
 /// How a run of a study ended. Written last of all files of the run.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -41,7 +40,8 @@ impl Outcome {
         Self { version: VERSION.into(), end, reason: Some(reason.into()) }
     }
 
-    /// Whether to compute the run again would lead to the same: it is done, or this version cannot do it.
+    /// Whether to compute the run again would lead to the same: it is done, or this version cannot
+    /// do it.
     pub fn is_settled(&self) -> bool {
         match self.end {
             RunEnd::Done => true,
@@ -52,17 +52,10 @@ impl Outcome {
 
     /// The outcome of the run in `folder`; none while it is not over.
     pub(super) fn read(folder: &Path) -> Result<Option<Self>, OutputError> {
-        let path = folder.join(OUTCOME_FILE);
-        let Some(text) = read_if_there(&path)? else { return Ok(None) };
-        let outcome = serde_json::from_slice(&text);
-        outcome.map(Some).map_err(|reason| OutputError::damaged(&path, reason.to_string()))
+        read_json_if_there(folder, OUTCOME_FILE)
     }
 
     pub(super) fn write(&self, folder: &Path) -> Result<(), OutputError> {
-        let path = folder.join(OUTCOME_FILE);
-        let mut text = serde_json::to_string_pretty(self)
-            .map_err(|reason| OutputError::damaged(&path, reason.to_string()))?;
-        text.push('\n');
-        replace_file(&path, text.as_bytes(), Durability::Synced)
+        write_json(folder, OUTCOME_FILE, self, Durability::Synced)
     }
 }

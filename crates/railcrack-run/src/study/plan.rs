@@ -1,8 +1,8 @@
-//! What a study computes, as its folder remembers it.
+//! Plan of a study: the runs that it computes.
 
 use serde::{Deserialize, Serialize};
 
-/// What varies in a study, how, and which runs that makes. `study.json` holds it.
+/// Keys that vary in a study, how, and the runs that this makes. `study.json` holds it.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct StudyPlan {
     /// Version of the program that began the study.

@@ -1,8 +1,8 @@
 //! Where the runs of a study stand.
 
 use super::outcome::{Outcome, RunEnd};
-use super::results::LeadingTip;
 use crate::Summary;
+use crate::representative::RepresentativeTip;
 
 /// Where a run stands.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -58,6 +58,6 @@ pub struct StudyRow {
     pub state: RunState,
     /// The run in numbers; none before its first step.
     pub summary: Option<Summary>,
-    /// The tip that stands for the run; none before its first step.
-    pub leading: Option<LeadingTip>,
+    /// The representative tip; none before the first step.
+    pub representative: Option<RepresentativeTip>,
 }

@@ -2,171 +2,162 @@
 
 use super::plan::StudyPlan;
 use super::results::StudyResults;
-use super::state::RunState;
+use super::state::{RunState, StudyRow};
 use crate::OutputError;
-use crate::csv::{Rows, header};
+use crate::csv::{Rows, Table, column_names, header_of, table, whole};
+use railcrack::growth::RunStop;
 
-/// Columns of `summary.csv` of a study behind those of its number, its folder and the keys that vary.
-pub const STUDY_COLUMNS: [&str; 21] = [
-    "state",
-    "stop",
-    "steps",
-    "load_cycles",
-    "million_gross_tonnes",
-    "crack",
-    "tip",
-    "initial_length_mm",
-    "length_mm",
-    "tip_x_mm",
-    "tip_y_mm",
-    "ki_max_mpa_sqrt_m",
-    "kii_peak_mpa_sqrt_m",
-    "delta_ki_mpa_sqrt_m",
-    "delta_kii_mpa_sqrt_m",
-    "delta_keq_mpa_sqrt_m",
-    "kink_angle_deg",
-    "rate_mm_per_cycle",
-    "passages",
-    "warnings",
-    "reason",
-];
+table! {
+    /// A run of a study, behind its number, its folder and the values of the keys that vary.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct StudySummaryRow in "summary.csv", [
+        "One row per run of the study, in its order; folder: in runs/; then the keys that vary, as in the case file",
+        "state: done, not-converged, cannot-read-or-write (reason: why), unfinished (interrupted, or being computed), missing",
+        "stop: why the run ended; steps: increments done; load_cycles: axles at the start of the last finished step",
+        "crack, tip: the tip of the crack that grew most (of equals, that with the largest delta_keq); what follows is of this tip",
+        "initial_length_mm, length_mm: of its crack at step 0 and at the last finished step; tip_x_mm, tip_y_mm: there, y upwards",
+        "ki_max ... rate: step 0, stabilised passage; K: MPa sqrt(m); kii_peak: the largest |K_II|; angle: from straight ahead",
+        "empty: not computed, or does not exist. Wall times are in times.csv",
+    ] {
+        /// `done`; `not-converged` or `cannot-read-or-write`, with the `reason`; `unfinished`:
+        /// interrupted, or being computed; `missing`: no step yet.
+        state: String = "state";
+        /// As in `summary.json`.
+        stop: Option<RunStop> = "stop";
+        /// As in `summary.json`.
+        steps: Option<usize> = "steps";
+        /// As in `summary.json`.
+        load_cycles: Option<f64> = "load_cycles";
+        /// As in `summary.json`.
+        million_gross_tonnes: Option<f64> = "million_gross_tonnes";
+        /// The representative tip: that of the crack that grew most; of equals, the one with the
+        /// largest ΔK_eq in step 0; then the first. The columns that follow belong to this tip.
+        crack: Option<usize> = "crack";
+        /// The representative tip: that of the crack that grew most; of equals, the one with the
+        /// largest ΔK_eq in step 0; then the first. The columns that follow belong to this tip.
+        tip: Option<usize> = "tip";
+        /// Length of its crack in step 0 and in the last finished step, mm.
+        initial_length: Option<f64> = "initial_length_mm";
+        /// Length of its crack in step 0 and in the last finished step, mm.
+        length: Option<f64> = "length_mm";
+        /// Its position in the last finished step, mm.
+        x: Option<f64> = "tip_x_mm";
+        /// Its position in the last finished step, mm.
+        y: Option<f64> = "tip_y_mm";
+        /// Of step 0, as in `growth.csv`.
+        ki_max: Option<f64> = "ki_max_mpa_sqrt_m";
+        /// Largest \|K_II\| of the stabilised passage of step 0, MPa√m.
+        kii_peak: Option<f64> = "kii_peak_mpa_sqrt_m";
+        /// Of step 0, as in `growth.csv`.
+        delta_ki: Option<f64> = "delta_ki_mpa_sqrt_m";
+        /// Of step 0, as in `growth.csv`.
+        delta_kii: Option<f64> = "delta_kii_mpa_sqrt_m";
+        /// Of step 0, as in `growth.csv`.
+        delta_keq: Option<f64> = "delta_keq_mpa_sqrt_m";
+        /// Of step 0, as in `growth.csv`.
+        kink_deg: Option<f64> = "kink_angle_deg";
+        /// Of step 0, as in `growth.csv`.
+        rate: Option<f64> = "rate_mm_per_cycle";
+        /// As in `summary.json`.
+        passages: Option<usize> = "passages";
+        /// Number of warnings.
+        warnings: Option<usize> = "warnings";
+        /// Why a failed run failed.
+        reason: Option<String> = "reason";
+    }
+}
 
-/// Index in these of the first real number of the tip, `initial_length_mm`.
-const OF_THE_TIP: usize = 7;
+table! {
+    /// Cost of a run of a study.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub struct TimesRow in "times.csv", [
+        "Wall time of each run and its resumptions, seconds, by phase; peak_memory_mb: of the process that computed it",
+        "Mesh and factor that runs share are computed before them and are in no row",
+    ] {
+        /// Number of the run.
+        run: usize = "run";
+        /// Wall time of the run and its resumptions, s.
+        wall_s: Option<f64> = "wall_s";
+        /// Part of it: the cracked body.
+        body_s: Option<f64> = "body_s";
+        /// Part of it: loads and contact.
+        contact_s: Option<f64> = "contact_s";
+        /// Part of it: direction, rate, increments.
+        growth_s: Option<f64> = "growth_s";
+        /// Part of it: the run folder.
+        output_s: Option<f64> = "output_s";
+        /// Peak memory of the process that computed it, 10⁶ bytes.
+        peak_memory_mb: Option<f64> = "peak_memory_mb";
+    }
+}
 
-/// Columns of `times.csv`.
-pub const TIMES_COLUMNS: [&str; 7] =
-    ["run", "wall_s", "body_s", "contact_s", "growth_s", "output_s", "peak_memory_mb"];
+impl From<&StudyRow> for StudySummaryRow {
+    fn from(row: &StudyRow) -> Self {
+        let summary = row.summary.as_ref();
+        let tip = row.representative.as_ref();
+        let (first, last) = (tip.map(|tip| &tip.first), tip.map(|tip| tip.last()));
+        let peak = |values: &[f64]| values.iter().fold(0.0, |peak: f64, k| peak.max(k.abs()));
+        Self {
+            state: row.state.name().to_owned(),
+            stop: summary.and_then(|summary| summary.stop),
+            steps: summary.map(|summary| summary.steps),
+            load_cycles: summary.map(|summary| summary.load_cycles),
+            million_gross_tonnes: summary.and_then(|summary| summary.million_gross_tonnes),
+            crack: first.map(|first| first.crack),
+            tip: first.map(|first| first.tip),
+            initial_length: first.map(|first| first.length),
+            length: last.map(|last| last.length),
+            x: last.map(|last| last.place[0]),
+            y: last.map(|last| last.place[1]),
+            ki_max: first.map(|first| first.ki_max),
+            kii_peak: tip.map(|tip| peak(&tip.history.kii)),
+            delta_ki: first.map(|first| first.delta_ki),
+            delta_kii: first.map(|first| first.delta_kii),
+            delta_keq: first.map(|first| first.delta_keq),
+            kink_deg: first.and_then(|first| first.kink_deg),
+            rate: first.map(|first| first.rate),
+            passages: summary.map(|summary| summary.passages),
+            warnings: summary.map(|summary| summary.warnings.len()),
+            reason: match &row.state {
+                RunState::Failed { reason, .. } => Some(reason.clone()),
+                _ => None,
+            },
+        }
+    }
+}
+
+impl From<&StudyRow> for TimesRow {
+    fn from(row: &StudyRow) -> Self {
+        let summary = row.summary.as_ref();
+        let phases = summary.map(|summary| summary.phases_s);
+        Self {
+            run: row.number,
+            wall_s: summary.map(|summary| summary.wall_s),
+            body_s: phases.map(|phases| phases.body),
+            contact_s: phases.map(|phases| phases.contact),
+            growth_s: phases.map(|phases| phases.growth),
+            output_s: phases.map(|phases| phases.output),
+            peak_memory_mb: summary.and_then(|summary| summary.peak_memory_mb),
+        }
+    }
+}
 
 impl StudyResults {
     pub(super) fn table(&self, plan: &StudyPlan) -> Result<Vec<u8>, OutputError> {
-        let mut columns: Vec<&str> = vec!["run", "folder"];
-        let keys: Vec<&str> =
-            plan.axes.iter().flat_map(|axis| &axis.keys).map(|key| key.key.as_str()).collect();
-        columns.extend(&keys);
-        columns.extend(STUDY_COLUMNS);
+        let keys = plan.axes.iter().flat_map(|axis| &axis.keys).map(|key| key.key.as_str());
+        let columns = ["run", "folder"].into_iter().chain(keys).chain(column_names::<StudySummaryRow>(&[]));
         let mut rows = Rows::default();
         for (row, run) in self.rows.iter().zip(&plan.runs) {
             rows.count(row.number);
             rows.name(&run.folder);
-            for (_, value) in plan.values_of(run) {
-                rows.name(&quoted(value));
-            }
-            rows.name(row.state.name());
-            let summary = row.summary.as_ref();
-            rows.name(summary.and_then(|summary| summary.stop.as_deref()).unwrap_or_default());
-            let mut number = STUDY_COLUMNS.into_iter().skip(OF_THE_TIP);
-            match summary {
-                Some(summary) => rows.count(summary.steps),
-                None => rows.name(""),
-            }
-            let real =
-                |rows: &mut Rows, column: &'static str, value: Option<f64>| rows.optional(column, value);
-            real(&mut rows, "load_cycles", summary.map(|summary| summary.load_cycles));
-            real(&mut rows, "million_gross_tonnes", summary.and_then(|summary| summary.million_gross_tonnes));
-            let leading = row.leading.as_ref();
-            for count in [leading.map(|tip| tip.first.crack), leading.map(|tip| tip.first.tip)] {
-                match count {
-                    Some(count) => rows.count(count),
-                    None => rows.name(""),
-                }
-            }
-            let peak = |values: &[f64]| values.iter().fold(0.0, |peak: f64, k| peak.max(k.abs()));
-            for value in [
-                leading.map(|tip| tip.first.length),
-                leading.map(|tip| tip.last().length),
-                leading.map(|tip| tip.last().place[0]),
-                leading.map(|tip| tip.last().place[1]),
-                leading.map(|tip| tip.first.ki_max),
-                leading.map(|tip| peak(&tip.history.kii)),
-                leading.map(|tip| tip.first.delta_ki),
-                leading.map(|tip| tip.first.delta_kii),
-                leading.map(|tip| tip.first.delta_keq),
-                leading.and_then(|tip| tip.first.kink_deg),
-                leading.map(|tip| tip.first.rate),
-            ] {
-                real(&mut rows, number.next().unwrap_or_default(), value);
-            }
-            for count in
-                [summary.map(|summary| summary.passages), summary.map(|summary| summary.warnings.len())]
-            {
-                match count {
-                    Some(count) => rows.count(count),
-                    None => rows.name(""),
-                }
-            }
-            match &row.state {
-                RunState::Failed { reason, .. } => rows.name(&quoted(reason)),
-                _ => rows.name(""),
-            }
-            rows.end();
+            plan.values_of(run).for_each(|(_, value)| rows.quoted(value));
+            StudySummaryRow::from(row).put(&mut rows);
         }
-        let comments = [
-            "One row per run of the study, in its order; folder: in runs/; then the keys that vary, as in the case file",
-            "state: done, not-converged, cannot-read-or-write (reason: why), unfinished (interrupted, or being computed), missing",
-            "stop: why the run ended; steps: increments done; load_cycles: axles at the start of the last finished step",
-            "crack, tip: the tip of the crack that grew most (of equals, that with the largest delta_keq); what follows is of this tip",
-            "initial_length_mm, length_mm: of its crack at step 0 and at the last finished step; tip_x_mm, tip_y_mm: there, y upwards",
-            "ki_max ... rate: step 0, stabilised passage; K: MPa sqrt(m); kii_peak: the largest |K_II|; angle: from straight ahead",
-            "empty: not computed, or does not exist. Wall times are in times.csv",
-        ];
-        with_header(&comments, &columns, &rows, "summary.csv")
+        let header = header_of(StudySummaryRow::COMMENTS, &columns.collect::<Vec<_>>());
+        Ok([header.as_bytes(), rows.text(StudySummaryRow::FILE)?].concat())
     }
 
     pub(super) fn times(&self) -> Result<Vec<u8>, OutputError> {
-        let mut rows = Rows::default();
-        for row in &self.rows {
-            rows.count(row.number);
-            let summary = row.summary.as_ref();
-            let phases = summary.map(|summary| summary.phases_s);
-            for (column, value) in TIMES_COLUMNS[1..].iter().zip([
-                summary.map(|summary| summary.wall_s),
-                phases.map(|phases| phases.body),
-                phases.map(|phases| phases.contact),
-                phases.map(|phases| phases.growth),
-                phases.map(|phases| phases.output),
-                summary.and_then(|summary| summary.peak_memory_mb),
-            ]) {
-                rows.optional(column, value);
-            }
-            rows.end();
-        }
-        let comments = [
-            "Wall time of each run and its resumptions, seconds, by phase; peak_memory_mb: of the process that computed it",
-            "Mesh and factor that runs share are computed before them and are in no row",
-        ];
-        with_header(&comments, &TIMES_COLUMNS, &rows, "times.csv")
-    }
-}
-
-fn with_header(
-    comments: &[&str],
-    columns: &[&str],
-    rows: &Rows,
-    file: &'static str,
-) -> Result<Vec<u8>, OutputError> {
-    let mut table = header(comments, columns).into_bytes();
-    table.extend_from_slice(rows.text(file)?);
-    Ok(table)
-}
-
-/// A text as a field of CSV (RFC 4180): in quotes where it has commas, quotes or line ends.
-fn quoted(text: &str) -> String {
-    if text.contains([',', '"', '\n', '\r', '#']) {
-        format!("\"{}\"", text.replace('"', "\"\"").replace(['\n', '\r'], " "))
-    } else {
-        text.to_owned()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::quoted;
-
-    #[test]
-    fn fields_with_commas_are_quoted() {
-        assert_eq!(quoted("0.025"), "0.025");
-        assert_eq!(quoted("[[0.0, 0.0], [4.0, -1.0]]"), "\"[[0.0, 0.0], [4.0, -1.0]]\"");
-        assert_eq!(quoted("a \"b\"\nc"), "\"a \"\"b\"\" c\"");
+        whole(self.rows.iter().map(TimesRow::from))
     }
 }

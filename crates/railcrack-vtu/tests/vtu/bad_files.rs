@@ -1,4 +1,5 @@
-//! Files that are wrong: an error that names the file, the part and what is wrong with it, and no panic.
+//! Files that are wrong: an error that names the file, the part and what is wrong with it, and no
+//! panic.
 
 use super::{grid_of_every_shape, scratch};
 use railcrack_vtu::{read_vtu, write_vtu};
@@ -32,15 +33,15 @@ fn errors_name_the_part_and_what_is_wrong() {
     assert_eq!(read_vtu(&path).unwrap().point_data[0].values, [1.0, 2.0, 3.0]);
     let changes = [
         ("NumberOfCells=\"1\"", "NumberOfCells=\"2\"", "array `offsets`: holds 1 numbers, not 2"),
-        ("NumberOfPoints=\"3\"", "NumberOfPoints=\"-3\"", "NumberOfPoints is `-3`, not a number that counts"),
+        ("NumberOfPoints=\"3\"", "NumberOfPoints=\"-3\"", "NumberOfPoints is `-3`, not a count"),
         ("0 0 0 1 0 0 0 -1 0", "0 0 0 1 0 0 0 -1", "array `points`: holds 8 numbers, not 9"),
         ("0 0 0 1 0 0 0 -1 0", "0 0 0 1 0 0.5 0 -1 0", "point 1 (from 0) is at z = 0.5"),
         ("0 0 0 1 0 0 0 -1 0", "0 0 0 1 nan 0 0 -1 0", "`points` is NaN at entry 1"),
         (">0 1 2<", ">0 1 3<", "names point 3"),
-        (">0 1 2<", ">0 1 -2<", "-2.0 is no index of a grid"),
+        (">0 1 2<", ">0 1 -2<", "-2.0 is not an index of a grid"),
         (">5<", ">12<", "cell 0 (from 0) is of type 12 with 3 nodes: points (type 1)"),
         (">5<", ">9<", "of type 9 with 3 nodes"),
-        (">3</DataArray>", ">1e300</DataArray>", "1e300 is no index"),
+        (">3</DataArray>", ">1e300</DataArray>", "1e300 is not an index"),
         (">1 2 3<", ">1 2 three<", "array `t`: `three` is not a number"),
         ("Float32", "String", "type of array `t` is `String`"),
         (" Name=\"t\"", "", "<PointData>: an array without a Name"),
@@ -59,7 +60,7 @@ fn errors_name_the_part_and_what_is_wrong() {
             "array `t`: there is no <AppendedData>",
         ),
         ("\"t\" format=\"ascii\"", "\"t\" format=\"octal\"", "format of array `t` is `octal`"),
-        ("\"t\" format=\"ascii\"", "\"t\" format=\"binary\"", "array `t`: no base64 at byte 5 of 5"),
+        ("\"t\" format=\"ascii\"", "\"t\" format=\"binary\"", "array `t`: invalid base64 at byte 5 of 5"),
         ("Name=\"t\"", "Name=\"t\" NumberOfComponents=\"0\"", "NumberOfComponents is `0`"),
         ("</Piece>", "</Piece><Piece/>", "is of 2 pieces"),
     ];
@@ -96,8 +97,8 @@ fn a_file_cut_anywhere_is_an_error() {
 fn lies_about_lengths_are_errors() {
     let path = scratch("lies").join("bad.vtu");
     let samples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../verification/vtu/samples");
-    // Bytes of the first header: where compressed, number of blocks, and size of the only block after two more counts;
-    // else the size.
+    // Bytes of the first header: where compressed, number of blocks, and size of the only block
+    // after two more counts; else the size.
     let first_count = [0, 1, 2, 3];
     let lengths = [
         ("vtk_appended_raw.vtu", &first_count[..]),

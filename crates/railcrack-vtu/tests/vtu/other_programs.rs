@@ -12,7 +12,8 @@ fn verification() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../verification/vtu")
 }
 
-/// Decimals of meshio have 11 digits behind the first (`%.11e`), those of VTK 17; binary numbers are exact.
+/// Decimals of meshio have 11 digits behind the first (`%.11e`), those of VTK 17; binary numbers
+/// are exact.
 const DECIMALS: f64 = 1e-10;
 
 #[test]

@@ -1,4 +1,4 @@
-//! What is written is read back, to the bit; what does not fit together is not written.
+//! Round trips: files are read back to the bit, and an inconsistent grid is not written.
 
 use super::{grid_of_every_shape, scratch};
 use railcrack::math::{Stress, Vec2};

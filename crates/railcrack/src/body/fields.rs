@@ -1,15 +1,19 @@
 //! The field of a cracked body on cells around its cracks.
 
+use crate::field::Wheel;
 use crate::math::{Stress, Vec2};
 
-/// Cells around the cracks. No cell crosses a crack: cells on both sides of one have points of their own, at the same places.
+/// Cells around the cracks. No cell crosses a crack: cells on both sides of one have points of
+/// their own, at the same places.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct FieldGrid {
     /// Points, mm.
     pub points: Vec<Vec2>,
-    /// Where the stress of each point is taken, mm: at the point, but where it is infinite there a little inside of the cell.
+    /// Where the stress of each point is taken, mm: at the point, but where it is infinite there a
+    /// little inside of the cell.
     pub inside: Vec<Vec2>,
-    /// Quadratic rectangles: corners counter-clockwise, then the middles of the sides, the first between the first two corners.
+    /// Quadratic rectangles: corners counter-clockwise, then the middles of the sides, the first
+    /// between the first two corners.
     pub quads: Vec<[usize; 8]>,
     /// Triangles, counter-clockwise.
     pub triangles: Vec<[usize; 3]>,
@@ -24,7 +28,8 @@ pub struct FieldLine {
     pub face: Face,
     /// Points at its ends, along the walk.
     pub ends: [usize; 2],
-    /// At each end, face points of the body with the shares of their tractions that make the traction there.
+    /// At each end, face points of the body with the shares of their tractions that make the
+    /// traction there.
     pub tractions: [[(usize, f64); 2]; 2],
 }
 
@@ -37,13 +42,13 @@ pub enum Face {
     Minus,
 }
 
-/// What acts on a body whose field is wanted.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// The load on a body whose field is wanted.
+#[derive(Clone, Copy)]
 pub struct FieldLoad<'a> {
     /// Nodal forces on the + faces, N/mm, 2p.
     pub forces: &'a [f64],
-    /// Position x_c of the wheel (mm), for what the ends of the rail do.
-    pub xc: f64,
+    /// The wheel whose field the ends of the rail cancel, and its position x_c (mm).
+    pub wheel: Option<(&'a dyn Wheel, f64)>,
 }
 
 /// A field at the points of a [`FieldGrid`].

@@ -1,11 +1,15 @@
-//! The cracked body: two matrices at the face points.
+//! The cracked body as data: two matrices at the face points, made by an engine.
 
 mod cracked;
+mod elements;
 mod engine;
-mod faces;
+mod error;
+mod face_mesh;
 mod fields;
 
-pub use cracked::{BodyTimes, CrackedBody, FaceMesh, FacePoint, FaceSample, RailEnds};
-pub use engine::{BodyEngine, BodyError};
-pub use faces::{FaceElement, FacePiece, discretise};
+pub use cracked::{BodyTimes, CrackedBody, FieldSolver};
+pub(crate) use elements::{FaceElement, FacePiece, discretise};
+pub use engine::BodyEngine;
+pub use error::BodyError;
+pub use face_mesh::{FaceMesh, FacePoint, FaceSample};
 pub use fields::{BodyFields, Face, FieldGrid, FieldLine, FieldLoad, PointField};

@@ -37,7 +37,7 @@ pub enum Boundary {
     },
 }
 
-/// Whether something moves along an axis.
+/// Whether a displacement component is free.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Freedom {
     Free,

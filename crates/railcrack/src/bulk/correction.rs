@@ -4,8 +4,7 @@ use super::boundary::Boundary;
 use super::cancel::ElasticField;
 use super::gauss_stress::StressAtPoints;
 use super::rail::{BulkError, BulkRail};
-use crate::field::{HertzDisplacement, HertzField};
-use crate::load::HertzianContact;
+use crate::field::{EndField, EndsError, RailEnds, StressesUnderWheel, Wheel};
 use crate::math::{Stress, Vec2, chebyshev};
 use std::ops::RangeInclusive;
 use std::sync::Arc;
@@ -27,26 +26,23 @@ pub struct BlockCorrection {
     displacements: Vec<Vec<Vec2>>,
 }
 
-/// The field of the half-plane for one wheel position.
-struct Under {
-    stress: HertzField,
-    displacement: HertzDisplacement,
-    half_width: f64,
+/// The field of the half-plane with the wheel at one place.
+struct Under<'a> {
+    wheel: &'a dyn Wheel,
     xc: f64,
 }
 
-impl ElasticField for Under {
+impl ElasticField for Under<'_> {
     fn stress(&self, point: Vec2) -> Stress {
-        self.stress.stress(point, self.xc)
+        self.wheel.stress(point, self.xc)
     }
 
     fn displacement(&self, point: Vec2) -> Vec2 {
-        self.displacement.displacement(point, self.xc)
+        self.wheel.displacement(point, self.xc)
     }
 
     fn smooth_within(&self, point: Vec2) -> f64 {
-        // The square roots of the potential have their branch points at the edges of the contact.
-        ((point.x - self.xc).abs() - self.half_width).hypot(point.y)
+        self.wheel.smooth_within(point, self.xc)
     }
 }
 
@@ -55,16 +51,16 @@ impl BlockCorrection {
     /// correction: far below that of the mesh.
     pub const TOLERANCE: f64 = 1e-8;
 
-    /// Most positions that are solved.
+    /// Largest number of positions solved.
     const MOST_POSITIONS: usize = 200;
 
-    /// The correction of `rail` for a wheel whose `contact` is centred anywhere in `range` (mm).
+    /// The correction of `rail` for a `wheel` anywhere in `range` (mm).
     ///
     /// Errors: a half-plane; a range that is empty or not finite; a contact that leaves the block
     /// or comes so close to one of its sides that the field is no longer smooth.
     pub fn new(
         rail: &Arc<BulkRail>,
-        contact: &HertzianContact,
+        wheel: &dyn Wheel,
         range: RangeInclusive<f64>,
     ) -> Result<Self, BulkError> {
         if rail.boundary() == Boundary::HalfPlane {
@@ -74,15 +70,9 @@ impl BlockCorrection {
         if !(from <= to && from.is_finite() && to.is_finite()) {
             return Err(BulkError::Positions { from, to });
         }
-        let count = positions_needed(rail, contact, &range)?;
+        let count = positions_needed(rail, wheel, &range)?;
         let positions = chebyshev::points(&range, count);
-        let under = |&xc: &f64| Under {
-            stress: HertzField::new(contact, rail.steel().poisson()),
-            displacement: HertzDisplacement::new(contact, rail.steel()),
-            half_width: contact.half_width,
-            xc,
-        };
-        let fields: Vec<Under> = positions.iter().map(under).collect();
+        let fields: Vec<Under> = positions.iter().map(|&xc| Under { wheel, xc }).collect();
         let fields: Vec<&dyn ElasticField> = fields.iter().map(|field| field as _).collect();
         let displacements = rail.cancel(&fields)?;
         Ok(Self { rail: Arc::clone(rail), range, positions, displacements })
@@ -120,19 +110,45 @@ impl BlockCorrection {
     }
 }
 
+impl EndField for BlockCorrection {
+    fn at(&self, points: &[Vec2]) -> Result<StressesUnderWheel, EndsError> {
+        let (count, correction) = (points.len(), BlockCorrection::at(self, points)?);
+        Ok(Box::new(move |xc| {
+            let wheel = correction.wheel_nearest(xc);
+            (0..count).map(|k| wheel.stress(k)).collect()
+        }))
+    }
+}
+
+impl RailEnds for BulkRail {
+    fn under(
+        self: Arc<Self>,
+        wheel: &dyn Wheel,
+        positions: RangeInclusive<f64>,
+    ) -> Result<Arc<dyn EndField>, EndsError> {
+        Ok(Arc::new(BlockCorrection::new(&self, wheel, positions)?))
+    }
+}
+
+impl From<BulkError> for EndsError {
+    fn from(reason: BulkError) -> Self {
+        Self { reason: Box::new(reason) }
+    }
+}
+
 /// How many positions interpolate the correction.
 fn positions_needed(
     rail: &BulkRail,
-    contact: &HertzianContact,
+    wheel: &dyn Wheel,
     range: &RangeInclusive<f64>,
 ) -> Result<usize, BulkError> {
     let lines = rail.mesh().x_lines();
     let (left, right) = (lines[0], lines[lines.len() - 1]);
-    let (from, to) = (range.start() - contact.half_width, range.end() + contact.half_width);
-    // As seen from a point on the ends of the block, the potential has its branch points where an
-    // edge of the contact would coincide with that point or its mirror image above the surface: a
-    // top corner is the nearest such point on the sides, and the bottom lies at its depth beside
-    // the range.
+    let edges = wheel.edges();
+    let from = range.start() + edges.first().unwrap_or(&0.0);
+    let to = range.end() + edges.last().unwrap_or(&0.0);
+    // As seen from a place on the ends of the block, the potential has its branch points where an edge of the contact would meet that place
+    // or its mirror image above the surface: a top corner is the first of the sides, and the bottom lies at its depth beside the range.
     let half = 0.5 * (range.end() - range.start());
     let depth = -rail.mesh().y_lines()[0];
     let needed = |gap: f64| {

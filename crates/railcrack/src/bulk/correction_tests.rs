@@ -6,13 +6,17 @@ use super::{
     BlockCorrection, BottomSupport, Boundary, BulkError, BulkRail, ElasticField, RectangleStiffness,
     SideSupport, StressAtPoints,
 };
-use crate::field::{HertzDisplacement, HertzField};
+use crate::field::{HertzDisplacement, HertzField, HertzWheel};
 use crate::math::{Stress, Vec2, gauss_legendre};
 use crate::mesh::{Edge, QuadMesh};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
 const CLAMPED: Boundary = Boundary::Block { bottom: BottomSupport::Clamped, sides: SideSupport::Free };
+
+fn rolling() -> HertzWheel {
+    HertzWheel::new(&CONTACT, &steel()).unwrap()
+}
 
 struct Under(f64);
 
@@ -38,7 +42,7 @@ fn largest(stress: Stress) -> f64 {
     stress.xx.abs().max(stress.yy.abs()).max(stress.zz.abs()).max(stress.xy.abs())
 }
 
-/// The wheel's force on the rail.
+/// The force of the wheel on the rail.
 fn wheel() -> Vec2 {
     Vec2::new(CONTACT.friction, -1.0) * CONTACT.line_load()
 }
@@ -86,7 +90,7 @@ fn cuts_through_the_block_are_in_equilibrium_and_free_sides_without_traction_in_
     let rule = gauss_legendre(40);
     let errors = |columns: usize| {
         let rail = BulkRail::new(block(columns), &steel(), CLAMPED).unwrap();
-        let correction = BlockCorrection::new(&Arc::new(rail.clone()), &CONTACT, -40.0..=40.0).unwrap();
+        let correction = BlockCorrection::new(&Arc::new(rail.clone()), &rolling(), -40.0..=40.0).unwrap();
         let cut: Vec<Vec2> = rule.iter().map(|(t, _)| Vec2::new(-150.0 + 300.0 * t, -60.0)).collect();
         let sides: Vec<Vec2> =
             (0..30).flat_map(|i| [-150.0, 150.0].map(|x| Vec2::new(x, -4.0 * f64::from(i)))).collect();
@@ -124,7 +128,8 @@ fn interpolated_positions_are_as_accurate_as_solved_ones() {
     for boundary in blocks() {
         for range in [-40.5..=40.5, -20.0..=near_the_side, -0.5..=0.5, 3.0..=3.0] {
             let rail = BulkRail::new(block(8), &steel(), boundary).unwrap();
-            let correction = BlockCorrection::new(&Arc::new(rail.clone()), &CONTACT, range.clone()).unwrap();
+            let correction =
+                BlockCorrection::new(&Arc::new(rail.clone()), &rolling(), range.clone()).unwrap();
             let there = correction.at(&points).unwrap();
             let stresses = StressAtPoints::new(&rail, &points).unwrap();
             let (mut error, mut size) = (0.0_f64, 0.0_f64);
@@ -230,7 +235,7 @@ fn agrees_with_a_full_solution_of_the_block() {
         let want = StressAtPoints::new(&whole, &points).unwrap().stress(&displacements);
 
         let rail = BulkRail::new(coarse.clone(), &steel(), boundary).unwrap();
-        let correction = BlockCorrection::new(&Arc::new(rail.clone()), &CONTACT, -40.0..=40.0).unwrap();
+        let correction = BlockCorrection::new(&Arc::new(rail.clone()), &rolling(), -40.0..=40.0).unwrap();
         let there = correction.at(&points).unwrap();
         let mut moved = 0.0_f64;
         let mut worst = 0.0_f64;
@@ -241,7 +246,7 @@ fn agrees_with_a_full_solution_of_the_block() {
         }
         println!("{boundary:?}: corrections up to {moved:.1} MPa, difference / p0 {worst:.1e}");
         assert!(worst < TOLERANCE, "{boundary:?}: {worst:e}");
-        // The check means something only if the ends matter.
+        // The check is meaningful only if the ends have an effect.
         assert!(moved > 50.0 * TOLERANCE * CONTACT.peak_pressure, "{boundary:?}: {moved}");
     }
 }
@@ -257,7 +262,7 @@ fn coarse_elements_suffice_away_from_the_cracks() {
         let stresses = [15.0, 7.5, 3.75].map(|coarsest| {
             let grading = Grading { middle: 0.0, window: 6.0, fine: 0.5, ratio: 1.25, coarsest };
             let rail = BulkRail::new(grading.block(), &steel(), boundary).unwrap();
-            let there = BlockCorrection::new(&Arc::new(rail.clone()), &CONTACT, -40.5..=40.5)
+            let there = BlockCorrection::new(&Arc::new(rail.clone()), &rolling(), -40.5..=40.5)
                 .unwrap()
                 .at(&points)
                 .unwrap();
@@ -278,12 +283,12 @@ fn coarse_elements_suffice_away_from_the_cracks() {
 #[test]
 fn refuses_inadmissible_rails_and_contacts() {
     let rail = BulkRail::new(block(4), &steel(), CLAMPED).unwrap();
-    let refused = |range| BlockCorrection::new(&Arc::new(rail.clone()), &CONTACT, range).unwrap_err();
+    let refused = |range| BlockCorrection::new(&Arc::new(rail.clone()), &rolling(), range).unwrap_err();
     assert!(matches!(refused(0.0..=145.0), BulkError::OffTheBlock { .. }));
     assert!(matches!(refused(-143.25..=0.0), BulkError::OffTheBlock { gap, .. } if gap > 0.0 && gap < 1.0));
     assert!(matches!(refused(1.0..=0.0), BulkError::Positions { .. }));
     assert!(matches!(refused(f64::NAN..=0.0), BulkError::Positions { .. }));
-    let correction = BlockCorrection::new(&Arc::new(rail.clone()), &CONTACT, -20.0..=20.0).unwrap();
+    let correction = BlockCorrection::new(&Arc::new(rail.clone()), &rolling(), -20.0..=20.0).unwrap();
     assert_eq!(
         correction.displacements(20.5).unwrap_err(),
         BulkError::Position { position: 20.5, from: -20.0, to: 20.0 }
@@ -292,7 +297,7 @@ fn refuses_inadmissible_rails_and_contacts() {
     assert_eq!(correction.at(&[outside]).unwrap_err(), BulkError::Point { x: 0.0, y: 1.0 });
     let half_plane = BulkRail::new(block(4), &steel(), Boundary::HalfPlane).unwrap();
     assert_eq!(
-        BlockCorrection::new(&Arc::new(half_plane.clone()), &CONTACT, 0.0..=1.0).unwrap_err(),
+        BlockCorrection::new(&Arc::new(half_plane.clone()), &rolling(), 0.0..=1.0).unwrap_err(),
         BulkError::NoBlock
     );
     let low = QuadMesh::new(vec![0.0, 1.0], vec![-2.0, -1.0]).unwrap();

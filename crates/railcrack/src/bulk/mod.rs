@@ -15,7 +15,8 @@ pub use correction::{BlockCorrection, CorrectionAtPoints, WheelAt};
 pub use gauss_stress::StressAtPoints;
 pub(crate) use grid::gauss_lines;
 pub use rail::{BulkError, BulkRail, RailStiffness};
-pub use stiffness::RectangleStiffness;
+#[cfg(test)]
+pub(crate) use stiffness::RectangleStiffness;
 
 #[cfg(test)]
 mod correction_tests;

@@ -15,7 +15,7 @@ pub(super) fn steel() -> IsotropicElastic {
     IsotropicElastic::new(210e3, 0.3).unwrap()
 }
 
-/// Every combination of supports.
+/// All combinations of supports.
 pub(super) fn boundaries() -> Vec<Boundary> {
     let bottoms = [BottomSupport::Clamped, BottomSupport::Rollers];
     let sides = [SideSupport::Free, SideSupport::Rollers, SideSupport::Clamped];

@@ -8,8 +8,9 @@ use crate::math::{Matrix, Vec2};
 use crate::mesh::{NODES, QuadMesh};
 use thiserror::Error;
 
-/// A rail that cannot be computed.
+/// Errors of the uncracked rail.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[non_exhaustive]
 pub enum BulkError {
     /// The mesh does not end at the running surface.
     #[error("the top of the mesh lies at y = {top} mm: must be the running surface, y = 0")]
@@ -20,7 +21,7 @@ pub enum BulkError {
     /// A half-plane has no ends to correct for.
     #[error("the stress in a half-plane under a wheel needs no correction: the boundary must be a block")]
     NoBlock,
-    /// Wheel positions without an order.
+    /// Wheel positions that do not increase.
     #[error("wheel positions from {from} to {to} mm: must be finite and increasing")]
     Positions {
         /// First, mm.
@@ -28,7 +29,7 @@ pub enum BulkError {
         /// Last, mm.
         to: f64,
     },
-    /// The contact does not stay on the block.
+    /// A contact that leaves the block.
     #[error(
         "the contact reaches from {from} to {to} mm, the block only from {left} to {right} mm: it must stay {gap} mm \
          inside"

@@ -1,4 +1,4 @@
-//! The stiffness of a rectangle with eight nodes.
+//! Stiffness matrix of the eight-node rectangle.
 
 use crate::material::IsotropicElastic;
 use crate::math::{Matrix, Vec2, gauss_legendre};
@@ -24,7 +24,7 @@ impl RectangleStiffness {
         let (lambda, mu) = lame(steel);
         let zero = [[0.0; NODES]; NODES];
         let mut stiffness = Self { lambda, mu, along_x: zero, along_y: zero, mixed: zero };
-        // Products of slopes have degree 4 in each direction.
+        // Products of derivatives have degree 4 in each direction.
         let rule = gauss_legendre(3);
         for (&(s, v), &(t, w)) in rule.iter().flat_map(|s| rule.iter().map(move |t| (s, t))) {
             let shapes = shape_functions(2.0 * s - 1.0, 2.0 * t - 1.0);

@@ -1,4 +1,4 @@
-//! What is prescribed for a component of the jump.
+//! Conditions on a component of the jump: held, or free of contact force.
 
 /// The condition of a component.
 #[derive(Debug, Clone, Copy, PartialEq)]

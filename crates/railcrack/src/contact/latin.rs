@@ -6,14 +6,16 @@ use super::{
 use crate::linear::spd_inverse;
 use crate::math::{Anderson, Matrix, dot};
 
-/// The LATIN method of Trollé et al. 2014 (eqs 17 and 25) with the displacements condensed to the faces.
+/// The LATIN method of Trollé et al. 2014 (eqs 17 and 25) with the displacements condensed to the
+/// faces.
 ///
-/// Local stage, point by point on the law, search direction f̂ − f = k (ŵ − w); global stage, equilibrium
-/// A w = f + f_load, search direction f − f̂ = −k⁻ (w − ŵ) with 1/k⁻ = 1/k + ξ, where ξ is the stabilisation of eq. (17):
-/// condensed, it is nothing but a softer global direction. Both are set a priori, k_j = `direction` / C_jj with the own
-/// compliance of each point, and never change, so that the global stage is one product with a fixed inverse. The
-/// fixed-point iteration is relaxed and extrapolated (Anderson 1965). See `docs/latin.md` for the sweep behind the
-/// defaults.
+/// Local stage, point by point on the contact conditions, search direction f̂ − f = k (ŵ − w);
+/// global stage, equilibrium A w = f + f_load, search direction f − f̂ = −k⁻ (w − ŵ) with 1/k⁻ =
+/// 1/k + ξ, where ξ is the stabilisation of eq. (17): condensed, it amounts to a softer global
+/// direction. Both are set a priori, k_j = `direction` / C_jj with the own compliance of each
+/// point, and never change, so that the global stage is one product with a fixed inverse. The
+/// fixed-point iteration is relaxed and extrapolated (Anderson 1965). See `docs/latin.md` for the
+/// sweep behind the defaults.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Latin {
     /// k_j C_jj.
@@ -24,8 +26,8 @@ pub struct Latin {
     pub relaxation: f64,
     /// Iterates kept for extrapolation; 0 for none.
     pub history: usize,
-    /// The LATIN indicator: distance of the local from the global solution, in forces, jumps and K, relative to the
-    /// largest of each.
+    /// The LATIN indicator: distance of the local from the global solution, in forces, jumps and K,
+    /// relative to the largest of each.
     pub tolerance: f64,
     /// Iterations before the step is given up.
     pub max_iterations: usize,
@@ -69,7 +71,7 @@ struct LatinSteps<'a> {
 
 impl<'a> LatinSteps<'a> {
     fn new(problem: &'a FaceProblem<'a>, settings: Latin) -> Self {
-        let compliance = problem.body().compliance();
+        let compliance = &problem.body().compliance;
         let points = problem.points();
         let direction: Vec<f64> = (0..2 * points)
             .map(|i| {
@@ -98,7 +100,8 @@ impl<'a> LatinSteps<'a> {
         }
     }
 
-    /// The law at `point` met along −f̂ + k ŵ = `target` (shear, normal): fills ŵ, f̂ and the status.
+    /// The law at `point` met along −f̂ + k ŵ = `target` (shear, normal): fills ŵ, f̂ and the
+    /// status.
     fn local_stage(&mut self, point: usize, target: (f64, f64), reference: f64) {
         let (t, n) = (2 * point, 2 * point + 1);
         let k = self.direction[t];
@@ -130,7 +133,7 @@ impl<'a> StepSolver<'a> for LatinSteps<'a> {
         let Latin { tolerance, max_iterations, .. } = self.settings;
         let failure = |iterations, indicator| NotConverged { iterations, indicator, tolerance };
         let n = 2 * self.problem.points();
-        let influence = self.problem.body().sif_influence();
+        let influence = &self.problem.body().sif_influence;
         let mut extrapolation = Anderson::new(self.settings.history);
         let mut jump = vec![0.0; n];
         let mut force = vec![0.0; n];
@@ -175,8 +178,8 @@ impl<'a> StepSolver<'a> for LatinSteps<'a> {
 }
 
 impl LatinSteps<'_> {
-    /// The largest difference of the local from the global solution: forces and jumps, and what the difference of the
-    /// forces means for K, each relative to its largest value so far.
+    /// The largest difference of the local from the global solution: forces and jumps, and what the
+    /// difference of the forces means for K, each relative to its largest value so far.
     fn indicator(&mut self, jump: &[f64], force: &[f64], load: &[f64], influence: &Matrix) -> f64 {
         let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0f64, |m, v| m.max(v.abs()));
         let local = &self.solution;

@@ -1,8 +1,8 @@
-//! The law of the crack faces.
+//! Contact conditions on the crack faces: status and state of a face point.
 
 use serde::{Deserialize, Serialize};
 
-/// What a face point does.
+/// Contact status of a face point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum FaceStatus {
     /// Not in contact: no traction.

@@ -16,7 +16,7 @@ mod trace;
 pub use latin::Latin;
 pub use law::{FaceState, FaceStatus};
 pub use newton::Newton;
-pub use problem::{FaceProblem, FaceScale, FaceSolution, PointStatus};
+pub use problem::{CrackFrictionError, FaceProblem, FaceScale, FaceSolution, PointStatus};
 pub use response::FaceResponse;
 pub use solver::{ContactSolver, LoadStep, NotConverged, StepSolver};
 pub use stepping::{LoadPath, StepControl, Stepper, SteppingCounts, SteppingError};

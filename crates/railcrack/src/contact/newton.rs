@@ -1,13 +1,13 @@
-//! Semismooth Newton (primal–dual active set) on the law of the faces.
+//! Semismooth Newton (primal–dual active set) on the contact conditions.
 
 use super::problem::ROUND_OFF;
 use super::{
     ContactSolver, FaceProblem, FaceResponse, FaceScale, LoadStep, NotConverged, PointStatus, StepSolver,
 };
 
-/// Semismooth Newton: every point that breaks the law of its status changes it, until none does; the law then holds
-/// exactly. Starts from the last step's statuses, so that most steps take one or two solutions of small updated
-/// systems.
+/// Semismooth Newton: every point that violates the conditions of its status changes it, until none
+/// does; the contact conditions then hold exactly. Starts from the last step's statuses, so that
+/// most steps take one or two solutions of small updated systems.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Newton {
     /// Iterations before the step is given up.
@@ -26,7 +26,8 @@ impl ContactSolver for Newton {
     }
 }
 
-/// Iterations in which all points change at once; after that the worst one is settled by itself, which breaks cycles.
+/// Iterations in which all points change at once; after that the worst one is settled by itself,
+/// which breaks cycles.
 const SIMULTANEOUS: usize = 12;
 
 struct NewtonSteps<'a> {
@@ -36,7 +37,8 @@ struct NewtonSteps<'a> {
     scale: FaceScale,
 }
 
-/// The status that the law asks of `point`, and how far it is from it relative to round-off.
+/// The status that the contact conditions ask of `point`, and how far it is from it relative to
+/// round-off.
 fn demanded(
     problem: &FaceProblem,
     faces: &FaceResponse,
@@ -116,11 +118,12 @@ impl<'a> StepSolver<'a> for NewtonSteps<'a> {
 }
 
 impl<'a> NewtonSteps<'a> {
-    /// Gives `point` the status with which it fulfils the law while the others keep theirs, `wanted` if none does; returns
-    /// whether `faces` are in equilibrium then.
+    /// Gives `point` the status with which it fulfils the contact conditions while the others keep
+    /// theirs, `wanted` if none does; returns whether `faces` are in equilibrium then.
     ///
-    /// What the law demands from the present status need not fulfil it: where friction closes a point by more than its pressure opens it, the
-    /// point may penetrate when it is open and be pulled when it slips, and has to stick.
+    /// The status that the contact conditions demand next need not fulfil them: where friction
+    /// closes a point by more than its pressure opens it, the point may penetrate when it is open
+    /// and be pulled when it slips, and has to stick.
     fn settle(
         &self,
         step: LoadStep,
@@ -147,16 +150,17 @@ impl<'a> NewtonSteps<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::body::CrackedBody;
-    use crate::contact::fixtures::OnePoint;
+    use crate::contact::fixtures::one_point;
 
     #[test]
     fn a_point_that_can_neither_open_nor_slip_sticks() {
-        // Slip forward with friction 2 opens the point by 2 · 0.9 times what its pressure opens it: more pressure closes it.
-        let body = OnePoint::new(1.0, 0.9);
-        let problem = FaceProblem::new(&body, &[2.0]);
-        // The free jumps (3, −1): the point is ahead of where it touches, and beyond the other face.
-        let forces = body.stiffness().times(&[3.0, -1.0]);
+        // Slip forward with friction 2 opens the point by 2 · 0.9 times what its pressure opens it:
+        // more pressure closes it.
+        let body = one_point(1.0, 0.9);
+        let problem = FaceProblem::new(&body, &[2.0]).unwrap();
+        // The free jumps (3, −1): the point is ahead of where it touches, and beyond the other
+        // face.
+        let forces = body.stiffness.times(&[3.0, -1.0]);
         let mut faces = FaceResponse::virgin(&problem);
         faces.set_status(0, PointStatus::Open, 0.0);
         faces.load([forces.clone()]);

@@ -1,9 +1,10 @@
 //! The faces of one cracked body, and one load step on them.
 
 use super::{FaceState, FaceStatus};
-use crate::body::CrackedBody;
+use crate::body::{CrackedBody, FacePoint};
 use crate::fracture::Sif;
 use crate::math::{Matrix, dot};
+use thiserror::Error;
 
 /// Status of a face point; the sign of a slipping one is that of s12.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -24,8 +25,9 @@ impl PointStatus {
         self != Self::Open
     }
 
-    /// The status of an open point that touches, having moved by `along` while it closed by `closing` > 0: the law met along that way with equal
-    /// stiffness in shear and pressure.
+    /// The status of an open point that touches, having moved by `along` while it closed by
+    /// `closing` > 0: the contact conditions met along that way with equal stiffness in shear and
+    /// pressure.
     pub(super) fn of_touching(along: f64, closing: f64, friction: f64) -> Self {
         if friction > 0.0 && along.abs() <= friction * closing {
             Self::Stick
@@ -46,21 +48,53 @@ impl PointStatus {
     }
 }
 
+/// Crack-face friction that does not fit the cracks.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[non_exhaustive]
+pub enum CrackFrictionError {
+    /// Not one coefficient for each crack.
+    #[error("{given} coefficients of crack-face friction: must be one for each of {cracks} cracks")]
+    Count {
+        /// How many were given.
+        given: usize,
+        /// How many cracks the body has.
+        cracks: usize,
+    },
+    /// A coefficient that cannot be.
+    #[error("crack-face friction of crack {crack} = {value}: must be finite and not negative")]
+    Value {
+        /// Number of the crack, from 1.
+        crack: usize,
+        /// The value given.
+        value: f64,
+    },
+}
+
 /// Unilateral contact with Coulomb friction at the face points of a body.
 pub struct FaceProblem<'a> {
-    body: &'a dyn CrackedBody,
+    body: &'a CrackedBody,
     friction: Vec<f64>,
 }
 
 impl<'a> FaceProblem<'a> {
-    /// `crack_friction[crack]` is μ_c ≥ 0 of each crack of the body.
-    pub fn new(body: &'a dyn CrackedBody, crack_friction: &[f64]) -> Self {
-        let friction = body.faces().points.iter().map(|p| crack_friction[p.crack]).collect();
-        Self { body, friction }
+    /// `crack_friction[crack]` is the crack-face friction μ_c ≥ 0 of each crack of the body.
+    ///
+    /// Errors: not one coefficient for each crack; a negative or infinite coefficient.
+    pub fn new(body: &'a CrackedBody, crack_friction: &[f64]) -> Result<Self, CrackFrictionError> {
+        let points = &body.faces.points;
+        let cracks = points.iter().map(|point| point.crack + 1).max().unwrap_or(0);
+        if crack_friction.len() != cracks {
+            return Err(CrackFrictionError::Count { given: crack_friction.len(), cracks });
+        }
+        let refused = crack_friction.iter().position(|mu| !(*mu >= 0.0 && mu.is_finite()));
+        if let Some(crack) = refused {
+            return Err(CrackFrictionError::Value { crack: crack + 1, value: crack_friction[crack] });
+        }
+        Ok(Self { body, friction: points.iter().map(|point| crack_friction[point.crack]).collect() })
     }
 
     /// The body.
-    pub fn body(&self) -> &'a dyn CrackedBody {
+    pub fn body(&self) -> &'a CrackedBody {
         self.body
     }
 
@@ -80,7 +114,7 @@ impl<'a> FaceProblem<'a> {
     }
 
     pub(super) fn stiffness(&self) -> &'a Matrix {
-        self.body.stiffness()
+        &self.body.stiffness
     }
 }
 
@@ -105,17 +139,20 @@ impl FaceSolution {
         }
     }
 
-    /// The stress intensity factors of each tip under the nodal forces `load` (N/mm, 2p) of the step.
-    pub fn sifs(&self, body: &dyn CrackedBody, load: &[f64]) -> Vec<Sif> {
+    /// The stress intensity factors of each tip under the nodal forces `load` (N/mm, 2p) of the
+    /// step.
+    #[must_use]
+    pub fn sifs(&self, body: &CrackedBody, load: &[f64]) -> Vec<Sif> {
         let total: Vec<f64> = self.contact.iter().zip(load).map(|(c, l)| c + l).collect();
-        let influence = body.sif_influence();
+        let influence = &body.sif_influence;
         let row = |i: usize| dot(influence.row(i), &total);
         (0..influence.rows() / 2).map(|tip| Sif { ki: row(2 * tip), kii: row(2 * tip + 1) }).collect()
     }
 
-    /// What each face point does, in stresses.
+    /// The state of each face point, in stresses.
+    #[must_use]
     pub fn face_states(&self, problem: &FaceProblem) -> Vec<FaceState> {
-        let state = |(j, point): (usize, &crate::body::FacePoint)| {
+        let state = |(j, point): (usize, &FacePoint)| {
             let status = match self.status[j] {
                 PointStatus::Open => FaceStatus::Open,
                 PointStatus::Stick => FaceStatus::Stick,
@@ -129,11 +166,12 @@ impl FaceSolution {
                 status,
             }
         };
-        problem.body.faces().points.iter().enumerate().map(state).collect()
+        problem.body.faces.points.iter().enumerate().map(state).collect()
     }
 
-    /// The largest violation of the law of the faces: negative opening relative to `scale.jump`; tension, shear beyond
-    /// friction, or force across an opening relative to `scale.force`.
+    /// The largest violation of the contact conditions: negative opening relative to `scale.jump`;
+    /// tension, shear beyond friction, or force across an opening relative to `scale.force`.
+    #[must_use]
     pub fn violation(&self, problem: &FaceProblem, scale: FaceScale) -> f64 {
         (0..problem.points()).fold(0.0f64, |worst, j| {
             let (tangential, normal) =
@@ -148,7 +186,7 @@ impl FaceSolution {
 /// Forces and jumps below this fraction of the largest are round-off.
 pub(super) const ROUND_OFF: f64 = 1e-11;
 
-/// What counts as large on the faces: the largest values so far.
+/// Scale of jumps and forces on the faces: the largest values so far.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FaceScale {
     /// Jump, mm.
@@ -166,5 +204,21 @@ impl FaceScale {
         let largest = |values: &[f64], so_far: f64| values.iter().fold(so_far, |m, v| m.max(v.abs()));
         let force = largest(load, largest(&solution.contact, self.force));
         Self { jump: largest(&solution.jump, self.jump), force }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{CrackFrictionError, FaceProblem};
+    use crate::contact::fixtures::one_point;
+
+    #[test]
+    fn crack_friction_that_does_not_fit_is_refused() {
+        let body = one_point(1.0, 0.0);
+        let refused = |friction: &[f64]| FaceProblem::new(&body, friction).err();
+        assert_eq!(refused(&[]), Some(CrackFrictionError::Count { given: 0, cracks: 1 }));
+        assert_eq!(refused(&[0.5, 0.5]), Some(CrackFrictionError::Count { given: 2, cracks: 1 }));
+        assert_eq!(refused(&[-0.1]), Some(CrackFrictionError::Value { crack: 1, value: -0.1 }));
+        assert!(refused(&[f64::NAN]).is_some() && refused(&[0.0]).is_none());
     }
 }

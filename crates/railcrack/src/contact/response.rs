@@ -4,8 +4,9 @@ use super::condition::{Condition, Degenerate};
 use super::tableau::{FaceRate, Tableau};
 use super::{FaceProblem, FaceSolution, PointStatus};
 
-/// The faces with their statuses: for given loads the jumps of the free components and the forces of the held ones
-/// follow linearly. Newton's method works on it; the step control uses it to foresee events.
+/// The faces with their statuses: for given loads the jumps of the free components and the forces
+/// of the held ones follow linearly. Newton's method works on it; the step control uses it to
+/// foresee events.
 pub struct FaceResponse<'a> {
     problem: &'a FaceProblem<'a>,
     tableau: Tableau<'a>,
@@ -42,7 +43,8 @@ impl<'a> FaceResponse<'a> {
         &self.solution
     }
 
-    /// Gives `point` another status, from the next equilibrium on; one that sticks is held at slip `reference` (mm).
+    /// Gives `point` another status, from the next equilibrium on; one that sticks is held at slip
+    /// `reference` (mm).
     pub(super) fn set_status(&mut self, point: usize, status: PointStatus, reference: f64) {
         self.solution.status[point] = status;
         let coupling = status.direction() * self.problem.friction(point);
@@ -79,7 +81,8 @@ impl<'a> FaceResponse<'a> {
         self.tableau.solve_again(jump, contact)
     }
 
-    /// What the loads from number `first` on add to jumps and contact forces with the present statuses, one after the other in `rates`.
+    /// Contributions of the loads from number `first` on to jumps and contact forces with the
+    /// present statuses, one after the other in `rates`.
     pub(super) fn rates(&mut self, first: usize, rates: &mut [FaceRate]) -> Result<(), Degenerate> {
         self.tableau.rates(first, rates)
     }

@@ -1,4 +1,4 @@
-//! The trait of the contact solvers.
+//! Contact solvers: one implicit load step on the crack faces.
 
 use super::{FaceProblem, FaceResponse};
 use thiserror::Error;
@@ -8,7 +8,8 @@ use thiserror::Error;
 pub struct LoadStep<'a> {
     /// Nodal forces of the removed uncracked stress, N/mm, 2p.
     pub forces: &'a [f64],
-    /// Slip (mm, p) of each point where it last touched or, if it is open, where it is expected to touch.
+    /// Slip (mm, p) of each point where it last touched or, if it is open, where it is expected to
+    /// touch.
     pub reference_slip: &'a [f64],
 }
 
@@ -20,9 +21,9 @@ pub struct LoadStep<'a> {
 pub struct NotConverged {
     /// Iterations spent.
     pub iterations: usize,
-    /// What was reached.
+    /// The value reached.
     pub indicator: f64,
-    /// What was asked for.
+    /// The value asked for.
     pub tolerance: f64,
 }
 
@@ -34,8 +35,9 @@ pub trait ContactSolver: Sync {
 
 /// A solver at work on the faces of one body.
 pub trait StepSolver<'a> {
-    /// Solves a step from the solution in `faces`, which is in equilibrium under `step.forces` with the statuses of the last step, and leaves the new solution there; returns the iterations. After an error `faces`
-    /// holds no solution.
+    /// Solves a step from the solution in `faces`, which is in equilibrium under `step.forces` with
+    /// the statuses of the last step, and leaves the new solution there; returns the iterations.
+    /// After an error `faces` holds no solution.
     fn solve(&mut self, step: LoadStep, faces: &mut FaceResponse<'a>) -> Result<usize, NotConverged>;
     /// Makes what the solver remembers of the current solution the one to return to.
     fn keep(&mut self);

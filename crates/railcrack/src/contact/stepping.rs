@@ -1,4 +1,4 @@
-//! Adaptive load steps: friction remembers the order of events.
+//! Adaptive load steps: friction depends on the order of events.
 
 use super::trace::{Accuracy, StepLoad, Stop, Traced, follow};
 use super::{
@@ -16,17 +16,19 @@ pub trait LoadPath: Sync {
 /// How the load steps of a path are chosen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum StepControl {
-    /// Points touch, stick, slip and open one after the other within a step, along a parabola of the load; a step is as long as the tolerance lets that be
-    /// accurate.
+    /// Points touch, stick, slip and open one after the other within a step, along a parabola of
+    /// the load; a step is as long as the tolerance lets that be accurate.
     #[default]
     Adaptive,
-    /// One step from station to station, as in a code without control: a point that closes and sticks within a step is
-    /// held at the slip it had at the start of the step. The error in locked slip is of first order in the step.
+    /// One step from station to station, as in a code without control: a point that closes and
+    /// sticks within a step is held at the slip it had at the start of the step. The error in
+    /// locked slip is of first order in the step.
     Fixed,
 }
 
 /// A path that could not be followed.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[non_exhaustive]
 pub enum SteppingError {
     /// The contact did not converge at the smallest step.
     #[error("at path coordinate {at}: {failure}")]
@@ -50,7 +52,7 @@ pub enum SteppingError {
         /// Where it should have ended.
         to: f64,
     },
-    /// Whoever watches asked to stop.
+    /// The observer asked to stop.
     #[error("interrupted at path coordinate {at}")]
     Interrupted {
         /// Where.
@@ -69,16 +71,18 @@ pub struct SteppingCounts {
     pub iterations: usize,
     /// The most iterations of one solution.
     pub iterations_max: usize,
-    /// Largest violation of the law of the faces.
+    /// Largest violation of the contact conditions.
     pub violation_max: f64,
 }
 
 /// Follows load paths from station to station, event by event.
 ///
-/// Between changes of status the response to the load has no memory, so a step has no error of its own. What a step can
-/// get wrong is the slip at which a point is held when it closes, or stops slipping, within the step. So all changes of status
-/// are met in their order, along a parabola of the load; where what that misses of the load would change the slip of such a point by more than `tolerance` of the largest jump seen there,
-/// the step is cut. At the end of a step the solver has the last word, under the exact load.
+/// Between changes of status the response to the load has no memory, and a load step has no error.
+/// An error arises only in the slip at which a point is held when it closes, or stops slipping,
+/// within the step. All changes of status are therefore followed in their order along a parabola of
+/// the load; where the difference between parabola and load would change the slip of such a point
+/// by more than `tolerance` of the largest jump seen there, the step is cut. The end of a step is
+/// solved under the exact load.
 pub struct Stepper<'a> {
     problem: &'a FaceProblem<'a>,
     solver: Box<dyn StepSolver<'a> + 'a>,
@@ -97,14 +101,14 @@ pub struct Stepper<'a> {
     interrupted: &'a (dyn Fn() -> bool + Sync),
 }
 
-/// Steps that are tried between two stations at most. Passages need some hundreds for all of their stations together; thousands between two
-/// of them are a solver that goes in circles.
+/// Steps that are tried between two stations at most. Passages need some hundreds for all of their
+/// stations together; thousands between two of them are a solver that goes in circles.
 const MOST_ATTEMPTS: usize = 3000;
-/// Steps between two stations at most in which the contact does not converge, each of hundreds of iterations. Halving a step down to the
-/// smallest takes 24 of them.
+/// Steps between two stations at most in which the contact does not converge, each of hundreds of
+/// iterations. Halving a step down to the smallest takes 24 of them.
 const MOST_FAILURES: usize = 48;
-/// Error of the slip at which a point is held, over the tolerance times the largest jump seen there.
-/// Measured in `docs/step-control.md`.
+/// Error of the slip at which a point is held, over the tolerance times the largest jump seen
+/// there. Measured in `docs/step-control.md`.
 const HELD_SLIP: f64 = 0.2;
 /// Slip that counts as large before any has been seen, as a share of the slip without contact.
 const EXPECTED_SHARE: f64 = 2e-2;
@@ -122,15 +126,15 @@ enum Attempt {
     Untraced(f64),
 }
 
-/// A step that can be followed to less than this share of it is made untraced, with a share [`UNTRACED`] of its length; others
-/// end at this share of what could be followed.
+/// A step that can be followed to less than this share of it is made untraced, with a share
+/// [`UNTRACED`] of its length; others end at this share of what could be followed.
 const EARLY: f64 = 0.05;
 const UNTRACED: f64 = 1.0 / 16.0;
 const BEFORE: f64 = 0.95;
 
 impl<'a> Stepper<'a> {
-    /// Virgin faces without load. `tolerance` is that on K relative to its peak; `expected` (mm, p) is the slip that
-    /// each point would show without contact, for the scale of first events.
+    /// Virgin faces without load. `tolerance` is that on K relative to its peak; `expected` (mm, p)
+    /// is the slip that each point would show without contact, for the scale of first events.
     pub fn new(
         problem: &'a FaceProblem<'a>,
         solver: &dyn ContactSolver,
@@ -168,8 +172,8 @@ impl<'a> Stepper<'a> {
         &self.current
     }
 
-    /// Whether the current solution is `other`, as far as what comes after it can tell: the same statuses, and jumps that differ by less than a thousandth of
-    /// the error that a step may make.
+    /// Whether the current solution is `other`, as far as what comes after it can tell: the same
+    /// statuses, and jumps that differ by less than a thousandth of the error that a step may make.
     pub fn is_like(&self, other: &FaceSolution) -> bool {
         let near = |i: usize| (self.current.jump[i] - other.jump[i]).abs() <= ALIKE * self.allowed(i / 2);
         self.current.status == other.status && (0..other.jump.len()).all(near)
@@ -190,10 +194,12 @@ impl<'a> Stepper<'a> {
         self.at = start;
     }
 
-    /// Follows `path` to `station`, in as many steps as the tolerance asks for. `accepted` sees every accepted solution
-    /// and the faces wherever a status changes on the way to it, with their forces.
+    /// Follows `path` to `station`, in as many steps as the tolerance asks for. `accepted` sees
+    /// every accepted solution, and the faces wherever a status changes on the way to it, with
+    /// their forces.
     ///
-    /// Errors: contact does not converge in the smallest step, or in too many; the steps find no end; an interruption.
+    /// Errors: contact does not converge in the smallest step, or in too many; the steps find no
+    /// end; an interruption.
     pub fn advance(
         &mut self,
         path: &dyn LoadPath,

@@ -4,17 +4,21 @@ use super::condition::{Condition, Degenerate};
 use crate::linear::{BorderedFactor, LinearError, SmallFactor, add_product, general_inverse, product};
 use crate::math::{Matrix, add_rows_to_each, axpy};
 
-/// The equations A w = load + q of the faces under a condition for each component: its jump w_i is held, or it is free with
-/// q_i + c_i q_{i+1} = 0, where c_i ≠ 0 couples the shear of a slipping point to its pressure.
+/// The equations A w = load + q of the faces under a condition for each component: its jump w_i is
+/// held, or it is free with q_i + c_i q_{i+1} = 0, where c_i ≠ 0 couples the shear of a slipping
+/// point to its pressure.
 ///
-/// A basis of such conditions has a tableau: with the prescribed quantity of each component as input (w_i, or with p = A w the force
-/// p_i + c_i p_{i+1}) and the other one as output (p_i, or w_i), output = T · input. Where the conditions of today differ from those of the basis,
-/// the inputs there are unknown instead, and follow from as many equations, all of whose coefficients are entries of T. So a
-/// change of status costs nothing but a row of a small system, and to undo it costs nothing at all. Many
-/// differences together become a new basis, by a block principal pivot (Cottle, Pang & Stone, The Linear Complementarity Problem, 2.3).
+/// A basis of such conditions has a tableau: with the prescribed quantity of each component as
+/// input (w_i, or with p = A w the force p_i + c_i p_{i+1}) and the other one as output (p_i, or
+/// w_i), output = T · input. Where the present conditions differ from those of the basis, the
+/// inputs there are unknown instead, and follow from as many equations, all of whose coefficients
+/// are entries of T. A change of status thus costs one row of a small system, and undoing it
+/// costs nothing. Many differences together become a new basis, by a block principal
+/// pivot (Cottle, Pang & Stone, The Linear Complementarity Problem, 2.3).
 pub(super) struct Tableau<'a> {
     stiffness: &'a Matrix,
-    /// Unit (N/mm per mm) of the forces in the tableau over those of the jumps: stiffnesses and compliances are about one then.
+    /// Unit (N/mm per mm) of the forces in the tableau over those of the jumps: stiffnesses and
+    /// compliances are about one then.
     unit: f64,
     /// Conditions of the basis; of held components the jump does not count.
     basis: Vec<Condition>,
@@ -22,7 +26,8 @@ pub(super) struct Tableau<'a> {
     responses: Matrix,
     now: Vec<Condition>,
     kept: Vec<Condition>,
-    /// Where the basis holds components (mm), zero where it does not, and its outputs for that: what is held seldom moves.
+    /// Where the basis holds components (mm), zero where it does not, and its outputs for that:
+    /// what is held seldom moves.
     held: Vec<f64>,
     of_held: Vec<f64>,
     probe: Probe,
@@ -45,11 +50,11 @@ struct Load {
 struct Answer {
     input: Vec<f64>,
     output: Vec<f64>,
-    /// Of the inputs where the conditions of today differ.
+    /// Of the inputs where the present conditions differ.
     changes: Vec<f64>,
 }
 
-/// What acts on the faces.
+/// An action on the faces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Action {
     /// One of the loads, if any.
@@ -74,7 +79,7 @@ impl FaceRate {
     }
 }
 
-/// Where the conditions of today differ from those of the basis.
+/// Where the present conditions differ from those of the basis.
 #[derive(Default)]
 struct Differences {
     /// In the order in which they came.
@@ -86,7 +91,8 @@ struct Differences {
 }
 
 impl Differences {
-    /// Takes note that the condition of `component` has changed, and whether it `differs` from that of the basis.
+    /// Takes note that the condition of `component` has changed, and whether it `differs` from that
+    /// of the basis.
     fn change(&mut self, component: usize, differs: bool) {
         self.whole = None;
         if let Some(place) = self.components.iter().position(|&other| other == component) {
@@ -107,7 +113,8 @@ impl Differences {
     }
 }
 
-/// A sum of the equations that is quickly made: each with a weight of its own, so that errors do not cancel.
+/// A weighted sum of all equations, cheap to form: every equation has a weight of its own, so that
+/// errors do not cancel.
 struct Probe {
     weights: Vec<f64>,
     /// A times the weights, N/mm.
@@ -126,14 +133,14 @@ impl Probe {
     }
 }
 
-/// Components per difference that it takes to make a new basis, and how many differences at least and at most: a system of more costs
-/// more than a basis.
+/// Components per difference that it takes to make a new basis, and how many differences at least
+/// and at most: a system of more costs more than a basis.
 const MANY: usize = 12;
 const FEW: usize = 10;
 const MOST: usize = 80;
 /// A new basis is made at once beyond this multiple of that number.
 const URGENT: usize = 3;
-/// Residual of the probe, relative to its terms so far, above which a basis is made afresh.
+/// Residual of the probe, relative to its terms so far, above which a basis is computed anew.
 const DRIFT: f64 = 1e-13;
 
 impl<'a> Tableau<'a> {
@@ -168,8 +175,8 @@ impl<'a> Tableau<'a> {
         self.loads.push(Load { forces, answer: None });
     }
 
-    /// Sets the condition of `component`. Only one that another follows may be coupled, and only to one that is free without
-    /// coupling or held.
+    /// Sets the condition of `component`. Only one that another follows may be coupled, and only to
+    /// one that is free without coupling or held.
     pub(super) fn set(&mut self, component: usize, condition: Condition) {
         if !condition.is_like(self.now[component]) {
             self.differences.change(component, !condition.is_like(self.basis[component]));
@@ -207,7 +214,8 @@ impl<'a> Tableau<'a> {
         self.solve_checked(jump, contact)
     }
 
-    /// What the loads from number `first` on add to jumps and contact forces while nothing that is held moves, one after the other in `rates`.
+    /// Contributions of the loads from number `first` on to jumps and contact forces while nothing
+    /// that is held moves, one after the other in `rates`.
     ///
     /// Errors: conditions that leave a component without equation.
     pub(super) fn rates(&mut self, first: usize, rates: &mut [FaceRate]) -> Result<(), Degenerate> {
@@ -230,7 +238,8 @@ impl<'a> Tableau<'a> {
         }
     }
 
-    /// Jumps and contact forces under the first load. A basis whose numbers turn out wrong is made afresh.
+    /// Jumps and contact forces under the first load. A basis that has become inaccurate is
+    /// computed anew.
     fn solve_checked(&mut self, jump: &mut [f64], contact: &mut [f64]) -> Result<(), Degenerate> {
         let sound = self.equilibrium(jump, contact);
         if sound.is_ok() && self.fulfils(jump, contact) {
@@ -240,7 +249,8 @@ impl<'a> Tableau<'a> {
         self.equilibrium(jump, contact)
     }
 
-    /// Whether A w = load + q holds under the first load, as far as a sum of all equations with the weights of the probe tells.
+    /// Whether A w = load + q holds under the first load, as far as a sum of all equations with the
+    /// weights of the probe tells.
     fn fulfils(&mut self, jump: &[f64], contact: &[f64]) -> bool {
         let (mut sum, mut size) = (0.0f64, 0.0f64);
         let load = &self.loads[0].forces;
@@ -283,7 +293,7 @@ impl<'a> Tableau<'a> {
         Ok(())
     }
 
-    /// The basis under each of `actions` with the inputs at which the conditions of today are met.
+    /// The basis under each of `actions` with the inputs at which the present conditions are met.
     fn answers(&mut self, actions: &[Action]) -> Result<Vec<Answer>, Degenerate> {
         self.answer();
         self.factor()?;
@@ -374,8 +384,8 @@ impl<'a> Tableau<'a> {
         answer
     }
 
-    /// Moves what is held, as in the basis, but elsewhere than before. Where the basis holds what is free now, the input is unknown, and
-    /// what it was last a good guess.
+    /// Moves what is held, as in the basis, but elsewhere than before. Where the basis holds what
+    /// is free now, the input is unknown, and what it was last a good guess.
     fn move_held(&mut self) {
         for i in 0..self.now.len() {
             if let (Condition::Held(_), Condition::Held(at)) = (self.basis[i], self.now[i])
@@ -387,8 +397,8 @@ impl<'a> Tableau<'a> {
         }
     }
 
-    /// What a unit of the input of component `input` adds to the left-hand side of the condition of `component` today, which is another one than in the
-    /// basis.
+    /// Contribution of a unit of the input of component `input` to the left-hand side of the
+    /// condition of `component` today, which differs from that in the basis.
     fn coefficient(&self, component: usize, input: usize) -> f64 {
         let response = self.responses.row(input);
         let own = f64::from(component == input);
@@ -403,7 +413,7 @@ impl<'a> Tableau<'a> {
         }
     }
 
-    /// What `input` and `output` of the basis lack for the condition of component `i` today.
+    /// Deficit of `input` and `output` of the basis in the present condition of component `i`.
     fn defect(&self, i: usize, action: Action, input: &[f64], output: &[f64]) -> f64 {
         let driven = |coupling| action.load.map_or(0.0, |k| self.driven(&self.loads[k].forces, i, coupling));
         let next = || match self.basis[i + 1] {
@@ -443,7 +453,8 @@ impl<'a> Tableau<'a> {
         self.change_basis().map_err(|_| Degenerate)
     }
 
-    /// A basis that has not answered yet: everything that is held moves there from zero with the next response.
+    /// A basis that has not answered yet: everything that is held moves there from zero with the
+    /// next response.
     fn begin_basis(&mut self) {
         self.differences = Differences::default();
         self.loads.iter_mut().for_each(|load| load.answer = None);
@@ -451,8 +462,9 @@ impl<'a> Tableau<'a> {
         self.of_held.fill(0.0);
     }
 
-    /// Makes the present conditions the basis. With K the components that differ, R the coefficients of all inputs in their conditions and
-    /// Z = R_K⁻¹, the inputs of K are u_K = Z (s − R u) in terms of their new ones s and of the others u.
+    /// Makes the present conditions the basis. With K the components that differ, R the
+    /// coefficients of all inputs in their conditions and Z = R_K⁻¹, the inputs of K are u_K = Z (s
+    /// − R u) in terms of their new ones s and of the others u.
     fn change_basis(&mut self) -> Result<(), LinearError> {
         // What the loads do under the new conditions is known without the new basis.
         self.move_held();
@@ -506,7 +518,7 @@ impl<'a> Tableau<'a> {
         Ok(())
     }
 
-    /// Inputs and outputs under the conditions of today of `answers` of the basis before.
+    /// Inputs and outputs under the present conditions of `answers` of the basis before.
     fn renewed(&self, answers: &[Answer]) -> Vec<Answer> {
         let renewed = |answer: &Answer| {
             let n = self.now.len();
@@ -540,7 +552,8 @@ impl<'a> Tableau<'a> {
 }
 
 impl Condition {
-    /// Jump (mm) and A w (in units) of a component of which the basis has this condition, from its input and output; `next` is A w of the one after it.
+    /// Jump (mm) and A w (in units) of a component of which the basis has this condition, from its
+    /// input and output; `next` is A w of the one after it.
     fn state(self, input: f64, output: f64, next: f64) -> (f64, f64) {
         match self {
             Self::Held(_) => (input, output),

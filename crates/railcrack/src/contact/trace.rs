@@ -35,7 +35,7 @@ impl StepLoad {
     }
 }
 
-/// What happened in a step.
+/// Events of a step.
 pub(super) struct Traced {
     /// The slip (mm, p) from which friction counts at its end.
     pub reference_slip: Vec<f64>,
@@ -53,7 +53,7 @@ pub(super) struct Change {
 
 /// How accurate a step has to be.
 pub(super) struct Accuracy<'s> {
-    /// What the parabola of the load misses (N/mm, 2p), where it misses most.
+    /// The part of the load that its parabola misses (N/mm, 2p), where it misses most.
     pub missed: &'s dyn Fn() -> Vec<f64>,
     /// By how much (mm) the slip may be wrong at which a point is held.
     pub allowed: &'s dyn Fn(usize) -> f64,
@@ -74,18 +74,18 @@ pub(super) enum Stop {
     },
 }
 
-/// Events at one moment, and in a step over the number of points, that are too many: the law has no solution there, or the faces have just begun to touch
-/// everywhere.
+/// Events at one moment, and in a step over the number of points, that are too many: the contact
+/// conditions have no solution there, or the faces have just begun to touch everywhere.
 const MOST_AT_ONCE: usize = 32;
 const MOST_PER_POINT: usize = 4;
-/// Shares of a step that are one moment.
+/// Shares of a step that differ by less are the same moment.
 const MOMENT: f64 = 1e-12;
 
-/// The faces on their way through a step.
+/// The faces followed through a step.
 struct Way<'w, 'a> {
     problem: &'w FaceProblem<'a>,
     faces: &'w mut FaceResponse<'a>,
-    /// Jumps and forces that are round-off.
+    /// Jumps and forces below these are round-off.
     round_off: FaceScale,
     share: f64,
     now: FaceSolution,
@@ -94,8 +94,9 @@ struct Way<'w, 'a> {
     reference_slip: Vec<f64>,
     changes: Vec<Change>,
     accuracy: Accuracy<'w>,
-    /// By crack, a bound of the error of slip that what the parabola misses means, over √C_jj of the point: by Cauchy and Schwarz |C_jk| ≤ √(C_jj C_kk). None
-    /// before it is asked for; `faces` has what is missed as load 3 then.
+    /// By crack, a bound of the error of slip that what the parabola misses means, over √C_jj of
+    /// the point: by Cauchy and Schwarz |C_jk| ≤ √(C_jj C_kk). None before it is asked for; `faces`
+    /// has what is missed as load 3 then.
     error_bounds: Option<Vec<f64>>,
 }
 
@@ -108,8 +109,10 @@ struct Event {
     after: f64,
 }
 
-/// Follows the faces from `current` through a step, of whose load `faces` has the coefficients as loads 1 and 2. Between two changes of status the response is
-/// a parabola like the load; so the changes are found one after the other, in their order. The statuses of `faces` are those at the end then.
+/// Follows the faces from `current` through a step, of whose load `faces` has the coefficients as
+/// loads 1 and 2. Between two changes of status the response is a parabola like the load, so that
+/// the changes are found one after the other. On return `faces` has the statuses at the end of the
+/// step.
 pub(super) fn follow<'a>(
     problem: &FaceProblem<'a>,
     faces: &mut FaceResponse<'a>,
@@ -176,7 +179,7 @@ impl Way<'_, '_> {
         next
     }
 
-    /// When, before `span` is over, and to what status `point` changes.
+    /// Time within `span` at which `point` changes its status, and the new status.
     fn event_of(&self, point: usize, span: f64) -> Option<(f64, PointStatus)> {
         use PointStatus::{Open, SlipBackward, SlipForward, Stick};
         let (t, n) = (2 * point, 2 * point + 1);
@@ -242,7 +245,7 @@ impl Way<'_, '_> {
     fn check(&mut self, point: usize) -> Result<(), Stop> {
         let allowed = (self.accuracy.allowed)(point);
         let body = self.problem.body();
-        let (points, compliance) = (&body.faces().points, body.compliance());
+        let (points, compliance) = (&body.faces.points, &body.compliance);
         let mobility = |i: usize| compliance[(i, i)].sqrt();
         // A point that touches earlier or later does so at another slip.
         let slope = match (self.now.status[point], self.speed(point, self.share)) {
@@ -279,7 +282,8 @@ struct Parabola {
 }
 
 impl Parabola {
-    /// Of a value that is `now` at share `share` and has the coefficients `first` and `second` in shares of the step; δ counts from now.
+    /// Of a value that is `now` at share `share` and has the coefficients `first` and `second` in
+    /// shares of the step; δ counts from now.
     fn of(now: f64, first: f64, second: f64, share: f64) -> Self {
         Self { c0: now, c1: first + 2.0 * share * second, c2: second }
     }
@@ -292,7 +296,8 @@ impl Parabola {
         Self { c0: self.c0 + other.c0, c1: self.c1 + other.c1, c2: self.c2 + other.c2 }
     }
 
-    /// The first δ < `span` at which the value falls by more than `small` below zero; one that is below zero now counts as zero.
+    /// The first δ < `span` at which the value falls by more than `small` below zero; one that is
+    /// below zero now counts as zero.
     fn first_fall(self, small: f64, span: f64) -> Option<f64> {
         let Self { c0, c1, c2 } = self;
         let c0 = c0.max(0.0) + small;
@@ -308,7 +313,8 @@ impl Parabola {
         (after < span).then_some(after)
     }
 
-    /// The first δ < `span` at which the rate is below zero, if the value then falls by more than `small` in a step.
+    /// The first δ < `span` at which the rate is below zero, if the value then falls by more than
+    /// `small` in a step.
     fn rate_falls(self, small: f64, span: f64) -> Option<f64> {
         let Self { c1, c2, .. } = self;
         if c1 < -small {

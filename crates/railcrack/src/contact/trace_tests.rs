@@ -1,23 +1,24 @@
 use super::*;
-use crate::body::CrackedBody;
-use crate::contact::fixtures::OnePoint;
+use crate::contact::fixtures::one_point;
 use PointStatus::{Open, SlipBackward, SlipForward, Stick};
 use proptest::prelude::*;
 
-/// Compliance of the point, mm per N/mm: own only, so that shear and pressure know nothing of each other.
+/// Compliance of the point, mm per N/mm: own only, so that shear and pressure know nothing of each
+/// other.
 const C: f64 = 1e-5;
 const MU: f64 = 0.5;
 const SCALE: FaceScale = FaceScale { jump: 1e-3, force: 100.0 };
 
-/// Follows the point through a step from `current` with `status`, the load start + τ first + τ² second with `missed` beside it; what happened and the faces at the end.
+/// Follows the point through a step from `current` with `status`, the load start + τ first + τ²
+/// second with `missed` beside it; what happened and the faces at the end.
 fn followed(
     current: &FaceSolution,
     [start, first, second]: [[f64; 2]; 3],
     missed: [f64; 2],
     allowed: f64,
 ) -> (Result<Traced, Stop>, FaceSolution) {
-    let body = OnePoint::new(C, 0.0);
-    let problem = FaceProblem::new(&body, &[MU]);
+    let body = one_point(C, 0.0);
+    let problem = FaceProblem::new(&body, &[MU]).unwrap();
     let mut faces = FaceResponse::virgin(&problem);
     faces.set_status(0, current.status[0], current.jump[0]);
     let end = (0..2).map(|i| start[i] + first[i] + second[i]).collect();
@@ -36,8 +37,8 @@ fn assert_near(got: f64, want: f64, scale: f64) {
     assert!((got - want).abs() < 1e-9 * scale, "{got} instead of {want}");
 }
 
-/// Pressed with P, a shear force that rises to L and goes back to zero: the point sticks until μ P, slips until L, sticks at c (L − μ P) until the
-/// force has gone down by 2 μ P, and slips back.
+/// Pressed with P, a shear force that rises to L and goes back to zero: the point sticks until μ P,
+/// slips until L, sticks at c (L − μ P) until the force has gone down by 2 μ P, and slips back.
 #[test]
 fn a_point_that_is_pushed_to_and_fro() {
     const P: f64 = 40.0;
@@ -60,7 +61,8 @@ fn a_point_that_is_pushed_to_and_fro() {
     assert_near(end.contact[0], MU * P, P);
 }
 
-/// A gap closes at half the step: faster than it slips, so that it is held where it touches, or slower, so that it slips on.
+/// A gap closes at half the step: faster than it slips, so that it is held where it touches, or
+/// slower, so that it slips on.
 #[test]
 fn a_point_that_touches_sticks_or_slips_on() {
     const P: f64 = 40.0;
@@ -95,7 +97,8 @@ fn a_point_opens() {
     assert_near(end.jump[1], C * 40.0, 1e-3);
 }
 
-/// What the parabola misses counts by the slip that it means: directly, and by the moment at which the point touches.
+/// The part of the load that the parabola misses counts by the slip that it means: directly, and by
+/// the moment at which the point touches.
 #[test]
 fn a_hold_is_as_accurate_as_its_load() {
     const P: f64 = 40.0;
@@ -115,16 +118,18 @@ fn a_hold_is_as_accurate_as_its_load() {
     }
 }
 
-/// Friction 2 with slip that opens the point by more than its pressure: it can neither slip nor open.
+/// Friction 2 with slip that opens the point by more than its pressure: it can neither slip nor
+/// open.
 #[test]
 fn a_way_without_next_change_is_lost_where_it_ends() {
-    let body = OnePoint::new(1.0, 0.9);
-    let problem = FaceProblem::new(&body, &[2.0]);
+    let body = one_point(1.0, 0.9);
+    let problem = FaceProblem::new(&body, &[2.0]).unwrap();
     let mut faces = FaceResponse::virgin(&problem);
     let current = point([0.0, 0.5], [0.0, 0.0], Open);
     faces.set_status(0, Open, 0.0);
-    // The free jumps go from (0, 1/2) to (3, −1/2): too fast along for a point that touches to stick.
-    let forces = |jump: [f64; 2]| body.stiffness().times(&jump);
+    // The free jumps go from (0, 1/2) to (3, −1/2): too fast along for a point that touches to
+    // stick.
+    let forces = |jump: [f64; 2]| body.stiffness.times(&jump);
     faces.load([forces([3.0, -0.5]), forces([3.0, -1.0]), vec![0.0; 2]]);
     let accuracy = Accuracy { missed: &|| vec![0.0; 2], allowed: &|_| 1.0 };
     let scale = FaceScale { jump: 1.0, force: 1.0 };

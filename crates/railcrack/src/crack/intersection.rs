@@ -1,4 +1,4 @@
-//! Whether two cracks meet.
+//! Intersection of two cracks.
 
 use super::Crack;
 use crate::math::{Orientation, Vec2, orientation, segments_touch};

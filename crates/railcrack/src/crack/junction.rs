@@ -1,4 +1,4 @@
-//! Where a crack ends on another one.
+//! Ends, tips and junctions of cracks.
 
 use super::{Crack, End};
 use crate::math::Vec2;
@@ -18,7 +18,8 @@ pub struct CrackEnd {
 pub struct CrackTip {
     /// Index of the crack, from 0.
     pub crack: usize,
-    /// Index among the ends of the crack that lie below the surface, from 0; ends that have joined a crack count.
+    /// Index among the ends of the crack that lie below the surface, from 0; ends that have joined
+    /// a crack count.
     pub tip: usize,
     /// Which end of the crack it is.
     pub end: End,
@@ -31,7 +32,7 @@ impl CrackTip {
     }
 }
 
-/// What a crack does at one of its ends.
+/// Kinds of crack ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum EndKind {
     /// It ends in the steel: a singular stress ahead, and it may grow.
@@ -42,8 +43,8 @@ pub enum EndKind {
     Junction,
 }
 
-/// An end of a crack that lies on another crack: at a vertex of that one, bit for bit, so that the junction stays where it is
-/// whatever grows later. [`Crack::with_vertex`] makes the vertex.
+/// An end of a crack that lies on another crack: at a vertex of that one, bit for bit, so that the
+/// junction stays where it is whatever grows later. [`Crack::with_vertex`] makes the vertex.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Junction {
     /// The end that lies on the other crack.
@@ -68,9 +69,11 @@ pub struct JunctionPoint {
 pub struct Passing {
     /// Index of the crack, from 0.
     pub crack: usize,
-    /// Index of the junction among its points, from 0; segment `vertex` − 1 ends there and segment `vertex` begins.
+    /// Index of the junction among its points, from 0; segment `vertex` − 1 ends there and segment
+    /// `vertex` begins.
     pub vertex: usize,
-    /// Arc length from the crack's first point, mm: it changes when the first end of a buried crack grows.
+    /// Arc length from the crack's first point, mm: it changes when the first end of a buried crack
+    /// grows.
     pub s: f64,
 }
 
@@ -88,8 +91,9 @@ impl JunctionPoint {
 }
 
 impl Crack {
-    /// This crack with one more vertex, at `point` (mm) on segment `segment` (from 0): unchanged where one of the ends of the
-    /// segment is there already, bit for bit. Errors as [`Crack::polyline`].
+    /// This crack with one more vertex, at `point` (mm) on segment `segment` (from 0): unchanged
+    /// where one of the ends of the segment is there already, bit for bit. Errors as
+    /// [`Crack::polyline`].
     pub fn with_vertex(&self, segment: usize, point: Vec2) -> Result<Self, super::CrackError> {
         let (from, to) = self.segment(segment);
         if from == point || to == point {

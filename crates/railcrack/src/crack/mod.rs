@@ -7,7 +7,8 @@ mod network;
 mod polyline;
 mod walk;
 
-pub use distance::{point_to_segment, segment_distance};
+pub(crate) use distance::point_to_segment;
+pub use distance::segment_distance;
 pub use junction::{CrackEnd, CrackTip, EndKind, Junction, JunctionPoint, Passing};
 pub use network::{CrackNetwork, NetworkError};
 pub use polyline::{Crack, CrackError, End};

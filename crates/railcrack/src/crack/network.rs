@@ -1,4 +1,4 @@
-//! Several cracks in one rail.
+//! Networks of cracks in one rail.
 
 use super::intersection::intersect_elsewhere;
 use super::{Crack, CrackEnd, CrackTip, End, EndKind, Junction, JunctionPoint, Passing, Walk};
@@ -6,6 +6,7 @@ use thiserror::Error;
 
 /// Cracks that cannot stand side by side.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum NetworkError {
     /// No crack at all.
     #[error("a network needs at least one crack")]
@@ -18,7 +19,8 @@ pub enum NetworkError {
         /// Number of another, from 1.
         second: usize,
     },
-    /// A junction of a crack that is not there, of a mouth, of a crack with itself, or of an end that has one already.
+    /// A junction of a crack that is not there, of a mouth, of a crack with itself, or of an end
+    /// that has one already.
     #[error(
         "junction {number}: the {end:?} end of crack {crack} cannot join crack {onto}; a junction takes an end below the surface, \
          once, onto another of the {cracks} cracks"
@@ -69,7 +71,8 @@ impl CrackNetwork {
         Self::joined(cracks, Vec::new())
     }
 
-    /// A network of `cracks`, at least one, that meet at `junctions` and nowhere else. No piece of the rail may be cut off.
+    /// A network of `cracks`, at least one, that meet at `junctions` and nowhere else. No piece of
+    /// the rail may be cut off.
     pub fn joined(cracks: Vec<Crack>, junctions: Vec<Junction>) -> Result<Self, NetworkError> {
         if cracks.is_empty() {
             return Err(NetworkError::Empty);
@@ -105,7 +108,7 @@ impl CrackNetwork {
         &self.points
     }
 
-    /// What `end` is.
+    /// The kind of `end`.
     pub fn end_kind(&self, end: CrackEnd) -> EndKind {
         if end.end == End::First && self.cracks[end.crack].is_surface_breaking() {
             EndKind::Mouth
@@ -145,7 +148,8 @@ impl CrackNetwork {
         self.mouths().into_iter().fold(f64::INFINITY, f64::min)
     }
 
-    /// Abscissa of the rightmost mouth, mm; of the rightmost point where no crack breaks the surface.
+    /// Abscissa of the rightmost mouth, mm; of the rightmost point where no crack breaks the
+    /// surface.
     pub fn rightmost_mouth(&self) -> f64 {
         self.mouths().into_iter().fold(f64::NEG_INFINITY, f64::max)
     }
@@ -186,8 +190,8 @@ fn check(cracks: &[Crack], before: &[Junction], junction: &Junction) -> Result<(
     }
 }
 
-/// Refuses the junction by which cracks that are connected already, the running surface counting as a crack, are connected
-/// once more.
+/// Refuses the junction by which cracks that are connected already, the running surface counting as
+/// a crack, are connected once more.
 fn closed_loop(cracks: &[Crack], junctions: &[Junction]) -> Result<(), NetworkError> {
     // Every crack knows the lowest member of its connected part; the surface comes before them.
     const SURFACE: usize = 0;

@@ -1,4 +1,4 @@
-//! Cracks that meet where they say so, and only there.
+//! Networks whose cracks meet at their junctions, and only there.
 
 use super::*;
 use crate::math::Vec2;

@@ -6,6 +6,7 @@ use thiserror::Error;
 
 /// An impossible crack.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum CrackError {
     /// A coordinate that is not a finite number.
     #[error("point {index}: ({x}, {y}) mm must be finite")]
@@ -52,13 +53,13 @@ pub enum CrackError {
     /// A length that is not positive.
     #[error("crack length {value} mm: must be positive and finite")]
     Length {
-        /// What was given, mm.
+        /// The value given, mm.
         value: f64,
     },
     /// An angle that does not point into the rail.
     #[error("crack angle {degrees} degrees: must lie in (0, 180), measured below the surface from +x")]
     Angle {
-        /// What was given, degrees.
+        /// The value given, degrees.
         degrees: f64,
     },
 }
@@ -72,17 +73,19 @@ pub enum End {
     Last,
 }
 
-/// A crack: points from the mouth (y = 0) to the tip, or between two tips when the first point is buried.
+/// A crack: points from the mouth (y = 0) to the tip, or between two tips when the first point is
+/// buried.
 ///
-/// Its frame: x1 walks from the first point to the last, x2 is x1 turned by +90°, the + face is on the x2 side.
+/// Its frame: x1 walks from the first point to the last, x2 is x1 turned by +90°, the + face is on
+/// the x2 side.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Crack {
     points: Vec<Vec2>,
 }
 
 impl Crack {
-    /// A straight surface crack: mouth abscissa and length in mm, `angle` in radians in (0, π) below the surface
-    /// from +x, so that tip = mouth + length (cos angle, −sin angle).
+    /// A straight surface crack: mouth abscissa and length in mm, `angle` in radians in (0, π)
+    /// below the surface from +x, so that tip = mouth + length (cos angle, −sin angle).
     pub fn surface_breaking(mouth: f64, length: f64, angle: f64) -> Result<Self, CrackError> {
         if !(length > 0.0 && length.is_finite()) {
             return Err(CrackError::Length { value: length });
@@ -94,8 +97,8 @@ impl Crack {
         Self::polyline(vec![mouth, mouth + Vec2::unit(-angle) * length])
     }
 
-    /// A polyline crack through `points` (mm). The first point lies on the surface, or below it for a buried crack;
-    /// all others below. Consecutive points differ and segments do not meet.
+    /// A polyline crack through `points` (mm). The first point lies on the surface, or below it for
+    /// a buried crack; all others below. Consecutive points differ and segments do not meet.
     pub fn polyline(points: Vec<Vec2>) -> Result<Self, CrackError> {
         if points.len() < 2 {
             return Err(CrackError::TooFewPoints { count: points.len() });
@@ -120,7 +123,8 @@ impl Crack {
                 let (a, b) = crack.segment(i);
                 let (c, d) = crack.segment(j);
                 let meet = if j == i + 1 {
-                    // Consecutive segments share b = c: they overlap when the walk turns straight back.
+                    // Consecutive segments share b = c: they overlap when the walk turns straight
+                    // back.
                     (b - a).cross(d - c) == 0.0 && (b - a).dot(d - c) < 0.0
                 } else {
                     segments_touch(a, b, c, d)
@@ -153,8 +157,9 @@ impl Crack {
         self.points[0].y == 0.0
     }
 
-    /// The ends below the surface: the last point, preceded by the first one in a buried crack. They are tips but where the crack joins
-    /// another one, which the network knows ([`super::CrackNetwork::tips`]).
+    /// The ends below the surface: the last point, preceded by the first one in a buried crack.
+    /// They are tips but where the crack joins another one, which the network knows
+    /// ([`super::CrackNetwork::tips`]).
     pub fn tips(&self) -> Vec<End> {
         if self.is_surface_breaking() { vec![End::Last] } else { vec![End::First, End::Last] }
     }
@@ -186,8 +191,8 @@ impl Crack {
         self.points.iter().fold(0.0, |depth, p| depth.max(-p.y))
     }
 
-    /// This crack longer by `increment` (mm) at `end`, turned by `kink` (radians, counter-clockwise) from straight
-    /// ahead. Errors as [`Crack::polyline`].
+    /// This crack longer by `increment` (mm) at `end`, turned by `kink` (radians,
+    /// counter-clockwise) from straight ahead. Errors as [`Crack::polyline`].
     pub fn extended(&self, end: End, increment: f64, kink: f64) -> Result<Self, CrackError> {
         let tip = self.tip(end) + Vec2::unit(self.ahead(end).angle() + kink) * increment;
         let mut points = self.points.clone();

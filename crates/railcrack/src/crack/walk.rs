@@ -3,11 +3,13 @@
 use super::{Crack, End};
 use crate::math::Vec2;
 
-/// A crack walked in the parameter g in which a jump that vanishes like √r at a tip is linear; at a mouth and at a junction, where
-/// the jump does not vanish, g is a length or its root away from a tip.
+/// A crack walked in the parameter g in which a jump that vanishes like √r at a tip is linear; at a
+/// mouth and at a junction, where the jump does not vanish, g is a length or its root away from a
+/// tip.
 ///
-/// Crack of length L with a tip at the last point only: s = L − g², g from −√L to 0. Tip at the first point only: s = g², g
-/// from 0 to √L. Tips at both: s = L sin²(g/2), g from 0 to π. No tip: s = g.
+/// Crack of length L with a tip at the last point only: s = L − g², g from −√L to 0. Tip at the
+/// first point only: s = g², g from 0 to √L. Tips at both: s = L sin²(g/2), g from 0 to π. No tip:
+/// s = g.
 #[derive(Debug, Clone)]
 pub struct Walk {
     points: Vec<Vec2>,

@@ -31,7 +31,7 @@ pub(super) struct Arm {
     pub way: Way,
 }
 
-/// How the walk of an arm runs.
+/// Direction of the walk of an arm.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Way {
     /// Towards the junction.

@@ -13,7 +13,8 @@ pub type Interaction = [f64; 4];
 /// z̄0/(z − z0) of a dislocation (b_x + i b_y = 8π i γ/E′) and their images φ1 = −(z φ̄0′ + ψ̄0),
 /// ψ1 = −(φ̄0 + z φ1′) that make y = 0 traction-free, the resultant force over a line from the
 /// surface to z is F = φ + z φ̄′ + ψ̄ = γ P + γ̄ Q,
-/// P = log(|z−z0|²/|z−z̄0|²) − 4 y y0/(z̄−z0)²,  Q = (z−z0)/(z̄−z̄0) − (z−z0)/(z−z̄0) − 2 i y/(z̄−z0).
+/// P = log(|z−z0|²/|z−z̄0|²) − 4 y y0/(z̄−z0)²,
+/// Q = (z−z0)/(z̄−z̄0) − (z−z0)/(z−z̄0) − 2 i y/(z̄−z0).
 /// It vanishes with z or z0 on the surface. Moving a second dislocation b′ in from the surface
 /// costs b′_x Im F − b′_y Re F. (Muskhelishvili 1953, §§ 41, 90–93.)
 #[inline]

@@ -7,5 +7,5 @@ mod junctions;
 mod kernel;
 mod nodes;
 
-pub use engine::{DislocationBody, DislocationEngine, DislocationError, face_points};
+pub use engine::{DislocationEngine, DislocationError, cracked_body, face_points};
 pub use nodes::FaceResolution;

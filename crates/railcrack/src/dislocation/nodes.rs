@@ -1,10 +1,10 @@
-//! The nodes of the jumps along one crack.
+//! Nodes of the displacement jump along a crack.
 
 use super::junctions::Core;
 use crate::crack::{End, Walk};
 use crate::math::{Vec2, quantiles};
 
-/// How finely the faces are resolved.
+/// Resolution of the crack faces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct FaceResolution {
     /// Elements along a straight crack, at least 4; mouth, kinks and close neighbours add further
@@ -32,7 +32,7 @@ pub(super) fn regular_element(walk: &Walk, resolution: FaceResolution, g: f64) -
     walk.ds(g) / base_density(walk, resolution)
 }
 
-/// Elements per g.
+/// Elements per unit of g.
 fn base_density(walk: &Walk, resolution: FaceResolution) -> f64 {
     let (start, end) = walk.range();
     resolution.elements.max(4) as f64 / (end - start)

@@ -1,4 +1,4 @@
-//! The Dang Van criterion: does a crack start?
+//! The Dang Van criterion of crack initiation.
 
 use crate::math::{Stress, smallest_ball};
 
@@ -14,7 +14,7 @@ pub struct DangVan {
     pub limit: f64,
 }
 
-/// The worst time of a cycle.
+/// The critical time of a cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DangVanValue {
     /// τ + a p_h, MPa.
@@ -23,7 +23,7 @@ pub struct DangVanValue {
     pub shear: f64,
     /// Hydrostatic stress p_h, MPa, tension positive.
     pub hydrostatic: f64,
-    /// Which stress of the path.
+    /// Index of the stress in the path.
     pub time: usize,
 }
 

@@ -8,9 +8,8 @@ use crate::fracture::{Sif, SifHistory};
 /// rate of the virtual kink over the passage, from the ranges of k1(β, t), clipped at zero (a
 /// closed kink does not open negatively), and k2(β, t).
 ///
-/// Source: Hourlier & Pineau 1982, Fatigue Eng. Mater. Struct. 5, 287–302; Trollé et al. 2014,
-/// section 4.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// Source: Hourlier & Pineau 1982, Fatigue Eng. Mater. Struct. 5, 287–302; Trollé et al. 2014, section 4.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct HourlierPineau {
     /// The growth law that weights the two modes.
     pub law: ParisLaw,
@@ -29,7 +28,7 @@ pub struct Kink {
     pub delta_k1: f64,
     /// Δk2 of the virtual kink, MPa √mm.
     pub delta_k2: f64,
-    /// The best other direction, if there is one.
+    /// The largest secondary maximum, if any.
     pub secondary: Option<SecondaryMaximum>,
 }
 
@@ -69,6 +68,7 @@ impl HourlierPineau {
     /// section, and an end of the range can be chosen. Ties go to the smaller |β|, then to the
     /// positive (counter-clockwise) one; apart from this last rule, a history with K_II reversed
     /// gives exactly the opposite angle.
+    #[must_use]
     pub fn kink(&self, history: &SifHistory) -> Option<Kink> {
         if !history.samples.iter().all(|k| k.ki.is_finite() && k.kii.is_finite()) {
             return None;
@@ -144,7 +144,7 @@ impl HourlierPineau {
     }
 }
 
-/// The one to take of two equally good maxima.
+/// The preferred one of two tied maxima.
 fn preferred(a: Maximum, b: Maximum) -> Maximum {
     let difference = a.angle.abs() - b.angle.abs();
     if difference.abs() > SAME_ANGLE {

@@ -1,4 +1,4 @@
-//! The corners of a history.
+//! Convex hull of a SIF history.
 
 use crate::fracture::Sif;
 use crate::math::{Orientation, Vec2, orientation};

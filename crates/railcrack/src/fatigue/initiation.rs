@@ -1,4 +1,4 @@
-//! Where a crack starts: the Dang Van criterion by depth.
+//! Crack initiation by depth, after Dang Van.
 
 use super::{DangVan, DangVanValue};
 use crate::math::Stress;
@@ -8,7 +8,7 @@ use crate::math::Stress;
 pub struct DepthValue {
     /// mm; 0 is the running surface.
     pub depth: f64,
-    /// The worst time of the cycle there.
+    /// The critical time of the cycle there.
     pub worst: DangVanValue,
 }
 

@@ -93,6 +93,7 @@ impl KinkFunctions {
     ///
     /// Source: Amestoy & Leblond 1992, Int. J. Solids Struct. 29, 465–501; Leblond 1999, Int. J.
     /// Solids Struct. 36, 79–103.
+    #[must_use]
     pub fn at(angle: f64) -> Self {
         let m = angle / PI;
         let m2 = m * m;
@@ -101,6 +102,7 @@ impl KinkFunctions {
     }
 
     /// k1 and k2 of the virtual kink for K_I and K_II of the actual `tip`, in its units.
+    #[must_use]
     pub fn kinked(&self, tip: Sif) -> KinkSif {
         KinkSif { k1: self.f11 * tip.ki + self.f12 * tip.kii, k2: self.f21 * tip.ki + self.f22 * tip.kii }
     }

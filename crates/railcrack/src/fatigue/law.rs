@@ -12,8 +12,15 @@ pub struct ParisLaw {
     pub m: f64,
     /// w, weight of mode II.
     pub mode_2_weight: f64,
-    /// ΔK_eq (MPa√m) at or below which nothing grows.
+    /// Threshold ΔK_eq (MPa√m), at or below which no crack grows.
     pub threshold: f64,
+}
+
+/// [`ParisLaw::RAIL_STEEL`].
+impl Default for ParisLaw {
+    fn default() -> Self {
+        Self::RAIL_STEEL
+    }
 }
 
 impl ParisLaw {
@@ -22,12 +29,14 @@ impl ParisLaw {
 
     /// ΔK_eq = √(ΔK_I² + w ΔK_II²) of the ranges `delta_ki` and `delta_kii`, in their unit
     /// (eq. 31).
+    #[must_use]
     pub fn equivalent_range(&self, delta_ki: f64, delta_kii: f64) -> f64 {
         (delta_ki * delta_ki + self.mode_2_weight * delta_kii * delta_kii).sqrt()
     }
 
     /// da/dN in mm per cycle for the ranges `delta_ki` and `delta_kii` in MPa √mm (eq. 30); zero at
     /// or below the threshold.
+    #[must_use]
     pub fn rate(&self, delta_ki: f64, delta_kii: f64) -> f64 {
         let range = self.equivalent_range(delta_ki, delta_kii) / MPA_SQRT_MM;
         if range > self.threshold { self.c * range.powf(self.m) } else { 0.0 }

@@ -15,6 +15,7 @@ pub struct SifRanges {
 
 impl SifRanges {
     /// The ranges over all samples of `history`; zero for an empty one.
+    #[must_use]
     pub fn of(history: &SifHistory) -> Self {
         let Some(first) = history.samples.first() else { return Self::default() };
         let (mut low, mut high) = (*first, *first);

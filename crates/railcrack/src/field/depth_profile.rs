@@ -17,7 +17,7 @@ pub enum ProfileError {
         row: usize,
         /// Which column.
         quantity: &'static str,
-        /// What was given.
+        /// The value given.
         value: f64,
     },
     /// A depth above the surface.
@@ -25,7 +25,7 @@ pub enum ProfileError {
     NegativeDepth {
         /// Row, from 1.
         row: usize,
-        /// What was given, mm.
+        /// The value given, mm.
         value: f64,
     },
     /// Depths out of order.
@@ -33,13 +33,13 @@ pub enum ProfileError {
     NotIncreasing {
         /// Row, from 1.
         row: usize,
-        /// What was given, mm.
+        /// The value given, mm.
         value: f64,
     },
 }
 
-/// σ_xx(d) and σ_zz(d) by depth d = −y, linear between rows, constant above the first row, zero below the last;
-/// σ_yy = σ_xy = 0, so the field is in equilibrium.
+/// σ_xx(d) and σ_zz(d) by depth d = −y, linear between rows, constant above the first row, zero
+/// below the last; σ_yy = σ_xy = 0, so the field is in equilibrium.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DepthProfile {
     rows: Vec<(f64, f64, f64)>,

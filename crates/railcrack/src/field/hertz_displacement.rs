@@ -5,16 +5,17 @@ use crate::load::HertzianContact;
 use crate::material::IsotropicElastic;
 use crate::math::Vec2;
 
-/// The displacement of the half-plane y ≤ 0 under a Hertzian contact in plane strain: that of the stress of
-/// [`super::HertzField`].
+/// The displacement of the half-plane y ≤ 0 under a Hertzian contact in plane strain: that of the
+/// stress of [`super::HertzField`].
 ///
 /// With z, s, W and Φ = (μ − i) W p0 / 2 as there and φ′ = Φ, a φ = a p0 (μ − i) I / 2 in mm,
 /// I = ∫ W dz = −ρ²/4 − ln(z + s)/2, ρ = 1/(z + s) = −W,
 ///
 /// 2G (u_x + i u_y) = κ φ(z) + φ(z̄) − (z − z̄) conj Φ(z),  κ = 3 − 4ν
 ///
-/// (Muskhelishvili, Some Basic Problems of the Mathematical Theory of Elasticity, § 112). A line load moves a half-plane without
-/// bound, like the logarithm of the distance; the rigid motion is that of I without a constant, which has no rotation far away.
+/// (Muskhelishvili, Some Basic Problems of the Mathematical Theory of Elasticity, § 112). A line
+/// load moves a half-plane without bound, like the logarithm of the distance; the rigid motion is
+/// that of I without a constant, which has no rotation far away.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HertzDisplacement {
     per_half_width: f64,
@@ -36,7 +37,8 @@ impl HertzDisplacement {
         }
     }
 
-    /// The displacement (mm) of `point` (mm) for a contact centred at `xc` (mm). A point above the surface is taken as on it.
+    /// The displacement (mm) of `point` (mm) for a contact centred at `xc` (mm). A point above the
+    /// surface is taken as on it.
     pub fn displacement(&self, point: Vec2, xc: f64) -> Vec2 {
         let x = (point.x - xc) * self.per_half_width;
         let y = (point.y * self.per_half_width).min(0.0);
@@ -74,7 +76,8 @@ mod tests {
         IsotropicElastic::new(210e3, 0.3).unwrap()
     }
 
-    /// Hooke's law of plane strain from central differences of the displacement; one-sided of the same order on the surface.
+    /// Hooke's law of plane strain from central differences of the displacement; one-sided of the
+    /// same order on the surface.
     fn stress_by_differences(point: Vec2, step: f64) -> Stress {
         let field = HertzDisplacement::new(&CONTACT, &steel());
         let at = |dx: f64, dy: f64| field.displacement(point + Vec2::new(dx, dy) * step, XC);
@@ -97,8 +100,9 @@ mod tests {
 
     #[test]
     fn strains_are_those_of_the_stress() {
-        // Truncation of second-order differences with steps of 1e-4 of the distance to the nearest edge of the contact; round-off
-        // of the differences 1e-16 / 1e-4 of displacements whose strains are of the order of 1/10 of them.
+        // Truncation of second-order differences with steps of 1e-4 of the distance to the nearest
+        // edge of the contact; round-off of the differences 1e-16 / 1e-4 of displacements whose
+        // strains are of the order of 1/10 of them.
         const TOLERANCE: f64 = 1e-6;
         let stress = HertzField::new(&CONTACT, steel().poisson());
         let a = CONTACT.half_width;

@@ -4,16 +4,18 @@ use crate::load::HertzianContact;
 use crate::math::{Stress, Vec2};
 use pulp::{Arch, Simd, WithSimd};
 
-/// The stress of the half-plane y ≤ 0 under a Hertzian contact, prepared for many points and positions.
+/// The stress of the half-plane y ≤ 0 under a Hertzian contact, prepared for many points and
+/// positions.
 ///
-/// With z = (x − x_c + i y)/a, s = √(z² − 1) (s ≈ z far away) and the Cauchy transform of the pressure
-/// W = s − z = −1/(s + z), the potential of the traction t = (μ, −1) p is Φ = (μ − i) W / 2 and its derivative
-/// has W′ = −W/s. Continued across the surface, Φ gives
+/// With z = (x − x_c + i y)/a, s = √(z² − 1) (s ≈ z far away) and the Cauchy transform of the
+/// pressure W = s − z = −1/(s + z), the potential of the traction t = (μ, −1) p is Φ = (μ − i) W /
+/// 2 and its derivative has W′ = −W/s. Continued across the surface, Φ gives
 ///
-/// σ_xx + σ_yy = 4 Re Φ,  σ_yy − i σ_xy = Φ(z) − Φ(z̄) + (z − z̄) conj Φ′(z),  σ_zz = ν (σ_xx + σ_yy)
+/// σ_xx + σ_yy = 4 Re Φ,  σ_yy − i σ_xy = Φ(z) − Φ(z̄) + (z − z̄) conj Φ′(z),  σ_zz = ν (σ_xx +
+/// σ_yy)
 ///
-/// (Muskhelishvili, Some Basic Problems of the Mathematical Theory of Elasticity, §§ 93 and 112; Johnson, Contact
-/// Mechanics, 4.49 and 7.8, has real forms on the axis and surface).
+/// (Muskhelishvili, Some Basic Problems of the Mathematical Theory of Elasticity, §§ 93 and 112;
+/// Johnson, Contact Mechanics, 4.49 and 7.8, has real forms on the axis and surface).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HertzField {
     peak_pressure: f64,
@@ -33,8 +35,8 @@ impl HertzField {
         }
     }
 
-    /// The stress (MPa) at `point` (mm) for a contact centred at `xc` (mm); on the surface, the limit from inside.
-    /// A point above the surface is taken as on it.
+    /// The stress (MPa) at `point` (mm) for a contact centred at `xc` (mm); on the surface, the
+    /// limit from inside. A point above the surface is taken as on it.
     #[inline(always)]
     pub fn stress(&self, point: Vec2, xc: f64) -> Stress {
         let x = (point.x - xc) * self.per_half_width;
@@ -107,8 +109,8 @@ pub(super) struct Root {
 }
 
 impl Root {
-    /// The larger of |Re s|, |Im s| by the square root of a sum without cancellation, the other by division. Im s ≤ 0
-    /// selects the lower side of the cut under the contact.
+    /// The larger of |Re s|, |Im s| by the square root of a sum without cancellation, the other by
+    /// division. Im s ≤ 0 selects the lower side of the cut under the contact.
     #[inline(always)]
     pub(super) fn of(x: f64, y: f64) -> Self {
         let (ahead, behind, y2) = (x - 1.0, x + 1.0, y * y);
@@ -122,15 +124,13 @@ impl Root {
     }
 }
 
-/// The stress (MPa) in the half-plane y ≤ 0 at `point` (mm) under `contact` centred at `xc` (mm), ν = `poisson`:
-/// [`HertzField::stress`] for a single evaluation.
-pub fn hertz_stress(contact: &HertzianContact, poisson: f64, point: Vec2, xc: f64) -> Stress {
-    HertzField::new(contact, poisson).stress(point, xc)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn hertz_stress(contact: &HertzianContact, poisson: f64, point: Vec2, xc: f64) -> Stress {
+        HertzField::new(contact, poisson).stress(point, xc)
+    }
     use crate::math::gauss_legendre;
     use std::f64::consts::PI;
 
@@ -145,7 +145,8 @@ mod tests {
     }
 
     /// Superposed point loads (Flamant): a force F per length on the surface of a half-plane gives
-    /// σ = −2 (F·r) r ⊗ r / (π r⁴). Abscissa t = a sin φ; panels halve until shorter than their distance.
+    /// σ = −2 (F·r) r ⊗ r / (π r⁴). Abscissa t = a sin φ; panels halve until shorter than their
+    /// distance.
     fn flamant(point: Vec2) -> Stress {
         let rule = gauss_legendre(24);
         let a = CONTACT.half_width;
@@ -216,8 +217,9 @@ mod tests {
 
     #[test]
     fn surface_carries_the_contact_traction_and_the_known_sxx() {
-        // Johnson 7.8: σ_xx = −p − 2 μ p0 x/a under the contact, the sign of the last term from t_x = +μ p.
-        // A few round-offs of p0; outside, (√(x²−1) − |x|) is compared with its stable form.
+        // Johnson 7.8: σ_xx = −p − 2 μ p0 x/a under the contact, the sign of the last term from t_x
+        // = +μ p. A few round-offs of p0; outside, (√(x²−1) − |x|) is compared with its stable
+        // form.
         const TOLERANCE: f64 = 4e-15;
         let (p0, mu) = (CONTACT.peak_pressure, CONTACT.friction);
         for i in -400..=400 {
@@ -252,7 +254,8 @@ mod tests {
 
     #[test]
     fn is_in_equilibrium() {
-        // Central differences of a step 1e-4 a: truncation 1e-8 times third derivatives, round-off 1e-12.
+        // Central differences of a step 1e-4 a: truncation 1e-8 times third derivatives, round-off
+        // 1e-12.
         const TOLERANCE: f64 = 1e-6;
         let h = 1e-4;
         for (x, y) in [(0.3, -0.2), (-0.9, -0.15), (1.05, -0.3), (2.0, -1.0), (-3.0, -0.1), (0.0, -0.8)] {

@@ -1,12 +1,14 @@
-//! Stress fields of the uncracked rail.
+//! Stress fields of the uncracked rail: those that stay, and wheels that move along it.
 
 mod depth_profile;
 mod hertz_displacement;
 mod hertz_half_plane;
+mod wheel;
 
 pub use depth_profile::{DepthProfile, ProfileError};
 pub use hertz_displacement::HertzDisplacement;
-pub use hertz_half_plane::{HertzField, hertz_stress};
+pub use hertz_half_plane::HertzField;
+pub use wheel::{EndField, EndsError, HertzWheel, RailEnds, StressesUnderWheel, Wheel};
 
 use crate::math::{Stress, Vec2};
 

@@ -15,11 +15,13 @@ pub struct Sif {
 
 impl Sif {
     /// K_I, MPa √m.
+    #[must_use]
     pub fn ki_mpa_sqrt_m(self) -> f64 {
         self.ki / MPA_SQRT_MM
     }
 
     /// K_II, MPa √m.
+    #[must_use]
     pub fn kii_mpa_sqrt_m(self) -> f64 {
         self.kii / MPA_SQRT_MM
     }
@@ -49,6 +51,7 @@ pub struct SifHistory {
 
 impl SifHistory {
     /// The largest |K_I| or |K_II|, MPa √mm.
+    #[must_use]
     pub fn peak(&self) -> f64 {
         self.samples.iter().fold(0.0, |m, k| m.max(k.ki.abs()).max(k.kii.abs()))
     }

@@ -1,20 +1,24 @@
-//! Where increments meet cracks, and each other.
+//! Coalescence: where increments meet cracks, and each other.
 //!
-//! All tips of a step grow at the same time, each straight and evenly to the end of its increment, from the end of its deferred growth. A tip that comes closer than the
-//! resolution to another crack, or to what another tip has left behind by then, ends there; the others go on. The first coalescence is
-//! settled first, so that neither the order of the cracks nor a mirror changes what happens.
+//! All tips of a growth step advance at the same time, each on a straight line and at its own
+//! constant speed, from the end of its deferred growth to the end of its increment. A tip that
+//! comes closer than the resolution to another crack, or to the path that another tip has left
+//! behind by then, coalesces with it; the others go on. Coalescences are settled in the order of
+//! time, so that neither the order of the cracks nor a mirror image changes the result.
 
-use super::stops::Step;
+use super::step_state::Step;
 use crate::crack::{Crack, End, point_to_segment};
 use crate::math::{Vec2, segments_touch};
 
-/// Own faces this many resolved lengths behind the tip, along the crack, count as another crack: nearer ones are the
-/// neighbourhood of the tip itself, short increments included.
+/// Own faces this many resolved lengths behind the tip, along the crack, count as another crack:
+/// nearer ones are the neighbourhood of the tip itself, short increments included.
 const OWN_FACES_FROM: f64 = 3.0;
-/// A crack is crossed where the increment crosses it within this many resolved lengths of coming close; at a smaller angle than
-/// that allows, the tip turns to the nearest point, and no thin wedge is left.
+/// A crack is crossed where the increment crosses it within this many resolved lengths of coming
+/// close; at a smaller angle than that allows, the tip turns to the nearest point, and no thin
+/// wedge is left.
 const CROSSING_REACH: f64 = 4.0;
-/// Times, and distances over the resolution, that differ by less are equal: round-off of their calculation.
+/// Times, and distances over the resolution, that differ by less are equal: round-off of their
+/// calculation.
 const SAME: f64 = 1e-9;
 /// Halvings of a fraction of the increment: to round-off.
 const HALVINGS: usize = 60;
@@ -32,8 +36,8 @@ pub(super) struct Coalescence {
     pub with: Option<usize>,
 }
 
-/// The coalescences of `steps`, none for a tip that meets nothing or does not grow; `resolution` (mm) is the length that the engine
-/// resolves.
+/// The coalescences of `steps`, none for a tip that meets nothing or does not grow; `resolution`
+/// (mm) is the length that the engine resolves.
 pub(super) fn coalescences(
     steps: &[Option<Step>],
     cracks: &[Crack],
@@ -95,7 +99,8 @@ impl Moving {
 struct Event {
     tip: usize,
     time: f64,
-    /// How far the obstacle is then, mm: the resolution, or less where the tip was that near before.
+    /// How far the obstacle is then, mm: the resolution, or less where the tip was that near
+    /// before.
     distance: f64,
     obstacle: Obstacle,
 }
@@ -108,8 +113,8 @@ enum Obstacle {
     Tip(usize),
 }
 
-/// The first event ahead of the tips that still grow; of events at the same time the nearest, and of these one between two tips, so that
-/// neither of them is preferred.
+/// The first event ahead of the tips that still grow; of events at the same time the nearest, and
+/// of these one between two tips, so that neither of them is preferred.
 fn first_event(tips: &[Moving], cracks: &[Crack], resolution: f64) -> Option<Event> {
     let mut first: Option<Event> = None;
     let is_before = |one: &Event, other: &Event| {
@@ -158,7 +163,8 @@ fn first_event(tips: &[Moving], cracks: &[Crack], resolution: f64) -> Option<Eve
     first
 }
 
-/// Tips nearer than this many resolved lengths when one comes within one of the other's way meet each other.
+/// Tips nearer than this many resolved lengths when one comes within one of the other's way meet
+/// each other.
 const HEAD_ON: f64 = 1.5;
 
 /// The segments of `crack`, number `index`, that the tip of `step` may meet.
@@ -169,7 +175,8 @@ fn static_faces(crack: &Crack, step: &Step, index: usize, resolution: f64) -> Ve
     crack.points().windows(2).map(|p| (p[0], p[1])).collect()
 }
 
-/// The segments of `crack` at least `distance` (mm, along the walk) behind the tip at `end`; the nearest is cut.
+/// The segments of `crack` at least `distance` (mm, along the walk) behind the tip at `end`; the
+/// nearest is cut.
 fn faces_behind(crack: &Crack, end: End, distance: f64) -> Vec<(Vec2, Vec2)> {
     let mut points = crack.points().to_vec();
     if end == End::Last {
@@ -188,8 +195,8 @@ fn faces_behind(crack: &Crack, end: End, distance: f64) -> Vec<(Vec2, Vec2)> {
     segments
 }
 
-/// The first time in [0, 1] at which `distance`, a convex function of it, falls to `limit`; none where it does not, or where the
-/// tip only moves away.
+/// The first time in [0, 1] at which `distance`, a convex function of it, falls to `limit`; none
+/// where it does not, or where the tip only moves away.
 fn first_within(distance: impl Fn(f64) -> f64, limit: f64) -> Option<f64> {
     let nearest = argmin(&distance, 0.0, 1.0);
     let start = distance(0.0);
@@ -227,8 +234,8 @@ fn argmin(f: impl Fn(f64) -> f64, a: f64, b: f64) -> f64 {
     [a, middle].into_iter().fold(b, |best, t| if f(t) < f(best) { t } else { best })
 }
 
-/// Where `tip`, close to `crack` at `time`, ends on it: where its increment crosses it soon, else at the nearest point; at a vertex
-/// of the crack that is nearer than the resolution.
+/// Where `tip`, close to `crack` at `time`, ends on it: where its increment crosses it soon, else
+/// at the nearest point; at a vertex of the crack that is nearer than the resolution.
 fn landing(tips: &[Moving], tip: usize, time: f64, crack: usize, cracks: &[Crack], resolution: f64) -> Vec2 {
     let Moving { step, .. } = tips[tip];
     let now = tips[tip].share(time);

@@ -1,17 +1,19 @@
 //! Deferred growth: increments too short to be segments of a crack.
 //!
-//! The tips that are slower than the fastest make shorter increments, down to nothing. A segment much shorter than the others is
-//! resolved by no engine, and behind a turn it decides K. So the growth of a slow tip is gathered until it is a whole increment, as the tip
-//! would make it as the fastest, and is then put into the crack: every tip advances by increments of about the same share of its
-//! crack, the slow ones at longer intervals. What the crack is behind by meanwhile is less than an increment, within the error of
-//! explicit Euler steps. Nothing in it depends on the engine, and it vanishes with the increment.
+//! Tips slower than the fastest make shorter increments. No engine resolves a segment that is much
+//! shorter than its neighbours, and behind a kink such a segment governs K. The growth of a slow
+//! tip is therefore deferred: it accumulates until it amounts to a whole increment, the one that
+//! the tip would make if it were the fastest, and is then added to the crack as one segment. All
+//! tips thus advance by about the same fraction of their cracks, the slow ones less often. The
+//! crack lags by less than one increment, which is within the error of the explicit Euler step,
+//! does not depend on the engine, and vanishes with the increment.
 
 use crate::fatigue::SECONDARY_DISTANCE;
 use crate::math::Vec2;
 use serde::{Deserialize, Serialize};
 
-/// A tip that makes this part of a whole increment in a step, or more, makes it at once: tips that are about equally fast, as those of a
-/// row of cracks, stay side by side.
+/// A tip whose growth in a step reaches this fraction of a whole increment is not deferred: tips
+/// that are about equally fast, such as those of a row of cracks, stay side by side.
 pub(super) const KEEPS_PACE: f64 = 2.0 / 3.0;
 
 /// Growth of a tip that is not in its crack yet.
@@ -26,9 +28,9 @@ pub struct DeferredGrowth {
 impl DeferredGrowth {
     /// This and an `increment` (mm) in `direction` (a unit vector).
     ///
-    /// Lengths add up, so that the cycles of the tip are right; a sum of vectors would be shorter. Directions are weighted by length. Only
-    /// a direction of the same branch counts, though: the first increment has decided how the tip kinks, and between two
-    /// branches, or on the other one, is where no tip would be.
+    /// Lengths add up, so that the number of cycles is right; a sum of vectors would be shorter.
+    /// The direction is the mean weighted by length, over increments on the same branch: the first
+    /// increment decides how the tip kinks, and no tip would grow between two branches.
     pub fn and(self, increment: f64, direction: Vec2) -> Self {
         if self.length == 0.0 {
             return Self { length: increment, direction };

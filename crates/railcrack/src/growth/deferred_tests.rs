@@ -1,11 +1,11 @@
-//! Growth of slow tips, which deferred until it makes a segment.
+//! Growth of slow tips, which is deferred until it makes a segment.
 
 use super::*;
-use crate::crack::End;
+use crate::crack::{CrackTip, End};
 use crate::growth::fixtures::{self, crack};
 
 const SETTINGS: GrowthSettings = GrowthSettings { steps: 1000, arrest_rate: 1e-12, ..fixtures::SETTINGS };
-/// What the engine resolves, mm.
+/// Length that the engine resolves, mm.
 const RESOLUTION: f64 = 0.02;
 /// Round-off of a run of a few dozen steps.
 const ROUNDING: f64 = 1e-12;
@@ -65,7 +65,8 @@ impl Run {
     }
 }
 
-/// However little it makes in a step, a tip grows by its rate times the cycles, in segments that are resolved.
+/// However little it makes in a step, a tip grows by its rate times the cycles, in segments that
+/// are resolved.
 #[test]
 fn a_slow_tip_grows_by_its_rate() {
     for ratio in [0.013, 0.05, 0.1, 0.2] {
@@ -82,15 +83,17 @@ fn a_slow_tip_grows_by_its_rate() {
         assert!(waited > 2, "{ratio}: {waited}");
         let points = &run.cracks[1].points()[1..];
         for segment in points.windows(2).map(|p| (p[1] - p[0]).length()) {
-            // Towards the end the faster ones keep pace. The crack is at least as long as at the beginning.
+            // Towards the end the faster ones keep pace. The crack is at least as long as at the
+            // beginning.
             assert!(segment > KEEPS_PACE * SETTINGS.increment * 2.0 - ROUNDING, "{ratio}: {segment}");
         }
     }
 }
 
-/// The fastest tip and those that are nearly as fast, in relation to their cracks, make each increment at once.
+/// The fastest tip and those that are nearly as fast, in relation to their cracks, make each
+/// increment at once.
 #[test]
-fn fast_tips_do_not_wait() {
+fn fast_tips_are_not_deferred() {
     for [first, second] in [[1.0, 0.67 / 3.0], [0.5, 0.2], [0.3, 1.0]] {
         let mut run = Run::new(pair(), SETTINGS);
         let increments = run.grow([0.1, -0.2], [1e-6 * first, 1e-6 * second]);
@@ -105,8 +108,9 @@ fn fast_tips_do_not_wait() {
     }
 }
 
-/// A slow tip whose path bends and whose rate rises with its length: position and length after the same cycles converge to those of the
-/// closed form, to first order in the increment, as steps without deferred do.
+/// A slow tip whose path bends and whose rate rises with its length: position and length after the
+/// same cycles converge to those of the closed form, to first order in the increment, as steps
+/// without deferred do.
 #[test]
 fn paths_converge_with_the_increment() {
     // dL/dN = r (1 + g (L − 2)); the direction turns by L − 2 over a radius of 3 mm.
@@ -139,7 +143,8 @@ fn paths_converge_with_the_increment() {
     }
 }
 
-/// What deferred keeps to the branch that it has begun, and its length counts whatever the direction.
+/// Deferred growth keeps to the branch that it has begun, and its length counts whatever the
+/// direction.
 #[test]
 fn a_tip_between_two_branches_takes_the_first() {
     let mut run = Run::new(pair(), SETTINGS);
@@ -167,7 +172,8 @@ fn slow(crack: usize, kink: f64, rate: f64, deferred: DeferredGrowth) -> TipDriv
     }
 }
 
-/// The step of `cracks`; the last one is far from the others and sets the pace with 1e-6 mm per cycle.
+/// The step of `cracks`; the last one is far from the others and sets the pace with 1e-6 mm per
+/// cycle.
 fn next(mut cracks: Vec<Crack>, mut tips: Vec<TipDrive>) -> Advance {
     tips.push(slow(cracks.len(), 0.0, 1e-6, DeferredGrowth::default()));
     cracks.push(crack(&[(100.0, 0.0), (100.0, -6.0)]));
@@ -184,7 +190,7 @@ const RIGHT: DeferredGrowth = DeferredGrowth { length: 0.1, direction: Vec2 { x:
 const SLOW: f64 = 0.02 / 0.24 * 1e-6;
 
 #[test]
-fn what_waits_joins_a_crack() {
+fn deferred_growth_joins_a_crack() {
     let wall = |x: f64| crack(&[(x, -3.0), (x, -7.0)]);
     let still = |end: End, tip: usize| TipDrive {
         tip: CrackTip { crack: 1, tip, end },
@@ -214,7 +220,7 @@ fn what_waits_joins_a_crack() {
 }
 
 #[test]
-fn another_tip_joins_what_waits() {
+fn another_tip_joins_deferred_growth() {
     // Comes from below, 0.06 mm ahead of the tip.
     let below = crack(&[(6.0, -8.0), (0.06, -8.0), (0.06, -4.15)]);
     let still = TipDrive {
@@ -237,7 +243,7 @@ fn another_tip_joins_what_waits() {
 }
 
 #[test]
-fn what_waits_breaks_out() {
+fn deferred_growth_breaks_out() {
     let up = DeferredGrowth { direction: Vec2::new(0.0, 1.0), ..RIGHT };
     let rising = |deferred| {
         let shallow = crack(&[(-6.0, 0.0), (-5.5, -0.17), (0.0, -0.17)]);
@@ -251,7 +257,7 @@ fn what_waits_breaks_out() {
 }
 
 #[test]
-fn what_waits_counts_in_the_critical_length() {
+fn deferred_growth_counts_in_the_critical_length() {
     let long = DeferredGrowth { length: 0.14, ..RIGHT };
     let tips = [slow(0, 0.0, SLOW, long)];
     let cracks = [shelf()];

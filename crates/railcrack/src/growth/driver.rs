@@ -1,86 +1,32 @@
-//! The run: an iterator of growth steps that can be stored and taken up again.
+//! Growth as an iterator of steps that can be stored and resumed.
 
+use super::face_load::FaceLoad;
+use super::passage::passages_under;
 use super::{
-    BreakOut, DeferredGrowth, FieldRecord, FieldSettings, GrowthSettings, PassageError, PassageSettings,
-    PhaseTimes, RailBox, RailLoad, RunStop, StabilisedPassage, StepRecord, StepState, TipDrive, TipRecord,
-    TipStop, Warning, WarningKind, advance, fields, stabilised_passage,
+    FieldRecord, FieldSettings, GrowthSettings, GrowthState, Observer, PassageError, PassageSettings,
+    PhaseTimes, RailBox, RailLoad, StabilisedPassage, StepRecord, StepState, TipDrive, TipRecord, Warning,
+    WarningKind, advance, fields,
 };
 use crate::body::{BodyEngine, BodyError, CrackedBody};
-use crate::contact::{ContactSolver, FaceProblem};
-use crate::crack::{Crack, CrackNetwork, CrackTip, Junction, NetworkError};
+use crate::contact::{ContactSolver, CrackFrictionError, FaceProblem, Latin, Newton};
+use crate::crack::{CrackNetwork, CrackTip, NetworkError};
 use crate::fatigue::{HourlierPineau, Kink, SifRanges};
-use crate::field::StressField;
-use crate::load::HertzianContact;
-use serde::{Deserialize, Serialize};
+use crate::field::{EndField, EndsError, RailEnds, StressField, Wheel};
+use crate::math::OutOfRange;
+use std::sync::Arc;
 use std::time::Instant;
-
-/// What a run needs in order to go on after a step: everything else follows from the case.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct GrowthState {
-    /// The step to compute next.
-    pub step: usize,
-    /// The cracks at its start.
-    pub cracks: Vec<Crack>,
-    /// Where they have joined each other.
-    pub junctions: Vec<Junction>,
-    /// Tips that have broken out.
-    pub break_outs: Vec<BreakOut>,
-    /// Load cycles at its start.
-    pub load_cycles: f64,
-    /// `stopped[crack][tip]`: why a tip no longer grows; the tips of a crack are its ends below the surface, joined ones counted.
-    pub stopped: Vec<Vec<Option<TipStop>>>,
-    /// `deferred[crack][tip]`: growth that is not in the cracks yet.
-    pub deferred: Vec<Vec<DeferredGrowth>>,
-    /// Set when the run has ended.
-    pub ended: Option<RunStop>,
-}
-
-impl GrowthState {
-    /// The beginning of a run with `cracks`.
-    pub fn initial(cracks: &CrackNetwork) -> Self {
-        let tips = || cracks.cracks().iter().map(|crack| crack.tips().len());
-        Self {
-            step: 0,
-            cracks: cracks.cracks().to_vec(),
-            junctions: cracks.junctions().to_vec(),
-            break_outs: Vec::new(),
-            load_cycles: 0.0,
-            stopped: tips().map(|tips| vec![None; tips]).collect(),
-            deferred: tips().map(|tips| vec![DeferredGrowth::default(); tips]).collect(),
-            ended: None,
-        }
-    }
-
-    /// Growth at the tips of crack `crack` (from 0) that is not in it yet, mm.
-    fn deferred_at(&self, crack: usize) -> f64 {
-        self.deferred[crack].iter().map(|deferred| deferred.length).sum()
-    }
-}
-
-/// Someone who watches a step being computed, and may interrupt it.
-pub trait Observer: Sync {
-    /// The fraction (0 to 1) of the current passage that is done.
-    fn progress(&self, fraction: f64);
-    /// Whether to give up the current step now.
-    fn interrupted(&self) -> bool;
-}
-
-/// Nobody: the step is computed in silence and to its end.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Unobserved;
-
-impl Observer for Unobserved {
-    fn progress(&self, _: f64) {}
-
-    fn interrupted(&self) -> bool {
-        false
-    }
-}
 
 /// Why a step could not be computed.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum GrowthError {
-    /// The watcher interrupted the step; the state before it is intact.
+    /// Settings under which nothing can be computed.
+    #[error(transparent)]
+    Settings(#[from] OutOfRange),
+    /// Crack-face friction that does not fit the cracks.
+    #[error(transparent)]
+    Friction(#[from] CrackFrictionError),
+    /// The observer interrupted the step; the state before it is intact.
     #[error("interrupted at step {step}")]
     Interrupted {
         /// The step that was given up.
@@ -91,7 +37,7 @@ pub enum GrowthError {
     Body {
         /// The step.
         step: usize,
-        /// What the engine says.
+        /// The error of the engine.
         source: BodyError,
     },
     /// Contact did not converge.
@@ -112,7 +58,7 @@ pub enum GrowthError {
     },
 }
 
-/// What does not change in a run.
+/// Everything that does not change in a run.
 pub struct GrowthProblem {
     /// Turns cracks into a body.
     pub engine: Box<dyn BodyEngine>,
@@ -123,9 +69,7 @@ pub struct GrowthProblem {
     /// μ_c of each crack.
     pub crack_friction: Vec<f64>,
     /// The wheel.
-    pub contact: HertzianContact,
-    /// ν.
-    pub poisson: f64,
+    pub wheel: Box<dyn Wheel>,
     /// Balanced residual stress.
     pub residual: Option<Box<dyn StressField>>,
     /// The passages.
@@ -138,10 +82,36 @@ pub struct GrowthProblem {
     pub rail: RailBox,
 }
 
-/// A run over growth steps. [`Growth::next_step`] computes one step; [`Growth::state`] is what to store after it.
+impl GrowthProblem {
+    /// Cracks with `crack_friction` under `wheel`, by `engine`: everything else as in a case file
+    /// that says nothing.
+    pub fn new(
+        engine: impl BodyEngine + 'static,
+        wheel: impl Wheel + 'static,
+        crack_friction: Vec<f64>,
+    ) -> Self {
+        Self {
+            engine: Box::new(engine),
+            solver: Box::new(Newton::default()),
+            fallback: Box::new(Latin::default()),
+            crack_friction,
+            wheel: Box::new(wheel),
+            residual: None,
+            passages: PassageSettings::default(),
+            fields: None,
+            growth: GrowthSettings::default(),
+            rail: RailBox::default(),
+        }
+    }
+}
+
+/// A run over growth steps. [`Growth::next_step`] computes one step; [`Growth::state`] is what to
+/// store after it.
 pub struct Growth {
     problem: GrowthProblem,
     state: GrowthState,
+    /// The ends of the rail of the last step, and what they add under the wheel.
+    ends: Option<(Arc<dyn RailEnds>, Arc<dyn EndField>)>,
 }
 
 /// A rival kink whose rate comes this close to the best is a near tie.
@@ -150,7 +120,7 @@ pub const NEAR_TIE: f64 = 0.98;
 impl Growth {
     /// A run of `problem` from `state` on.
     pub fn new(problem: GrowthProblem, state: GrowthState) -> Self {
-        Self { problem, state }
+        Self { problem, state, ends: None }
     }
 
     /// The state after the last computed step: give it to a new run to go on from there.
@@ -158,13 +128,17 @@ impl Growth {
         &self.state
     }
 
-    /// Computes the next step; `None` when the run has ended. On an error the state is that before the step.
+    /// Computes the next step; `None` when the run has ended. On an error the state is that before
+    /// the step.
     ///
-    /// Each step starts on virgin faces: slip of the step before is not carried over to the longer cracks.
+    /// Each step starts on virgin faces: slip of the step before is not carried over to the longer
+    /// cracks.
     pub fn next_step(&mut self, observer: &dyn Observer) -> Result<Option<StepRecord>, GrowthError> {
         if self.state.ended.is_some() {
             return Ok(None);
         }
+        self.problem.passages.check()?;
+        self.problem.growth.check()?;
         let step = self.state.step;
         let started = Instant::now();
         let network = CrackNetwork::joined(self.state.cracks.clone(), self.state.junctions.clone())
@@ -177,12 +151,16 @@ impl Growth {
 
         let started = Instant::now();
         let remark = |text: &String| Warning { step, kind: WarningKind::Engine, text: text.clone() };
-        let mut warnings: Vec<Warning> = body.remarks().iter().map(remark).collect();
-        let passage = self.stabilise(body.as_ref(), observer, &mut warnings)?;
+        let mut warnings: Vec<Warning> = body.remarks.iter().map(remark).collect();
+        let ends = self.ends_under_wheel(&body)?;
+        let faces = FaceProblem::new(&body, &self.problem.crack_friction)?;
+        let face_load = FaceLoad::new(&faces, self.load(), ends.as_deref())
+            .map_err(|source| self.off_the_rail(source))?;
+        let passage = self.stabilise(&face_load, observer, &mut warnings)?;
         let contact_s = started.elapsed().as_secs_f64();
 
         let started = Instant::now();
-        let fields = self.fields(body.as_ref(), &passage)?;
+        let fields = self.fields(&face_load, &passage)?;
         let body_s = body_s + started.elapsed().as_secs_f64();
 
         let started = Instant::now();
@@ -217,11 +195,11 @@ impl Growth {
             faces: passage.faces,
             fields,
             load_cycles: self.state.load_cycles,
-            dofs: body.dofs(),
+            dofs: body.dofs,
             counts: passage.counts,
             times: PhaseTimes {
                 body_s,
-                parts: body.times(),
+                parts: body.times,
                 contact_s,
                 growth_s: started.elapsed().as_secs_f64(),
             },
@@ -243,44 +221,56 @@ impl Growth {
         Ok(Some(record))
     }
 
-    fn load(&self) -> RailLoad<'_> {
-        RailLoad {
-            contact: self.problem.contact,
-            poisson: self.problem.poisson,
-            residual: self.problem.residual.as_deref(),
+    /// The field that the ends of the rail add under the wheel: kept for as long as the engine
+    /// keeps the rail.
+    fn ends_under_wheel(&mut self, body: &CrackedBody) -> Result<Option<Arc<dyn EndField>>, GrowthError> {
+        let Some(rail) = &body.ends else { return Ok(None) };
+        if let Some((known, field)) = &self.ends
+            && std::ptr::addr_eq(Arc::as_ptr(known), Arc::as_ptr(rail))
+        {
+            return Ok(Some(Arc::clone(field)));
         }
+        let field = self.load().at_ends(rail, &self.problem.passages);
+        let field = field.map_err(|source| self.off_the_rail(source))?;
+        self.ends = Some((Arc::clone(rail), Arc::clone(&field)));
+        Ok(Some(field))
+    }
+
+    fn off_the_rail(&self, source: EndsError) -> GrowthError {
+        GrowthError::Body { step: self.state.step, source: BodyError { reason: Box::new(source) } }
+    }
+
+    fn load(&self) -> RailLoad<'_> {
+        RailLoad { wheel: self.problem.wheel.as_ref(), residual: self.problem.residual.as_deref() }
     }
 
     /// The fields of this step, where they are wanted.
     fn fields(
         &self,
-        body: &dyn CrackedBody,
+        face_load: &FaceLoad,
         passage: &StabilisedPassage,
     ) -> Result<Option<FieldRecord>, GrowthError> {
         let step = self.state.step;
         let wanted = self.problem.fields.as_ref().filter(|fields| step.is_multiple_of(fields.every.get()));
         let Some(settings) = wanted else { return Ok(None) };
-        let faces = FaceProblem::new(body, &self.problem.crack_friction);
-        fields::record_fields(&faces, self.load(), passage, settings)
+        fields::record_fields(face_load, self.load(), passage, settings)
             .map_err(|source| GrowthError::Body { step, source })
     }
 
     /// The passages, by the solver or, where it fails, by the other one.
     fn stabilise(
         &self,
-        body: &dyn CrackedBody,
+        face_load: &FaceLoad,
         observer: &dyn Observer,
         warnings: &mut Vec<Warning>,
     ) -> Result<StabilisedPassage, GrowthError> {
         let step = self.state.step;
-        let faces = FaceProblem::new(body, &self.problem.crack_friction);
-        let load = self.load();
-        let settings = &self.problem.passages;
-        let first = stabilised_passage(&faces, self.problem.solver.as_ref(), load, settings, observer);
+        let (load, settings) = (self.load(), &self.problem.passages);
+        let by = |solver: &dyn ContactSolver| passages_under(face_load, load, solver, settings, observer);
+        let first = by(self.problem.solver.as_ref());
         let result = match first {
             Err(PassageError::NotConverged { .. }) => {
-                let second =
-                    stabilised_passage(&faces, self.problem.fallback.as_ref(), load, settings, observer);
+                let second = by(self.problem.fallback.as_ref());
                 if let (Err(failure), Ok(_)) = (&first, &second) {
                     let text = format!("the other contact solver did this step, since: {failure}");
                     warnings.push(Warning { step, kind: WarningKind::ContactFallback, text });
@@ -291,7 +281,7 @@ impl Growth {
         };
         result.map_err(|source| match source {
             PassageError::Interrupted => GrowthError::Interrupted { step },
-            source @ PassageError::NotConverged { .. } => GrowthError::Passage { step, source },
+            source => GrowthError::Passage { step, source },
         })
     }
 

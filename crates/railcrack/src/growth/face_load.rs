@@ -2,13 +2,15 @@
 
 use super::RailLoad;
 use crate::contact::{FaceProblem, LoadPath};
-use crate::field::HertzField;
+use crate::field::{EndField, EndsError, StressesUnderWheel, Wheel};
 use crate::math::Vec2;
 
 /// Nodal forces of the uncracked rail's stress.
 pub(super) struct FaceLoad<'a> {
-    problem: &'a FaceProblem<'a>,
-    wheel: HertzField,
+    pub(super) problem: &'a FaceProblem<'a>,
+    wheel: &'a dyn Wheel,
+    /// Stress that the ends of the rail add at these points; none for a half-plane.
+    ends: Option<StressesUnderWheel>,
     /// The quadrature points of the faces, mm.
     points: Vec<Vec2>,
     /// Nodal forces of the residual stress.
@@ -37,13 +39,21 @@ pub(super) enum Part {
 }
 
 impl<'a> FaceLoad<'a> {
-    pub(super) fn new(problem: &'a FaceProblem<'a>, load: RailLoad) -> Self {
+    /// The load on the faces of `problem`; `ends` is what the ends of the rail add under the wheel.
+    ///
+    /// Errors: a face outside of the rail.
+    pub(super) fn new(
+        problem: &'a FaceProblem<'a>,
+        load: RailLoad<'a>,
+        ends: Option<&dyn EndField>,
+    ) -> Result<Self, EndsError> {
         let residual = match load.residual {
-            Some(field) => problem.body().faces().nodal_forces(|point| field.stress(point)),
+            Some(field) => problem.body().faces.nodal_forces(|point| field.stress(point)),
             None => vec![0.0; 2 * problem.points()],
         };
-        let points = problem.body().faces().samples.iter().map(|sample| sample.point).collect();
-        Self { problem, wheel: HertzField::new(&load.contact, load.poisson), points, residual }
+        let points: Vec<Vec2> = problem.body().faces.samples.iter().map(|sample| sample.point).collect();
+        let ends = ends.map(|ends| ends.at(&points)).transpose()?;
+        Ok(Self { problem, wheel: load.wheel, ends, points, residual })
     }
 
     /// The load along `part`.
@@ -51,11 +61,12 @@ impl<'a> FaceLoad<'a> {
         PartLoad { load: self, part }
     }
 
-    /// The largest slip (mm) of each point over some of the wheel positions `xc`, with the faces free to move.
+    /// The largest slip (mm) of each point over some of the wheel positions `xc`, with the faces
+    /// free to move.
     pub(super) fn expected_slip(&self, xc: &[f64]) -> Vec<f64> {
         let mut slips = vec![0.0f64; self.problem.points()];
         for &x in xc.iter().step_by((xc.len() / EXPECTED_FROM).max(1)) {
-            let jump = self.problem.body().compliance().times(&self.along(Part::Over).nodal_forces(x));
+            let jump = self.problem.body().compliance.times(&self.along(Part::Over).nodal_forces(x));
             for (slip, jump) in slips.iter_mut().zip(jump.chunks_exact(2)) {
                 *slip = slip.max(jump[0].abs());
             }
@@ -75,7 +86,7 @@ pub(super) struct PartLoad<'a> {
 
 impl LoadPath for PartLoad<'_> {
     fn nodal_forces(&self, at: f64) -> Vec<f64> {
-        let FaceLoad { problem, wheel, points, residual } = self.load;
+        let FaceLoad { problem, wheel, ends, points, residual } = self.load;
         let (xc, share) = match self.part {
             Part::Ramp => return residual.iter().map(|f| f * at).collect(),
             Part::Far { .. } if at == 0.0 => return residual.clone(),
@@ -83,12 +94,11 @@ impl LoadPath for PartLoad<'_> {
             Part::Load { xc } => (xc, at),
             Part::Over => (at, 1.0),
         };
-        let body = problem.body();
         let mut stresses = wheel.stresses(points, xc);
-        if let Some(ends) = body.ends() {
-            stresses.iter_mut().zip(ends.stresses(xc)).for_each(|(stress, end)| *stress = *stress + end);
+        if let Some(ends) = ends {
+            stresses.iter_mut().zip(ends(xc)).for_each(|(stress, end)| *stress = *stress + end);
         }
-        let mut forces = body.faces().nodal_forces_of_samples(|k, _| stresses[k]);
+        let mut forces = problem.body().faces.nodal_forces_of_samples(|k, _| stresses[k]);
         if share != 1.0 {
             forces.iter_mut().for_each(|f| *f *= share);
         }

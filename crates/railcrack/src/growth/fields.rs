@@ -1,22 +1,21 @@
-//! The field around the cracks at some wheel positions: that of the uncracked rail and that of the cracked body together.
+//! Stress and displacement around the cracks at some wheel positions: those of the uncracked rail
+//! and that of the cracked body together.
 
 use super::face_load::{FaceLoad, Part};
 use super::{RailLoad, StabilisedPassage};
 use crate::body::{BodyError, Face, FacePoint, FieldGrid, FieldLoad};
-use crate::contact::{FaceProblem, FaceState, LoadPath};
-use crate::field::{HertzDisplacement, HertzField};
+use crate::contact::{FaceState, LoadPath};
 use crate::math::{Stress, Vec2};
 use std::num::NonZeroUsize;
 
 /// Where and when fields are wanted.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FieldSettings {
-    /// Wheel positions x_c, mm: of each, the nearest output position of the stabilised passage is taken.
+    /// Wheel positions x_c, mm: of each, the nearest output position of the stabilised passage is
+    /// taken.
     pub positions: Vec<f64>,
     /// Every how many steps, step 0 the first.
     pub every: NonZeroUsize,
-    /// The displacement of the half-plane under the wheel.
-    pub displacement: HertzDisplacement,
 }
 
 /// The fields of one step.
@@ -47,15 +46,16 @@ pub struct FieldSnapshot {
 ///
 /// Errors: the engine cannot compute them.
 pub(super) fn record_fields(
-    problem: &FaceProblem,
+    face_load: &FaceLoad,
     load: RailLoad,
     passage: &StabilisedPassage,
     settings: &FieldSettings,
 ) -> Result<Option<FieldRecord>, BodyError> {
+    let body = face_load.problem.body();
+    let Some(solver) = &body.fields else { return Ok(None) };
     let Some(xc) = passage.passages.last().map(|record| &record.xc) else { return Ok(None) };
     let chosen = nearest(xc, &settings.positions);
-    let face_load = FaceLoad::new(problem, load);
-    let faces = &problem.body().faces().points;
+    let faces = &body.faces.points;
     let forces: Vec<Vec<f64>> = chosen
         .iter()
         .map(|&i| {
@@ -65,21 +65,21 @@ pub(super) fn record_fields(
             removed.into_iter().zip(contact).map(|(removed, contact)| removed + contact).collect()
         })
         .collect();
+    let under = |(i, forces): (usize, _)| FieldLoad { forces, wheel: Some((load.wheel, xc[i])) };
     let loads: Vec<FieldLoad> =
-        chosen.iter().zip(&forces).map(|(&i, forces)| FieldLoad { forces, xc: xc[i] }).collect();
-    let Some(cracked) = problem.body().fields(&loads)? else { return Ok(None) };
+        chosen.iter().copied().zip(forces.iter().map(Vec::as_slice)).map(under).collect();
+    let cracked = solver.fields(&loads)?;
     let grid = cracked.grid;
-    let wheel = HertzField::new(&load.contact, load.poisson);
     let snapshots = chosen
         .iter()
         .zip(cracked.loads)
         .map(|(&position, mut field)| {
             let xc = xc[position];
             for (u, point) in field.displacement.iter_mut().zip(&grid.points) {
-                *u = *u + settings.displacement.displacement(*point, xc);
+                *u = *u + load.wheel.displacement(*point, xc);
             }
             for (stress, &point) in field.stress.iter_mut().zip(&grid.inside) {
-                *stress = *stress + wheel.stress(point, xc);
+                *stress = *stress + load.wheel.stress(point, xc);
                 if let Some(residual) = load.residual {
                     *stress = *stress + residual.stress(point);
                 }
@@ -101,7 +101,8 @@ fn nearest(xc: &[f64], wanted: &[f64]) -> Vec<usize> {
     chosen
 }
 
-/// What the opposite face exerts at the points of the faces, MPa: the contact traction on the + face, its negative on the other.
+/// Traction that the opposite face exerts at the points of the faces, MPa: the contact traction on
+/// the + face, its negative on the other.
 fn tractions(grid: &FieldGrid, faces: &[FacePoint], states: &[FaceState]) -> Vec<Vec2> {
     let at_face_point = |j: usize| {
         let tangent = faces[j].tangent;

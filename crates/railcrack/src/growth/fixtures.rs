@@ -1,4 +1,4 @@
-//! What the tests of steps begin with.
+//! Fixtures of the tests of growth steps.
 
 use super::{GrowthSettings, RailBox, StepState, TipDrive};
 use crate::crack::Crack;
@@ -19,7 +19,8 @@ pub(super) fn crack(points: &[(f64, f64)]) -> Crack {
     Crack::polyline(points.iter().map(|&(x, y)| Vec2::new(x, y)).collect()).unwrap()
 }
 
-/// The first step of `cracks` that have joined nowhere, in a block of 300 × 172 mm, for an engine that resolves `resolution` (mm).
+/// The first step of `cracks` that have joined nowhere, in a block of 300 × 172 mm, for an engine
+/// that resolves `resolution` (mm).
 pub(super) fn state<'a>(cracks: &'a [Crack], tips: &'a [TipDrive], resolution: f64) -> StepState<'a> {
     StepState {
         step: 0,

@@ -1,62 +1,19 @@
-//! From rates to increments, cycles and longer cracks.
+//! Increments, load cycles and the longer cracks, from the growth rates of the tips.
 
 use super::coalescence::{Coalescence, coalescences};
 use super::deferred::{DeferredGrowth, KEEPS_PACE};
 use super::joining::{Outcome, grow, spall};
-use super::stops::{RailBox, Step, run_stop, spent_ligament, stop_of_one};
+use super::step_state::{Step, StepState, TipDrive};
+use super::stops::{run_stop, spent_ligament, stop_of_one};
 use super::{BreakOut, GrowthSettings, Piece, RunStop, TipStop};
-use crate::crack::{Crack, CrackTip, Junction, point_to_segment};
+use crate::crack::{Crack, Junction, point_to_segment};
 use crate::math::Vec2;
 
-/// What the passage asks of one tip.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TipDrive {
-    /// Which tip.
-    pub tip: CrackTip,
-    /// The chosen kink, radians, counter-clockwise; none for a tip that does not load.
-    pub kink: Option<f64>,
-    /// da/dN of the actual tip, mm per cycle: zero at or below the threshold.
-    pub rate: f64,
-    /// Its growth of earlier steps that is not in the crack yet.
-    pub deferred: DeferredGrowth,
-    /// Why it stopped in an earlier step, if it did.
-    pub stopped: Option<TipStop>,
-}
-
-/// The state of a run at the start of a step.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct StepState<'a> {
-    /// Step number, from 0.
-    pub step: usize,
-    /// The cracks.
-    pub cracks: &'a [Crack],
-    /// Where they have joined each other.
-    pub junctions: &'a [Junction],
-    /// Tips that broke out in earlier steps.
-    pub break_outs: &'a [BreakOut],
-    /// All their tips.
-    pub tips: &'a [TipDrive],
-    /// Load cycles so far.
-    pub load_cycles: f64,
-    /// The rail.
-    pub rail: RailBox,
-    /// The length that the engine resolves, mm: its element size.
-    pub resolution: f64,
-}
-
-impl StepState<'_> {
-    /// The length of crack `crack` (from 0), with the deferred growth of its tips, mm.
-    pub fn length(&self, crack: usize) -> f64 {
-        let own = self.tips.iter().filter(|tip| tip.tip.crack == crack);
-        self.cracks[crack].length() + own.map(|tip| tip.deferred.length).sum::<f64>()
-    }
-}
-
-/// What one tip does.
+/// The advance of one tip.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TipAdvance {
-    /// Increment, mm; 0 for a tip that does not grow and in the last step. Negative for a tip that joins a crack which lies across what
-    /// was deferred.
+    /// Increment, mm; 0 for a tip that does not grow and in the last step. Negative for a tip that
+    /// joins a crack which lies across what was deferred.
     pub increment: f64,
     /// Its growth that is not in the crack of the next step.
     pub deferred: DeferredGrowth,
@@ -64,7 +21,7 @@ pub struct TipAdvance {
     pub stop: Option<TipStop>,
 }
 
-/// The way to the next step.
+/// The transition to the next step.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Advance {
     /// One per tip, in the order given.
@@ -79,27 +36,32 @@ pub struct Advance {
     pub pieces: Vec<Piece>,
     /// Load cycles until then.
     pub cycles: f64,
-    /// Why the run ends with this step, if it does; the cracks are then unchanged and no cycles pass.
+    /// Why the run ends with this step, if it does; the cracks are then unchanged and no cycles
+    /// pass.
     pub stop: Option<RunStop>,
 }
 
 /// The increments from one step to the next.
 ///
 /// Δa_i = Δa_max rate_i / rate_max with Δa_max = increment × length of the fastest tip's crack, and
-/// ΔN = Δa_max / rate_max (explicit Euler: the rate at the start of the step holds through it). A step that would
-/// exceed the cycles to stop after is shortened to end on them.
+/// ΔN = Δa_max / rate_max (explicit Euler: the rate at the start of the step holds through it). A
+/// step that would exceed the cycles to stop after is shortened to end on them.
 ///
-/// Growth of a tip that is much slower is deferred until it is a whole increment ([`DeferredGrowth`]). It counts: in the length of the crack,
-/// and when the tip comes to the surface, to the ends of the rail or to another crack.
+/// The growth of a much slower tip is deferred until it amounts to a whole increment
+/// ([`DeferredGrowth`]). Deferred growth counts in the length of the crack, and where the tip
+/// reaches the surface, the ends of the rail or another crack.
 ///
-/// A tip that is arrested, or whose increment cannot be made, stops and does not set the pace: the increments of the
-/// others are those without it. A tip that comes closer than the resolution to a crack joins it: its increment ends on that
-/// crack, and it is a tip no more. A tip that stopped stays stopped. The names of new stops are given in the last step as well.
+/// A tip that is arrested, or whose increment cannot be made, stops for good and has no influence
+/// on the increments of the others. A tip that comes closer than the resolution to a crack
+/// coalesces with it: its increment ends on that crack, and it ceases to be a tip. New stops are
+/// also reported in the last step.
 ///
-/// A tip that breaks out cuts off a spall where its crack is connected to the running surface. A tip that meets what it is connected
-/// with already, by cracks or by the surface, detaches a piece, and the run ends.
+/// A tip that breaks out cuts off a spall if its crack is connected to the running surface. A tip
+/// that coalesces with a crack to which it is already connected, through cracks or the surface,
+/// detaches a piece, and the run ends.
 ///
 /// Source: Trollé et al. 2014, eq. 32.
+#[must_use]
 pub fn advance(state: &StepState<'_>, settings: &GrowthSettings) -> Advance {
     let mut stops: Vec<Option<TipStop>> =
         state.tips.iter().map(|tip| tip.stopped.or_else(|| arrest(tip, settings))).collect();
@@ -160,13 +122,13 @@ pub fn advance(state: &StepState<'_>, settings: &GrowthSettings) -> Advance {
     }
 }
 
-/// The tips of a step that is not made.
+/// The tips when no increment is made.
 fn standing_tips(state: &StepState<'_>, stops: &[Option<TipStop>]) -> Vec<TipAdvance> {
     let standing = |(tip, &stop): (&TipDrive, _)| TipAdvance { increment: 0.0, deferred: tip.deferred, stop };
     state.tips.iter().zip(stops).map(standing).collect()
 }
 
-/// The tips of a step that is made, of those of one that is not.
+/// The tips when increments are made, from those without.
 fn growing_tips(
     standing: &[TipAdvance],
     ways: &[Option<Way>],
@@ -184,7 +146,8 @@ fn growing_tips(
     standing.iter().zip(ways.iter().zip(met)).map(growing).collect()
 }
 
-/// The steps that cannot be made, with the reason: they break out before they meet a crack, or leave the rail.
+/// The steps that cannot be made, with the reason: they break out before they meet a crack, or
+/// leave the rail.
 fn blocked_steps(
     state: &StepState<'_>,
     steps: &[Option<Step>],
@@ -207,7 +170,8 @@ fn blocked_steps(
     (0..steps.len()).filter_map(|i| Some((i, blocked(i)?))).collect()
 }
 
-/// Where the ligament of a tip that breaks out ends on the running surface: where its increment passes it, else above its end.
+/// Where the ligament of a tip that breaks out ends on the running surface: where its increment
+/// passes it, else above its end.
 fn way_out(step: &Step) -> Vec2 {
     let rise = step.to.y - step.from.y;
     let share = if step.to.y > 0.0 && rise > 0.0 { -step.from.y / rise } else { 1.0 };
@@ -257,7 +221,7 @@ impl Pace {
     }
 }
 
-/// What a tip that grows is to do in a step.
+/// The planned advance of a tip that grows.
 #[derive(Debug, Clone, Copy)]
 struct Way {
     /// Its own increment, mm.
@@ -303,7 +267,8 @@ fn planned(
         .collect()
 }
 
-/// The ways beside `met`: a tip that joins a crack is not deferred, nor is one whose way another tip ends on.
+/// The ways beside `met`: a tip that joins a crack is not deferred, nor is one whose way another
+/// tip ends on.
 fn beside_coalescences(
     state: &StepState<'_>,
     ways: Vec<Option<Way>>,

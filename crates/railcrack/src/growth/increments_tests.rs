@@ -1,7 +1,7 @@
 //! Increments, cycles and every stop.
 
 use super::*;
-use crate::crack::End;
+use crate::crack::{CrackTip, End};
 use crate::growth::fixtures::{self, SETTINGS, crack as polyline};
 
 /// Round-off of a few operations.
@@ -105,7 +105,8 @@ fn tip_that_would_meet_another_crack_or_itself_stops() {
     let near = polyline(&[(0.0, 0.0), (0.5, -2.0), (4.15, -2.0)]);
     assert_eq!(stop_of_first(&[near.clone(), wall.clone()], 0.0), Some(TipStop::Coalescence));
     assert_eq!(stop_of_first(&[near, wall.moved(0.3)], 0.0), None);
-    // A hook that turns back on its own faces, and a straight crack of many short segments, which does not.
+    // A hook that turns back on its own faces, and a straight crack of many short segments, which
+    // does not.
     let hook = polyline(&[(0.0, 0.0), (0.0, -4.0), (3.0, -4.0), (3.0, -3.0), (0.2, -3.0)]);
     assert_eq!(stop_of_first(&[hook], 0.0), Some(TipStop::Coalescence));
     // Faces crossed 0.15 mm behind the tip.

@@ -1,13 +1,13 @@
 //! The cracks of the next step: longer by the increments, with new junctions.
 
+use super::BreakOut;
 use super::coalescence::Coalescence;
 use super::pieces::{CrackGraph, Piece, PieceKind};
-use super::stops::Step;
-use super::{BreakOut, StepState};
+use super::step_state::{Step, StepState};
 use crate::crack::{Crack, CrackEnd, CrackNetwork, End, Junction, point_to_segment};
 use crate::math::Vec2;
 
-/// What the increments of a step lead to.
+/// Outcome of the increments of a step.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Outcome {
     /// The cracks of the next step.
@@ -23,7 +23,7 @@ pub(super) enum Outcome {
     Impossible(Vec<usize>),
 }
 
-/// Makes `steps`, which end at `coalescences` where they have one.
+/// Grows the cracks by `steps`, each up to its coalescence where it has one.
 pub(super) fn grow(
     state: &StepState<'_>,
     steps: &[Option<Step>],
@@ -78,7 +78,7 @@ fn impossible(
     Outcome::Impossible(if blamed.is_empty() { made } else { blamed })
 }
 
-/// What becomes of the point that was the tip.
+/// Fate of the point that was the tip.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Last {
     /// It is a vertex of the longer crack.
@@ -97,7 +97,8 @@ fn lengthen(path: &mut Vec<Vec2>, end: End, to: Vec2, last: Last) {
     }
 }
 
-/// Makes `at` a vertex of `path`, on the segment that it lies on; where the end `own` of the path itself is there, once more.
+/// Makes `at` a vertex of `path`, on the segment that it lies on; where the end `own` of the path
+/// itself is there, once more.
 fn insert(path: &mut Vec<Vec2>, at: Vec2, own: Option<End>) {
     let (mut first, mut last) = (0, path.len() - 1);
     match own {
@@ -171,8 +172,9 @@ fn detached(
     closing.into_iter().filter_map(outline).collect()
 }
 
-/// The spall that a tip at `from`, which breaks out at the point `surface` of the running surface, cuts off; none where the crack is not yet
-/// connected to the surface. The break-outs `before` count as connections.
+/// The spall that a tip at `from`, which breaks out at the point `surface` of the running surface,
+/// cuts off; none where the crack is not yet connected to the surface. The break-outs `before`
+/// count as connections.
 pub(super) fn spall(state: &StepState<'_>, before: &[BreakOut], new: BreakOut) -> Option<Piece> {
     let mut graph = CrackGraph::default();
     for crack in state.cracks {

@@ -1,7 +1,7 @@
 //! Tips that meet cracks, each other, themselves and the surface; what they cut off.
 
 use super::*;
-use crate::crack::{CrackEnd, CrackNetwork, End, segment_distance};
+use crate::crack::{CrackEnd, CrackNetwork, CrackTip, End, segment_distance};
 use crate::growth::PieceKind;
 use crate::growth::fixtures::{self, SETTINGS, crack};
 use proptest::prelude::*;
@@ -107,7 +107,8 @@ fn no_segment_shorter_than_the_resolution_is_left() {
 
 #[test]
 fn tips_that_come_together_meet_where_they_are_at_the_same_time() {
-    // 0.3 mm apart and 0.24 mm of way, the second half as fast: they are one resolution apart after 0.25 mm of it.
+    // 0.3 mm apart and 0.24 mm of way, the second half as fast: they are one resolution apart after
+    // 0.25 mm of it.
     let other = crack(&[(4.0, -9.0), (4.0, -4.0), (0.3, -4.0)]);
     let cracks = [coming(0.0), other];
     let next = next(&cracks, &[ahead(0, 2e-6), TipDrive { rate: 1e-6, ..drive(1, End::Last, 1, 0.0, 1e-6) }]);
@@ -120,7 +121,8 @@ fn tips_that_come_together_meet_where_they_are_at_the_same_time() {
 
 #[test]
 fn later_tip_joins_what_the_earlier_one_left_behind() {
-    // The second rises through (0.06, −4) when 5/6 of its way are done; the first passes there after a quarter.
+    // The second rises through (0.06, −4) when 5/6 of its way are done; the first passes there
+    // after a quarter.
     let rising = crack(&[(0.06, -10.2), (0.06, -4.2)]);
     let tips = [ahead(0, 1e-6), drive(1, End::Last, 1, 0.0, 1e-6)];
     let next = next(&[coming(0.0), rising], &tips);
@@ -285,7 +287,8 @@ fn mirrored_crack(crack: &Crack) -> Crack {
 /// Increments of a fifth of the length, so that many tips meet something.
 const LARGE: GrowthSettings = GrowthSettings { increment: 0.2, ..SETTINGS };
 
-/// Whatever the cracks, the next ones are a network; its mirror image and another order of the cracks give the same.
+/// Whatever the cracks, the next ones are a network; its mirror image and another order of the
+/// cracks give the same.
 #[test]
 fn any_step_makes_a_network_and_knows_neither_order_nor_hand() {
     let config = ProptestConfig { cases: 2000, failure_persistence: None, ..ProptestConfig::default() };

@@ -1,4 +1,5 @@
-//! Passage → histories, increments, stops: the cracks step by step.
+//! Growth of cracks step by step: from a passage over fixed cracks to histories of K, increments
+//! and stops.
 
 mod coalescence;
 mod deferred;
@@ -9,20 +10,32 @@ mod fields;
 mod fixtures;
 mod increments;
 mod joining;
+mod observer;
 mod passage;
+mod passage_record;
 mod pieces;
+mod rail_load;
 mod record;
+mod settings;
+mod state;
+mod step_state;
+mod stop;
 mod stops;
 mod tip_sifs;
+mod warning;
 
 pub use deferred::DeferredGrowth;
-pub use driver::{Growth, GrowthError, GrowthProblem, GrowthState, NEAR_TIE, Observer, Unobserved};
+pub use driver::{Growth, GrowthError, GrowthProblem, NEAR_TIE};
 pub use fields::{FieldRecord, FieldSettings, FieldSnapshot};
-pub use increments::{Advance, StepState, TipAdvance, TipDrive, advance};
-pub use passage::{PassageError, PassageSettings, RailLoad, StabilisedPassage, stabilised_passage};
+pub use increments::{Advance, TipAdvance, advance};
+pub use observer::{Observer, Unobserved};
+pub use passage::{PassageError, StabilisedPassage, stabilised_passage};
+pub use passage_record::{FaceRecord, PassageRecord, SolverCounts};
 pub use pieces::{Piece, PieceKind};
-pub use record::{
-    BreakOut, FaceRecord, GrowthSettings, PassageRecord, PhaseTimes, RunStop, SolverCounts, StepRecord,
-    TipRecord, TipStop, Warning, WarningKind,
-};
-pub use stops::RailBox;
+pub use rail_load::RailLoad;
+pub use record::{PhaseTimes, StepRecord, TipRecord};
+pub use settings::{GrowthSettings, PassageSettings};
+pub use state::GrowthState;
+pub use step_state::{RailBox, StepState, TipDrive};
+pub use stop::{BreakOut, RunStop, TipStop};
+pub use warning::{Warning, WarningKind};

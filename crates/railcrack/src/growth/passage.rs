@@ -1,41 +1,16 @@
-//! One geometry under the wheel: residual stress, then passages until the history repeats.
+//! Passages of the wheel over fixed cracks: residual stress, then passages until the history
+//! repeats.
 
 use super::face_load::{FaceLoad, Part};
 use super::tip_sifs::{TipMark, TipSifs};
-use super::{FaceRecord, Observer, PassageRecord, SolverCounts};
+use super::{FaceRecord, Observer, PassageRecord, PassageSettings, RailLoad, SolverCounts};
 use crate::contact::{
     ContactSolver, FaceProblem, FaceSolution, FaceState, StepControl, Stepper, SteppingError,
 };
-use crate::field::StressField;
+use crate::field::EndsError;
 use crate::fracture::SifHistory;
-use crate::load::{HertzianContact, Passage};
+use crate::math::OutOfRange;
 use thiserror::Error;
-
-/// The wheel's passages.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PassageSettings {
-    /// Output positions.
-    pub passage: Passage,
-    /// Passages at most.
-    pub max_passages: usize,
-    /// Change of K between two passages, relative to its peak, below which the history repeats.
-    pub passage_tolerance: f64,
-    /// Tolerance of the load steps on K, relative to its peak; of no meaning to fixed steps.
-    pub step_tolerance: f64,
-    /// How load steps are chosen; fixed ones go from output position to output position.
-    pub step_control: StepControl,
-}
-
-/// What loads the uncracked rail.
-#[derive(Clone, Copy)]
-pub struct RailLoad<'a> {
-    /// The wheel.
-    pub contact: HertzianContact,
-    /// ν.
-    pub poisson: f64,
-    /// Balanced residual stress.
-    pub residual: Option<&'a dyn StressField>,
-}
 
 /// The stabilised passage and those before it.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,8 +28,15 @@ pub struct StabilisedPassage {
 }
 
 /// A passage that could not be computed.
-#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[derive(Debug, Error)]
+#[non_exhaustive]
 pub enum PassageError {
+    /// Settings under which nothing can be computed.
+    #[error(transparent)]
+    Settings(#[from] OutOfRange),
+    /// The ends of the rail.
+    #[error(transparent)]
+    Ends(#[from] EndsError),
     /// Contact did not converge.
     #[error("passage {passage}, {phase}: {source}")]
     NotConverged {
@@ -65,16 +47,18 @@ pub enum PassageError {
         /// Where on its path and how.
         source: SteppingError,
     },
-    /// The watcher asked to stop.
+    /// The observer asked to stop.
     #[error("interrupted")]
     Interrupted,
 }
 
-/// Residual stress is ramped up on virgin faces; then wheels pass until the SIF histories of two consecutive passages
-/// agree. Frictionless faces have no memory: one passage is all. The wheel comes from infinitely far and leaves to
-/// infinitely far; in a rail with ends, its load is ramped up at the first position and down at the last.
+/// The stabilised passage over fixed cracks. Residual stress is ramped up on virgin faces; then the
+/// wheel passes until the histories of K of two consecutive passages agree. Faces without friction
+/// have no memory, and one passage is enough. The wheel arrives from infinity and leaves to
+/// infinity; in a rail with ends, its load is ramped up at the first position and down at the last.
 ///
-/// Errors: contact does not converge; `watch` asks to stop.
+/// Errors: settings under which nothing can be computed; a wheel that leaves the rail; contact does
+/// not converge; `observer` asks to stop.
 pub fn stabilised_passage(
     problem: &FaceProblem,
     solver: &dyn ContactSolver,
@@ -82,17 +66,32 @@ pub fn stabilised_passage(
     settings: &PassageSettings,
     observer: &dyn Observer,
 ) -> Result<StabilisedPassage, PassageError> {
+    settings.check()?;
+    let ends = problem.body().ends.as_ref().map(|rail| load.at_ends(rail, settings)).transpose()?;
+    let face_load = FaceLoad::new(problem, load, ends.as_deref())?;
+    passages_under(&face_load, load, solver, settings, observer)
+}
+
+/// [`stabilised_passage`] under a load that is known at the faces.
+pub(super) fn passages_under(
+    face_load: &FaceLoad,
+    load: RailLoad,
+    solver: &dyn ContactSolver,
+    settings: &PassageSettings,
+    observer: &dyn Observer,
+) -> Result<StabilisedPassage, PassageError> {
+    let problem = face_load.problem;
     let xc = settings.passage.abscissae();
-    let face_load = FaceLoad::new(problem, load);
     let expected = face_load.expected_slip(&xc);
     let interrupted = || observer.interrupted();
     let stepper = Stepper::new(problem, solver, settings.step_tolerance, &expected)
         .with_control(settings.step_control)
         .with_interruption(&interrupted);
-    let mut wheel = Wheel {
+    let mut wheel = Rolling {
         problem,
-        face_load: &face_load,
-        half_width: load.contact.half_width,
+        face_load,
+        edges: load.wheel.edges(),
+        half_width: load.wheel.half_width(),
         xc: &xc,
         mouths: mouths(problem),
         edge_steps: 0,
@@ -116,7 +115,7 @@ pub fn stabilised_passage(
             (last_change, repeats) = (Some(0.0), true);
         }
         if repeats || passages.len() >= settings.max_passages || !problem.has_friction() {
-            let points = problem.body().faces().points.clone();
+            let points = problem.body().faces.points.clone();
             return Ok(StabilisedPassage {
                 counts: wheel.counts(passages.len()),
                 passages,
@@ -129,19 +128,23 @@ pub fn stabilised_passage(
     }
 }
 
-/// Stations of the approach from infinity and of the departure to it, evenly spaced in 1/distance: the load grows about
-/// linearly from station to station.
+/// Stations of the approach from infinity and of the departure to it, evenly spaced in 1/distance:
+/// the load grows about linearly from station to station.
 const FAR_STATIONS: usize = 16;
-/// Stations of the ramp of residual stress, and of the wheel's load where it cannot come from far away.
+/// Stations of the ramp of residual stress, and of the wheel's load where it cannot come from far
+/// away.
 const RAMP_STATIONS: usize = 8;
 
-/// Stations around the passage of a contact edge over a mouth, over a: the stress there goes like the root of the distance.
+/// Stations around the passage of a contact edge over a mouth, over a: the stress there goes like
+/// the root of the distance.
 const EDGE_STATIONS: [f64; 7] = [-0.03, -0.015, -0.004, 0.0, 0.004, 0.015, 0.03];
 
-/// The wheel on its way over one geometry.
-struct Wheel<'a> {
+/// The passages of the wheel over fixed cracks.
+struct Rolling<'a> {
     problem: &'a FaceProblem<'a>,
     face_load: &'a FaceLoad<'a>,
+    /// Edges of the contact relative to x_c, mm.
+    edges: &'a [f64],
     /// a, mm.
     half_width: f64,
     /// Output positions, mm.
@@ -154,25 +157,25 @@ struct Wheel<'a> {
     stepper: Stepper<'a>,
 }
 
-/// What one passage leaves behind.
+/// Results of one passage.
 struct Pass {
     record: PassageRecord,
     histories: Vec<SifHistory>,
     states: Vec<Vec<FaceState>>,
     /// At each output position.
     marks: Vec<Mark>,
-    /// Whether from some position on it is the one before it.
+    /// Whether it coincides with the passage before from some position on.
     joins: bool,
 }
 
-/// What determines the rest of a passage.
+/// The state that determines the rest of a passage.
 struct Mark {
     faces: FaceSolution,
     tips: TipMark,
 }
 
 impl Pass {
-    /// Goes on from its last position as `other`, which was there in the same state.
+    /// Continues from its last position as `other`, which had the same state there.
     fn join(&mut self, other: &Self) {
         let from = self.marks.len();
         for (own, sifs) in self.record.sifs.iter_mut().zip(&other.record.sifs) {
@@ -187,7 +190,7 @@ impl Pass {
     }
 }
 
-impl Wheel<'_> {
+impl Rolling<'_> {
     fn residual_stress(&mut self, tips: &mut TipSifs) -> Result<(), PassageError> {
         let problem = self.problem;
         let stations = (1..=RAMP_STATIONS).map(|k| k as f64 / RAMP_STATIONS as f64);
@@ -197,8 +200,9 @@ impl Wheel<'_> {
 
     /// One passage, approach and departure included. `number` counts from 1.
     ///
-    /// The faces forget: what sticks now was held by events of this passage, or else has stuck all the time. So sooner or later they are in the state of
-    /// the passage `before` at the same position, and then the rest of the way is known.
+    /// The memory of the faces fades: a point that sticks was stopped by events of this passage, or
+    /// has stuck all along. Sooner or later the faces reach the state that they had at the same
+    /// position in the passage `before`, and the rest of the passage is then known.
     fn pass(
         &mut self,
         number: usize,
@@ -210,7 +214,7 @@ impl Wheel<'_> {
         let (first, last) = (self.xc[0], self.xc[self.xc.len() - 1]);
         let travel = (last - first).signum();
         tips.begin();
-        let bounded = problem.body().ends().is_some();
+        let bounded = problem.body().ends.is_some();
         let ramp = |k: usize| k as f64 / RAMP_STATIONS as f64;
         let near = self.distance(first);
         let share = |k: usize| k as f64 / FAR_STATIONS as f64 / near;
@@ -225,7 +229,7 @@ impl Wheel<'_> {
         arrived.map_err(failure(number, "approach"))?;
 
         let record =
-            PassageRecord { xc: self.xc.to_vec(), sifs: vec![Vec::new(); problem.body().tips().len()] };
+            PassageRecord { xc: self.xc.to_vec(), sifs: vec![Vec::new(); problem.body().tips.len()] };
         let mut pass =
             Pass { record, histories: Vec::new(), states: Vec::new(), marks: Vec::new(), joins: false };
         self.stepper.begin(first);
@@ -268,14 +272,14 @@ impl Wheel<'_> {
         Ok(pass)
     }
 
-    /// Wheel positions between two output positions at which an edge of the contact is over a mouth or close by, in the
-    /// order of travel: the stress at the mouth turns there faster than the steps before and after can tell.
+    /// Wheel positions between two output positions at which an edge of the contact is at a mouth
+    /// or close to it, in the order of travel: the stress at the mouth varies there too fast to be
+    /// seen from the neighbouring positions.
     fn edges_between(&self, from: f64, to: f64) -> impl Iterator<Item = f64> + use<> {
         let travel = (to - from).signum();
         let within = |x: &f64| (x - from) * travel > 0.0 && (to - x) * travel > 0.0;
         let mut stations: Vec<f64> = if self.problem.has_friction() && self.control == StepControl::Adaptive {
-            let edges =
-                self.mouths.iter().flat_map(|mouth| [mouth - self.half_width, mouth + self.half_width]);
+            let edges = self.mouths.iter().flat_map(|mouth| self.edges.iter().map(move |edge| mouth - edge));
             edges
                 .flat_map(|edge| EDGE_STATIONS.map(|share| edge + share * self.half_width))
                 .filter(within)
@@ -315,16 +319,17 @@ impl Wheel<'_> {
         }
     }
 
-    /// Distance (mm) from `x` to the nearest face along the rail, at least a: what the stress there scales with.
+    /// Distance (mm) from `x` to the nearest face along the rail, at least a: the length scale of
+    /// the stress there.
     fn distance(&self, x: f64) -> f64 {
-        let samples = self.problem.body().faces().samples.iter();
+        let samples = self.problem.body().faces.samples.iter();
         samples.map(|s| (s.point.x - x).abs()).fold(f64::INFINITY, f64::min).max(self.half_width)
     }
 }
 
 /// Abscissae of the points of the faces on the running surface, mm.
 fn mouths(problem: &FaceProblem) -> Vec<f64> {
-    let points = problem.body().faces().points.iter();
+    let points = problem.body().faces.points.iter();
     points.filter(|point| point.position.y == 0.0).map(|point| point.position.x).collect()
 }
 

@@ -3,12 +3,13 @@
 use crate::math::Vec2;
 use serde::{Deserialize, Serialize};
 
-/// How a piece came to be.
+/// Kinds of pieces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum PieceKind {
-    /// A tip broke out at the running surface: what lies above the crack. Its ligament is still there, and the run goes on.
+    /// A tip broke out at the running surface: what lies above the crack. Its ligament is still
+    /// there, and the run goes on.
     Spall,
-    /// A tip met a crack: nothing holds the piece any more.
+    /// A tip coalesced with a crack: nothing holds the piece any more.
     Detached,
 }
 
@@ -25,7 +26,7 @@ impl PieceKind {
 /// A piece of the rail that is enclosed.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Piece {
-    /// How it came to be.
+    /// Its kind.
     pub kind: PieceKind,
     /// In which step.
     pub step: usize,
@@ -46,8 +47,9 @@ impl Piece {
     }
 }
 
-/// Cracks and the running surface as a graph: points that are equal bit for bit are one node, and all points of the surface are connected.
-/// It has no loops: an edge that would close one gives the outline instead.
+/// Cracks and the running surface as a graph: points that are equal bit for bit are one node, and
+/// all points of the surface are connected. It has no loops: an edge that would close one gives the
+/// outline instead.
 #[derive(Debug, Clone, Default)]
 pub(super) struct CrackGraph {
     points: Vec<Vec2>,
@@ -63,7 +65,8 @@ impl CrackGraph {
         }
     }
 
-    /// Adds the edge from `from` to `to`, or gives the outline that it closes, which begins with `to` and ends with `from`.
+    /// Adds the edge from `from` to `to`, or gives the outline that it closes, which begins with
+    /// `to` and ends with `from`.
     pub fn close(&mut self, from: Vec2, to: Vec2) -> Option<Vec<Vec2>> {
         let (start, goal) = (self.node(from), self.node(to));
         let path = self.path(goal, start);

@@ -1,47 +1,26 @@
-//! Why a tip, or the run, goes no further.
+//! Conditions under which a tip or the run stops.
 
-use super::{GrowthSettings, RunStop, StepState, TipStop};
-use crate::crack::{Crack, CrackTip};
-use crate::math::Vec2;
+use super::step_state::{RailBox, Step, StepState};
+use super::{GrowthSettings, RunStop, TipStop};
+use crate::crack::Crack;
 
-/// The rail as a rectangle below y = 0.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RailBox {
-    /// Width, mm.
-    pub width: f64,
-    /// Depth, mm.
-    pub depth: f64,
-    /// Abscissa of its middle, mm.
-    pub centre: f64,
-}
-
-/// A ligament below this many resolved lengths is spent: fewer cannot carry the gradient across it.
+/// A ligament shorter than this many resolved lengths is used up: fewer cannot resolve the gradient
+/// across it.
 const LIGAMENT_RESOLUTIONS: f64 = 2.0;
-/// A ligament below this fraction of the crack length is spent.
+/// A ligament shorter than this fraction of the crack length is used up.
 const LIGAMENT_FRACTION: f64 = 0.01;
-/// Cycles that fall short by this fraction are the cycles asked for: rounding of the last, shortened increment.
+/// Cycles that fall short by this fraction are the cycles asked for: rounding of the last,
+/// shortened increment.
 const CYCLES_ROUNDING: f64 = 1e-12;
 
-/// A straight increment that a tip would make.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Step {
-    /// The tip.
-    pub tip: CrackTip,
-    /// Where it is.
-    pub from: Vec2,
-    /// Where it would be.
-    pub to: Vec2,
-    /// The share of the way that it has made in earlier steps.
-    pub deferred: f64,
-}
-
-/// The ligament to the running surface (mm) that a tip of `crack` may still leave; `resolution` (mm) is the length that the engine
-/// resolves.
+/// The ligament to the running surface (mm) that a tip of `crack` may still leave; `resolution`
+/// (mm) is the length that the engine resolves.
 pub(super) fn spent_ligament(crack: &Crack, resolution: f64) -> f64 {
     f64::max(LIGAMENT_RESOLUTIONS * resolution, LIGAMENT_FRACTION * crack.length())
 }
 
-/// Why the step cannot be made whatever the cracks do: it would leave the rail, or spend the ligament to the running surface.
+/// Stop of a tip whatever the other cracks do: its increment would leave the rail, or use up the
+/// ligament to the running surface.
 ///
 /// The ligament is the depth of the new tip; it is spent only by a tip that rises.
 pub(super) fn stop_of_one(step: &Step, crack: &Crack, rail: RailBox, resolution: f64) -> Option<TipStop> {
@@ -54,7 +33,8 @@ pub(super) fn stop_of_one(step: &Step, crack: &Crack, rail: RailBox, resolution:
     (!inside).then_some(TipStop::LeavesRail)
 }
 
-/// Why the run ends at the start of this step, before any increment: the critical length first, then cycles, then steps.
+/// Why the run ends at the start of this step, before any increment: the critical length first,
+/// then cycles, then steps.
 pub(super) fn run_stop(settings: &GrowthSettings, state: &StepState<'_>) -> Option<RunStop> {
     let critical = settings.critical_length.unwrap_or(f64::INFINITY);
     if (0..state.cracks.len()).any(|crack| state.length(crack) >= critical) {

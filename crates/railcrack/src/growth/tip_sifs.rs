@@ -7,16 +7,18 @@ use crate::fracture::{Sif, SifHistory};
 
 /// K of every tip. A tip that sticks keeps its K.
 ///
-/// K is what the jump next to a tip tells, so while the faces there stick, it stays what it is, however far the rest of the crack slips.
-/// An engine that integrates K over the elements around the tip sees its whole neighbourhood, and as the slip comes nearer, point by point,
-/// its K gives way by up to 3 % before the tip does. So K of a tip whose nearest face point does not slip is left alone; and when that point
-/// lets go, K_II follows as soon as it comes the way that the point has gone.
+/// K is given by the jump next to the tip: while the faces stick there, K cannot change, however
+/// far the rest of the crack slips. An engine that integrates K over the elements around the tip
+/// also sees their neighbourhood, and its K drifts by up to 3 % as the slip zone approaches, before
+/// the tip itself slips. K of a tip whose nearest face point does not slip is therefore held; when
+/// that point slips, K_II is released as soon as it changes in the direction of the slip.
 #[derive(Debug, Clone)]
 pub(super) struct TipSifs {
     tips: Vec<TipSif>,
 }
 
-/// A slip over the largest so far that is none: a hundred times the tolerance of the solvers, whose measure is the largest jump of all points.
+/// A slip over the largest so far that is none: a hundred times the tolerance of the solvers, whose
+/// measure is the largest jump of all points.
 const STILL: f64 = 1e-6;
 
 /// A difference of K over its peak that is none.
@@ -55,7 +57,7 @@ impl TipSifs {
     /// Unloaded tips of virgin faces.
     pub fn virgin(problem: &FaceProblem) -> Self {
         let body = problem.body();
-        let points = &body.faces().points;
+        let points = &body.faces.points;
         let nearest = |crack: usize, end: End| {
             let own = |point: &FacePoint| point.crack == crack;
             let place =
@@ -71,7 +73,7 @@ impl TipSifs {
             held: true,
             history: SifHistory::default(),
         };
-        Self { tips: body.tips().iter().map(|tip_end| tip(nearest(tip_end.crack, tip_end.end))).collect() }
+        Self { tips: body.tips.iter().map(|tip_end| tip(nearest(tip_end.crack, tip_end.end))).collect() }
     }
 
     /// Begins the histories of a passage.

@@ -23,7 +23,7 @@ struct Triangle {
 }
 
 impl Triangle {
-    /// Where line `i` begins, which has i entries.
+    /// The beginning of line `i`, which has i entries.
     const fn start(i: usize) -> usize {
         i * i.saturating_sub(1) / 2
     }
@@ -43,7 +43,7 @@ impl BorderedFactor {
         self.pivots.len()
     }
 
-    /// Takes all unknowns but the first `order` away.
+    /// Removes all unknowns but the first `order`.
     pub fn truncate(&mut self, order: usize) {
         self.pivots.truncate(order);
         for triangle in [&mut self.lower, &mut self.upper] {

@@ -1,7 +1,7 @@
 //! Cholesky factorisation of sparse matrices: analysed once per pattern, factored once per matrix.
 
 use super::fronts::eliminated;
-use super::lanes::ROWS;
+use super::lanes::Tile;
 use super::structure::Structure;
 use super::{ElementSum, LinearError};
 use std::sync::Arc;
@@ -45,11 +45,6 @@ pub struct SparseFactor {
     tiles: Vec<Tile>,
 }
 
-/// [`ROWS`] entries of a column. The tiles of a supernode are stored column by column: first the
-/// blocks of the triangle, block b with the columns up to its own, then the blocks below. Rows that
-/// pad the last block are zero; the diagonal contains 1 / L_ii.
-pub(super) type Tile = [f64; ROWS];
-
 impl SparseFactor {
     /// The tiles of a supernode.
     pub(super) fn tiles(&self, s: usize) -> &[Tile] {
@@ -67,7 +62,7 @@ impl SparseFactor {
         self.structure.supernodes.iter().map(|s| s.entries()).sum()
     }
 
-    /// Memory that it holds, bytes.
+    /// Memory in bytes.
     pub fn memory_bytes(&self) -> usize {
         size_of_val(&*self.tiles) + self.structure.memory_bytes()
     }

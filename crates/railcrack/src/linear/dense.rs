@@ -81,7 +81,7 @@ pub fn products_of_rows(rows: &Matrix) -> Matrix {
 
 /// The product A B.
 ///
-/// Errors: as many columns of A as rows of B are needed.
+/// Errors: another number of columns of A than of rows of B.
 pub fn product(a: &Matrix, b: &Matrix) -> Result<Matrix, LinearError> {
     if a.columns() != b.rows() {
         let quantity = "rows of the second factor of a product";
@@ -219,7 +219,7 @@ impl SmallFactor {
     }
 }
 
-/// Order up to which an inverse is made row by row.
+/// Order up to which an inverse is computed row by row.
 const SMALL: usize = 24;
 /// Pivots below this fraction of the largest entry are taken for zero.
 const SINGULAR: f64 = 1e-12;
@@ -297,7 +297,7 @@ mod tests {
         let hilbert = Matrix::from_fn(6, 6, |i, j| 1.0 / (i + j + 1) as f64 + 0.1 * f64::from(i == j));
         assert!(distance_from_identity(&product(&hilbert, &spd_inverse(&hilbert).unwrap()).unwrap()) < 1e-13);
         for order in [0, 1, 7, SMALL, SMALL + 1] {
-            // Nothing on the diagonal but for the first entries.
+            // A zero diagonal except for the first entries.
             let entry = |i: usize, j: usize| ((3 * i * i + 5 * j) % 7) as f64 - 3.0;
             let large = |i: usize, j: usize| 30.0 * f64::from(i == (j + 1) % order);
             let skewed = Matrix::from_fn(order, order, |i, j| entry(i, j) + large(i, j));

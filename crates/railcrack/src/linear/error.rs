@@ -20,7 +20,7 @@ pub enum LinearError {
         /// Order of the matrix.
         order: usize,
     },
-    /// An unknown that is not there.
+    /// An unknown that does not exist.
     #[error("unknown {unknown}: there are {order}, numbered from 0")]
     NoSuchUnknown {
         /// The given value.
@@ -36,14 +36,14 @@ pub enum LinearError {
         /// Column, from 0.
         column: usize,
     },
-    /// Not as many numbers as unknowns.
+    /// A number of entries that does not fit the unknowns.
     #[error("{quantity}: {given} given, {expected} expected")]
     WrongLength {
         /// The quantity that was counted.
         quantity: &'static str,
-        /// How many there were.
+        /// The given number.
         given: usize,
-        /// How many there should be.
+        /// The required number.
         expected: usize,
     },
     /// An elimination order that names an unknown twice.
@@ -52,7 +52,7 @@ pub enum LinearError {
         /// The unknown.
         unknown: usize,
     },
-    /// More entries than memory can hold.
+    /// More entries than fit into memory.
     #[error("the factor of a matrix of order {order} does not fit into memory")]
     TooLarge {
         /// Order of the matrix.

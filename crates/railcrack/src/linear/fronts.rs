@@ -3,9 +3,8 @@
 //! below them; the Schur complement that its elimination leaves is added to the front of its
 //! parent.
 
-use super::cholesky::Tile;
 use super::dense::eliminate;
-use super::lanes::ROWS;
+use super::lanes::{ROWS, Tile};
 use super::structure::{Structure, Supernode};
 use super::{ElementSum, LinearError};
 use crate::math::axpy;

@@ -14,6 +14,10 @@ pub(super) const LANES: usize = 16;
 /// the sums.
 pub(super) const ROWS: usize = 6;
 
+/// [`ROWS`] entries of a column. The tiles of a supernode stand column by column: first the blocks of the triangle, block b with the columns up to
+/// its own, then the blocks below. Rows that pad the last block are zero; on the diagonal stands 1 / L_ii.
+pub(super) type Tile = [f64; ROWS];
+
 /// One row of a panel, aligned to a cache line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(C, align(64))]

@@ -18,11 +18,13 @@ mod spd;
 mod structure;
 mod sweep;
 
-pub use bordered::BorderedFactor;
+pub(crate) use bordered::BorderedFactor;
 pub use cholesky::{SparseCholesky, SparseFactor};
-pub use dense::{SmallFactor, add_product, general_inverse, product, products_of_rows, spd_inverse};
+pub(crate) use dense::{SmallFactor, add_product, general_inverse, products_of_rows};
+pub use dense::{product, spd_inverse};
 pub use elements::ElementSum;
 pub use error::LinearError;
 pub use gram::gram;
-pub use reach::{PANEL_COLUMNS, ReachedPanel, SparseColumn};
-pub use spd::SpdFactor;
+pub(crate) use reach::PANEL_COLUMNS;
+pub use reach::{ReachedPanel, SparseColumn};
+pub(crate) use spd::SpdFactor;

@@ -29,11 +29,11 @@ pub struct ReachedPanel {
     rows: Vec<Row>,
 }
 
-/// Columns that are solved side by side.
+/// Number of columns solved side by side.
 pub const PANEL_COLUMNS: usize = LANES;
 
 impl ReachedPanel {
-    /// Columns in it.
+    /// Number of columns.
     pub fn columns(&self) -> usize {
         self.columns
     }
@@ -51,7 +51,7 @@ impl ReachedPanel {
         &self.supernodes
     }
 
-    /// Rows that it holds.
+    /// Number of stored rows.
     pub fn rows(&self) -> usize {
         self.rows.len()
     }

@@ -245,7 +245,7 @@ fn the_bits_do_not_depend_on_the_other_columns() {
             assert_eq!(all[i][j].to_bits(), other.to_bits(), "({i}, {j}) in other company");
         }
     }
-    // Pairs alone.
+    // Single pairs.
     for (i, j) in [(3, 2), (77, 5), (129, 128)] {
         let pair = panels(&factor, &[columns[j].clone(), columns[i].clone()]);
         assert_eq!(gram(&pair, 0)[1][0].to_bits(), all[i][j].to_bits(), "({i}, {j}) alone");

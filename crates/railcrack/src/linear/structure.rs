@@ -35,11 +35,11 @@ pub(super) struct Supernode {
     pub(super) start: usize,
     /// Number of columns.
     pub(super) columns: usize,
-    /// First of its rows below, in the pattern.
+    /// Position in the pattern of its first row below.
     pattern: usize,
     /// Number of rows below.
     pub(super) below: usize,
-    /// First of its tiles among all.
+    /// Index of its first tile among all.
     pub(super) first_tile: usize,
 }
 
@@ -142,7 +142,7 @@ impl Structure {
 
     /// The place of an unknown in the elimination order.
     ///
-    /// Errors: an unknown that is not there.
+    /// Errors: an unknown that does not exist.
     pub(super) fn place_of(&self, unknown: usize) -> Result<usize, LinearError> {
         let no_such = LinearError::NoSuchUnknown { unknown, order: self.unknowns() };
         self.place.get(unknown).map(|&place| place as usize).ok_or(no_such)
@@ -164,7 +164,7 @@ impl Structure {
         self.rows_below(&self.supernodes[s]).first().map(|&row| self.supernode_at(row as usize))
     }
 
-    /// Memory that it holds, bytes.
+    /// Memory in bytes.
     pub(super) fn memory_bytes(&self) -> usize {
         let indices = self.order.len() + self.place.len() + self.supernode_of.len() + self.pattern.len();
         indices * size_of::<u32>() + size_of_val(&*self.supernodes)

@@ -3,5 +3,5 @@
 mod hertz;
 mod passage;
 
-pub use hertz::{HertzianContact, LoadError};
+pub use hertz::HertzianContact;
 pub use passage::Passage;

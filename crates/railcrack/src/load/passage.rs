@@ -1,7 +1,9 @@
 //! The passage of one wheel.
 
-/// Wheel positions of one passage at which results are wanted: `positions` abscissae evenly spaced from `from` to
-/// `to` (mm). `from` > `to` is a wheel that runs towards −x.
+use crate::math::OutOfRange;
+
+/// Wheel positions of one passage at which results are wanted: `positions` abscissae evenly spaced
+/// from `from` to `to` (mm). `from` > `to` is a wheel that runs towards −x.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Passage {
     /// First abscissa of the Hertz centre, mm.
@@ -12,10 +14,41 @@ pub struct Passage {
     pub positions: usize,
 }
 
+/// The passage of Trollé et al. 2014, Table 1: ±6 a around a mouth at x = 0, a = 6.75 mm.
+impl Default for Passage {
+    fn default() -> Self {
+        Self { from: -40.5, to: 40.5, positions: 241 }
+    }
+}
+
 impl Passage {
+    /// Refuses fewer than two positions, and abscissae that are not finite.
+    pub fn check(&self) -> Result<(), OutOfRange> {
+        OutOfRange::unless_finite("first wheel position (mm)", self.from)?;
+        OutOfRange::unless_finite("last wheel position (mm)", self.to)?;
+        let positions = self.positions as f64;
+        OutOfRange::unless(self.positions >= 2, "output positions of a passage", positions, "at least 2")
+    }
+
     /// The abscissae x_c in the order of travel, mm.
+    #[must_use]
     pub fn abscissae(&self) -> Vec<f64> {
         let last = self.positions.saturating_sub(1).max(1) as f64;
         (0..self.positions).map(|i| self.from + (self.to - self.from) * (i as f64 / last)).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Passage;
+
+    #[test]
+    fn a_passage_that_is_none_is_refused() {
+        let refused = |passage: Passage| passage.check().unwrap_err().to_string();
+        let default = Passage::default();
+        assert!(default.check().is_ok());
+        let text = "output positions of a passage = 0: must be at least 2";
+        assert_eq!(refused(Passage { positions: 0, ..default }), text);
+        assert!(refused(Passage { to: f64::NAN, ..default }).contains("must be finite"));
     }
 }

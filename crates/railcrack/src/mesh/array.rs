@@ -1,4 +1,4 @@
-//! Data on points or cells.
+//! Data arrays on points or cells.
 
 use super::GridError;
 use crate::math::{Stress, Vec2};

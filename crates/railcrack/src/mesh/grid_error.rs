@@ -2,11 +2,13 @@
 
 use thiserror::Error;
 
-/// Parts of a grid that do not fit together.
+/// An inconsistent grid.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum GridError {
-    /// Nodes that do not make whole cells.
-    #[error("block {block} of the cells has {found} nodes, which is not a number of cells of {nodes} nodes")]
+    /// A number of nodes that does not make whole cells.
+    #[error(
+        "block {block} of the cells has {found} nodes, which is not a multiple of the {nodes} nodes of a cell"
+    )]
     PartialCell {
         /// Block, from 0.
         block: usize,
@@ -15,7 +17,7 @@ pub enum GridError {
         /// Nodes of one cell.
         nodes: usize,
     },
-    /// A cell names a point that is not there.
+    /// A cell with a point that does not exist.
     #[error("block {block} of the cells names point {point}: points are numbered from 0, there are {points}")]
     NoSuchPoint {
         /// Block, from 0.
@@ -25,7 +27,7 @@ pub enum GridError {
         /// Number of points.
         points: usize,
     },
-    /// Data of another length than what it belongs to.
+    /// Data whose length does not fit the points or cells.
     #[error("`{name}` has {found} values, not {components} for each of {entries} points or cells")]
     Length {
         /// The data.
@@ -37,18 +39,18 @@ pub enum GridError {
         /// Number of points or cells.
         entries: usize,
     },
-    /// Data with another number of components than asked for.
+    /// Data with another number of components than required.
     #[error("`{name}` has {found} components: must be {accepted}")]
     Components {
         /// The data.
         name: String,
         /// Its number of components.
         found: usize,
-        /// What is accepted.
+        /// The accepted numbers of components.
         accepted: &'static str,
     },
     /// Two arrays of one name.
-    #[error("`{name}` is there twice")]
+    #[error("`{name}` occurs twice")]
     SameName {
         /// The name.
         name: String,

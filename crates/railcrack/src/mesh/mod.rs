@@ -11,5 +11,6 @@ mod unstructured;
 pub use array::{Array, SYMMETRIC_TENSOR};
 pub use grid_error::GridError;
 pub use quad::{Element, MeshError, QuadMesh};
-pub use shape::{CORNERS, Edge, NODES, shape_functions};
+pub use shape::Edge;
+pub(crate) use shape::{CORNERS, NODES, shape_functions};
 pub use unstructured::{CellBlock, CellShape, UnstructuredGrid};

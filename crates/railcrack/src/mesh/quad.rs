@@ -4,7 +4,7 @@ use super::shape::{Edge, NODES};
 use crate::math::Vec2;
 use thiserror::Error;
 
-/// Grid lines that make no mesh.
+/// Grid lines that do not form a mesh.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum MeshError {
     /// Fewer than two lines in a direction.
@@ -12,7 +12,7 @@ pub enum MeshError {
     TooFewLines {
         /// `x` or `y`.
         axis: char,
-        /// How many were given.
+        /// Number of given lines.
         count: usize,
     },
     /// Lines that do not increase.

@@ -17,11 +17,11 @@ pub enum CellShape {
     Triangle,
     /// 4 nodes.
     Quad,
-    /// 6 nodes: corners and middles of the sides.
+    /// 6 nodes: corners and midpoints of the sides.
     QuadraticTriangle,
-    /// 8 nodes: corners and middles of the sides.
+    /// 8 nodes: corners and midpoints of the sides.
     QuadraticQuad,
-    /// 9 nodes: corners, middles of the sides, centre.
+    /// 9 nodes: corners, midpoints of the sides, centre.
     BiquadraticQuad,
     /// A polygon with this number of corners.
     Polygon {

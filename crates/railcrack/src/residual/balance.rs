@@ -31,9 +31,9 @@ pub struct BalancedStress {
 pub struct ProjectionLoss {
     /// L2 norm of the field on the part, √∫ p:p dA, MPa mm.
     pub norm: f64,
-    /// That of its interpolation on the mesh, over it.
+    /// Norm of its interpolation on the mesh, over `norm`.
     pub norm_ratio: f64,
-    /// That of the difference, over it.
+    /// Norm of the difference, over `norm`.
     pub difference: f64,
 }
 
@@ -165,7 +165,7 @@ pub fn projection_loss(rail: &BulkRail, plastic: &PlasticField, part: RailPart) 
 /// A part of the rail, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RailPart {
-    /// Abscissa of its middle.
+    /// Abscissa of its centre.
     pub centre: f64,
     /// Half its width.
     pub half_width: f64,

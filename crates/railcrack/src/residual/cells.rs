@@ -121,7 +121,7 @@ impl CellMesh {
             if step.x.abs().max(step.y.abs()) < 1e-12 {
                 break;
             }
-            // Far outside the map may fold back into the cell.
+            // Far outside, the map may fold back into the cell.
             if at.x.abs().max(at.y.abs()) > 10.0 {
                 return None;
             }

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-/// A plastic stress that cannot be used.
+/// An inadmissible plastic stress.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum PlasticFieldError {
     /// No array of the right name.
@@ -13,10 +13,10 @@ pub enum PlasticFieldError {
     NoArray {
         /// Its name.
         wanted: &'static str,
-        /// Arrays that are there.
+        /// The arrays present.
         there: String,
     },
-    /// An array that holds no stress.
+    /// An array that is not a stress.
     #[error("{reason}")]
     Array {
         /// The fault.
@@ -25,7 +25,7 @@ pub enum PlasticFieldError {
     /// No triangle and no quadrilateral.
     #[error("no triangles and no quadrilaterals: the plastic stress must be given on a mesh")]
     NoCells,
-    /// A cell that the mesh of a plane field does not have.
+    /// A cell of an unsupported type.
     #[error("cell {cell} (from 0) is {found}: triangles and quadrilaterals are read, straight or quadratic")]
     Cell {
         /// Its number, from 0.
@@ -43,7 +43,7 @@ pub enum PlasticFieldError {
         /// Ordinate of its first node, mm.
         y: f64,
     },
-    /// A mesh that the rail does not know.
+    /// A mesh outside of the rail.
     #[error(
         "the mesh reaches from y = {from} to {to} mm: the rail lies at y <= 0, with its running surface at y = 0"
     )]
@@ -53,7 +53,7 @@ pub enum PlasticFieldError {
         /// Largest ordinate, mm.
         to: f64,
     },
-    /// A stress that no steel has.
+    /// An implausibly large stress.
     #[error("{largest} MPa: no plastic stress of steel is larger than {limit} MPa")]
     TooLarge {
         /// Largest component, MPa.

@@ -33,11 +33,11 @@ pub struct PlasticField {
 /// L2 norms over the field's own mesh: √∫ p:p dA, MPa mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RecoveryLoss {
-    /// Of the field as given, cell by cell.
+    /// Norm of the given field, cell by cell.
     pub norm: f64,
     /// Norm of the field recovered from nodal values, over that of the given field.
     pub norm_ratio: f64,
-    /// Of the difference, over that of the field.
+    /// Norm of the difference, over that of the given field.
     pub difference: f64,
 }
 

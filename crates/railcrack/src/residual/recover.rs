@@ -1,4 +1,4 @@
-//! From means over cells to values at nodes.
+//! Recovery of nodal values from means over cells.
 
 use super::cells::CellMesh;
 use crate::math::{Stress, Vec2};
@@ -92,9 +92,9 @@ fn patches(mesh: &CellMesh) -> Vec<Vec<(usize, f64)>> {
 
 /// The least-squares fit of a + b·(x − x̄) to values at some points, evaluated at `here`.
 struct Fit {
-    /// Points from their mean.
+    /// Positions of the points relative to their mean.
     offsets: Vec<Vec2>,
-    /// `here` from their mean.
+    /// Position of `here` relative to their mean.
     here: Vec2,
     /// Principal directions and variances of the points, the widest first.
     axes: [(Vec2, f64); 2],

@@ -1,4 +1,4 @@
-//! Shape functions of the plane cells of foreign meshes.
+//! Shape functions of plane cells of any mesh.
 
 use crate::math::Vec2;
 use crate::mesh::{CORNERS, shape_functions};
@@ -11,15 +11,15 @@ pub enum PlaneShape {
     Triangle,
     /// 4 corners.
     Quad,
-    /// Corners and middles of the sides.
+    /// Corners and midpoints of the sides.
     QuadraticTriangle,
-    /// Corners and middles of the sides (serendipity).
+    /// Corners and midpoints of the sides (serendipity).
     QuadraticQuad,
-    /// Corners, middles of the sides and centre (Lagrange).
+    /// Corners, midpoints of the sides and centre (Lagrange).
     BiquadraticQuad,
 }
 
-/// Most nodes of a cell.
+/// Largest number of nodes of a cell.
 pub(super) const MOST_NODES: usize = 9;
 
 /// Values, ∂/∂ξ and ∂/∂η of the shape functions of a cell; only as many entries as it has nodes

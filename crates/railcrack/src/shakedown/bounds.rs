@@ -11,7 +11,7 @@ pub struct FirstYield {
     pub ratio: f64,
     /// Abscissa from the centre of the contact over its half-width.
     pub x_over_a: f64,
-    /// Where: depth over the half-width of the contact.
+    /// Depth over the half-width of the contact.
     pub depth_over_a: f64,
 }
 
@@ -101,7 +101,7 @@ pub fn bounds_by_depth(friction: f64, poisson: f64, depths_over_a: &[f64]) -> Ve
 /// First yield and limit of elastic shakedown for one friction coefficient.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MapPoint {
-    /// |μ| of the wheel.
+    /// Wheel–rail friction coefficient |μ|.
     pub friction: f64,
     /// p0 / k at first yield.
     pub first_yield: f64,
@@ -197,7 +197,7 @@ mod tests {
 
     /// Half a unit of the last digit of the published values, relative.
     const DIGITS: f64 = 2e-4;
-    /// Two digits of depth, with a maximum that is flat.
+    /// Two digits of depth, as the maximum is flat.
     const DEPTH: f64 = 0.01;
 
     fn close(value: f64, want: f64) -> bool {
@@ -227,7 +227,7 @@ mod tests {
     }
 
     #[test]
-    fn sign_of_the_friction_does_not_matter() {
+    fn sign_of_the_friction_has_no_effect() {
         assert_eq!(shakedown_limit_ratio(0.2, 0.3).ratio, shakedown_limit_ratio(-0.2, 0.3).ratio);
         let (one, other) = (first_yield_ratio(0.2, 0.3), first_yield_ratio(-0.2, 0.3));
         assert_eq!((one.ratio, one.x_over_a), (other.ratio, -other.x_over_a));

@@ -9,7 +9,7 @@ use super::strain::PlasticStrain;
 use crate::material::IsotropicElastic;
 use crate::math::{Stress, Vec2};
 
-/// No strain or stress on any column of `grid`.
+/// Zero strain or stress on all columns of `grid`.
 pub(super) fn zeros(grid: &Grid) -> Columns {
     let size = grid.columns * grid.layers.count();
     [vec![0.0; size], vec![0.0; size], vec![0.0; size]]
@@ -34,7 +34,7 @@ pub(super) fn mirror(travel: Travel) -> f64 {
     }
 }
 
-/// Stress and strain of `passage`, and what they hold.
+/// Stress and strain of `passage`, and their admissibility.
 pub(super) fn of(
     rail: &RolledRail,
     grid: &Grid,

@@ -222,7 +222,7 @@ impl Eigenstress {
     /// of a filled layer, σ_xx of `gain`, and the parts odd in k of σ_xy and σ_xx of `gain`, over κ
     /// L.
     ///
-    /// e_yy has no part in it: its stresses begin with k².
+    /// e_yy does not contribute: its stresses begin with k².
     fn long_wave(&mut self, which: usize, less_step: &[f64], gain: &[Strains]) -> Vec<[f64; 4]> {
         let layers = self.layers.count();
         let real = |re: f64| Complex { re, im: 0.0 };

@@ -1,22 +1,22 @@
-//! Why there is no stabilised state.
+//! Errors of the stabilised plastic state.
 
 use thiserror::Error;
 
-/// A passage that could not be computed.
+/// Errors of the stabilised plastic state.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum ShakedownError {
-    /// A pressure outside of what the model is made for.
+    /// A pressure outside of the range of the model.
     #[error("p0/k = {ratio}: must be positive and at most {most}; k is the yield stress over sqrt(3)")]
     Load {
         /// p0/k.
         ratio: f64,
-        /// The largest that is accepted.
+        /// The largest accepted value.
         most: f64,
     },
-    /// A contact that cannot exist.
+    /// An inadmissible contact.
     #[error("{quantity} = {value}: must be {accepted}")]
     Contact {
-        /// Which quantity.
+        /// The quantity.
         quantity: &'static str,
         /// The given value.
         value: f64,
@@ -41,18 +41,18 @@ pub enum ShakedownError {
         /// mm.
         depth: f64,
     },
-    /// A passage whose plastic strain did not settle.
+    /// A passage whose plastic strain did not converge.
     #[error(
         "passage {pass} not converged: after {iterations} redistributions the plastic strain still changes by {change:.2e} of the yield strain, the tolerance is {tolerance:.1e}"
     )]
     NotConverged {
-        /// Which passage, from 1.
+        /// Number of the passage, from 1.
         pass: usize,
-        /// Elastic redistributions.
+        /// Number of elastic redistributions.
         iterations: usize,
         /// The last change of the plastic strain, times 2 G over the radius of the yield surface.
         change: f64,
-        /// The change at which it would have ended.
+        /// The tolerance of this change.
         tolerance: f64,
     },
 }

@@ -1,4 +1,4 @@
-//! The depth of the rail, cut into layers.
+//! Layers of the rail by depth.
 
 /// Layers of the rail from the surface down, each with one plastic strain at every abscissa.
 #[derive(Debug, Clone, PartialEq)]
@@ -52,7 +52,7 @@ impl Layers {
         self.interfaces[i + 1] - self.interfaces[i]
     }
 
-    /// Depths of the middles of the layers, mm.
+    /// Depths of the midplanes of the layers, mm.
     pub fn middles(&self) -> Vec<f64> {
         self.interfaces.windows(2).map(|w| 0.5 * (w[0] + w[1])).collect()
     }

@@ -1,11 +1,11 @@
-//! The rolled rail: what is computed.
+//! The rolled rail: material, contact, travel, initial residual stress.
 
 use crate::field::{DepthProfile, HertzField, StressField};
 use crate::load::HertzianContact;
 use crate::material::{IsotropicElastic, KinematicHardening};
 use crate::math::{Stress, Vec2};
 
-/// Where the wheel runs to.
+/// Direction of travel of the wheel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Travel {
     /// Towards +x.
@@ -23,9 +23,9 @@ pub struct RolledRail {
     pub hardening: KinematicHardening,
     /// The wheel on the rail.
     pub contact: HertzianContact,
-    /// Where the wheel runs to.
+    /// Direction of travel of the wheel.
     pub travel: Travel,
-    /// Balanced residual stress of manufacturing, present before the first passage.
+    /// Balanced residual stress from manufacturing, present before the first passage.
     pub initial: Option<DepthProfile>,
 }
 
@@ -44,7 +44,7 @@ impl RolledRail {
         }
     }
 
-    /// The stress of manufacturing at `depth` (mm), MPa.
+    /// The initial residual stress at `depth` (mm), MPa.
     pub fn initial_stress(&self, depth: f64) -> Stress {
         let at = Vec2::new(0.0, -depth);
         self.initial.as_ref().map_or(Stress::ZERO, |profile| profile.stress(at))

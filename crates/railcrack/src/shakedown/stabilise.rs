@@ -1,4 +1,4 @@
-//! Passage after passage, until nothing changes any more.
+//! Iteration over passages to the stabilised state.
 
 use super::bounds::{shakedown_limit_ratio, utilisation};
 use super::cycle;
@@ -12,7 +12,7 @@ use super::strain::PlasticStrain;
 use super::streamline::FlowLaw;
 use crate::math::{Stress, Vec2};
 
-/// How the stabilised state is sought.
+/// Settings of the computation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stabilisation {
     /// The way.
@@ -54,15 +54,15 @@ const STRAIN_TOLERANCE: f64 = 1e-2;
 const MOST_ITERATIONS: usize = 3000;
 /// Number of times that the even layers are extended downwards because there is flow below them.
 const EXTENSIONS: usize = 8;
-/// A layer alternates if its plastic path in a passage is this many times the plastic strain that
-/// it retains: in one that settles the two are equal; …
+/// A layer alternates if its accumulated plastic strain in a passage is this many times the plastic
+/// strain that it retains: in one that settles the two are equal; …
 const ALTERNATING: f64 = 4.0;
 /// … and if the path is at least this fraction of the longest: shorter ones, in single layers at
 /// the surface, come and go with the number of columns.
 const ALTERNATING_SHARE: f64 = 1e-2;
 
-/// The state to which repeated passages over `rail` lead. `watch` is told of every passage, and
-/// again from the first one on where the plastic zone turns out to need more layers.
+/// The state to which repeated passages over `rail` lead. `watch` receives every passage, and again
+/// from the first one on where the plastic zone turns out to need more layers.
 ///
 /// Errors: a load or contact outside of the range of the model; a passage that does not converge.
 ///
@@ -86,7 +86,7 @@ pub fn stabilise(
     Err(ShakedownError::Bottomless { depth: grid.fine_depth })
 }
 
-/// Whether [`stabilise`] can take `rail`.
+/// Checks that [`stabilise`] can compute `rail`.
 ///
 /// Errors: a load, contact or initial residual stress outside of the range of the model.
 pub fn check_rail(rail: &RolledRail) -> Result<(), ShakedownError> {

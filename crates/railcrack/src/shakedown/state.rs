@@ -1,4 +1,4 @@
-//! The stabilised state and what leads to it.
+//! The stabilised state and the passages that lead to it.
 
 use super::layers::Layers;
 use super::rail::RolledRail;
@@ -31,7 +31,7 @@ impl RailState {
     }
 }
 
-/// Way to the stabilised plastic state.
+/// Method for the stabilised plastic state.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Method {
     /// Each passage starts from the state left by the one before.
@@ -56,7 +56,7 @@ impl Method {
 pub struct PassRecord {
     /// From 1.
     pub pass: usize,
-    /// Elastic redistributions.
+    /// Number of elastic redistributions.
     pub iterations: usize,
     /// Largest change of σ_xx or σ_zz of the residual stress from before the passage to after it,
     /// MPa.
@@ -75,9 +75,9 @@ pub struct PassRecord {
 /// Residual stress and plastic strain of one layer.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LayerState {
-    /// Depth of its middle, mm.
+    /// Depth of its midplane, mm.
     pub depth: f64,
-    /// Residual stress, that of manufacturing included, MPa.
+    /// Residual stress, including the initial one, MPa.
     pub stress: Stress,
     /// Plastic strain.
     pub strain: PlasticStrain,
@@ -107,7 +107,7 @@ pub struct Cycle {
     pub strain: Vec<PlasticStrain>,
 }
 
-/// How well a state holds what a stabilised state must.
+/// Residuals of the conditions of a stabilised state.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Admissibility {
     /// Largest |s − X| − R over the whole cycle, over R: at most round-off and tolerance for an
@@ -123,11 +123,11 @@ pub struct Admissibility {
 /// The rail after its passages.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StabilisedRail {
-    /// Which state it is.
+    /// The asymptotic response.
     pub state: RailState,
-    /// How it was found.
+    /// The method used.
     pub method: Method,
-    /// Every passage.
+    /// The passages in order.
     pub passes: Vec<PassRecord>,
     /// The layers of the rail.
     pub layers: Layers,

@@ -15,7 +15,7 @@ pub(super) struct SteadyPassage {
     pub entering: Vec<[f64; 3]>,
     /// √(2/3) ∫ |dε_p| of each layer.
     pub path: Vec<f64>,
-    /// Elastic redistributions that it took.
+    /// Number of elastic redistributions.
     pub iterations: usize,
     /// Largest change of the plastic strain in the last of them, times 2 G over the radius of the
     /// yield surface.
@@ -27,7 +27,7 @@ pub(super) struct SteadyPassage {
 pub(super) enum Upstream {
     /// It is given.
     Given,
-    /// It is the one that leaves: the same passage for ever.
+    /// It is the one that leaves: a periodic passage.
     Downstream,
 }
 
@@ -43,7 +43,7 @@ pub(super) struct SteadyProblem {
     pub strain_scale: f64,
     /// Largest change at which the iteration ends.
     pub tolerance: f64,
-    /// Redistributions after which it has failed.
+    /// Largest number of redistributions.
     pub max_iterations: usize,
 }
 
@@ -116,7 +116,7 @@ fn largest_difference(a: &Columns, b: &Columns) -> f64 {
     for at in 0..a[0].len() {
         let d = [0, 1, 2].map(|c| a[c][at] - b[c][at]);
         let square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-        // `max` would pass over it.
+        // `max` would ignore it.
         if square.is_nan() {
             return f64::NAN;
         }

@@ -1,4 +1,4 @@
-//! Plastic flow along the streamlines.
+//! Return mapping along the streamlines.
 
 use super::eigenstress::Columns;
 use crate::material::{IsotropicElastic, KinematicHardening};

@@ -327,7 +327,7 @@ mod tests {
         for (a, b) in
             [(below.source[1], above.source[1]), (below.own[0], above.own[0]), (below.own[1], above.own[1])]
         {
-            // The closed forms lose τ⁻³ of round-off.
+            // The closed forms amplify round-off by τ⁻³.
             assert!((a / b - 1.0).abs() < 1e-8, "{a} {b}");
         }
     }

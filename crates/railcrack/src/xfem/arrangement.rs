@@ -1,4 +1,4 @@
-//! A rectangle cut into convex cells by lines.
+//! Arrangement of lines that divides a rectangle into convex cells.
 
 use crate::math::{Orientation, Vec2, orientation};
 use crate::mesh::{Edge, Element};
@@ -37,7 +37,7 @@ pub(super) struct Arrangement {
 }
 
 impl Arrangement {
-    /// The element in one piece.
+    /// The undivided element.
     pub(super) fn whole(element: &Element) -> Self {
         let cell =
             Cell { vertices: vec![0, 1, 2, 3], borders: Edge::ALL.into_iter().map(Border::Side).collect() };

@@ -1,4 +1,4 @@
-//! The functions of one cell and their slopes.
+//! Displacement functions of one cell and their derivatives.
 
 use super::cuts::{CellPlace, CutElement, Cuts};
 use super::path::TipPath;

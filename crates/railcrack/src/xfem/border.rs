@@ -93,7 +93,7 @@ impl Border {
 }
 
 impl CellStiffness {
-    /// Those functions that belong to an unknown of a kind.
+    /// The functions of a cell with an unknown of this kind.
     pub(super) fn functions(&self, unknown: fn(&Target) -> Option<usize>) -> impl Iterator<Item = usize> {
         (0..self.targets.len()).filter(move |&a| unknown(&self.targets[a]).is_some())
     }

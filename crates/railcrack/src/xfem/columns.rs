@@ -37,7 +37,7 @@ pub(super) struct Eliminated {
     pub further: Vec<Arc<[f64]>>,
 }
 
-/// How many of the first ones are the same, bit by bit.
+/// Number of leading ones that are the same bits.
 fn in_common<'a>(one: impl Iterator<Item = &'a Entries>, other: impl Iterator<Item = &'a Entries>) -> usize {
     let same = |(a, b): &(&Entries, &Entries)| a.len() == b.len() && bits(a).eq(bits(b));
     one.zip(other).take_while(same).count()

@@ -1,9 +1,9 @@
-//! The unknowns behind the faces, eliminated: C and S.
+//! Condensation of the cracked rail to its face points: C and S.
 
-use super::body::XfemError;
 use super::border::{Border, BorderEntries, Entries};
 use super::columns::{ColumnStore, Eliminated};
 use super::enriched::EnrichedStiffness;
+use super::error::XfemError;
 use super::interface::Duality;
 use super::sif::SifFunctional;
 use super::space::{Enrichment, Space};
@@ -24,7 +24,7 @@ pub(super) struct Condensed {
     pub elimination: Elimination,
 }
 
-/// Everything that is condensed.
+/// The system to condense.
 pub(super) struct System<'a> {
     pub rail: &'a BulkRail,
     pub space: &'a Space,
@@ -50,7 +50,7 @@ pub(super) enum Elimination {
         /// The unknowns over the scaled ones.
         scale: Vec<f64>,
     },
-    /// All together, by a factor of their own.
+    /// All together, by one factorisation.
     Together {
         /// Factor of [K_ss K_se; K_es K_ee].
         factor: Arc<SparseFactor>,

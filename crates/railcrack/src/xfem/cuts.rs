@@ -1,4 +1,4 @@
-//! Which elements the cracks cut, and into what.
+//! Elements cut by the cracks, and their cells.
 
 use super::arrangement::{Arrangement, Border, CutLine};
 use super::path::{CutPath, STRAIGHT, TipPath};
@@ -82,7 +82,7 @@ struct SideCrack {
     to: f64,
 }
 
-/// The cracks cut out of a mesh.
+/// The mesh cut by the cracks.
 #[derive(Debug, Clone)]
 pub(super) struct Cuts {
     pub paths: Vec<CutPath>,
@@ -432,13 +432,13 @@ fn holds(element: &Element, point: Vec2) -> bool {
         && point.y <= element.upper.y
 }
 
-/// The elements whose closure has `point`.
+/// The elements whose closure contains `point`.
 pub(super) fn elements_at(mesh: &QuadMesh, point: Vec2) -> Vec<usize> {
     let (columns, rows) = mesh.places_meeting(point, point);
     rows.flat_map(|row| columns.clone().map(move |column| row * mesh.columns() + column)).collect()
 }
 
-/// The elements in whose closure a segment has a piece.
+/// The elements whose closure contains a part of a segment.
 fn elements_of_segment(mesh: &QuadMesh, (p, q): (Vec2, Vec2)) -> Vec<usize> {
     let lower = Vec2::new(p.x.min(q.x), p.y.min(q.y));
     let upper = Vec2::new(p.x.max(q.x), p.y.max(q.y));

@@ -1,23 +1,23 @@
 //! The finite-element engine: one mesh and one factor for all growth steps of a run.
 
-use super::body::{Discretisation, XfemBody, XfemError, XfemSettings};
+use super::body::{Discretisation, cracked_body_with};
 use super::columns::ColumnStore;
+use super::error::XfemError;
+use super::settings::XfemSettings;
 use super::window::{Layers, MeshSettings, Outline, Window};
 use crate::body::{BodyEngine, BodyError, CrackedBody};
-use crate::bulk::{BlockCorrection, BottomSupport, Boundary, BulkRail, SideSupport};
+use crate::bulk::{BottomSupport, Boundary, BulkRail, SideSupport};
 use crate::crack::CrackNetwork;
-use crate::load::HertzianContact;
 use crate::material::IsotropicElastic;
-use std::ops::RangeInclusive;
 use std::sync::Arc;
 use std::time::Instant;
 
-/// The boundary of the rail in the finite-element engine.
-#[derive(Debug, Clone, PartialEq)]
+/// Boundary of the rail in the finite-element engine.
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum RailEnd {
     /// The running surface only: the mesh is held so far away that this has no influence.
     HalfPlane {
-        /// Abscissa of the middle of the mesh, mm.
+        /// Abscissa of the centre of the mesh, mm.
         centre: f64,
     },
     /// A block on supports.
@@ -28,17 +28,13 @@ pub enum RailEnd {
         bottom: BottomSupport,
         /// Support of the sides.
         sides: SideSupport,
-        /// The wheel that rolls over it.
-        contact: HertzianContact,
-        /// Positions that the wheel may take, mm.
-        positions: RangeInclusive<f64>,
     },
 }
 
 /// Half-width and depth of the mesh of a half-plane, over the extent of the window. A boundary held
 /// at this distance changes K by about (l/R)² × 8: less than 1e-3.
 const FAR: f64 = 150.0;
-/// Enlargements of the window that are tried.
+/// Largest number of enlargements of the window.
 const ENLARGEMENTS: usize = 20;
 
 impl RailEnd {
@@ -86,14 +82,12 @@ pub struct XfemEngine {
     steel: IsotropicElastic,
     end: RailEnd,
     settings: XfemSettings,
-    /// The window of the cracks at the beginning.
+    /// The window of the initial cracks.
     initial: Window,
     /// That of the mesh.
     window: Window,
     background: Option<Arc<BulkRail>>,
     columns: ColumnStore,
-    /// Block only: the effect of its ends, for all positions of the wheel.
-    correction: Option<Arc<BlockCorrection>>,
 }
 
 impl XfemEngine {
@@ -124,7 +118,6 @@ impl XfemEngine {
             window,
             background: None,
             columns: ColumnStore::default(),
-            correction: None,
         }
     }
 
@@ -153,9 +146,6 @@ impl XfemEngine {
         }
         self.background = other.background.clone();
         self.columns = other.columns.clone();
-        if self.end == other.end {
-            self.correction = other.correction.clone();
-        }
     }
 
     /// Size of the system of `network`, without factoring it.
@@ -193,32 +183,23 @@ impl XfemEngine {
         if window != self.window || self.background.is_none() {
             let mesh = window.mesh(self.end.outline(&window))?;
             self.background = Some(Arc::new(BulkRail::new(mesh, &self.steel, self.end.boundary())?));
-            self.correction = None;
             self.columns = ColumnStore::default();
             self.window = window;
         }
-        let rail = self.background.as_ref().expect("made above");
-        // The correction depends on the wheel too, and is therefore not taken over with every rail.
-        if let (RailEnd::Block { contact, positions, .. }, None) = (&self.end, &self.correction) {
-            self.correction = Some(Arc::new(BlockCorrection::new(rail, contact, positions.clone())?));
-        }
-        Ok(rail)
+        Ok(self.background.as_ref().expect("made above"))
     }
 
-    fn cracked(&mut self, network: &CrackNetwork) -> Result<XfemBody, XfemError> {
+    fn cracked(&mut self, network: &CrackNetwork) -> Result<CrackedBody, XfemError> {
         let started = Instant::now();
         self.background(network)?;
         let mesh_s = started.elapsed().as_secs_f64();
         let background = self.background.as_ref().expect("made above");
-        let mut body = XfemBody::with_columns(background, network, self.settings, &mut self.columns)?;
+        let mut body = cracked_body_with(background, network, self.settings, &mut self.columns)?;
         body.times.mesh_s = mesh_s;
-        if let (RailEnd::Block { contact, .. }, Some(correction)) = (&self.end, &self.correction) {
-            body.add_ends(correction, contact)?;
-        }
-        // Decided by the crack alone, so that a run resumed here reports the same.
+        // Told by the crack alone, so that a run that is taken up here says the same.
         let (window, before) = self.window_for(network);
         if before.is_some_and(|before| before.was_left_by(network)) {
-            body.remark(format!(
+            body.remarks.push(format!(
                 "a crack left the fine part of the mesh, which now reaches from x = {:.1} to {:.1} mm and to a depth of {:.1} mm",
                 window.lower.x, window.upper.x, -window.lower.y
             ));
@@ -228,11 +209,8 @@ impl XfemEngine {
 }
 
 impl BodyEngine for XfemEngine {
-    fn body(&mut self, network: &CrackNetwork) -> Result<Box<dyn CrackedBody>, BodyError> {
-        match self.cracked(network) {
-            Ok(body) => Ok(Box::new(body)),
-            Err(reason) => Err(BodyError { reason: Box::new(reason) }),
-        }
+    fn body(&mut self, network: &CrackNetwork) -> Result<CrackedBody, BodyError> {
+        self.cracked(network).map_err(|reason| BodyError { reason: Box::new(reason) })
     }
 
     fn forget(&mut self) {
@@ -256,11 +234,11 @@ mod tests {
         let (end, settings) = (RailEnd::HalfPlane { centre: 0.0 }, XfemSettings::default());
         let mesh = MeshSettings { element_size: 0.5, expected_growth: 1.0 };
         let mut engine = XfemEngine::new(&network, steel, mesh, end, settings);
-        let bits = |body: &dyn CrackedBody| body.compliance().entries().to_vec();
+        let bits = |body: &CrackedBody| body.compliance.entries().to_vec();
         let before = engine.body(&network).unwrap();
         assert!(engine.columns.is_kept());
         engine.forget();
         assert!(!engine.columns.is_kept());
-        assert_eq!(bits(engine.body(&network).unwrap().as_ref()), bits(before.as_ref()));
+        assert_eq!(bits(&engine.body(&network).unwrap()), bits(&before));
     }
 }

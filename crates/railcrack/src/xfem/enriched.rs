@@ -1,4 +1,4 @@
-//! The stiffness of all unknowns together.
+//! Stiffness of standard and enriched unknowns together.
 
 use super::border::{Border, CellStiffness};
 use crate::bulk::{BulkRail, RailStiffness};
@@ -19,7 +19,7 @@ pub(super) struct EnrichedStiffness<'a> {
 enum Part<'a> {
     /// An element of the mesh.
     Mesh(usize),
-    /// A cell: what its functions add to that of the mesh.
+    /// A cell: the contribution of its enriched functions.
     Cell(&'a CellStiffness),
     /// An addition to the diagonal at an enriched unknown.
     Added(usize),
@@ -71,7 +71,7 @@ impl ElementSum for EnrichedStiffness<'_> {
                 let mut functions: Vec<usize> = cell.functions(|target| target.standard).collect();
                 let standard = functions.len();
                 functions.extend(cell.functions(|target| target.enriched));
-                // Between unknowns of the mesh the elements have it all.
+                // Entries between standard unknowns belong to the elements.
                 let entry = |i, j| if i < standard { 0.0 } else { cell.entry(functions[i], functions[j]) };
                 Matrix::from_fn(functions.len(), functions.len(), entry)
             }

@@ -1,15 +1,14 @@
-//! The field behind the face points.
+//! Displacement and stress fields of the cracked body.
 
 use super::basis::{CellBasis, Elasticity, Function};
-use super::body::XfemError;
 use super::condense::{Elimination, Unknowns};
 use super::cuts::{CellPlace, Cuts};
+use super::error::XfemError;
 use super::field_grid::Layout;
 use super::interface::{Duality, Interface};
 use super::space::Space;
-use crate::body::{BodyFields, FieldLoad, PointField};
-use crate::bulk::{BlockCorrection, BulkRail};
-use crate::load::HertzianContact;
+use crate::body::{BodyError, BodyFields, FieldLoad, FieldSolver, PointField};
+use crate::bulk::{BlockCorrection, Boundary, BulkRail};
 use crate::math::{Stress, Vec2};
 use crate::mesh::{CORNERS, Element, NODES, shape_functions};
 use rayon::prelude::*;
@@ -39,40 +38,28 @@ struct Displacements {
     enriched: Vec<f64>,
 }
 
-impl Inside {
-    /// The fields under `loads`, and under the effect of the ends of a block on the stress under
-    /// the `wheel`.
-    pub(super) fn fields(
-        &self,
-        loads: &[FieldLoad],
-        wheel: Option<&HertzianContact>,
-    ) -> Result<BodyFields, XfemError> {
+impl FieldSolver for Inside {
+    fn fields(&self, loads: &[FieldLoad]) -> Result<BodyFields, BodyError> {
         let lengths = self.cuts.paths.iter().map(|path| path.s[path.segments()]);
-        self.fields_within(MARGIN * lengths.fold(0.0, f64::max), loads, wheel)
+        self.fields_within(MARGIN * lengths.fold(0.0, f64::max), loads)
+            .map_err(|reason| BodyError { reason: Box::new(reason) })
     }
+}
 
-    /// [`Inside::fields`] up to `margin` (mm) from the bounding box of the cracks.
-    pub(super) fn fields_within(
-        &self,
-        margin: f64,
-        loads: &[FieldLoad],
-        wheel: Option<&HertzianContact>,
-    ) -> Result<BodyFields, XfemError> {
+impl Inside {
+    /// The fields under `loads` up to `margin` (mm) from the box of the cracks.
+    pub(super) fn fields_within(&self, margin: f64, loads: &[FieldLoad]) -> Result<BodyFields, XfemError> {
         let layout = Layout::new(self.rail.mesh(), &self.cuts, &self.interface, margin);
-        let unknowns = self.unknowns(&layout, loads, wheel)?;
+        let unknowns = self.unknowns(&layout, loads)?;
         let fields = unknowns.iter().map(|unknowns| self.on(&layout, unknowns)).collect();
         Ok(BodyFields { grid: layout.grid, loads: fields })
     }
 
-    fn unknowns(
-        &self,
-        layout: &Layout,
-        loads: &[FieldLoad],
-        wheel: Option<&HertzianContact>,
-    ) -> Result<Vec<Displacements>, XfemError> {
+    fn unknowns(&self, layout: &Layout, loads: &[FieldLoad]) -> Result<Vec<Displacements>, XfemError> {
         let tractions: Vec<Vec<f64>> = loads.iter().map(|load| self.duality.tractions(load.forces)).collect();
         let nodes = layout.mesh_nodes(self.rail.mesh());
         let Unknowns { standard, enriched } = self.elimination.unknowns(&self.rail, &tractions, nodes)?;
+        let is_block = self.rail.boundary() != Boundary::HalfPlane;
         let under = |(k, (load, enriched)): (usize, (&FieldLoad, Vec<f64>))| {
             let standard = standard.row(k);
             let of_node = |node: usize| {
@@ -81,10 +68,9 @@ impl Inside {
                 Vec2::new(x, y)
             };
             let mut nodes: Vec<Vec2> = (0..self.rail.mesh().node_count()).map(of_node).collect();
-            if let Some(contact) = wheel {
+            if let (Some((wheel, xc)), true) = (load.wheel, is_block) {
                 // At one position nothing is interpolated: one solution.
-                let ends = BlockCorrection::new(&self.rail, contact, load.xc..=load.xc)?;
-                let displacements = ends.displacements(load.xc)?;
+                let displacements = BlockCorrection::new(&self.rail, wheel, xc..=xc)?.displacements(xc)?;
                 nodes.iter_mut().zip(displacements).for_each(|(node, u)| *node = *node + u);
             }
             Ok(Displacements { nodes, enriched })

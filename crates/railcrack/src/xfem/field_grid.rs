@@ -13,7 +13,7 @@ pub(super) struct Layout {
     pub grid: FieldGrid,
     /// Elements that no crack and no enrichment touches.
     pub whole: Vec<usize>,
-    /// Points of the nodes of these.
+    /// Points at the nodes of these.
     pub nodes: BTreeMap<usize, usize>,
     /// Cells of all other elements, with their points; those of the faces last.
     pub cells: Vec<(CellPlace, Range<usize>)>,

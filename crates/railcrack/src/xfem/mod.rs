@@ -11,20 +11,24 @@ mod cuts;
 mod domain;
 mod engine;
 mod enriched;
+mod error;
 mod field;
 mod field_grid;
 mod interface;
 mod junctions;
 mod path;
 mod quadrature;
+mod settings;
 mod sif;
 mod space;
 mod trace;
 mod window;
 
-pub use body::{EnrichmentRadius, XfemBody, XfemError, XfemSettings};
+pub use body::{cracked_body, cracked_body_with};
 pub use columns::ColumnStore;
 pub use engine::{RailEnd, XfemEngine, XfemSize};
+pub use error::XfemError;
+pub use settings::{EnrichmentRadius, XfemSettings};
 pub use sif::SifDomain;
 pub use window::{Layers, MeshSettings, Outline, Window, default_element_sizes};
 

@@ -1,13 +1,12 @@
 //! A Williams field on a patch, and superposition, against one dense system of all unknowns.
 
 use super::basis::{CellBasis, Elasticity, Function, MODES};
-use super::body::{Discretisation, XfemSettings};
+use super::body::Discretisation;
 use super::border::Border;
 use super::cuts::{CellPlace, CutElement, along_side};
 use super::interface::Interface;
 use super::sif::{SifContext, SifDomain, SifFunctional};
 use super::trace;
-use crate::body::CrackedBody;
 use crate::bulk::{BottomSupport, Boundary, BulkRail, RectangleStiffness, SideSupport};
 use crate::crack::{Crack, CrackNetwork};
 use crate::fracture::WilliamsField;
@@ -15,7 +14,7 @@ use crate::linear::{SparseColumn, SpdFactor};
 use crate::material::IsotropicElastic;
 use crate::math::{Matrix, Stress, Vec2, gauss_legendre};
 use crate::mesh::{Edge, QuadMesh};
-use crate::xfem::XfemBody;
+use crate::xfem::{XfemSettings, cracked_body};
 use std::sync::Arc;
 
 /// x of K x = b.
@@ -37,7 +36,7 @@ fn patch() -> (QuadMesh, CrackNetwork) {
     let lines = |from: f64, n: usize| (0..=n).map(|i| from + 0.2 * i as f64).collect();
     let mesh = QuadMesh::new(lines(-1.5, 15), lines(-2.0, 10)).unwrap();
     let crack = Crack::surface_breaking(-0.63, 1.17, 0.9).unwrap();
-    // The last line is the surface to round-off.
+    // The last grid line is the surface, up to round-off.
     let y: Vec<f64> = mesh.y_lines().iter().map(|y| if y.abs() < 1e-9 { 0.0 } else { *y }).collect();
     (QuadMesh::new(mesh.x_lines().to_vec(), y).unwrap(), crack.into())
 }
@@ -265,16 +264,16 @@ fn superposition_of_a_discrete_field() {
     assert!(jump < SAME && sif < SAME, "jump {jump:.1e}, K {sif:.1e}");
 
     // The body under the tractions of the same field, sampled: no longer the same discrete problem.
-    let body = XfemBody::new(&std::sync::Arc::new(rail.clone()), &network, XfemSettings::default()).unwrap();
-    let points: Vec<Vec2> = body.faces().samples.iter().map(|sample| sample.point).collect();
+    let body = cracked_body(&std::sync::Arc::new(rail.clone()), &network, XfemSettings::default()).unwrap();
+    let points: Vec<Vec2> = body.faces.samples.iter().map(|sample| sample.point).collect();
     let mut at_nodes = vec![Vec2::default(); mesh.node_count()];
     for &i in &free {
         let node = &mut at_nodes[i / 2];
         *(if i % 2 == 0 { &mut node.x } else { &mut node.y }) = u0[unknown(i)];
     }
     let stresses: Vec<Stress> = crate::bulk::StressAtPoints::new(&rail, &points).unwrap().stress(&at_nodes);
-    let forces = body.faces().nodal_forces_of_samples(|k, _| stresses[k]);
-    let sampled = body.sif_influence().times(&forces);
+    let forces = body.faces.nodal_forces_of_samples(|k, _| stresses[k]);
+    let sampled = body.sif_influence.times(&forces);
     let error = (sampled[0] - k[0]).abs().max((sampled[1] - k[1]).abs()) / k[0].abs();
     println!("K of the sampled field {error:.1e}");
     assert!(error < SAMPLED, "K of the sampled field {error:.1e}");

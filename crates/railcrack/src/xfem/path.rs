@@ -1,4 +1,4 @@
-//! The cracks as the mesh sees them.
+//! Crack paths and tip frames for the enrichment.
 
 use crate::crack::{Crack, End, point_to_segment};
 use crate::math::{Orientation, Vec2, orientation};

@@ -3,11 +3,10 @@
 //! and the balance of the uncracked body, whose stress then loads the faces.
 
 use super::basis::{CellBasis, Function, MODES};
-use super::body::XfemSettings;
 use super::cuts::{CellPlace, CutElement};
 use super::patch_tests::{Dense, steel};
 use super::quadrature::Rules;
-use crate::body::CrackedBody;
+use super::settings::XfemSettings;
 use crate::bulk::{BottomSupport, Boundary, BulkRail, SideSupport};
 use crate::crack::{Crack, CrackNetwork};
 use crate::field::StressField;
@@ -15,7 +14,7 @@ use crate::fracture::WilliamsField;
 use crate::math::{Stress, Vec2};
 use crate::mesh::QuadMesh;
 use crate::residual::BalancedStress;
-use crate::xfem::XfemBody;
+use crate::xfem::cracked_body;
 use std::sync::Arc;
 
 /// 3 × 2 mm, a crack of 1.17 mm from the surface; `per_mm` elements per mm.
@@ -136,9 +135,9 @@ fn both(per_mm: usize) -> [[f64; 2]; 2] {
     let direct = [k[0] + plastic[0], k[1] + plastic[1]];
 
     let balanced = BalancedStress::new(&rail, plastic_stress).unwrap();
-    let body = XfemBody::new(&Arc::new(rail), &network, XfemSettings::default()).unwrap();
-    let forces = body.faces().nodal_forces(|point| balanced.stress(point));
-    let superposed = body.sif_influence().times(&forces);
+    let body = cracked_body(&Arc::new(rail), &network, XfemSettings::default()).unwrap();
+    let forces = body.faces.nodal_forces(|point| balanced.stress(point));
+    let superposed = body.sif_influence.times(&forces);
     [direct, [superposed[0], superposed[1]]]
 }
 

@@ -111,7 +111,7 @@ impl Rules {
     }
 }
 
-/// How points are spread from the apex of a triangle.
+/// Distribution of the points from the apex of a triangle.
 #[derive(Clone, Copy)]
 enum Radial {
     /// Evenly.

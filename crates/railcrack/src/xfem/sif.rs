@@ -32,7 +32,7 @@ pub(super) struct SifFunctional {
     pub tractions: Vec<f64>,
 }
 
-/// Everything that the functionals are made of.
+/// The data of the functionals.
 pub(super) struct SifContext<'a> {
     pub mesh: &'a QuadMesh,
     pub cuts: &'a Cuts,

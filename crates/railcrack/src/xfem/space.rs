@@ -93,7 +93,7 @@ impl Space {
         2 * self.enrichments.len()
     }
 
-    /// Per local node, the enrichment that lives in a cell.
+    /// Per local node, the enrichment with support in a cell.
     pub(super) fn parts_in(&self, cuts: &Cuts, place: CellPlace) -> [Option<usize>; NODES] {
         self.parts.get(&(place.element, cuts.region(place))).copied().unwrap_or([None; NODES])
     }

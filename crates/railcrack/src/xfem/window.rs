@@ -1,4 +1,4 @@
-//! Where the mesh is fine.
+//! The fine window of the mesh, and its grading.
 
 use crate::crack::{Crack, CrackNetwork, CrackTip, End};
 use crate::math::Vec2;
@@ -18,9 +18,9 @@ pub struct MeshSettings {
 const ELEMENTS_PER_CRACK: f64 = 60.0;
 /// Default number of elements along the longest crack of a network of more than [`FEW`].
 const ELEMENTS_PER_CRACK_OF_MANY: f64 = 30.0;
-/// Cracks that are resolved like single ones.
+/// Largest number of cracks that are resolved like single ones.
 const FEW: usize = 3;
-/// Elements along a shorter crack, at least, by default.
+/// Default for the least number of elements along a shorter crack.
 const FEWEST_ELEMENTS_PER_CRACK: f64 = 30.0;
 /// Default for the least number of elements along the part of a crack between a tip and the last
 /// kink before it.
@@ -74,9 +74,9 @@ pub struct Outline {
 /// Layers of the rail that elements must resolve along its whole length: those with plastic stress.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Layers {
-    /// Depth of the lowest, mm.
+    /// Depth of the lowest layer, mm.
     pub depth: f64,
-    /// Height of the elements down to there, at most, mm.
+    /// Largest height of the elements down to there, mm.
     pub height: f64,
 }
 
@@ -88,7 +88,7 @@ pub struct Window {
     pub lower: Vec2,
     /// Upper right corner, mm.
     pub upper: Vec2,
-    /// The cracks at the beginning.
+    /// The initial cracks.
     cracks: Vec<Resolved>,
     layers: Option<Layers>,
 }

@@ -1,5 +1,7 @@
 //! Who imports whom: the sources against the tables of ARCHITECTURE.md.
 
+mod circles;
+mod prose;
 mod rules;
 mod source;
 
@@ -35,12 +37,16 @@ fn rust_files(folder: &Path) -> Vec<PathBuf> {
 
 /// The sources of the library, without its root.
 fn library() -> Vec<SourceFile> {
-    let root = Path::new(CRATE).join("src");
+    sources(&Path::new(CRATE).join("src"))
+}
+
+/// The sources below `root`, without the root of the crate.
+fn sources(root: &Path) -> Vec<SourceFile> {
     let read = |path: PathBuf| {
         let text = std::fs::read_to_string(&path).unwrap();
-        SourceFile::read(path.strip_prefix(&root).unwrap(), &text)
+        SourceFile::read(path.strip_prefix(root).unwrap(), &text)
     };
-    rust_files(&root).into_iter().filter(|path| *path != root.join("lib.rs")).map(read).collect()
+    rust_files(root).into_iter().filter(|path| *path != root.join("lib.rs")).map(read).collect()
 }
 
 fn assert_none(violations: &[String]) {
@@ -58,6 +64,28 @@ fn modules_import_only_what_the_table_allows() {
                 let (path, line) = (file.path.display(), import.line);
                 violations.push(format!("{path}:{line}: {module} imports {}", import.module));
             }
+        }
+    }
+    assert_none(&violations);
+}
+
+/// Crates without circles between their files.
+const WITHOUT_CIRCLES: [&str; 6] = [
+    "crates/railcrack",
+    "crates/railcrack-vtu",
+    "crates/railcrack-case",
+    "crates/railcrack-run",
+    "crates/railcrack-report",
+    "crates/railcrack-paper",
+];
+
+#[test]
+fn no_files_import_one_another() {
+    let mut violations = Vec::new();
+    for folder in WITHOUT_CIRCLES {
+        let files = sources(&workspace().join(folder).join("src"));
+        for group in circles::circles(&files) {
+            violations.push(format!("{folder}: {group:?}"));
         }
     }
     assert_none(&violations);
@@ -83,26 +111,89 @@ fn the_table_keeps_its_own_promises() {
     assert_none(&rules.broken_promises());
 }
 
-#[test]
-fn only_linear_names_the_linear_algebra_crate() {
-    let mut violations: Vec<String> = library()
-        .iter()
-        .filter(|file| file.module() != "linear")
-        .flat_map(|file| file.lines_naming("faer"))
+/// The crates of the workspace, by name.
+fn crates() -> Vec<(String, PathBuf)> {
+    let mut crates: Vec<(String, PathBuf)> = std::fs::read_dir(workspace().join("crates"))
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+        .filter(|path| path.join("Cargo.toml").is_file())
+        .map(|path| (path.file_name().unwrap().to_string_lossy().into_owned(), path))
         .collect();
-    for folder in ["crates/railcrack/tests", "crates/railcrack/benches", "crates/railcrack-cli"] {
-        for path in rust_files(&workspace().join(folder)) {
-            let file = SourceFile::read(&path, &std::fs::read_to_string(&path).unwrap());
-            violations.extend(file.lines_naming("faer"));
-        }
+    crates.sort();
+    crates
+}
+
+fn sources_of(path: &Path) -> Vec<SourceFile> {
+    let read = |file: PathBuf| {
+        let text = std::fs::read_to_string(&file).unwrap();
+        SourceFile::read(file.strip_prefix(workspace().join("crates")).unwrap(), &text)
+    };
+    rust_files(path).into_iter().map(read).collect()
+}
+
+#[test]
+fn crates_depend_only_on_what_the_table_allows() {
+    let text = std::fs::read_to_string(workspace().join("ARCHITECTURE.md")).unwrap();
+    let allowed = rules::crates(&text);
+    let mut violations = Vec::new();
+    for (name, path) in crates() {
+        let Some(may) = allowed.get(&name) else {
+            violations.push(format!("{name} has no row"));
+            continue;
+        };
+        let manifest = std::fs::read_to_string(path.join("Cargo.toml")).unwrap();
+        let dependencies = rules::dependencies(&manifest);
+        let ours = dependencies.iter().filter(|name| name.starts_with("railcrack"));
+        violations.extend(ours.filter(|on| !may.contains(*on)).map(|on| format!("{name} depends on {on}")));
     }
-    let command = std::fs::read_to_string(workspace().join("crates/railcrack-cli/Cargo.toml")).unwrap();
-    assert!(!command.contains("faer"), "the command depends on the linear-algebra crate");
     assert_none(&violations);
 }
 
 #[test]
-fn the_library_prints_nothing() {
-    let violations: Vec<String> = library().iter().flat_map(SourceFile::printing_lines).collect();
+fn only_linear_names_the_linear_algebra_crate() {
+    let mut violations: Vec<String> = Vec::new();
+    for (name, path) in crates() {
+        let is_linear = |file: &SourceFile| file.path.starts_with("railcrack/src/linear");
+        let files = sources_of(&path).into_iter().filter(|file| !is_linear(file));
+        violations.extend(files.flat_map(|file| file.lines_naming("faer")));
+        let manifest = std::fs::read_to_string(path.join("Cargo.toml")).unwrap();
+        if name != "railcrack" && rules::dependencies(&manifest).contains("faer") {
+            violations.push(format!("{name} depends on the linear-algebra crate"));
+        }
+    }
     assert_none(&violations);
+}
+
+#[test]
+fn the_mechanics_has_no_files() {
+    let names = ["fs", "File", "Path", "PathBuf", "include_str", "include_bytes"];
+    let naming =
+        |file: &SourceFile| names.iter().flat_map(|name| file.lines_naming(name)).collect::<Vec<_>>();
+    assert_none(&library().iter().flat_map(naming).collect::<Vec<_>>());
+}
+
+#[test]
+fn only_the_command_prints() {
+    let of_crate = |(name, path): (String, PathBuf)| {
+        let sources = if name == "railcrack-cli" { Vec::new() } else { sources_of(&path.join("src")) };
+        sources.iter().flat_map(SourceFile::printing_lines).collect::<Vec<_>>()
+    };
+    assert_none(&crates().into_iter().flat_map(of_crate).collect::<Vec<_>>());
+}
+
+#[test]
+fn prose_is_narrow_and_doc_comments_name_their_subject() {
+    let mut faults = Vec::new();
+    for path in rust_files(&workspace().join("crates")) {
+        faults.extend(prose::faults_of_source(&path, &std::fs::read_to_string(&path).unwrap()));
+    }
+    let docs = workspace().join("docs");
+    let folders = [workspace(), docs.clone(), docs.join("how-to"), docs.join("decisions")];
+    for entry in folders.iter().flat_map(|folder| std::fs::read_dir(folder).unwrap()) {
+        let path = entry.unwrap().path();
+        if path.extension().is_some_and(|ending| ending == "md") {
+            faults.extend(prose::faults_of_page(&path, &std::fs::read_to_string(&path).unwrap()));
+        }
+    }
+    assert_none(&faults);
 }

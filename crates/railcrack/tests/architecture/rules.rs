@@ -36,6 +36,7 @@ enum Extent {
 }
 
 const TABLE: &str = "| module | may import | because |";
+const CRATES: &str = "| crate | holds | may import |";
 const PROMISES: &str = "| module | never | extent | because |";
 
 impl Rules {
@@ -113,6 +114,22 @@ fn promises_of(cells: &[String]) -> Vec<Promise> {
         other => panic!("extent `{other}`: `directly` or `at all`"),
     };
     names(&cells[0]).map(|from| Promise { from, never: names(&cells[1]).collect(), extent }).collect()
+}
+
+/// The crates that every crate of the table may import.
+pub fn crates(text: &str) -> BTreeMap<String, BTreeSet<String>> {
+    let row = |cells: Vec<String>| {
+        let name = names(&cells[0]).next().expect("a crate in the first column");
+        (name, names(&cells[2]).collect())
+    };
+    table(text, CRATES).into_iter().map(row).collect()
+}
+
+/// The names in the `[dependencies]` of a manifest, those for tests left out.
+pub fn dependencies(manifest: &str) -> BTreeSet<String> {
+    let section = manifest.lines().skip_while(|line| line.trim() != "[dependencies]").skip(1);
+    let lines = section.take_while(|line| !line.starts_with('['));
+    lines.filter_map(|line| line.split_once('=')).map(|(name, _)| name.trim().to_owned()).collect()
 }
 
 /// The rows under `heading` and its ruler, cell by cell.

@@ -18,12 +18,13 @@ pub struct Import {
     pub line: usize,
 }
 
+/// A word or sign.
 #[derive(Debug, Clone)]
-struct Token {
-    text: String,
+pub struct Token {
+    pub text: String,
     line: usize,
     /// Inline modules around it.
-    inside: Vec<String>,
+    pub inside: Vec<String>,
 }
 
 /// Macros and functions that write to the streams of the process.
@@ -51,6 +52,11 @@ impl SourceFile {
     pub fn module(&self) -> &str {
         let first = self.path.components().next().unwrap().as_os_str().to_str().unwrap();
         first.strip_suffix(".rs").unwrap_or(first)
+    }
+
+    /// Its words and signs.
+    pub fn tokens(&self) -> &[Token] {
+        &self.tokens
     }
 
     /// The lines that name `word`.

@@ -20,18 +20,18 @@ pub use xfem::{Meshed, condition, misfit, sifs_under};
 
 use railcrack::body::CrackedBody;
 use railcrack::crack::{Crack, CrackEnd, CrackNetwork, End, Junction};
-use railcrack::dislocation::{DislocationBody, FaceResolution};
+use railcrack::dislocation::{FaceResolution, cracked_body};
 use railcrack::material::IsotropicElastic;
 use railcrack::math::{Stress, Vec2};
 
-/// How far a number may be from its reference.
+/// The allowed difference of a number from its reference.
 #[derive(Debug, Clone, Copy)]
 pub enum Tolerance {
-    /// As a share of the reference.
+    /// As a fraction of the reference.
     Relative(f64),
     /// In the unit of the reference.
     Absolute(f64),
-    /// As a share of the second number: a peak, a scale.
+    /// As a fraction of the second number: a peak, a scale.
     Of(f64, f64),
 }
 
@@ -69,9 +69,9 @@ pub fn buried_crack(centre: Vec2, half: f64, degrees: f64) -> Crack {
 }
 
 /// The body with `cracks`, `elements` along each.
-pub fn body(cracks: &[Crack], elements: usize) -> DislocationBody {
+pub fn body(cracks: &[Crack], elements: usize) -> CrackedBody {
     let network = CrackNetwork::new(cracks.to_vec()).unwrap();
-    DislocationBody::new(&network, &steel(), FaceResolution { elements }).unwrap()
+    cracked_body(&network, &steel(), FaceResolution { elements }).unwrap()
 }
 
 /// A crack through `points` (mm).
@@ -84,15 +84,15 @@ pub fn junction(crack: usize, end: End, onto: usize) -> Junction {
     Junction { joining: CrackEnd { crack, end }, onto }
 }
 
-/// The body with `cracks` joined at `junctions`, `elements` along each crack.
-pub fn joined_body(cracks: &[Crack], junctions: &[Junction], elements: usize) -> DislocationBody {
+/// The body with `cracks` that meet at `junctions`, `elements` along each crack.
+pub fn joined_body(cracks: &[Crack], junctions: &[Junction], elements: usize) -> CrackedBody {
     let network = CrackNetwork::joined(cracks.to_vec(), junctions.to_vec()).unwrap();
-    DislocationBody::new(&network, &steel(), FaceResolution { elements }).unwrap()
+    cracked_body(&network, &steel(), FaceResolution { elements }).unwrap()
 }
 
 /// K_I and K_II (MPa √mm) per tip of an open body under the stress of the uncracked rail.
-pub fn sifs_of(body: &dyn CrackedBody, stress: impl Fn(Vec2) -> Stress) -> Vec<f64> {
-    body.sif_influence().times(&body.faces().nodal_forces(stress))
+pub fn sifs_of(body: &CrackedBody, stress: impl Fn(Vec2) -> Stress) -> Vec<f64> {
+    body.sif_influence.times(&body.faces.nodal_forces(stress))
 }
 
 /// K_I and K_II (MPa √mm) per tip of open `cracks` under the stress of the uncracked rail.

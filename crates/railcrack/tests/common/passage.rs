@@ -1,11 +1,11 @@
 //! Passages of the wheel over cracks, with the default settings of users.
 
-use super::{Meshed, body};
+use super::{Meshed, body, steel};
 use railcrack::body::CrackedBody;
 use railcrack::contact::{self, ContactSolver, FaceProblem, Newton};
 use railcrack::crack::{Crack, CrackNetwork};
 use railcrack::dislocation::FaceResolution;
-use railcrack::field::StressField;
+use railcrack::field::{HertzWheel, StressField};
 use railcrack::growth::{PassageSettings, RailLoad, StabilisedPassage, Unobserved, stabilised_passage};
 use railcrack::load::{HertzianContact, Passage};
 use std::fmt;
@@ -81,9 +81,9 @@ impl Rolling<'_> {
     }
 
     /// The cracked rail.
-    pub fn body(&self) -> Box<dyn CrackedBody> {
+    pub fn body(&self) -> CrackedBody {
         match &self.engine {
-            RollingEngine::Dislocation => Box::new(body(&self.cracks, self.elements)),
+            RollingEngine::Dislocation => body(&self.cracks, self.elements),
             RollingEngine::Xfem(meshed) => meshed.body(&self.cracks),
         }
     }
@@ -95,7 +95,7 @@ impl Rolling<'_> {
 
     pub fn solve_by(&self, solver: &dyn ContactSolver) -> StabilisedPassage {
         let body = self.body();
-        let problem = FaceProblem::new(body.as_ref(), &vec![self.crack_friction; self.cracks.len()]);
+        let problem = FaceProblem::new(&body, &vec![self.crack_friction; self.cracks.len()]).unwrap();
         self.on(&problem, solver)
     }
 
@@ -107,12 +107,12 @@ impl Rolling<'_> {
         let (from, to) = if self.travel > 0.0 { (left, right) } else { (right, left) };
         let settings = PassageSettings {
             passage: Passage { from, to, positions: self.steps.positions },
-            max_passages: 5,
-            passage_tolerance: 1e-3,
             step_tolerance: self.steps.tolerance,
             step_control: self.steps.control,
+            ..PassageSettings::default()
         };
-        let load = RailLoad { contact: self.contact(), poisson: 0.3, residual: self.residual };
+        let load =
+            RailLoad { wheel: &HertzWheel::new(&self.contact(), &steel()).unwrap(), residual: self.residual };
         stabilised_passage(problem, solver, load, &settings, &Unobserved).unwrap()
     }
 }

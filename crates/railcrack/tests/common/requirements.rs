@@ -1,10 +1,10 @@
 //! Requirements on the accuracy of results, in one sentence each.
 
-/// A requirement and the test that holds it.
+/// A requirement and the test that checks it.
 pub struct Requirement {
     /// Path of the test in the test program `verification`.
     pub test: &'static str,
-    /// Which of its measurements; empty for the only one.
+    /// The measurement of the test that is meant; empty for the only one.
     pub quantity: &'static str,
     /// The requirement.
     pub says: &'static str,
@@ -255,12 +255,12 @@ pub const REQUIREMENTS: &[Requirement] = &[
         "Dislocations: line, cross, star and an unsymmetric branch have the K of an independent computation.",
     ),
     requirement(
-        "junctions::junction_loses_and_doubles_no_traction",
+        "junctions::junction_conserves_tractions",
         "",
         "Dislocations: a junction neither loses tractions nor counts them twice.",
     ),
     requirement(
-        "junctions::closed_branch_is_no_branch",
+        "junctions::closed_sticking_branch_has_no_effect",
         "",
         "Dislocations: a closed branch that sticks has no effect.",
     ),
@@ -270,7 +270,7 @@ pub const REQUIREMENTS: &[Requirement] = &[
         "Dislocations: the energy is continuous when a tip approaches a free crack and joins it.",
     ),
     requirement(
-        "junctions::energy_release_of_a_tip_that_comes_to_a_free_crack",
+        "junctions::energy_release_rate_of_an_approaching_tip",
         "",
         "Dislocations: the energy release rate of a tip that approaches a free crack is that of its K.",
     ),
@@ -311,17 +311,17 @@ pub const REQUIREMENTS: &[Requirement] = &[
         "Load steps: fixed ones of 0.1 a, 0.05 a and 0.02 a have the errors of two independent codes with such steps.",
     ),
     requirement(
-        "xfem::junctions::a_crack_in_two_pieces_is_that_crack",
+        "xfem::junctions::a_crack_in_two_pieces_equals_the_whole",
         "",
         "X-FEM: a crack in two joined pieces has the K of one piece, open and under the wheel.",
     ),
     requirement(
-        "xfem::junctions::a_t_junction_is_that_of_the_other_engine",
+        "xfem::junctions::a_t_junction_agrees_with_the_other_engine",
         "",
         "Engines: K of a T-junction agrees, open, closed with friction and without.",
     ),
     requirement(
-        "xfem::junctions::no_traction_is_lost_or_doubled",
+        "xfem::junctions::tractions_are_conserved",
         "",
         "X-FEM: a junction neither loses tractions nor counts them twice.",
     ),
@@ -361,7 +361,7 @@ pub const REQUIREMENTS: &[Requirement] = &[
         "Engines: K of each of nine cracks of a run agrees at every position.",
     ),
     requirement(
-        "xfem::networks::a_tip_that_sticks_keeps_its_k",
+        "xfem::networks::k_of_a_sticking_tip_is_constant",
         "",
         "X-FEM: K of a sticking tip is constant, and does not jump when the tip begins to slip.",
     ),
@@ -381,7 +381,7 @@ pub const REQUIREMENTS: &[Requirement] = &[
         "Engines: K of a short crack beside a long one agrees, relative to its own peak.",
     ),
     requirement(
-        "xfem::unlike_lengths::no_unit_of_length",
+        "xfem::unlike_lengths::unit_of_length",
         "",
         "X-FEM: C and K do not depend on the unit of length.",
     ),

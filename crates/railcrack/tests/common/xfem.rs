@@ -8,7 +8,7 @@ use railcrack::growth::StabilisedPassage;
 use railcrack::linear::spd_inverse;
 use railcrack::math::{Matrix, Stress, Vec2};
 use railcrack::xfem::{
-    ColumnStore, RailEnd, Window, XfemBody, XfemEngine, XfemSettings, default_element_sizes,
+    ColumnStore, RailEnd, Window, XfemEngine, XfemSettings, cracked_body_with, default_element_sizes,
 };
 
 /// How the rail is meshed.
@@ -70,12 +70,12 @@ impl Meshed {
         XfemEngine::with_window(window, steel(), self.end.clone(), self.settings)
     }
 
-    pub fn body(&self, cracks: &[Crack]) -> Box<dyn CrackedBody> {
+    pub fn body(&self, cracks: &[Crack]) -> CrackedBody {
         self.engine(cracks).body(&CrackNetwork::new(cracks.to_vec()).unwrap()).unwrap()
     }
 
-    /// The body with joined cracks.
-    pub fn body_of(&self, network: &CrackNetwork) -> Box<dyn CrackedBody> {
+    /// The body with cracks that meet.
+    pub fn body_of(&self, network: &CrackNetwork) -> CrackedBody {
         self.engine_of(network).body(network).unwrap()
     }
 
@@ -84,19 +84,19 @@ impl Meshed {
     pub fn with_bodies<T>(
         &self,
         cracks: &[Crack],
-        look: impl FnOnce(&BulkRail, &mut dyn FnMut(XfemSettings) -> XfemBody) -> T,
+        look: impl FnOnce(&BulkRail, &mut dyn FnMut(XfemSettings) -> CrackedBody) -> T,
     ) -> T {
         let network = CrackNetwork::new(cracks.to_vec()).unwrap();
         let mut engine = self.engine(cracks);
         let rail = engine.background(&network).unwrap();
         let mut columns = ColumnStore::default();
-        look(rail, &mut |settings| XfemBody::with_columns(rail, &network, settings, &mut columns).unwrap())
+        look(rail, &mut |settings| cracked_body_with(rail, &network, settings, &mut columns).unwrap())
     }
 }
 
 /// K_I and K_II (MPa √mm) per tip of an open cracked rail under the stress of the uncracked one.
-pub fn sifs_under(body: &dyn CrackedBody, stress: impl Fn(Vec2) -> Stress) -> Vec<f64> {
-    body.sif_influence().times(&body.faces().nodal_forces(stress))
+pub fn sifs_under(body: &CrackedBody, stress: impl Fn(Vec2) -> Stress) -> Vec<f64> {
+    body.sif_influence.times(&body.faces.nodal_forces(stress))
 }
 
 /// The condition number of a symmetric positive definite matrix scaled to a unit diagonal, by power

@@ -49,7 +49,7 @@ fn inner_and_outer_tips_in_both_modes() {
 
 /// Tips a hundredth of the length apart: 1 % at the default, but second order.
 #[test]
-fn nearly_meeting_tips() {
+fn closely_spaced_tips() {
     let (inner, _) = closed_form(0.02, 4.0);
     let errors = [40, 80, 160].map(|elements| sifs(0.02, 4.0, elements)[2] / inner - 1.0);
     for pair in errors.windows(2) {

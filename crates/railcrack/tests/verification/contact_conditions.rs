@@ -64,7 +64,7 @@ impl<'a> StepSolver<'a> for CheckedSteps<'a> {
 /// The largest violation of unilateral contact, Coulomb friction and equilibrium.
 fn violation(problem: &FaceProblem, solution: &FaceSolution, step: LoadStep, scale: (f64, f64)) -> f64 {
     let (jump_scale, force_scale) = (scale.0.max(f64::MIN_POSITIVE), scale.1.max(f64::MIN_POSITIVE));
-    let forces = problem.body().stiffness().times(&solution.jump);
+    let forces = problem.body().stiffness.times(&solution.jump);
     let balance = forces.iter().zip(step.forces).zip(&solution.contact).map(|((f, load), c)| f - load - c);
     let mut worst = largest(balance) / force_scale;
     for point in 0..problem.points() {

@@ -1,11 +1,12 @@
 //! The end of a passage: on request of the observer, between two load steps, and with an error when
 //! the contact solver finds no solution.
 
-use crate::common::{body, surface_crack};
+use crate::common::{body, steel, surface_crack};
 use railcrack::contact::{
     ContactSolver, FaceProblem, FaceResponse, LoadStep, Newton, NotConverged, StepControl, StepSolver,
     SteppingError,
 };
+use railcrack::field::HertzWheel;
 use railcrack::growth::{
     Observer, PassageError, PassageSettings, RailLoad, StabilisedPassage, Unobserved, stabilised_passage,
 };
@@ -17,7 +18,7 @@ const POSITIONS: usize = 5;
 
 fn passage(solver: &dyn ContactSolver, watch: &dyn Observer) -> Result<StabilisedPassage, PassageError> {
     let body = body(&[surface_crack(0.0, 6.0, 15.0)], 24);
-    let problem = FaceProblem::new(&body, &[0.5]);
+    let problem = FaceProblem::new(&body, &[0.5]).unwrap();
     let contact = HertzianContact { peak_pressure: 845.0, half_width: 6.75, friction: 0.025 };
     let settings = PassageSettings {
         passage: Passage { from: -40.0, to: 40.0, positions: POSITIONS },
@@ -26,11 +27,11 @@ fn passage(solver: &dyn ContactSolver, watch: &dyn Observer) -> Result<Stabilise
         step_tolerance: 2e-3,
         step_control: StepControl::Adaptive,
     };
-    let load = RailLoad { contact, poisson: 0.3, residual: None };
+    let load = RailLoad { wheel: &HertzWheel::new(&contact, &steel()).unwrap(), residual: None };
     stabilised_passage(&problem, solver, load, &settings, watch)
 }
 
-/// Asks to stop when it has been asked `after` times.
+/// Requests a stop when it has been asked `after` times.
 struct Impatient {
     after: usize,
     asked: AtomicUsize,
@@ -45,7 +46,7 @@ impl Observer for Impatient {
 }
 
 #[test]
-fn asked_between_load_steps() {
+fn stops_between_load_steps() {
     let patient = Impatient { after: usize::MAX, asked: AtomicUsize::new(0) };
     passage(&Newton::default(), &patient).unwrap();
     let asked = patient.asked.load(Ordering::Relaxed);
@@ -91,11 +92,23 @@ impl<'a> StepSolver<'a> for MoodySteps<'a> {
 }
 
 #[test]
-fn gives_up_where_contact_finds_no_solution() {
+fn fails_where_contact_has_no_solution() {
     let error = passage(&Moody(AtomicUsize::new(0)), &Unobserved).unwrap_err();
     let PassageError::NotConverged { source: SteppingError::NotConverged { failure, .. }, .. } = error else {
         panic!("{error}");
     };
     assert_eq!(failure.iterations, 200);
     assert!(error.to_string().contains("not converged after 200 iterations"), "{error}");
+}
+
+#[test]
+fn a_passage_without_positions_is_refused() {
+    let body = body(&[surface_crack(0.0, 6.0, 15.0)], 12);
+    let problem = FaceProblem::new(&body, &[0.5]).unwrap();
+    let contact = HertzianContact { peak_pressure: 845.0, half_width: 6.75, friction: 0.025 };
+    let load = RailLoad { wheel: &HertzWheel::new(&contact, &steel()).unwrap(), residual: None };
+    let passage = Passage { positions: 0, ..Passage::default() };
+    let settings = PassageSettings { passage, ..PassageSettings::default() };
+    let result = stabilised_passage(&problem, &Newton::default(), load, &settings, &Unobserved);
+    assert!(matches!(result, Err(PassageError::Settings(refused)) if refused.value == 0.0));
 }

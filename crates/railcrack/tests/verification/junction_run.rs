@@ -70,7 +70,7 @@ fn against_a_finer_mesh() {
     rolling.steps.tolerance = 5e-4;
     let histories = |elements: usize| {
         let body = joined_body(&record.cracks, &record.junctions, elements);
-        let result = rolling.on(&FaceProblem::new(&body, &[0.1; 2]), &Newton::default());
+        let result = rolling.on(&FaceProblem::new(&body, &[0.1; 2]).unwrap(), &Newton::default());
         let passage = &result.passages[result.passages.len() - 1];
         passage.sifs.iter().flatten().flat_map(|k| [k.ki, k.kii]).collect::<Vec<f64>>()
     };

@@ -67,7 +67,7 @@ impl<'a> StepSolver<'a> for BothSteps<'a> {
         let newton = faces.solution().clone();
         self.latin.solve(step, faces).unwrap_or_else(|failure| panic!("LATIN: {failure}"));
         self.compare(&newton, faces.solution(), step.forces);
-        // The passage goes on from Newton's solution.
+        // The passage continues from Newton's solution.
         self.newton.solve(step, faces)
     }
 
@@ -87,9 +87,9 @@ fn agree(cracks: Vec<Crack>, friction: f64, wheel: f64) {
     agree_on(&body(&rolling.cracks, rolling.elements), &rolling);
 }
 
-fn agree_on(body: &dyn CrackedBody, rolling: &Rolling) {
-    let cracks = 1 + body.faces().points.iter().map(|point| point.crack).max().unwrap();
-    let problem = FaceProblem::new(body, &vec![rolling.crack_friction; cracks]);
+fn agree_on(body: &CrackedBody, rolling: &Rolling) {
+    let cracks = 1 + body.faces.points.iter().map(|point| point.crack).max().unwrap();
+    let problem = FaceProblem::new(body, &vec![rolling.crack_friction; cracks]).unwrap();
     let both = Both::default();
     rolling.on(&problem, &both);
     let seen = *both.0.lock().unwrap();
@@ -122,5 +122,5 @@ fn junction_of_cracks() {
     let rolling = Rolling::over(vec![cracks[0].clone()], 0.3, 0.1);
     agree_on(&joined_body(&cracks, &junctions, default_elements()), &rolling);
     let network = CrackNetwork::joined(cracks, junctions).unwrap();
-    agree_on(Meshed::of_size(0.2).body_of(&network).as_ref(), &rolling);
+    agree_on(&Meshed::of_size(0.2).body_of(&network), &rolling);
 }

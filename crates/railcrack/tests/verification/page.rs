@@ -19,6 +19,6 @@ fn lists_every_requirement() {
             requirement.test
         );
     }
-    // A heading, and nothing that no test holds.
+    // A header row, and no requirement without a test.
     assert_eq!(rows.len(), REQUIREMENTS.len() + 1, "rows of the page");
 }

@@ -29,12 +29,12 @@ fn steps(case: &Case, state: Option<GrowthState>, last: usize) -> Vec<(StepRecor
 }
 
 /// K of both tips through the passage.
-fn histories(body: &dyn CrackedBody, cracks: &[Crack]) -> Vec<Vec<Sif>> {
+fn histories(body: &CrackedBody, cracks: &[Crack]) -> Vec<Vec<Sif>> {
     let rolling = Rolling::over(cracks.to_vec(), 0.5, 0.025);
-    rolling.on(&FaceProblem::new(body, &[0.5; 2]), &Newton::default()).passages.pop().unwrap().sifs
+    rolling.on(&FaceProblem::new(body, &[0.5; 2]).unwrap(), &Newton::default()).passages.pop().unwrap().sifs
 }
 
-/// By fine elements of the engine without a mesh.
+/// By fine elements of the dislocation engine.
 fn wanted(cracks: &[Crack]) -> Vec<Vec<Sif>> {
     const FINE: usize = 120;
     histories(&joined_body(cracks, &[], FINE), cracks)

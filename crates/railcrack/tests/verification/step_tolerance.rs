@@ -63,7 +63,7 @@ fn slip_that_reverses_within_a_step() {
 }
 
 #[test]
-fn faces_without_memory_take_no_substeps() {
+fn frictionless_faces_take_no_substeps() {
     for degrees in [15.0, 90.0, 165.0] {
         let rolling = Rolling::over(vec![surface_crack(0.0, 6.0, degrees)], 0.0, 0.1);
         let result = rolling.solve();

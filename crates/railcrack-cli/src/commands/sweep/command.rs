@@ -10,8 +10,9 @@ use crate::print;
 use clap::Args;
 use railcrack_case::{Overrides, Study};
 use railcrack_report::Pages;
+use railcrack_run::StudyFolder;
 use railcrack_run::simulation::{Ending, FailedRun, RunError, StudyComputation, case_files, study_plan};
-use railcrack_run::{Entry, RunEnd, StudyFolder};
+use railcrack_run::study::{Entry, RunEnd};
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
@@ -30,10 +31,10 @@ pub struct SweepArguments {
     /// Compute runs I, I + N, I + 2 N, … only; other processes compute the others, into the same folder or others
     #[arg(long, value_name = "I/N")]
     shard: Option<Shard>,
-    /// What computes the cracked rail, in place of the study's: xfem or dislocation
+    /// Engine in place of the study's: xfem or dislocation
     #[arg(long, value_name = "ENGINE")]
     engine: Option<String>,
-    /// What solves the contact of the crack faces, in place of the study's: latin or newton
+    /// Contact solver in place of the study's: latin or newton
     #[arg(long, value_name = "SOLVER")]
     contact: Option<String>,
     /// Number of increments of every run, in place of the study's

@@ -4,8 +4,8 @@ use crate::display::{Display, Verbosity, styled_bar};
 use crate::interruption::Interruption;
 use indicatif::ProgressBar;
 use railcrack::growth::StepRecord;
-use railcrack_run::PlannedRun;
 use railcrack_run::simulation::{RunObserver, StudyObserver};
+use railcrack_run::study::PlannedRun;
 use std::sync::atomic::{AtomicI64, AtomicUsize, Ordering};
 
 /// Parts of a step on the bar.

@@ -1,7 +1,8 @@
-//! What a study says at its end.
+//! Result of a study on standard output.
 
+use railcrack_run::StudyFolder;
 use railcrack_run::simulation::{Ending, FailedRun};
-use railcrack_run::{RunState, StudyFolder, StudyResults};
+use railcrack_run::study::{RunState, StudyResults};
 
 /// Failed runs that are told one by one.
 const MOST_TOLD: usize = 20;

@@ -1,173 +1,170 @@
-//! What the result rests on.
+//! Assumptions behind a result: model, load, criteria, solution.
 
 use super::stored::RunFolder;
-use crate::numbers::{fixed, grouped, significant};
+use crate::numbers::{fixed, grouped, rounded, significant};
+use railcrack::contact::StepControl;
+use railcrack::fatigue::DirectionCriterion;
+use railcrack_case::{Case, ContactSolver, Engine};
 
-/// A sentence each; of what the case does not say, nothing.
+/// A sentence or two each.
 pub(super) fn assumptions(run: &RunFolder) -> Vec<String> {
-    let mut texts = vec![rail(run)];
-    texts.extend(wheel(run));
-    texts.extend(passage(run));
-    texts.push(faces(run));
-    texts.extend(residual(run));
-    texts.extend(growth(run));
-    texts.push(engine(run));
-    texts.push(
-        "Two dimensions, small-scale yielding, no fluid in the crack, no wear; cycles carry the scatter of the growth law, a \
-         factor of several."
+    let case = &run.case;
+    vec![
+        rail(case),
+        wheel(case),
+        passage(run),
+        faces(case),
+        residual(run),
+        rate(case),
+        direction(case),
+        solution(run),
+        "Limits: two dimensions, small-scale yielding, no fluid in the crack, no wear. The load cycles carry the scatter \
+         of the growth law, a factor of several."
             .to_owned(),
-    );
-    texts
+    ]
 }
 
-fn rail(run: &RunFolder) -> String {
-    let elastic = match (run.number("rail.young_modulus_mpa"), run.number("rail.poisson_ratio")) {
-        (Some(young), Some(poisson)) => format!(", E = {} MPa, ν = {poisson}", grouped(young)),
-        _ => String::new(),
+fn rail(case: &Case) -> String {
+    let (young, poisson) = (case.steel.young(), case.steel.poisson());
+    let name = railcrack_case::boundary_name(case.rail.boundary);
+    let boundary = match name.strip_prefix("block") {
+        Some(supports) => format!("block of {} × {} mm{supports}", case.rail.width, case.rail.depth),
+        None => format!("{name}, bounded by the running surface only"),
     };
-    let boundary = match (run.summary.boundary.as_str(), run.word("rail.bottom"), run.word("rail.sides")) {
-        ("half-plane", ..) => "half-plane: no boundary but the running surface".to_owned(),
-        ("block", Some(bottom), Some(sides)) => format!(
-            "block of {} × {} mm, bottom {bottom}, sides {sides}",
-            run.number("rail.width_mm").unwrap_or_default(),
-            run.number("rail.depth_mm").unwrap_or_default()
-        ),
-        (other, ..) => other.to_owned(),
-    };
-    format!("Rail: linear elastic, plane strain{elastic}; {boundary}.")
+    format!("Rail: linear elastic, plane strain, E = {} MPa, ν = {poisson}; {boundary}.", grouped(young))
 }
 
-fn wheel(run: &RunFolder) -> Option<String> {
-    let (pressure, friction) = (run.peak_pressure()?, run.number("contact.friction")?);
-    let drags = match friction {
+fn wheel(case: &Case) -> String {
+    let contact = &case.contact;
+    let drags = match contact.friction {
         0.0 => "no friction",
-        f if f > 0.0 => "it drags the rail along +x",
-        _ => "it drags the rail along −x",
+        f if f > 0.0 => "drags the rail along +x",
+        _ => "drags the rail along −x",
     };
-    let ways = (run.number("passage.from_over_a"), run.number("passage.to_over_a"));
-    let travel = match ways {
-        (Some(from), Some(to)) if from > to => ", running towards −x",
-        (Some(_), Some(_)) => ", running towards +x",
-        _ => "",
-    };
-    Some(format!(
-        "Wheel: Hertzian line contact in full sliding, p_{{0}} = {} MPa, half-width a = {} mm, friction {} ({drags}){travel}; the \
-         crack does not change it, and it is the same in every cycle.",
-        fixed(pressure, 0),
-        fixed(run.summary.half_width_mm, 2),
-        signed(friction)
-    ))
+    let passage = &case.passages.passage;
+    let travel = if passage.from > passage.to { "−x" } else { "+x" };
+    format!(
+        "Wheel: Hertzian line contact in full sliding, p_{{0}} = {} MPa, half-width a = {} mm, wheel–rail friction {} \
+         ({drags}), rolling towards {travel}. The contact is not affected by the cracks and is the same in every load cycle.",
+        fixed(contact.peak_pressure, 0),
+        fixed(contact.half_width, 2),
+        signed(contact.friction)
+    )
 }
 
 fn signed(value: f64) -> String {
     value.to_string().replace('-', "\u{2212}")
 }
 
-fn passage(run: &RunFolder) -> Option<String> {
-    let positions = run.number("passage.positions")?;
-    let tolerance = run.number("passage.step_tolerance")?;
-    let most = run.number("passage.max_passages")?;
-    Some(format!(
-        "Passage: {positions:.0} wheel positions, load steps between them to {} % of the peak of K; repeated on the fixed crack until K \
-         does, which took {} of at most {most:.0} passages.",
-        signed(100.0 * tolerance),
-        run.summary.passages
-    ))
-}
-
-fn faces(run: &RunFolder) -> String {
-    let mut frictions = run.of_cracks("friction");
-    frictions.dedup();
-    let friction = match &frictions[..] {
-        [] => String::new(),
-        [one] => format!(" with coefficient {one}"),
-        several => {
-            let list: Vec<String> = several.iter().map(f64::to_string).collect();
-            format!(" with coefficients {} in the order of the case", list.join(", "))
+fn passage(run: &RunFolder) -> String {
+    let settings = &run.case.passages;
+    let steps = match settings.step_control {
+        StepControl::Adaptive => {
+            let percent = rounded(100.0 * settings.step_tolerance, 6);
+            format!("load steps between them controlled to {percent} % of the peak of K")
         }
+        StepControl::Fixed => "one load step from each to the next".to_owned(),
     };
     format!(
-        "Crack faces: no gap, unilateral contact, Coulomb friction{friction}; virgin in each growth step."
+        "Passage: {} output positions, {steps}. The passage is repeated on fixed cracks until K repeats, which took \
+         {} of at most {} passages.",
+        settings.passage.positions, run.summary.passages, settings.max_passages
     )
 }
 
-/// What residual stress there is, and where it comes from.
-fn residual(run: &RunFolder) -> Vec<String> {
+fn faces(case: &Case) -> String {
+    let mut frictions = case.crack_friction.clone();
+    frictions.dedup();
+    let list: Vec<String> = frictions.iter().map(f64::to_string).collect();
+    let order = if list.len() > 1 { " in the order of the cracks" } else { "" };
+    format!(
+        "Crack faces: no initial gap, unilateral contact, Coulomb friction with the coefficient {}{order}; virgin at the \
+         start of each growth step.",
+        list.join(", ")
+    )
+}
+
+/// The residual stress and its origin.
+fn residual(run: &RunFolder) -> String {
     if run.residual.is_empty() {
-        return vec!["No residual stress.".to_owned()];
+        return "Residual stress: none.".to_owned();
     }
     let (least, most) =
         run.residual.iter().fold((0.0f64, 0.0f64), |(l, m), row| (l.min(row[1]), m.max(row[1])));
     let mut text = format!(
-        "Residual stress: σ_{{xx}} from {} to {} MPa on the middle line; it neither relaxes nor moves with the crack.",
+        "Residual stress: σ_{{xx}} from {} to {} MPa on the middle line; it does not relax as the cracks grow.",
         fixed(least, 0),
         fixed(most, 0)
     );
-    let Some(summary) = &run.summary.residual_stress else { return vec![text] };
+    let Some(summary) = &run.summary.residual_stress else { return text };
     if let Some(file) = &summary.balanced_profile {
-        text.push_str(&format!(" Given as balanced by depth ({file})."));
+        text.push_str(&format!(" A balanced profile by depth is given ({file})."));
     }
     match (&summary.plastic_source, &summary.rolled) {
         (_, Some(rolled)) => text.push_str(&format!(
-            " Its plastic part is that of the same wheel rolling over this rail ({}, {} passages, in {}), balanced on the mesh of the cracks.",
-            rolled.state, rolled.passes, rolled.folder
+            " Its plastic part was computed from repeated passages of the same wheel over this rail ({}, {} passages, in {}) \
+             and balanced on the mesh of the cracks.",
+            rolled.state.name(), rolled.passes, rolled.folder
         )),
-        (Some(source), None) => text.push_str(&format!(" Its plastic part is given ({source}) and balanced on the mesh of the cracks.")),
+        (Some(source), None) => text.push_str(&format!(
+            " Its plastic part is given ({}) and was balanced on the mesh of the cracks.",
+            source.word()
+        )),
         (None, None) => {}
     }
     if let Some(projection) = &summary.projection {
         text.push_str(&format!(
-            " On the way to that mesh the plastic stress changed by {} % in norm.",
+            " The projection onto that mesh changed the plastic stress by {} % in norm.",
             significant(100.0 * projection.mesh_difference)
         ));
     }
-    vec![text]
+    text
 }
 
-fn growth(run: &RunFolder) -> Vec<String> {
-    let mut texts = Vec::new();
-    if let (Some(c), Some(m), Some(weight)) =
-        (run.number("growth.paris_c"), run.number("growth.paris_m"), run.number("growth.mode_2_weight"))
-    {
-        let threshold = run.number("growth.threshold_mpa_sqrt_m").unwrap_or(0.0);
-        texts.push(format!(
-            "Rate: da/dN = {c:e} ΔK_{{eq}}^{{{m}}} mm per cycle in MPa√m, weight of mode II {weight}, {}.",
-            if threshold > 0.0 {
-                format!("no growth up to {threshold} MPa√m")
-            } else {
-                "no threshold".to_owned()
-            }
-        ));
-    }
-    if let (Some(direction), Some(increment)) = (run.word("growth.direction"), run.number("growth.increment"))
-    {
-        let rule = match direction {
-            "max-rate" => "largest growth rate",
-            "max-delta-k1" => "largest range of k_{1}",
-            "max-k1" => "largest k_{1}",
-            other => other,
-        };
-        texts.push(format!(
-            "Direction: virtual kink with the {rule} over the passage. Increments of {} % of the length for the fastest tip; cycles \
-             by explicit Euler: the rate at the start of a step holds through it.",
-            signed(crate::numbers::rounded(100.0 * increment, 6))
-        ));
-    }
-    texts
-}
-
-fn engine(run: &RunFolder) -> String {
-    let summary = &run.summary;
-    let engine = match summary.engine.as_str() {
-        "xfem" => "extended finite elements",
-        "dislocation" => "distributed dislocations",
-        other => other,
+fn rate(case: &Case) -> String {
+    let law = &case.growth.law;
+    let threshold = if law.threshold > 0.0 {
+        format!("no growth up to ΔK_{{eq}} = {} MPa√m", law.threshold)
+    } else {
+        "no threshold".to_owned()
     };
     format!(
-        "Solved with {engine} ({} unknowns, {} face points at most), contact by {}: {} solutions, law of the faces met to {:.0e}.",
+        "Growth rate: da/dN = {:e} ΔK_{{eq}}^{{{}}} mm per load cycle with ΔK_{{eq}} in MPa√m, weight of mode II {}, {threshold}.",
+        law.c, law.m, law.mode_2_weight
+    )
+}
+
+fn direction(case: &Case) -> String {
+    let criterion = match case.growth.criterion {
+        DirectionCriterion::MaxRate => "the growth rate of the virtual kink",
+        DirectionCriterion::MaxRateUnclipped => {
+            "the growth rate of the virtual kink, with negative k_{1} counted in its range,"
+        }
+        DirectionCriterion::MaxDeltaK1 => "the range of k_{1}",
+        DirectionCriterion::MaxK1 => "k_{1}",
+    };
+    format!(
+        "Direction: the kink that maximises {criterion} over the passage. The increment of the fastest tip is {} % of the \
+         length of its crack; the rate at the start of a growth step holds through it (explicit Euler).",
+        rounded(100.0 * case.growth.increment, 6)
+    )
+}
+
+fn solution(run: &RunFolder) -> String {
+    let summary = &run.summary;
+    let engine = match run.case.engine {
+        Engine::Xfem => "extended finite elements",
+        Engine::Dislocation => "distributed dislocations",
+    };
+    let solver = match run.case.contact_solver {
+        ContactSolver::Latin => "the LATIN method",
+        ContactSolver::Newton => "Newton's method",
+    };
+    format!(
+        "Solution: {engine} with at most {} unknowns and {} face points; contact of the crack faces by {solver}, solved {} \
+         times, with a relative violation of the contact conditions of at most {:.0e}.",
         grouped(summary.dofs as f64),
         summary.face_points,
-        if summary.contact == "latin" { "LATIN" } else { "Newton's method" },
         grouped(summary.contact_solves as f64),
         summary.complementarity_max
     )

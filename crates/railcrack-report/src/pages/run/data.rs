@@ -1,8 +1,9 @@
-//! What the passage explorer of the page works with.
+//! Data of the passage explorer.
 
 use super::stored::RunFolder;
 use crate::numbers::{number, numbers};
 use crate::shown::{Deflated, ShownRun};
+use railcrack::growth::{RunStop, TipStop};
 use railcrack_run::csv::TipRow;
 use railcrack_run::histories::History;
 use serde_json::{Value, json};
@@ -26,9 +27,9 @@ pub(super) fn explorer(run: &RunFolder, shown: &ShownRun) -> Value {
     json!({
         "half_width": summary.half_width_mm,
         "origin": summary.cracks.first().and_then(|crack| crack.initial_points_mm.first()).map_or(0.0, |p| p[0]),
-        "peak_pressure": run.peak_pressure().map(number),
-        "friction": run.number("contact.friction"),
-        "axle_load": run.axle_load(),
+        "peak_pressure": number(run.case.contact.peak_pressure),
+        "friction": run.case.contact.friction,
+        "axle_load": run.case.axle_load,
         "xc_over_a": numbers(xc_over_a.iter().copied()),
         "face_stride": shown.face_stride(),
         "last_step": summary.steps_recorded.saturating_sub(1),
@@ -45,8 +46,8 @@ pub(super) fn explorer(run: &RunFolder, shown: &ShownRun) -> Value {
     })
 }
 
-/// Of every crack the first and the last of its final points that it has in `step`. An end without a tip is that of the final crack: a
-/// mouth, or where the crack has joined another one.
+/// Of every crack the first and the last of its final points that it has in `step`. An end without
+/// a tip is that of the final crack: a mouth, or where the crack has joined another one.
 fn polylines(run: &RunFolder, step: usize) -> Value {
     let of_crack = |(i, crack): (usize, &railcrack_run::CrackSummary)| {
         let mut ends = [0, crack.points_mm.len().saturating_sub(1)];
@@ -61,11 +62,12 @@ fn polylines(run: &RunFolder, step: usize) -> Value {
     run.summary.cracks.iter().enumerate().map(of_crack).map(|ends| json!(ends)).collect()
 }
 
-/// The pieces that are enclosed and the cracks that have joined others, with the first step that has them.
+/// The pieces that are enclosed and the cracks that have joined others, with the first step that
+/// has them.
 fn pieces(run: &RunFolder) -> Value {
     let piece = |piece: &railcrack_run::PieceSummary| {
         json!({
-            "kind": piece.kind,
+            "kind": piece.kind.name(),
             "crack": piece.crack,
             "step": piece.step + 1,
             "area": number(piece.area_mm2),
@@ -77,7 +79,9 @@ fn pieces(run: &RunFolder) -> Value {
 
 fn junctions(run: &RunFolder) -> Value {
     let junction = |junction: &railcrack_run::JunctionSummary| {
-        let last = run.growth.iter().filter(|row| row.crack == junction.crack && row.stop == "meets-crack");
+        let last = run.growth.iter().filter(|row| {
+            row.crack == junction.crack && row.stop == Some(RunStop::NoTipGrows(TipStop::Coalescence))
+        });
         json!({
             "crack": junction.crack,
             "onto": junction.onto,
@@ -112,7 +116,7 @@ fn tips(run: &RunFolder, histories: &[History], step: usize) -> Vec<Value> {
             "kink": row.kink_deg.map(number),
             "rival": row.rival_deg.map(number),
             "ratio": row.rival_ratio.map(number),
-            "stop": row.stop,
+            "stop": row.stop_word(),
             "ki": packed(|history| &history.ki),
             "kii": packed(|history| &history.kii),
         })

@@ -2,7 +2,10 @@
 
 use super::stored::RunFolder;
 use crate::numbers::{fixed, grouped, significant, tonnage};
-use crate::{Fact, Table};
+use crate::page::Fact;
+use crate::table::Table;
+use railcrack::growth::{PieceKind, RunStop, TipStop};
+use railcrack_run::Word;
 use railcrack_run::{JunctionSummary, PieceSummary};
 
 /// Sentences about events of a kind before the others are counted.
@@ -29,7 +32,7 @@ impl<'a> Enclosed<'a> {
         };
         let ((left, right), (bottom, _)) = (extent(0), extent(1));
         let rows = run.growth.iter().filter(|row| row.step == piece.step && row.crack == piece.crack);
-        let closed = rows.filter(|row| !row.stop.is_empty()).map(|row| row.tip).next();
+        let closed = rows.filter(|row| row.stop.is_some()).map(|row| row.tip).next();
         let after = run.growth.iter().find(|row| row.step == piece.step + 1);
         let cycles = after.map_or(run.summary.load_cycles, |row| row.load_cycles);
         Self { piece, tip: closed, cycles, across: right - left, depth: -bottom }
@@ -44,15 +47,15 @@ impl<'a> Enclosed<'a> {
     }
 }
 
-/// What happened, a sentence each.
+/// The events, a sentence each.
 pub(super) fn sentences(run: &RunFolder) -> Vec<String> {
     let mut texts = Vec::new();
     let (pieces, junctions) = (&run.summary.pieces, &run.summary.junctions);
     for piece in pieces.iter().take(OF_A_KIND) {
         let enclosed = Enclosed::of(run, piece);
-        let name = if piece.kind == "spall" { "A spall" } else { "A detached piece" };
+        let name = if piece.kind == PieceKind::Spall { "A spall" } else { "A detached piece" };
         texts.push(format!(
-            "{name} of {} mm², {} mm long and {} mm deep, is cut off by {} in step {}, after {} load cycles.",
+            "{name} of {} mm², {} mm long and {} mm deep, is cut off by {} in growth step {}, after {} load cycles.",
             significant(piece.area_mm2),
             fixed(enclosed.across, 2),
             fixed(enclosed.depth, 2),
@@ -75,12 +78,12 @@ pub(super) fn sentences(run: &RunFolder) -> Vec<String> {
     texts
 }
 
-/// The largest piece as a number that is looked for first.
+/// The largest piece as a key figure.
 pub(super) fn fact(run: &RunFolder) -> Option<Fact> {
     let pieces = &run.summary.pieces;
     let largest = pieces.iter().max_by(|one, other| one.area_mm2.total_cmp(&other.area_mm2))?;
     let enclosed = Enclosed::of(run, largest);
-    let name = if largest.kind == "spall" { "Spall" } else { "Detached piece" };
+    let name = if largest.kind == PieceKind::Spall { "Spall" } else { "Detached piece" };
     let all = if pieces.len() > 1 { format!(", the largest of {}", pieces.len()) } else { String::new() };
     Some(Fact {
         name: name.to_owned(),
@@ -101,7 +104,7 @@ pub(super) fn table(run: &RunFolder) -> Option<Table> {
     if pieces.is_empty() && junctions.is_empty() {
         return None;
     }
-    let load = run.axle_load();
+    let load = run.case.axle_load;
     let mut headings = vec![
         "Event",
         "By",
@@ -117,14 +120,15 @@ pub(super) fn table(run: &RunFolder) -> Option<Table> {
     }
     let mut table = Table::new(headings);
     table.caption =
-        "Pieces that cracks enclose, and cracks that join others; outlines in summary.json".to_owned();
+        "Pieces of the rail enclosed by cracks, and coalescence of cracks; outlines in summary.json"
+            .to_owned();
     for piece in pieces {
         let enclosed = Enclosed::of(run, piece);
         let places = piece.outline_mm.iter().map(|corner| corner[0]);
         let (left, right) =
             places.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
         let mut cells = vec![
-            if piece.kind == "spall" { "spall".to_owned() } else { "detached piece".to_owned() },
+            if piece.kind == PieceKind::Spall { "spall".to_owned() } else { "detached piece".to_owned() },
             enclosed.by(),
             piece.step.to_string(),
             grouped(enclosed.cycles),
@@ -133,7 +137,7 @@ pub(super) fn table(run: &RunFolder) -> Option<Table> {
             significant(piece.area_mm2),
             piece.outline_mm.len().to_string(),
         ];
-        if piece.kind != "spall" {
+        if piece.kind != PieceKind::Spall {
             let top = piece.outline_mm.iter().map(|corner| -corner[1]).fold(f64::INFINITY, f64::min);
             cells[5] = format!("{} to {}", fixed(top, 2), fixed(enclosed.depth, 2));
         }
@@ -143,13 +147,15 @@ pub(super) fn table(run: &RunFolder) -> Option<Table> {
         table.row(cells);
     }
     for junction in junctions {
-        let rows = run.growth.iter().filter(|row| row.crack == junction.crack && row.stop == "meets-crack");
+        let rows = run.growth.iter().filter(|row| {
+            row.crack == junction.crack && row.stop == Some(RunStop::NoTipGrows(TipStop::Coalescence))
+        });
         let step = rows.map(|row| row.step).max();
         let after = step.and_then(|step| run.growth.iter().find(|row| row.step == step + 1));
         let cycles = after.map_or(run.summary.load_cycles, |row| row.load_cycles);
         let mut cells = vec![
             format!("joins crack {}", junction.onto),
-            format!("crack {}, its {} end", junction.crack, junction.end),
+            format!("crack {}, its {} end", junction.crack, junction.end.word()),
             step.map_or_else(|| "from the start".to_owned(), |step| step.to_string()),
             step.map_or_else(String::new, |_| grouped(cycles)),
             fixed(junction.x_mm, 2),

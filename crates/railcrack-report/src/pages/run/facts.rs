@@ -1,14 +1,16 @@
-//! What stands first on the page of a run: the result in a sentence, numbers, cycles to each length.
+//! The first screen of the report of a run: the result in a sentence, key figures, cycles to each
+//! length.
 
 use super::events;
 use super::stored::RunFolder;
 use crate::direction::Heading;
 use crate::numbers::{fixed, grouped, significant, tonnage};
+use crate::page::Fact;
 use crate::svg::round_step;
-use crate::table::MISSING;
-use crate::{Fact, Table};
+use crate::table::{MISSING, Table};
+use railcrack::growth::{RunStop, TipStop};
 use railcrack_run::csv::TipRow;
-use railcrack_run::leader::{cycles_to, leading_tip};
+use railcrack_run::representative::{cycles_to, representative_tip as representative};
 use std::collections::BTreeSet;
 
 /// Rows of the table of lengths, about: of a single crack, and for each of several.
@@ -17,9 +19,9 @@ const LENGTHS_OF_SEVERAL: usize = 5;
 /// Cracks in the table of lengths.
 const LENGTH_CRACKS: usize = 9;
 
-/// The first and the last row of the tip that stands for the run.
-pub(super) fn leader(run: &RunFolder) -> Option<(&TipRow, &TipRow)> {
-    let rows = leading_tip(&run.growth)?;
+/// The first and the last row of the representative tip.
+fn representative_tip(run: &RunFolder) -> Option<(&TipRow, &TipRow)> {
+    let rows = representative(&run.growth)?;
     Some((rows.first()?, rows.last()?))
 }
 
@@ -30,7 +32,7 @@ fn crack_name(run: &RunFolder, crack: usize) -> String {
 
 /// The result in a sentence or two.
 pub(super) fn verdict(run: &RunFolder) -> String {
-    let Some((first, last)) = leader(run) else {
+    let Some((first, last)) = representative_tip(run) else {
         return "No step is finished yet.".to_owned();
     };
     let count = run.summary.cracks.len();
@@ -40,7 +42,7 @@ pub(super) fn verdict(run: &RunFolder) -> String {
         _ => format!("The fastest of {count} cracks, crack {},", first.crack),
     };
     let mut text = if last.length > first.length {
-        let tonnes = run.axle_load().map_or_else(String::new, |load| {
+        let tonnes = run.case.axle_load.map_or_else(String::new, |load| {
             format!(" ({} million gross tonnes at {load} t per axle)", tonnage(last.load_cycles * load / 1e6))
         });
         format!(
@@ -48,13 +50,13 @@ pub(super) fn verdict(run: &RunFolder) -> String {
             fixed(first.length, 2),
             fixed(last.length, 2),
             grouped(last.load_cycles),
-            run.heading(last).map_or_else(|| "without a direction".to_owned(), |h| h.sentence())
+            run.heading(last).map_or_else(|| "with no direction yet".to_owned(), |h| h.sentence())
         )
-    } else if last.stop == "arrest" || last.rate == 0.0 {
+    } else if last.stop == Some(RunStop::NoTipGrows(TipStop::Arrest)) || last.rate == 0.0 {
         format!("{name} of {} mm does not grow.", fixed(first.length, 2))
     } else {
         format!(
-            "{name} of {} mm, not grown here: ΔK_{{eq}} = {} MPa√m, {} mm per load cycle at its start.",
+            "{name} of {} mm is at ΔK_{{eq}} = {} MPa√m and grows by {} mm per load cycle at first; no increment was computed.",
             fixed(first.length, 2),
             significant(first.delta_keq),
             significant(first.rate)
@@ -72,36 +74,34 @@ pub(super) fn verdict(run: &RunFolder) -> String {
 /// Why the run ended, in a sentence.
 fn stop_sentence(run: &RunFolder) -> String {
     let steps = run.summary.steps;
-    match run.summary.stop.as_deref() {
-        None => format!("The run has not ended: step {steps} is the last one that is finished."),
-        Some("steps-done") if steps == 0 => "Only the initial geometry was asked for.".to_owned(),
+    match run.summary.stop.map(RunStop::name) {
+        None => format!("The run has not ended: step {steps} is the last finished one."),
+        Some("steps-done") if steps == 0 => "The case asks for the initial geometry only.".to_owned(),
         Some("steps-done") => {
-            format!("The run ended because the {steps} increments asked for are done; growth goes on.")
+            format!("The run ended after the {steps} increments of the case; growth would continue.")
         }
-        Some("cycles") => "The run ended at the number of load cycles asked for; growth goes on.".to_owned(),
+        Some("cycles") => "The run ended at the load cycles of the case; growth would continue.".to_owned(),
         Some("critical-length") => {
-            let length = run.number("growth.critical_length_mm");
+            let length = run.case.growth.critical_length;
             format!(
                 "The run ended at the critical length{}.",
                 length.map_or_else(String::new, |l| format!(" of {l} mm"))
             )
         }
-        Some("arrest") => "The run ended because no tip grows any more: arrest.".to_owned(),
+        Some("arrest") => "The run ended with the arrest of all tips.".to_owned(),
         Some("break-out") => {
-            "The run ended with a spall: the ligament to the running surface is spent.".to_owned()
-        }
-        Some("meets-crack") => {
-            "The run ended because the last growing tip came as close to another crack as can be resolved."
+            "The run ended with a break-out: the ligament to the running surface is lost, and a spall forms."
                 .to_owned()
         }
+        Some("meets-crack") => "The run ended because the last growing tip reached another crack.".to_owned(),
         Some("leaves-rail") => "The run ended because the last growing tip would leave the rail.".to_owned(),
         Some(other) => format!("The run ended: {}.", other.replace('-', " ")),
     }
 }
 
-/// The numbers that are looked for first.
+/// The key figures.
 pub(super) fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
-    let Some((first, last)) = leader(run) else { return Vec::new() };
+    let Some((first, last)) = representative_tip(run) else { return Vec::new() };
     let fact = |name: &str, value: String, note: String| Fact { name: name.to_owned(), value, note };
     let which = crack_name(run, last.crack);
     let mut facts = vec![fact(
@@ -109,7 +109,7 @@ pub(super) fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
         grouped(last.load_cycles),
         format!("axles until {which} is {} mm long", fixed(last.length, 2)),
     )];
-    facts.push(match run.axle_load() {
+    facts.push(match run.case.axle_load {
         Some(load) => fact(
             "Million gross tonnes",
             tonnage(last.load_cycles * load / 1e6),
@@ -127,11 +127,15 @@ pub(super) fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
         format!("{which}; its tip is {} mm below the surface", fixed(-last.place[1], 2)),
     ));
     if let Some(heading) = run.heading(last) {
-        facts.push(fact("Direction", heading.word().to_owned(), heading.note()));
+        facts.push(fact("Direction", heading.course().word().to_owned(), heading.note()));
     }
     facts.extend(events::fact(run));
-    let stop = run.summary.stop.as_deref().unwrap_or("not ended").replace('-', " ");
-    facts.push(fact("Ended by", stop, format!("after step {} of {}", run.summary.steps, increments(run))));
+    let stop = run.summary.stop.map_or("not ended", RunStop::name).replace('-', " ");
+    facts.push(fact(
+        "Ended by",
+        stop,
+        format!("after step {} of {}", run.summary.steps, run.case.growth.steps),
+    ));
     facts.push(fact(
         "Warnings",
         if warnings == 0 { "none".to_owned() } else { warnings.to_string() },
@@ -140,12 +144,9 @@ pub(super) fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
     facts
 }
 
-fn increments(run: &RunFolder) -> String {
-    run.number("growth.steps").map_or_else(|| run.summary.steps.to_string(), |steps| format!("{steps:.0}"))
-}
-
-/// Load cycles (and tonnage) until every crack has each of some round lengths; none without growth. Between two steps the
-/// rate is constant (explicit Euler), so that cycles are linear in the length.
+/// Load cycles (and tonnage) until every crack has each of some round lengths; none without growth.
+/// Between two steps the rate is constant (explicit Euler), so that cycles are linear in the
+/// length.
 pub(super) fn lengths(run: &RunFolder) -> Option<Table> {
     let tips: Vec<(usize, usize)> =
         run.tips().into_iter().filter(|&(_, tip)| tip == 1).take(LENGTH_CRACKS).collect();
@@ -157,7 +158,7 @@ pub(super) fn lengths(run: &RunFolder) -> Option<Table> {
     if milestones.is_empty() {
         return None;
     }
-    let load = run.axle_load();
+    let load = run.case.axle_load;
     let mut headings = vec!["Length (mm)".to_owned()];
     for &(crack, _) in &tips {
         headings.push(if tips.len() == 1 {
@@ -188,8 +189,8 @@ pub(super) fn lengths(run: &RunFolder) -> Option<Table> {
     Some(table)
 }
 
-/// Round lengths through which cracks grow, given the first and the last length of each, and the last length of the one
-/// that grows most.
+/// Round lengths through which cracks grow, given the first and the last length of each, and the
+/// last length of the one that grows most.
 fn milestones(ends: &[[f64; 2]]) -> Vec<f64> {
     let grown = |ends: &[f64; 2]| ends[1] - ends[0];
     let Some(most) = ends.iter().copied().reduce(|a, b| if grown(&b) > grown(&a) { b } else { a }) else {
@@ -214,12 +215,13 @@ fn milestones(ends: &[[f64; 2]]) -> Vec<f64> {
     lengths
 }
 
-/// `i` times a round `step`, as people write it: steps below 1 are whole parts of 1, of which the quotient is the nearest number.
+/// `i` times a round `step`, as people write it: steps below 1 are whole parts of 1, of which the
+/// quotient is the nearest number.
 fn multiple(i: i64, step: f64) -> f64 {
     if step < 1.0 { i as f64 / (1.0 / step).round() } else { i as f64 * step }
 }
 
-/// What became of every crack; none for a single one.
+/// State of every tip in the last step; none for a single one.
 pub(super) fn cracks(run: &RunFolder) -> Option<Table> {
     if run.tips().len() < 2 {
         return None;
@@ -247,7 +249,7 @@ pub(super) fn cracks(run: &RunFolder) -> Option<Table> {
             significant(row.delta_keq),
             significant(row.rate),
             run.heading(row).as_ref().map_or_else(String::new, Heading::note),
-            row.stop.replace('-', " "),
+            row.stop_word().replace('-', " "),
         ]);
     }
     Some(table)

@@ -7,11 +7,15 @@ mod facts;
 mod stored;
 mod warnings;
 
+use super::pictures::still;
+use crate::chart::{Chart, ChartAxis, Curve, CurveColour, CurveDots};
+use crate::figures::{Plot, chart};
 use crate::numbers::{fixed, grouped, significant, tonnage};
+use crate::page::{Block, Page, Section};
 use crate::shown::{ShownFields, ShownRun};
-use crate::{Block, ChartAxis, Curve, CurveLook, LineChart, Page, Section, Table};
+use crate::table::Table;
 use railcrack_run::csv::TipRow;
-use railcrack_run::folder::CASE_FILE;
+use railcrack_run::files::CASE_FILE;
 use serde_json::Value;
 
 pub(crate) use stored::RunFolder;
@@ -25,12 +29,12 @@ const BESIDE_COLUMNS: usize = 5;
 /// Rows of the table of steps; `growth.csv` has all.
 const TABLE_ROWS: usize = 500;
 
-/// The page of the run in a folder, of which `shown` is what is long; `pictures` (file name and SVG) are its plots, for readers without scripts.
-pub(crate) fn run_page(run: &RunFolder, shown: &ShownRun, pictures: &[(&'static str, String)]) -> Page {
+/// The page of a run with its long tables `shown` and its `plots`.
+pub(crate) fn run_page(run: &RunFolder, shown: &ShownRun, plots: &[Plot]) -> Page {
     let warnings = warnings::warnings(run);
     let mut page = Page {
         title: run.summary.title.clone(),
-        kind: "Growth of cracks under rolling contact".to_owned(),
+        kind: "Crack growth under rolling contact".to_owned(),
         verdict: facts::verdict(run),
         facts: facts::facts(run, warnings.len()),
         lead: Vec::new(),
@@ -40,12 +44,12 @@ pub(crate) fn run_page(run: &RunFolder, shown: &ShownRun, pictures: &[(&'static 
         page.lead.push(Block::Warnings(warnings));
     }
     if let Some(table) = facts::lengths(run) {
-        let chart = Block::Chart(length_cycles(run));
+        let chart = Block::charts(chart(plots, "length-cycles"));
         // A table of many cracks takes the whole width.
         if table.headings.len() <= BESIDE_COLUMNS {
             page.lead.push(Block::Beside(vec![Block::Table(table), chart]));
         } else {
-            page.lead.extend([Block::Table(table), Block::Beside(vec![chart])]);
+            page.lead.extend([Block::Table(table), chart]);
         }
     }
     page.lead.extend(facts::cracks(run).map(Block::Table));
@@ -53,7 +57,7 @@ pub(crate) fn run_page(run: &RunFolder, shown: &ShownRun, pictures: &[(&'static 
     page.lead.push(Block::Heading("Assumptions".to_owned()));
     page.lead.push(Block::List(assumptions::assumptions(run)));
     if run.summary.steps_recorded > 0 {
-        page.sections.push(explorer(data::explorer(run, shown), pictures));
+        page.sections.push(explorer(data::explorer(run, shown), plots));
         page.sections.extend(around(&shown.fields));
         page.sections.push(growth(run, warnings::remarks(run, shown)));
         page.sections.push(steps(run));
@@ -63,25 +67,18 @@ pub(crate) fn run_page(run: &RunFolder, shown: &ShownRun, pictures: &[(&'static 
         heading: "Case".to_owned(),
         blocks: vec![Block::Folded {
             heading: format!("{CASE_FILE}, defaults filled in"),
-            blocks: vec![Block::Verbatim(run.case.clone())],
+            blocks: vec![Block::Verbatim(run.text.clone())],
         }],
     });
     page
 }
 
-fn explorer(data: Value, pictures: &[(&'static str, String)]) -> Section {
+fn explorer(data: Value, plots: &[Plot]) -> Section {
     let mut blocks =
         vec![Block::Viewer { html: EXPLORER, data_id: "run-data", data, script: EXPLORER_SCRIPT }];
-    let still = [
-        ("ki.svg", "K_{I} over the passage."),
-        ("kii.svg", "K_{II} over the passage."),
-        ("paths.svg", "Crack paths."),
-        ("faces.svg", "Crack faces in step 0."),
-    ];
-    blocks.extend(still.iter().filter_map(|(file, caption)| {
-        let (_, svg) = pictures.iter().find(|(name, _)| name == file)?;
-        Some(Block::Still { svg: svg.clone(), caption: (*caption).to_owned() })
-    }));
+    let stills = ["ki.svg", "kii.svg", "paths.svg"].map(|file| still(plots, file, ""));
+    blocks.extend(stills.into_iter().flatten());
+    blocks.extend(still(plots, "faces.svg", "Crack faces in step 0."));
     Section { id: "passage".to_owned(), heading: "Passage of the wheel".to_owned(), blocks }
 }
 
@@ -91,7 +88,7 @@ fn around(fields: &ShownFields) -> Option<Section> {
     }
     let block = match fields.data() {
         None => Block::Text(
-            "The files in fields/ have too many cells for this page; ParaView shows them by fields.pvd."
+            "The fields in fields/ have too many cells for this page; open fields.pvd in ParaView."
                 .to_owned(),
         ),
         Some(data) => Block::Viewer { html: FIELDS, data_id: "field-data", data, script: FIELDS_SCRIPT },
@@ -100,44 +97,30 @@ fn around(fields: &ShownFields) -> Option<Section> {
     Some(Section { id, heading, blocks: vec![block] })
 }
 
-fn length_cycles(run: &RunFolder) -> LineChart {
-    let first_tips: Vec<(usize, usize)> = run.tips().into_iter().filter(|&(_, tip)| tip == 1).collect();
-    LineChart {
-        id: "length-cycles".to_owned(),
-        caption: "Crack length against load cycles (axles); a dot for each step.".to_owned(),
-        x: ChartAxis::linear("Load cycles (axles)"),
-        y: ChartAxis::linear("Crack length (mm)"),
-        // Both tips of a buried crack share its length.
-        curves: curves(run, &first_tips, |row| [row.load_cycles, row.length]),
-        ..LineChart::default()
-    }
-}
-
 fn growth(run: &RunFolder, remarks: Vec<String>) -> Section {
     let mut blocks = Vec::new();
     if run.summary.steps_recorded > 1 {
-        let x = |title: &str| ChartAxis::linear(title);
-        let rate = ChartAxis::logarithmic("da/dN (mm per load cycle)");
-        let tips = run.tips();
-        let of_tips = |point: fn(&TipRow) -> [f64; 2]| curves(run, &tips, point);
-        blocks.push(Block::charts(vec![
-            LineChart {
-                id: "rate-length".to_owned(),
-                caption: "Growth rate against crack length.".to_owned(),
-                x: x("Crack length (mm)"),
-                y: rate.clone(),
-                curves: of_tips(|row| [row.length, row.rate]),
-                ..LineChart::default()
-            },
-            LineChart {
-                id: "rate-delta-k".to_owned(),
-                caption: "Growth rate against the range of the stress intensity at the actual tip: the law."
-                    .to_owned(),
-                x: ChartAxis::logarithmic("ΔK_{eq} (MPa√m)"),
-                y: rate,
-                curves: of_tips(|row| [row.delta_keq, row.rate]),
-                ..LineChart::default()
-            },
+        let chart = |id: &str, caption: &str, x: ChartAxis, point: fn(&TipRow) -> [f64; 2]| Chart {
+            id: id.to_owned(),
+            caption: caption.to_owned(),
+            x,
+            y: ChartAxis::logarithmic("da/dN", "mm per load cycle"),
+            curves: curves(run, point),
+            ..Chart::default()
+        };
+        blocks.push(Block::charts([
+            chart(
+                "rate-length",
+                "Growth rate against crack length.",
+                ChartAxis::linear("Crack length", "mm"),
+                |row| [row.length, row.rate],
+            ),
+            chart(
+                "rate-delta-k",
+                "Growth rate against the equivalent range at the actual tip: the growth law.",
+                ChartAxis::logarithmic("ΔK_{eq}", "MPa√m"),
+                |row| [row.delta_keq, row.rate],
+            ),
         ]));
     }
     if !remarks.is_empty() {
@@ -146,26 +129,25 @@ fn growth(run: &RunFolder, remarks: Vec<String>) -> Section {
     Section { id: "growth".to_owned(), heading: "Growth".to_owned(), blocks }
 }
 
-/// A curve for each of `tips`; a single one has no name, it needs no legend.
-fn curves(run: &RunFolder, tips: &[(usize, usize)], point: fn(&TipRow) -> [f64; 2]) -> Vec<Curve> {
+/// A curve for each tip; a single one has no name, it needs no legend.
+fn curves(run: &RunFolder, point: fn(&TipRow) -> [f64; 2]) -> Vec<Curve> {
+    let tips = run.tips();
     let has_two = tips.iter().any(|&(_, tip)| tip > 1);
-    let curve = |&(crack, tip): &(usize, usize)| {
+    let curve = |(place, &(crack, tip)): (usize, &(usize, usize))| {
         let name = match (tips.len(), has_two) {
             (1, _) => String::new(),
             (_, false) => format!("crack {crack}"),
             (_, true) => format!("crack {crack}, tip {tip}"),
         };
-        // Each tip has one colour on all charts of the page.
-        let colour = run.tips().iter().position(|&other| other == (crack, tip)).unwrap_or(0);
         Curve::line(&name, run.history(crack, tip).map(point).collect())
-            .with_look(CurveLook::Dotted)
-            .with_colour(colour)
+            .with_dots(CurveDots::All)
+            .with_colour(CurveColour::of(place, tips.len()))
     };
-    tips.iter().map(curve).collect()
+    tips.iter().enumerate().map(curve).collect()
 }
 
 fn steps(run: &RunFolder) -> Section {
-    let load = run.axle_load();
+    let load = run.case.axle_load;
     let mut headings = vec![
         "Step",
         "Crack",
@@ -177,8 +159,8 @@ fn steps(run: &RunFolder) -> Section {
         "ΔK_{II} (MPa√m)",
         "ΔK_{eq} (MPa√m)",
         "Kink (°)",
-        "SecondaryMaximum (°)",
-        "Its rate, relative",
+        "Secondary maximum (°)",
+        "Its ratio to the chosen one",
         "Rate (mm/cycle)",
         "Load cycles",
     ];
@@ -206,17 +188,17 @@ fn steps(run: &RunFolder) -> Section {
             grouped(row.load_cycles),
         ];
         cells.extend(load.map(|load| tonnage(row.load_cycles * load / 1e6)));
-        cells.push(row.stop.replace('-', " "));
+        cells.push(row.stop_word().replace('-', " "));
         table.row(cells);
     }
-    table.caption = "The state at the start of each step; K over the stabilised passage".to_owned();
+    table.caption = "State at the start of each growth step; ranges over the stabilised passage".to_owned();
     if run.growth.len() > TABLE_ROWS {
         table.caption.push_str(&format!("; the first {TABLE_ROWS} rows of growth.csv"));
     }
     let heading = format!("{} rows", run.growth.len().min(TABLE_ROWS));
     Section {
         id: "steps".to_owned(),
-        heading: "Every step".to_owned(),
+        heading: "All growth steps".to_owned(),
         blocks: vec![Block::Folded { heading, blocks: vec![Block::Table(table)] }],
     }
 }

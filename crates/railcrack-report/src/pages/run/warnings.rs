@@ -1,24 +1,27 @@
-//! What the reader must not miss.
+//! Warnings and remarks on a run.
 
 use super::stored::RunFolder;
 use crate::numbers::{fixed, significant};
 use crate::shown::ShownRun;
-use railcrack::growth::Warning;
-use railcrack::growth::WarningKind;
+use railcrack::bulk::Boundary;
+use railcrack::growth::{Warning, WarningKind};
 use std::fmt::Write;
 
 /// Warnings of a kind that are shown before the others are counted.
 const OF_A_KIND: usize = 3;
 
-/// A sentence each: those of the run, grouped by kind, the boundary of a block, a run that has not ended.
+/// A sentence each: those of the run, grouped by kind, the boundary of a block, a run that has not
+/// ended.
 pub(super) fn warnings(run: &RunFolder) -> Vec<String> {
     let mut texts = Vec::new();
     if !run.summary.complete {
-        texts.push("The run has not ended; the command that started it goes on with --resume.".to_owned());
-    }
-    if run.summary.boundary != "half-plane" {
         texts.push(
-            "Boundary: a block on supports. It bends, which opens cracks that a half-plane keeps closed; compare only with \
+            "The run has not ended; the command that started it continues it with --resume.".to_owned(),
+        );
+    }
+    if run.case.rail.boundary != Boundary::HalfPlane {
+        texts.push(
+            "Boundary: block on supports. Its bending opens cracks that stay closed in a half-plane; compare only with \
              results of the same boundary."
                 .to_owned(),
         );
@@ -39,10 +42,10 @@ pub(super) fn warnings(run: &RunFolder) -> Vec<String> {
 
 fn grouped_text(kind: WarningKind, warnings: &[&Warning]) -> String {
     let heading = match kind {
-        WarningKind::NearTie => "Near ties of directions: read the path as one of several",
-        WarningKind::Passages => "Passages did not repeat within their limit",
-        WarningKind::ContactFallback => "The other contact solver took over",
-        WarningKind::Engine => "The engine remarks",
+        WarningKind::NearTie => "Near ties of the direction criterion, so that the path is one of several",
+        WarningKind::Passages => "Passages not stabilised within the limit",
+        WarningKind::ContactFallback => "Contact solved by the other solver",
+        WarningKind::Engine => "Remarks of the engine",
         WarningKind::ResidualStress => "Residual stress",
     };
     let mut text = format!("{heading}. ");
@@ -67,16 +70,17 @@ fn grouped_text(kind: WarningKind, warnings: &[&Warning]) -> String {
     text.trim_end().to_owned()
 }
 
-/// What is known of the path beyond warnings: how close the closest rival direction was; what of the run the page leaves
-/// out.
+/// Remarks: the largest secondary maximum; results that the page leaves out.
 pub(super) fn remarks(run: &RunFolder, shown: &ShownRun) -> Vec<String> {
     let mut texts = Vec::new();
-    let rivals = run.growth.iter().filter_map(|row| Some((row, row.rival_deg?, row.rival_ratio?)));
-    if let Some((row, angle, ratio)) = rivals.reduce(|most, next| if next.2 > most.2 { next } else { most }) {
+    let secondary_maxima = run.growth.iter().filter_map(|row| Some((row, row.rival_deg?, row.rival_ratio?)));
+    if let Some((row, angle, ratio)) =
+        secondary_maxima.reduce(|most, next| if next.2 > most.2 { next } else { most })
+    {
         let kink = row.kink_deg.unwrap_or(0.0);
         texts.push(format!(
-            "The closest rival direction: in step {}, crack {}, a kink of {}° would grow {} times as fast as the chosen one of \
-             {}°. Above 0.98 it is a near tie.",
+            "Largest secondary maximum of the direction criterion: in step {}, crack {}, at a kink of {}°, it is {} times \
+             that at the chosen kink of {}°. Above 0.98 this counts as a near tie.",
             row.step,
             row.crack,
             fixed(angle, 0),
@@ -87,7 +91,7 @@ pub(super) fn remarks(run: &RunFolder, shown: &ShownRun) -> Vec<String> {
     let steps = shown.steps().len();
     if steps < run.summary.steps_recorded {
         texts.push(format!(
-            "To keep this file small, the passage explorer has {} of {} steps; charts of growth have all.",
+            "To keep this file small, the passage explorer has {} of {} growth steps; the charts of growth have all.",
             steps, run.summary.steps_recorded
         ));
     }

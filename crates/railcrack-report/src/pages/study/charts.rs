@@ -1,124 +1,48 @@
-//! All runs of a study on one chart each.
+//! The charts on the page of a study.
 
-use super::styles::Styles;
-use super::{MOST_SHOWN, StudyRun};
-use crate::{Block, ChartAspect, ChartAxis, ChartLegend, ChartScale, Curve, CurveLook, LineChart};
-use railcrack_run::study::{LeadingTip, StudyAxis, StudyPlan};
+use crate::chart::{Chart, ChartAxis, Curve, CurveColour, CurveDots};
+use crate::figures::{Plot, StudyRun, Styles, study_charts};
+use crate::page::Block;
+use crate::pages::pictures::still;
+use railcrack_run::study::{StudyAxis, StudyPlan};
 use std::collections::BTreeMap;
 
+/// Runs on the charts; of more, evenly chosen ones.
+const MOST_SHOWN: usize = 150;
 /// Curves on the chart of the effect of an axis.
 const MOST_COMBINATIONS: usize = 7;
 
-/// The charts; nothing where no run has a step.
-pub(super) fn charts(
-    plan: &StudyPlan,
-    all: &[StudyRun],
-    styles: &Styles,
-    pictures: &[(&'static str, String)],
-) -> Vec<Block> {
-    let with_tip: Vec<(&StudyRun, &LeadingTip)> =
-        all.iter().filter_map(|run| Some((run, run.tip()?))).collect();
-    if with_tip.is_empty() {
-        return Vec::new();
-    }
-    let every = with_tip.len().div_ceil(MOST_SHOWN);
-    let shown: Vec<(&StudyRun, &LeadingTip)> = with_tip.iter().copied().step_by(every).collect();
-    let picture =
-        |file: &str| pictures.iter().find(|(name, _)| *name == file).map(|(_, picture)| picture.clone());
-    let of_tip = |points: &dyn Fn(&LeadingTip) -> Vec<[f64; 2]>| -> Vec<Curve> {
-        shown.iter().map(|(run, tip)| styles.curve(run.planned, &run.name, points(tip))).collect()
-    };
-    let chart = |id: &str, caption: &str, [x, y]: [ChartAxis; 2], curves: Vec<Curve>| LineChart {
-        id: id.to_owned(),
-        caption: caption.to_owned(),
-        x,
-        y,
-        curves,
-        legend: ChartLegend::Pointer,
-        picture: picture(&format!("{id}.svg")),
-        ..LineChart::default()
-    };
-    let xc = || ChartAxis::linear("Wheel position x_{c}/a");
-    let history = |k: fn(&LeadingTip) -> &[f64]| {
-        move |tip: &LeadingTip| tip.history.xc_over_a.iter().zip(k(tip)).map(|(&x, &k)| [x, k]).collect()
-    };
-    let mut blocks = vec![Block::Beside(vec![
-        Block::Chart(chart(
-            "ki",
-            "K_{I} of the initial cracks over the passage.",
-            [xc(), ChartAxis::linear("K_{I} (MPa√m)")],
-            of_tip(&history(|tip| &tip.history.ki)),
-        )),
-        Block::Chart(chart(
-            "kii",
-            "K_{II} of the initial cracks over the passage.",
-            [xc(), ChartAxis::linear("K_{II} (MPa√m)")],
-            of_tip(&history(|tip| &tip.history.kii)),
-        )),
-    ])];
-    let paths = LineChart {
-        aspect: ChartAspect::Equal,
-        ..chart(
-            "paths",
-            "Crack paths to scale.",
-            [
-                ChartAxis::linear("x (mm)"),
-                ChartAxis { scale: ChartScale::Depth, ..ChartAxis::linear("Depth (mm)") },
-            ],
-            path_curves(&shown, styles),
-        )
-    };
-    let mut others = vec![Block::Chart(paths)];
-    if shown.iter().any(|(_, tip)| tip.rows.len() > 1) {
-        others.push(Block::Chart(chart(
-            "length-cycles",
-            "Crack length against load cycles (axles).",
-            [ChartAxis::linear("Load cycles (axles)"), ChartAxis::linear("Crack length (mm)")],
-            of_tip(&|tip| tip.rows.iter().map(|row| [row.load_cycles, row.length]).collect()),
-        )));
-        others.push(Block::Chart(chart(
-            "rate-length",
-            "Growth rate against crack length.",
-            [ChartAxis::linear("Crack length (mm)"), ChartAxis::logarithmic("da/dN (mm per load cycle)")],
-            of_tip(&|tip| tip.rows.iter().map(|row| [row.length, row.rate]).collect()),
-        )));
-    }
-    others.extend(effect(plan, &with_tip).map(Block::Chart));
-    blocks.push(Block::Beside(others));
-    if every > 1 {
-        let text = format!(
+/// The charts; none where no run has a step.
+pub(super) fn charts(plan: &StudyPlan, runs: &[StudyRun], styles: &Styles, plots: &[Plot]) -> Vec<Block> {
+    let with_tip: Vec<&StudyRun> = runs.iter().filter(|run| run.tip().is_some()).collect();
+    let shown: Vec<&StudyRun> =
+        with_tip.iter().copied().step_by(with_tip.len().div_ceil(MOST_SHOWN).max(1)).collect();
+    let mut charts = study_charts(&shown, styles).into_iter();
+    let (Some(ki), Some(kii)) = (charts.next(), charts.next()) else { return Vec::new() };
+    let mut blocks = vec![Block::charts([ki, kii]), Block::charts(charts.chain(effect(plan, &with_tip)))];
+    blocks.extend(plots.iter().filter_map(|plot| still(plots, plot.file, "")));
+    if shown.len() < with_tip.len() {
+        blocks.push(Block::Text(format!(
             "The charts show {} of {} runs, evenly chosen; summary.csv has all.",
             shown.len(),
             with_tip.len()
-        );
-        blocks.push(Block::Text(text));
+        )));
     }
     blocks
 }
 
-fn path_curves(shown: &[(&StudyRun, &LeadingTip)], styles: &Styles) -> Vec<Curve> {
-    let of_run = |(run, _): &(&StudyRun, &LeadingTip)| {
-        let cracks = run.row.summary.as_ref().map_or(&[][..], |summary| &summary.cracks);
-        let curve = |points: &[[f64; 2]]| {
-            let points = points.iter().map(|&[x, y]| [x, -y]).collect();
-            styles.curve(run.planned, &run.name, points)
-        };
-        cracks.iter().map(|crack| curve(&crack.points_mm)).collect::<Vec<_>>()
-    };
-    shown.iter().flat_map(of_run).collect()
-}
-
-/// Growth rate of the initial cracks against the values of the axis with the colours, a curve for each choice of the others; none
-/// where these values are no numbers, or where there are too many curves.
-fn effect(plan: &StudyPlan, with_tip: &[(&StudyRun, &LeadingTip)]) -> Option<LineChart> {
+/// Growth rate of the initial cracks against the values of the axis with the colours, a curve for
+/// each choice of the others; none where these values are no numbers, or where there are too many
+/// curves.
+fn effect(plan: &StudyPlan, runs: &[&StudyRun]) -> Option<Chart> {
     let axis: &StudyAxis = plan.axes.get(plan.colour_axis)?;
     let numbers = axis.numbers().filter(|numbers| numbers.len() > 1)?;
     let mut by_others: BTreeMap<Vec<usize>, Vec<[f64; 2]>> = BTreeMap::new();
-    for (run, tip) in with_tip {
+    for run in runs {
         let mut others = run.planned.choice.clone();
         let value = *numbers.get(others.get(plan.colour_axis).copied()?)?;
         others.remove(plan.colour_axis);
-        by_others.entry(others).or_default().push([value, tip.first.rate]);
+        by_others.entry(others).or_default().push([value, run.tip()?.first.rate]);
     }
     if by_others.len() > MOST_COMBINATIONS {
         return None;
@@ -130,18 +54,18 @@ fn effect(plan: &StudyPlan, with_tip: &[(&StudyRun, &LeadingTip)]) -> Option<Lin
             axes.iter().zip(&others).map(|(axis, &value)| format!("{} {}", axis.name(), axis.value(value)));
         points.sort_by(|one, other| one[0].total_cmp(&other[0]));
         Curve::line(&named.collect::<Vec<_>>().join("; "), points)
-            .with_look(CurveLook::Dotted)
-            .with_colour(place)
+            .with_dots(CurveDots::All)
+            .with_colour(CurveColour::Category(place))
     };
-    Some(LineChart {
+    Some(Chart {
         id: "effect".to_owned(),
         caption: format!(
             "Growth rate of the initial cracks against {}; a rate of zero is left out.",
             axis.name()
         ),
-        x: ChartAxis::linear(&axis.name()),
-        y: ChartAxis::logarithmic("da/dN at first (mm per load cycle)"),
+        x: ChartAxis::linear(&axis.name(), ""),
+        y: ChartAxis::logarithmic("da/dN of the initial crack", "mm per load cycle"),
         curves: by_others.into_iter().enumerate().map(curve).collect(),
-        ..LineChart::default()
+        ..Chart::default()
     })
 }

@@ -1,10 +1,13 @@
-//! What stands first on the page of a study.
+//! The first screen of the report of a study.
 
-use super::{StudyRun, values};
-use crate::Fact;
+use crate::direction::Course;
+use crate::figures::{StudyRun, values};
 use crate::numbers::{fixed, grouped, significant};
+use crate::page::Fact;
+use railcrack::bulk::Boundary;
 use railcrack::growth::WarningKind;
-use railcrack_run::leader::cycles_to;
+use railcrack::growth::{RunStop, TipStop};
+use railcrack_run::representative::cycles_to;
 use railcrack_run::study::{RunState, StudyPlan};
 use std::collections::BTreeMap;
 
@@ -31,7 +34,8 @@ impl<'a, 'b> Span<'a, 'b> {
     }
 }
 
-/// Load cycles to the longest length that all runs with growth reach; none where they have none in common.
+/// Load cycles to the longest length that all runs with growth reach; none where they have none in
+/// common.
 struct Race<'a, 'b> {
     length: f64,
     /// Runs that reach it.
@@ -72,7 +76,7 @@ pub(super) fn verdict(plan: &StudyPlan, all: &[StudyRun]) -> String {
             grouped(cycles.most.0)
         ),
         (Some(Race { length, runs, cycles }), _) => format!(
-            "To a length of {} mm, which {} reach, it takes {} load cycles in {} and {} in {}.",
+            "The life to a length of {} mm, reached in {}, is shortest with {} load cycles in {} and longest with {} in {}.",
             fixed(length, 2),
             if runs == all.len() { format!("all {runs} runs") } else { format!("{runs} runs") },
             grouped(cycles.least.0),
@@ -89,14 +93,19 @@ pub(super) fn verdict(plan: &StudyPlan, all: &[StudyRun]) -> String {
         ),
         (None, None) => "No run has a finished step yet.".to_owned(),
     };
-    let still = all.iter().filter(|run| run.tip().is_some_and(|tip| tip.last().stop == "arrest")).count();
+    let still = all
+        .iter()
+        .filter(|run| {
+            run.tip().is_some_and(|tip| tip.last().stop == Some(RunStop::NoTipGrows(TipStop::Arrest)))
+        })
+        .count();
     if still > 0 {
         text.push_str(&format!(" In {still} of {} runs growth ends in arrest.", all.len()));
     }
     text
 }
 
-/// The numbers that are looked for first.
+/// The key figures.
 pub(super) fn facts(plan: &StudyPlan, all: &[StudyRun]) -> Vec<Fact> {
     let fact = |name: &str, value: String, note: String| Fact { name: name.to_owned(), value, note };
     let count = |is_in: fn(&RunState) -> bool| all.iter().filter(|run| is_in(&run.row.state)).count();
@@ -109,7 +118,7 @@ pub(super) fn facts(plan: &StudyPlan, all: &[StudyRun]) -> Vec<Fact> {
     let mut facts = vec![fact("Runs", all.len().to_string(), told(&states))];
     let names: Vec<String> = plan.axes.iter().map(|axis| axis.name()).collect();
     let values: Vec<String> = plan.axes.iter().map(|axis| axis.len().to_string()).collect();
-    facts.push(fact("What varies", names.join("; "), format!("{} values", values.join(" × "))));
+    facts.push(fact("Parameters", names.join("; "), format!("{} values", values.join(" × "))));
     let between = |span: &Span| format!("run {}, run {}", span.least.1.number(), span.most.1.number());
     if let Some(Race { length, cycles, .. }) = Race::of(all) {
         facts.push(fact(
@@ -129,19 +138,23 @@ pub(super) fn facts(plan: &StudyPlan, all: &[StudyRun]) -> Vec<Fact> {
             format!("mm per load cycle; {}", between(&rates)),
         ));
     }
-    let directions: Vec<&'static str> = all.iter().filter_map(|run| Some(run.heading()?.word())).collect();
-    if !directions.is_empty() {
-        let told: Vec<String> = ["downward", "level", "upward", "spall"]
+    let courses: Vec<Course> = all.iter().filter_map(|run| Some(run.heading()?.course())).collect();
+    if !courses.is_empty() {
+        let told: Vec<String> = Course::ALL
             .iter()
-            .map(|word| (word, directions.iter().filter(|direction| *direction == word).count()))
+            .map(|course| (course, courses.iter().filter(|other| *other == course).count()))
             .filter(|(_, count)| *count > 0)
-            .map(|(word, count)| format!("{count} {word}"))
+            .map(|(course, count)| format!("{count} {}", course.word()))
             .collect();
-        facts.push(fact("Direction", told.join(", "), "where the tips are heading at the end".to_owned()));
+        facts.push(fact(
+            "Direction",
+            told.join(", "),
+            "of the last segment at the representative tip".to_owned(),
+        ));
     }
     let mut stops: BTreeMap<String, usize> = BTreeMap::new();
     for summary in all.iter().filter_map(|run| run.row.summary.as_ref()) {
-        *stops.entry(summary.stop.as_deref().unwrap_or("not ended").replace('-', " ")).or_default() += 1;
+        *stops.entry(summary.stop.map_or("not ended", RunStop::name).replace('-', " ")).or_default() += 1;
     }
     let stops: Vec<(&str, usize)> = stops.iter().map(|(stop, count)| (stop.as_str(), *count)).collect();
     facts.push(fact("Ended by", told(&stops), String::new()));
@@ -154,7 +167,7 @@ fn told(counts: &[(&str, usize)]) -> String {
     there.map(|(name, count)| format!("{count} {name}")).collect::<Vec<_>>().join(", ")
 }
 
-/// What the reader must not miss: failed and missing runs, warnings by kind.
+/// Warnings: failed and missing runs, warnings of the runs by kind.
 pub(super) fn warnings(all: &[StudyRun]) -> Vec<String> {
     let mut texts = Vec::new();
     let failed = all.iter().filter_map(|run| match &run.row.state {
@@ -178,7 +191,7 @@ pub(super) fn warnings(all: &[StudyRun]) -> Vec<String> {
         all.iter().filter(|run| run.row.state == *state).map(StudyRun::number).collect()
     };
     list("Not computed yet, or in another folder", in_state(&RunState::Missing));
-    list("Begun and not ended; --resume goes on", in_state(&RunState::Unfinished));
+    list("Not ended; --resume continues them", in_state(&RunState::Unfinished));
     let with = |is_so: &dyn Fn(&StudyRun) -> bool| -> Vec<usize> {
         all.iter().filter(|run| is_so(run)).map(StudyRun::number).collect()
     };
@@ -193,16 +206,18 @@ pub(super) fn warnings(all: &[StudyRun]) -> Vec<String> {
             run.row.summary.as_ref().is_some_and(|s| s.warnings.iter().any(|warning| warning.kind == kind))
         };
         let heading = match kind {
-            WarningKind::NearTie => "Near ties of directions: read the path as one of several",
-            WarningKind::Passages => "Passages did not repeat within their limit",
-            WarningKind::ContactFallback => "The other contact solver took over",
-            WarningKind::Engine => "The engine remarks on something",
+            WarningKind::NearTie => {
+                "Near ties of the direction criterion, so that the path is one of several"
+            }
+            WarningKind::Passages => "Passages not stabilised within the limit",
+            WarningKind::ContactFallback => "Contact solved by the other solver",
+            WarningKind::Engine => "Remarks of the engine",
             WarningKind::ResidualStress => "Remarks on the residual stress",
         };
         list(heading, with(&has));
     }
-    let block = |run: &StudyRun| run.row.summary.as_ref().is_some_and(|s| s.boundary != "half-plane");
-    list("A block on supports bends, which opens cracks that a half-plane keeps closed", with(&block));
+    let block = |run: &StudyRun| run.row.summary.as_ref().is_some_and(|s| s.boundary != Boundary::HalfPlane);
+    list("Block on supports, whose bending opens cracks that stay closed in a half-plane", with(&block));
     texts
 }
 

@@ -1,65 +1,30 @@
-//! The page of a study.
+//! The report of a parametric study.
 
 mod charts;
 mod facts;
 mod runs;
-mod styles;
 
-use crate::direction::{Heading, heading};
-use crate::{Block, Page, Section};
-use railcrack_run::study::{LeadingTip, PlannedRun, StudyPlan, StudyRow};
-use styles::Styles;
+use crate::figures::{Plot, StudyRun, Styles};
+use crate::page::{Block, Page, Section};
+use railcrack_run::study::StudyPlan;
 
-/// Runs of a study on its charts; of more, evenly chosen ones.
-const MOST_SHOWN: usize = 150;
 /// Runs up to which the table stands above the charts.
 const SHORT_TABLE: usize = 12;
 
-/// A run with its place in the plan.
-struct StudyRun<'a> {
-    planned: &'a PlannedRun,
-    row: &'a StudyRow,
-    /// `run 3: friction 0.4, angle_deg 15`, also the name of its curves.
-    name: String,
-}
-
-impl<'a> StudyRun<'a> {
-    fn tip(&self) -> Option<&'a LeadingTip> {
-        self.row.leading.as_ref()
-    }
-
-    fn number(&self) -> usize {
-        self.planned.number
-    }
-
-    /// Where the tip that stands for the run is heading.
-    fn heading(&self) -> Option<Heading> {
-        let (tip, summary) = (self.tip()?, self.row.summary.as_ref()?);
-        let crack = summary.cracks.get(tip.first.crack.checked_sub(1)?)?;
-        heading(crack, &tip.rows.iter().collect::<Vec<_>>())
-    }
-}
-
-/// The page of the study `plan` with the runs `rows`; `study` is its file, `pictures` (file name and SVG) are its plots, for readers
-/// without scripts.
+/// The page of the study `plan` with its `runs`; `study` is the text of its file.
 pub(crate) fn study_page(
     plan: &StudyPlan,
-    rows: &[StudyRow],
+    runs: &[StudyRun],
+    styles: &Styles,
     study: &str,
-    pictures: &[(&'static str, String)],
+    plots: &[Plot],
 ) -> Page {
-    let run = |(planned, row)| StudyRun { planned, row, name: name(plan, planned) };
-    let all: Vec<StudyRun> = plan.runs.iter().zip(rows).map(run).collect();
-    let styles = Styles::new(plan);
-    let mut lead = Vec::new();
-    let warnings = facts::warnings(&all);
-    if !warnings.is_empty() {
-        lead.push(Block::Warnings(warnings));
-    }
-    let table = Block::Table(runs::table(plan, &all));
+    let warnings = facts::warnings(runs);
+    let lead = if warnings.is_empty() { Vec::new() } else { vec![Block::Warnings(warnings)] };
+    let table = Block::Table(runs::table(plan, runs));
     let mut together = vec![Block::Choices(styles.choices())];
-    let charts = charts::charts(plan, &all, &styles, pictures);
-    if all.len() <= SHORT_TABLE {
+    let charts = charts::charts(plan, runs, styles, plots);
+    if runs.len() <= SHORT_TABLE {
         together.push(table);
         together.extend(charts);
     } else {
@@ -69,8 +34,8 @@ pub(crate) fn study_page(
     Page {
         title: plan.title.clone(),
         kind: "Parametric study".to_owned(),
-        verdict: facts::verdict(plan, &all),
-        facts: facts::facts(plan, &all),
+        verdict: facts::verdict(plan, runs),
+        facts: facts::facts(plan, runs),
         lead,
         sections: vec![
             Section { id: "runs".to_owned(), heading: "All runs".to_owned(), blocks: together },
@@ -84,14 +49,4 @@ pub(crate) fn study_page(
             },
         ],
     }
-}
-
-/// The values of a run: `friction 0.4, angle_deg 15`.
-fn values(plan: &StudyPlan, run: &PlannedRun) -> String {
-    let values = plan.values_of(run).map(|(key, value)| format!("{} {value}", key.name));
-    values.collect::<Vec<_>>().join(", ")
-}
-
-fn name(plan: &StudyPlan, run: &PlannedRun) -> String {
-    format!("run {}: {}", run.number, values(plan, run))
 }

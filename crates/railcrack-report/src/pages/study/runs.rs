@@ -1,9 +1,9 @@
 //! The table of the runs.
 
-use super::StudyRun;
+use crate::figures::StudyRun;
 use crate::numbers::{fixed, grouped, significant, tonnage};
-use crate::table::MISSING;
-use crate::{Cell, Table};
+use crate::table::{Cell, MISSING, Table};
+use railcrack::growth::RunStop;
 use railcrack_run::study::{RunState, StudyPlan};
 
 /// Rows of the table; `summary.csv` has all.
@@ -21,12 +21,14 @@ pub(super) fn table(plan: &StudyPlan, all: &[StudyRun]) -> Table {
         headings.push("Million gross tonnes".to_owned());
     }
     headings.extend(
-        ["ΔK_{eq} (MPa√m)", "Rate at first (mm/cycle)", "Direction", "Ended by", "Warnings"]
+        ["Initial ΔK_{eq} (MPa√m)", "Initial rate (mm/cycle)", "Direction", "Ended by", "Warnings"]
             .map(str::to_owned),
     );
     let mut table = Table::new(headings);
     table.caption =
-        "Of each run the tip of the crack that grew most; a run leads to its own report".to_owned();
+        "Representative tip of each run, that of the crack that grew most; the number links to the report of \
+         the run"
+            .to_owned();
     if all.len() > TABLE_ROWS {
         table.caption.push_str(&format!("; the first {TABLE_ROWS} rows of summary.csv"));
     }
@@ -45,8 +47,9 @@ fn cells(plan: &StudyPlan, run: &StudyRun, has_tonnes: bool) -> Vec<Cell> {
     cells.extend(plan.values_of(run.planned).map(|(_, value)| Cell::from(value)));
     let missing = || Cell::from(MISSING);
     let (tip, summary) = (run.tip(), run.row.summary.as_ref());
-    let of_tip =
-        |text: &dyn Fn(&super::LeadingTip) -> String| tip.map_or_else(missing, |tip| text(tip).into());
+    let of_tip = |text: &dyn Fn(&railcrack_run::representative::RepresentativeTip) -> String| {
+        tip.map_or_else(missing, |tip| text(tip).into())
+    };
     cells.push(of_tip(&|tip| format!("{} → {}", fixed(tip.first.length, 2), fixed(tip.last().length, 2))));
     cells.push(of_tip(&|tip| grouped(tip.last().load_cycles)));
     if has_tonnes {
@@ -55,9 +58,9 @@ fn cells(plan: &StudyPlan, run: &StudyRun, has_tonnes: bool) -> Vec<Cell> {
     }
     cells.push(of_tip(&|tip| significant(tip.first.delta_keq)));
     cells.push(of_tip(&|tip| significant(tip.first.rate)));
-    cells.push(run.heading().map_or_else(missing, |heading| heading.word().into()));
+    cells.push(run.heading().map_or_else(missing, |heading| heading.course().word().into()));
     cells.push(match &run.row.state {
-        RunState::Done => summary.and_then(|s| s.stop.as_deref()).unwrap_or("").replace('-', " ").into(),
+        RunState::Done => summary.and_then(|s| s.stop).map_or("", RunStop::name).replace('-', " ").into(),
         RunState::Failed { .. } => "failed".into(),
         state => state.name().replace('-', " ").into(),
     });

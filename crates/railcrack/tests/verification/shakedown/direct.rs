@@ -16,7 +16,7 @@ fn admissible_at_a_third_of_the_cost() {
         let (direct, passes) = (direct(&rail), stabilised(&rail));
         assert_eq!(direct.state, passes.state);
         assert!(direct.admissibility.overshoot < ADMISSIBLE, "{:?}", direct.admissibility);
-        // It repeats: what leaves is what enters.
+        // Periodic: the strain that leaves is the one that enters.
         assert!(direct.admissibility.drift < 1e-6, "{:?}", direct.admissibility);
         let (cost, whole) = (direct.iterations(), passes.iterations());
         assert!(3 * cost <= whole, "{pressure}, {friction}: {cost} of {whole}");
@@ -30,7 +30,7 @@ fn admissible_at_a_third_of_the_cost() {
 /// An elastic-shakedown state is not unique: the direct one differs from that of the passages by
 /// far more than the error of either.
 #[test]
-fn another_state() {
+fn differs_from_the_state_of_passages() {
     let rail = rail(1100.0, 0.1, 20e3);
     let (direct, passes) = (direct(&rail), stabilised(&rail));
     assert_eq!((direct.state, passes.state), (RailState::ElasticShakedown, RailState::ElasticShakedown));

@@ -1,4 +1,4 @@
-//! A rail with a stress of manufacturing.
+//! A rail with an initial residual stress.
 
 use super::{YIELD, rail, stabilised};
 use railcrack::field::DepthProfile;
@@ -8,7 +8,7 @@ fn with_profile(rail: RolledRail, rows: Vec<(f64, f64, f64)>) -> RolledRail {
     RolledRail { initial: Some(DepthProfile::new(rows).unwrap()), ..rail }
 }
 
-/// An elastic passage leaves it as it is.
+/// An elastic passage leaves it unchanged.
 #[test]
 fn stays_where_nothing_yields() {
     let rail = with_profile(rail(600.0, 0.1, 20e3), vec![(0.0, 80.0, 60.0), (20.0, -20.0, -10.0)]);

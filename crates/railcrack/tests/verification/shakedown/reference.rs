@@ -9,7 +9,7 @@ use railcrack::shakedown::{RailState, Stabilisation, StabilisedRail};
 /// Relative to the peak of the reference, at every depth. The reference agrees with finite elements
 /// to 3 %.
 const WORST: f64 = 0.03;
-/// Of the reference's peak, in the mean.
+/// Relative to the peak of the reference, on average.
 const MEAN: f64 = 0.01;
 
 fn residual(result: &StabilisedRail, depth: f64) -> Stress {

@@ -7,7 +7,7 @@ use railcrack::bulk::{Boundary, BulkRail};
 use railcrack::crack::CrackNetwork;
 use railcrack::math::{Stress, Vec2};
 use railcrack::mesh::QuadMesh;
-use railcrack::xfem::{EnrichmentRadius, MeshSettings, Outline, Window, XfemBody, XfemSettings};
+use railcrack::xfem::{EnrichmentRadius, MeshSettings, Outline, Window, XfemSettings, cracked_body};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -34,7 +34,7 @@ fn fitted_order(errors: &[f64]) -> f64 {
     sums.0 / sums.1
 }
 
-/// Lines with each interval cut into equal parts.
+/// Lines with each interval divided into equal parts.
 fn cut(lines: &[f64], parts: usize) -> Vec<f64> {
     let within = |pair: &[f64]| {
         let (from, to) = (pair[0], pair[1]);
@@ -44,8 +44,8 @@ fn cut(lines: &[f64], parts: usize) -> Vec<f64> {
     lines.windows(2).flat_map(within).chain([last]).collect()
 }
 
-/// The quantity measured on a body.
-type Measure = fn(&XfemBody) -> f64;
+/// Quantities measured on a body.
+type Measure = fn(&CrackedBody) -> f64;
 
 /// Prints errors per mesh and asserts their order.
 fn converges(enrichment: EnrichmentRadius, measures: &[(&str, Measure, f64)]) {
@@ -56,7 +56,7 @@ fn converges(enrichment: EnrichmentRadius, measures: &[(&str, Measure, f64)]) {
     let bodies = MESHES.map(|parts| {
         let mesh = QuadMesh::new(cut(coarsest.x_lines(), parts), cut(coarsest.y_lines(), parts)).unwrap();
         let rail = Arc::new(BulkRail::new(mesh, &steel(), Boundary::HalfPlane).unwrap());
-        XfemBody::new(&rail, &network, settings).unwrap()
+        cracked_body(&rail, &network, settings).unwrap()
     });
     for &(name, measure, least) in measures {
         let errors: Vec<f64> = bodies.iter().map(measure).collect();
@@ -72,9 +72,9 @@ fn waves(x: f64) -> f64 {
     1.0 + (1.3 * x).sin() + 0.5 * (0.9 * x).cos()
 }
 
-/// K_I at both tips under a pressure, √(a/π) ∫ p(a cos φ) (1 ± cos φ) dφ over 0…π, against that of
-/// the body; the largest error relative to the larger of both.
-fn sif_error(body: &XfemBody, pressure: fn(f64) -> f64) -> f64 {
+/// K_I at both tips under a pressure, √(a/π) ∫ p(a cos φ) (1 ± cos φ) dφ over 0…π, against that of the body; the largest error over the
+/// larger of both.
+fn sif_error(body: &CrackedBody, pressure: fn(f64) -> f64) -> f64 {
     const POINTS: usize = 100;
     let want = |sign: f64| {
         let part = |i: usize| {
@@ -83,17 +83,16 @@ fn sif_error(body: &XfemBody, pressure: fn(f64) -> f64) -> f64 {
         };
         (HALF / PI).sqrt() * PI / POINTS as f64 * (0..POINTS).map(part).sum::<f64>()
     };
-    let k = body.sif_influence().times(&pressed(body, pressure));
+    let k = body.sif_influence.times(&pressed(body, pressure));
     let want = [want(-1.0), 0.0, want(1.0), 0.0];
     largest(k.iter().zip(want).map(|(k, want)| k - want)) / largest(want)
 }
 
-/// Nodal forces of a pressure on the faces, given at the distance (mm) from the centre along the
-/// walk.
-fn pressed(body: &XfemBody, pressure: impl Fn(f64) -> f64) -> Vec<f64> {
-    let tangent = body.faces().points[0].tangent;
+/// Nodal forces of a pressure on the faces, given at the distance (mm) from the centre along the walk.
+fn pressed(body: &CrackedBody, pressure: impl Fn(f64) -> f64) -> Vec<f64> {
+    let tangent = body.faces.points[0].tangent;
     let normal = tangent.left();
-    body.faces().nodal_forces(|p| {
+    body.faces.nodal_forces(|p| {
         let pressure = pressure((p - CENTRE).dot(tangent));
         Stress {
             xx: pressure * normal.x * normal.x,
@@ -105,21 +104,20 @@ fn pressed(body: &XfemBody, pressure: impl Fn(f64) -> f64) -> Vec<f64> {
 }
 
 /// Work of the pressure 1 + x/a on the jumps, (9/4) π a²/E′.
-fn work_error(body: &XfemBody) -> f64 {
+fn work_error(body: &CrackedBody) -> f64 {
     let want = 2.25 * PI * HALF * HALF / steel().plane_strain_modulus();
     let forces = pressed(body, |x| 1.0 + x / HALF);
-    let jumps = body.compliance().times(&forces);
+    let jumps = body.compliance.times(&forces);
     forces.iter().zip(&jumps).map(|(f, w)| f * w).sum::<f64>() / want - 1.0
 }
 
-/// Largest error of a jump under that pressure, where the opening is (4/E′) √(a² − x²)
-/// (1 + x/(2a)).
-fn jump_error(body: &XfemBody) -> f64 {
+/// Largest error of a jump under that pressure, where the opening is (4/E′) √(a² − x²) (1 + x/(2a)).
+fn jump_error(body: &CrackedBody) -> f64 {
     let opening = |x: f64| {
         4.0 / steel().plane_strain_modulus() * (HALF * HALF - x * x).max(0.0).sqrt() * (1.0 + 0.5 * x / HALF)
     };
-    let jumps = body.compliance().times(&pressed(body, |x| 1.0 + x / HALF));
-    let points = &body.faces().points;
+    let jumps = body.compliance.times(&pressed(body, |x| 1.0 + x / HALF));
+    let points = &body.faces.points;
     let x = |j: usize| (points[j].position - CENTRE).dot(points[j].tangent);
     let error = |j: usize| jumps[2 * j + 1] - opening(x(j));
     largest((0..points.len()).map(error)) / largest((0..points.len()).map(|j| opening(x(j))))

@@ -22,12 +22,12 @@ fn tractions() -> [Loading; 3] {
 }
 
 /// Parameter g of the walk and slip and opening at the face points of a crack, with the tip.
-fn jumps(body: &dyn CrackedBody, walk: &Walk, forces: &[f64]) -> Vec<(f64, [f64; 2])> {
-    let jumps = body.compliance().times(forces);
+fn jumps(body: &CrackedBody, walk: &Walk, forces: &[f64]) -> Vec<(f64, [f64; 2])> {
+    let jumps = body.compliance.times(forces);
     let at = |(j, point): (usize, &railcrack::body::FacePoint)| {
         (walk.g(point.s), [jumps[2 * j], jumps[2 * j + 1]])
     };
-    let mut all: Vec<(f64, [f64; 2])> = body.faces().points.iter().enumerate().map(at).collect();
+    let mut all: Vec<(f64, [f64; 2])> = body.faces.points.iter().enumerate().map(at).collect();
     all.push((walk.range().1, [0.0; 2]));
     all
 }
@@ -45,15 +45,14 @@ fn compare(name: &str, crack: Crack) {
     let dislocated = body(std::slice::from_ref(&crack), ELEMENTS);
     let walk = Walk::new(&CrackNetwork::from(crack).cracks()[0]);
     for (load, stress) in tractions() {
-        let forces = [meshed.faces(), dislocated.faces()].map(|faces| faces.nodal_forces(stress));
-        let (own, other) = (jumps(meshed.as_ref(), &walk, &forces[0]), jumps(&dislocated, &walk, &forces[1]));
+        let forces = [&meshed.faces, &dislocated.faces].map(|faces| faces.nodal_forces(stress));
+        let (own, other) = (jumps(&meshed, &walk, &forces[0]), jumps(&dislocated, &walk, &forces[1]));
         let peak = largest(other.iter().flat_map(|jump| jump.1));
         let jump = largest(own.iter().flat_map(|&(g, w)| {
             let want = interpolated(&other, g);
             [w[0] - want[0], w[1] - want[1]]
         })) / peak;
-        let (k, want) =
-            (meshed.sif_influence().times(&forces[0]), dislocated.sif_influence().times(&forces[1]));
+        let (k, want) = (meshed.sif_influence.times(&forces[0]), dislocated.sif_influence.times(&forces[1]));
         let sif = largest(k.iter().zip(&want).map(|(a, b)| a - b)) / largest(want.iter().copied());
         println!("{name}, {load}: jumps {:.3} %, K {:.3} %", 100.0 * jump, 100.0 * sif);
         close(jump, 0.0, Of(DIFFERENCE, 1.0), "jumps");

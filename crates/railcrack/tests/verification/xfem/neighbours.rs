@@ -37,12 +37,12 @@ fn misfit(network: &CrackNetwork, settings: XfemSettings) -> (f64, Vec<String>) 
     let meshed = Meshed { settings, ..Meshed::of_size(SIZE) };
     let body = meshed.body_of(network);
     let other = joined_body(network.cracks(), &[], FINE);
-    let (k, want) = (sifs_of(body.as_ref(), |_| MIXED), sifs_of(&other, |_| MIXED));
+    let (k, want) = (sifs_of(&body, |_| MIXED), sifs_of(&other, |_| MIXED));
     let off = largest(k.iter().zip(&want).map(|(a, b)| a - b)) / largest(want.iter().copied());
-    (off, body.remarks().to_vec())
+    (off, body.remarks.to_vec())
 }
 
-/// A name, and the cracks by the distance of a tip, mm.
+/// A name, and the cracks as a function of the distance of a tip, mm.
 type Case = (&'static str, fn(f64) -> CrackNetwork);
 
 /// The warning that names the tip and its distance.

@@ -74,12 +74,12 @@ fn differences_by_position(
     };
     let mut rolling = Rolling::over(cracks.to_vec(), friction, wheel);
     rolling.steps = StepControl { positions, ..StepControl::default() };
-    let sifs = |body: &dyn CrackedBody| {
-        let problem = FaceProblem::new(body, &vec![friction; cracks.len()]);
+    let sifs = |body: &CrackedBody| {
+        let problem = FaceProblem::new(body, &vec![friction; cracks.len()]).unwrap();
         let mut result = rolling.on(&problem, &Newton::default());
         result.passages.pop().unwrap().sifs
     };
-    let (k, want) = (sifs(meshed.as_ref()), sifs(&joined_body(cracks, &[], ELEMENTS)));
+    let (k, want) = (sifs(&meshed), sifs(&joined_body(cracks, &[], ELEMENTS)));
     let of_crack = |(k, want): (&Vec<railcrack::fracture::Sif>, &Vec<railcrack::fracture::Sif>)| {
         let peak = largest(want.iter().flat_map(|k| [k.ki, k.kii]));
         let off = |(a, b): (&railcrack::fracture::Sif, &railcrack::fracture::Sif)| {
@@ -121,12 +121,12 @@ fn nine_parallel_cracks_of_a_run() {
 /// While the face point next to a tip sticks, K is the same to the last bit, and it does not jump
 /// as that point begins to slip.
 #[test]
-fn a_tip_that_sticks_keeps_its_k() {
+fn k_of_a_sticking_tip_is_constant() {
     let cracks = vec![surface_crack(0.0, 6.0, 15.0)];
     let body = Meshed::of_size(0.2).body(&cracks);
     let mut rolling = Rolling::over(cracks, 0.5, 0.1);
     rolling.steps = StepControl { positions: 4001, ..StepControl::default() };
-    let result = rolling.on(&FaceProblem::new(body.as_ref(), &[0.5]), &Newton::default());
+    let result = rolling.on(&FaceProblem::new(&body, &[0.5]).unwrap(), &Newton::default());
     let k = &result.passages[result.passages.len() - 1].sifs[0];
     let last = result.faces.points.len() - 1;
     let at_tip = || result.faces.states.iter().map(|faces| faces[last]);

@@ -2,13 +2,12 @@
 //! the dislocation engine, and the condition of C.
 
 use crate::common::{Of, Random, close, condition, largest, measured_as, sifs_under, steel};
-use railcrack::body::CrackedBody;
 use railcrack::bulk::{Boundary, BulkRail};
 use railcrack::crack::{Crack, CrackNetwork};
-use railcrack::dislocation::{DislocationBody, FaceResolution};
+use railcrack::dislocation::{self, FaceResolution};
 use railcrack::math::{Stress, Vec2};
 use railcrack::mesh::QuadMesh;
-use railcrack::xfem::{XfemBody, XfemSettings};
+use railcrack::xfem::{XfemSettings, cracked_body};
 use rayon::prelude::*;
 use std::sync::Arc;
 
@@ -115,12 +114,12 @@ struct Outcome {
 
 fn outcome(rail: &Arc<BulkRail>, crack: Crack) -> Outcome {
     let network = CrackNetwork::from(crack.clone());
-    let Ok(body) = XfemBody::new(rail, &network, XfemSettings::default()).inspect_err(|e| println!("{e}"))
+    let Ok(body) = cracked_body(rail, &network, XfemSettings::default()).inspect_err(|e| println!("{e}"))
     else {
         return Outcome { crack, error: f64::INFINITY, condition: f64::INFINITY };
     };
     let k = sifs_under(&body, |_| STRESS);
-    let reference = DislocationBody::new(&network, &steel(), FaceResolution { elements: 48 }).unwrap();
+    let reference = dislocation::cracked_body(&network, &steel(), FaceResolution { elements: 48 }).unwrap();
     let want = sifs_under(&reference, |_| STRESS);
     let error = (0..want.len() / 2)
         .map(|tip| {
@@ -129,7 +128,7 @@ fn outcome(rail: &Arc<BulkRail>, crack: Crack) -> Outcome {
             (k[2 * tip] - want[2 * tip]).hypot(k[2 * tip + 1] - want[2 * tip + 1]) / scale
         })
         .fold(0.0, f64::max);
-    Outcome { crack, error, condition: condition(body.compliance()).unwrap_or(f64::INFINITY) }
+    Outcome { crack, error, condition: condition(&body.compliance).unwrap_or(f64::INFINITY) }
 }
 
 #[test]

@@ -20,6 +20,8 @@ pub struct Outcome {
     pub wheel: f64,
     /// Largest difference of K at any tip and position, over the largest K.
     pub error: f64,
+    /// The lowest K_I of the finite elements, over the largest K.
+    pub lowest: f64,
     /// What the engines say of their accuracy.
     pub remarks: Vec<String>,
 }
@@ -70,7 +72,7 @@ pub fn outcome(number: u64) -> Outcome {
     let wheel = random.between(-0.3, 0.3);
     let mut rolling = Rolling::over(cracks.clone(), friction, wheel);
     rolling.steps = StepControl { positions: POSITIONS, ..StepControl::default() };
-    let histories = |body: &dyn CrackedBody| -> Vec<f64> {
+    let histories = |body: &CrackedBody| -> Vec<f64> {
         let problem = FaceProblem::new(body, &vec![friction; count]);
         let result = rolling.on(&problem, &Newton::default());
         let passage = &result.passages[result.passages.len() - 1];
@@ -79,9 +81,10 @@ pub fn outcome(number: u64) -> Outcome {
     let network = CrackNetwork::new(cracks.clone()).unwrap();
     let one = Meshed::default().engine_of(&network).body(&network).unwrap();
     let other = rolling.body();
-    let (k, want) = (histories(one.as_ref()), histories(other.as_ref()));
+    let (k, want) = (histories(&one), histories(&other));
     let off = largest(k.iter().zip(&want).map(|(a, b)| a - b));
     let points = cracks.iter().map(|crack| crack.points().iter().map(|p| (p.x, p.y)).collect()).collect();
-    let remarks = one.remarks().iter().chain(other.remarks()).cloned().collect();
-    Outcome { number, points, friction, wheel, error: off / largest(want), remarks }
+    let remarks = one.remarks.iter().chain(&other.remarks).cloned().collect();
+    let lowest = k.iter().step_by(2).fold(0.0f64, |m, k| m.min(*k)) / largest(k.iter().copied());
+    Outcome { lowest, number, points, friction, wheel, error: off / largest(want), remarks }
 }

@@ -5,7 +5,7 @@ use railcrack::bulk::{Boundary, BulkRail};
 use railcrack::crack::{Crack, CrackNetwork, End};
 use railcrack::math::{Stress, Vec2};
 use railcrack::mesh::QuadMesh;
-use railcrack::xfem::{MeshSettings, Outline, Window, XfemBody, XfemSettings};
+use railcrack::xfem::{MeshSettings, Outline, Window, XfemSettings, cracked_body};
 use std::sync::Arc;
 
 /// Difference of K from that on the first mesh, relative to the largest K.
@@ -45,11 +45,11 @@ fn sifs(crack: &Crack, at: Vec2, shift: Vec2, stress: Stress) -> Vec<f64> {
     let y =
         if at.y == 0.0 { mesh.y_lines().to_vec() } else { stretched(mesh.y_lines(), at.y, shift.y * size) };
     let rail = Arc::new(BulkRail::new(QuadMesh::new(x, y).unwrap(), &steel(), Boundary::HalfPlane).unwrap());
-    sifs_under(&XfemBody::new(&rail, &network, XfemSettings::default()).unwrap(), |_| stress)
+    sifs_under(&cracked_body(&rail, &network, XfemSettings::default()).unwrap(), |_| stress)
 }
 
 fn spread(name: &str, crack: &Crack, at: Vec2, stress: Stress) {
-    // Both together, and apart.
+    // Both shifts together, and separately.
     let along = SHIFTS.map(|s| Vec2::new(s, 0.37));
     let across = SHIFTS.map(|s| Vec2::new(0.37, s));
     let both = SHIFTS.map(|s| Vec2::new(s, s));

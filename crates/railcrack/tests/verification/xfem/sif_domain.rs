@@ -4,14 +4,14 @@ use crate::common::{Meshed, Of, Rolling, TENSION, close, largest, sifs_under, su
 use railcrack::body::CrackedBody;
 use railcrack::contact::{FaceProblem, Newton};
 use railcrack::crack::{Crack, End};
-use railcrack::xfem::{XfemBody, XfemSettings};
+use railcrack::xfem::XfemSettings;
 
 /// Spread of K over its peak.
 const SPREAD: f64 = 5e-3;
 /// Outer over default radii: a factor of three between the first and the last.
 const SCALES: [f64; 4] = [0.8, 1.0, 1.6, 2.4];
 
-fn with_domains<T>(meshed: &Meshed, cracks: &[Crack], look: impl Fn(&XfemBody) -> T) -> Vec<T> {
+fn with_domains<T>(meshed: &Meshed, cracks: &[Crack], look: impl Fn(&CrackedBody) -> T) -> Vec<T> {
     meshed.with_bodies(cracks, |_, body| {
         let defaults = XfemSettings::default();
         let scaled = |scale| XfemSettings {
@@ -63,7 +63,7 @@ fn closed_with_friction() {
     for (name, crack, meshed) in cracks() {
         let rolling = Rolling::over(vec![crack.clone()], 0.5, 0.1);
         let histories = with_domains(&meshed, &[crack], |body| {
-            let result = rolling.on(&FaceProblem::new(body as &dyn CrackedBody, &[0.5]), &Newton::default());
+            let result = rolling.on(&FaceProblem::new(body, &[0.5]).unwrap(), &Newton::default());
             let passage = &result.passages[result.passages.len() - 1];
             passage.sifs[0].iter().flat_map(|k| [k.ki, k.kii]).collect::<Vec<f64>>()
         });

@@ -1,0 +1,111 @@
+//! From accepted values to a case: checks that involve several keys.
+
+use super::case::Case;
+use super::cracks::{check_fit, place_cracks};
+use crate::files::read_profile;
+use crate::schema::{Report, SectionValues, Sections, Value, Written};
+use crate::tables::{
+    AXLE_LOAD, CENTRE, CONTACT, CRACK, ENGINE, Engine, FROM, FieldOutput, GROWTH, MESH, MeshSettings, OUTPUT,
+    PASSAGE, PLASTIC_STRESS, PROFILE, PlasticSource, RAIL, RESIDUAL_STRESS, Rail, SHAKEDOWN, SOLVER,
+    SOLVER_CONTACT, ShakedownSettings, TITLE, TO, TOP, TRAFFIC, read_contact, read_growth, read_passage,
+    read_passages, read_steel,
+};
+use railcrack::bulk::Boundary;
+use railcrack::load::{HertzianContact, Passage};
+use std::path::Path;
+
+/// The case that `sections` describe; none where something is wrong or missing, which `report` then
+/// says.
+///
+/// Every part is built, even where another is wrong, so that all errors are found at once.
+pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) -> Option<Case> {
+    let rail_section = sections.one(&RAIL);
+    let steel = rail_section.and_then(|s| read_steel(s, report));
+    let contact =
+        sections.one(&CONTACT).zip(steel.as_ref()).and_then(|(s, steel)| read_contact(s, steel, report));
+    let crack_sections: Vec<&SectionValues> = sections.all(&CRACK).collect();
+    let placed = place_cracks(&crack_sections, report);
+    let network = placed.as_ref().map(|placed| &placed.network);
+    let middle = network.map(|network| 0.5 * (network.leftmost_mouth() + network.rightmost_mouth()));
+    let rail = rail_section.and_then(|s| Rail::read(s, middle));
+    if let (Some(rail), Some(placed)) = (&rail, &placed) {
+        check_fit(placed, rail, &crack_sections, report);
+    }
+    let passage = sections.one(&PASSAGE).and_then(|s| read_passage(s, contact.as_ref(), network, report));
+    if let Some(rail) = rail.filter(|rail| rail.boundary != Boundary::HalfPlane) {
+        check_block(&rail, &sections, contact.as_ref().zip(passage.as_ref()), report);
+    }
+    let residual_section = sections.one(&RESIDUAL_STRESS);
+    let residual_stress = residual_section.and_then(|s| read_profile(s, PROFILE, folder, report));
+    let plastic_section = sections.one(&PLASTIC_STRESS);
+    let plastic_stress = plastic_section.and_then(|s| PlasticSource::read(s, folder, report));
+    if let (Some(PlasticSource::Rolled), Some(section), Some(_)) =
+        (&plastic_stress, plastic_section, residual_section)
+    {
+        refuse_counting_twice(section, report);
+    }
+    let shakedown = sections.one(&SHAKEDOWN).and_then(|s| ShakedownSettings::read(s, folder, report));
+    let (placed, rail) = (placed?, rail?);
+    // A stored case says where the middle of the rail was.
+    sections.settle(&RAIL, CENTRE, Value::Number(rail.centre));
+    let solver = sections.one(&SOLVER)?;
+    Some(Case {
+        title: sections.one(&TOP)?.get(TITLE)?,
+        steel: steel?,
+        rail,
+        contact: contact?,
+        passages: read_passages(sections.one(&PASSAGE)?, passage?)?,
+        cracks: placed.network,
+        crack_friction: placed.friction,
+        residual_stress,
+        plastic_stress,
+        shakedown: shakedown?,
+        growth: read_growth(sections.one(&GROWTH)?)?,
+        mesh: MeshSettings::read(sections.one(&MESH)?),
+        engine: solver.get(ENGINE)?,
+        contact_solver: solver.get(SOLVER_CONTACT)?,
+        fields: FieldOutput::read(sections.one(&OUTPUT)?)?,
+        axle_load: sections.one(&TRAFFIC).and_then(|s| s.get(AXLE_LOAD)),
+        written: Written::of(&sections),
+    })
+}
+
+/// Smallest gap between the contact and the side of a block, over the half-width: closer, the sides
+/// bear a part of the contact.
+const SIDE_GAP: f64 = 1.0;
+
+/// A block needs the finite-element engine, and a wheel that stays on its top.
+fn check_block(
+    rail: &Rail,
+    sections: &Sections,
+    wheel: Option<(&HertzianContact, &Passage)>,
+    report: &mut Report,
+) {
+    if let Some(solver) = sections.one(&SOLVER)
+        && solver.get(ENGINE) == Some(Engine::Dislocation)
+    {
+        let says = "knows the half-plane only, and rail.boundary is \"block\"";
+        let help = "engine = \"xfem\" computes a block; boundary = \"half-plane\" suits both engines";
+        report.add(solver.fault(ENGINE, says).help(help));
+    }
+    let (Some((contact, passage)), Some(section)) = (wheel, sections.one(&PASSAGE)) else { return };
+    let reach = 0.5 * rail.width - (1.0 + SIDE_GAP) * contact.half_width;
+    let (left, right) = (rail.centre - reach, rail.centre + reach);
+    for (key, at) in [(FROM, passage.from), (TO, passage.to)] {
+        if (at - rail.centre).abs() > reach {
+            let says = format!(
+                "puts the wheel at x = {at} mm; on the top of the block it can be from {left} to {right} mm"
+            );
+            report.add(section.fault(key, says).help("a wider block ([rail] width_mm) or a shorter passage"));
+        }
+    }
+}
+
+/// A residual stress is a total, and the computed state starts from a manufacturing stress of its
+/// own.
+fn refuse_counting_twice(plastic: &SectionValues, report: &mut Report) {
+    let says =
+        "without a field, this is the stress left by rolling, and `[residual_stress]` is a total already";
+    let help = "a stress that was there before the first passage is `initial_residual` of [shakedown]";
+    report.add(plastic.fault_of_all(says).help(help));
+}

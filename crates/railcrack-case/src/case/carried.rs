@@ -1,0 +1,204 @@
+//! Residual stress that the rail of a run carries.
+
+use super::case::Case;
+use crate::tables::PlasticSource;
+use railcrack::bulk::{
+    BottomSupport, Boundary, BulkError, BulkRail, ElasticField, SideSupport, StressAtPoints,
+};
+use railcrack::field::{DepthProfile, StressField, Sum};
+use railcrack::math::{Stress, Vec2};
+use railcrack::residual::{
+    BalancedStress, PlasticField, PlasticFieldError, ProjectionLoss, RailPart, RecoveryLoss, projection_loss,
+};
+use railcrack::xfem::{XfemEngine, XfemError};
+use std::sync::Arc;
+use thiserror::Error;
+
+/// A residual stress that cannot be made.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum CarriedStressError {
+    /// Its mesh cannot be made.
+    #[error("the plastic stress cannot be balanced: {0}")]
+    Mesh(#[from] XfemError),
+    /// It cannot be balanced.
+    #[error("the plastic stress cannot be balanced: {0}")]
+    Balance(#[from] BulkError),
+    /// It cannot be brought onto a mesh.
+    #[error("the plastic stress cannot be used: {0}")]
+    Field(#[from] PlasticFieldError),
+    /// The stabilised state of the rail is wanted and was not computed.
+    #[error("the plastic stress of the rolled rail was not computed")]
+    NotRolled,
+}
+
+/// The residual stress of a run: the stress given as balanced, the stress before the first passage,
+/// and the balance of the plastic stress.
+pub struct CarriedStress {
+    /// Their sum; none where the rail carries nothing.
+    pub field: Option<Box<dyn StressField>>,
+    /// Depths at which it is shown, increasing, mm.
+    pub depths: Vec<f64>,
+    /// Losses of a plastic stress on its way to the mesh.
+    pub projection: Option<Projection>,
+    /// Its release by the free sides of a block.
+    pub release: Option<Release>,
+}
+
+/// Losses of a plastic stress on its way to the mesh of the rail.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Projection {
+    /// From cells to nodes of its own mesh; none where it was given at nodes.
+    pub recovery: Option<RecoveryLoss>,
+    /// From there to the mesh of the rail, within the rail's width and depth.
+    pub loss: ProjectionLoss,
+    /// Left, right end and depth of its own mesh, mm.
+    pub extent: (f64, f64, f64),
+}
+
+/// The stress on the middle line that the free sides of a block release.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Release {
+    /// Where it is largest, mm.
+    pub depth: f64,
+    /// σ_xx with the sides held along x, MPa.
+    pub held: f64,
+    /// σ_xx with the sides free, MPa.
+    pub free: f64,
+    /// Whether the run carries the released stress, or the held one.
+    pub carried: bool,
+}
+
+/// A balanced profile, cut off at free sides.
+struct Cut<'a>(&'a DepthProfile);
+
+impl ElasticField for Cut<'_> {
+    fn stress(&self, point: Vec2) -> Stress {
+        StressField::stress(self.0, point)
+    }
+
+    fn displacement(&self, _: Vec2) -> Vec2 {
+        Vec2::default()
+    }
+
+    fn smooth_within(&self, _: Vec2) -> f64 {
+        f64::INFINITY
+    }
+}
+
+impl Case {
+    /// The plastic stress that the case wants. `rolled` is that of the stabilised state.
+    ///
+    /// Errors: it cannot be made; it is that of the stabilised state, which was not computed.
+    pub fn plastic_field(
+        &self,
+        rolled: Option<&PlasticField>,
+    ) -> Result<Option<PlasticField>, CarriedStressError> {
+        Ok(match &self.plastic_stress {
+            None => None,
+            Some(PlasticSource::Field(file)) => Some(file.field().clone()),
+            Some(PlasticSource::Profile(file)) => Some(PlasticField::layers(file.profile())?),
+            Some(PlasticSource::Rolled) => Some(rolled.ok_or(CarriedStressError::NotRolled)?.clone()),
+        })
+    }
+
+    /// The residual stress of a run: the stress given as balanced, and the balance of `plastic` on
+    /// the mesh of `engine`, the finite-element engine of this case, whichever engine computes the
+    /// cracks.
+    ///
+    /// Errors: the plastic stress cannot be made or balanced.
+    pub fn carried_stress(
+        &self,
+        plastic: Option<&PlasticField>,
+        engine: &mut XfemEngine,
+    ) -> Result<CarriedStress, CarriedStressError> {
+        let mut parts: Vec<Box<dyn StressField>> = Vec::new();
+        let mut depths: Vec<f64> = Vec::new();
+        let mut release = None;
+        let free_sides = matches!(self.rail.boundary, Boundary::Block { sides: SideSupport::Free, .. });
+        let initial = match self.plastic_stress {
+            Some(PlasticSource::Rolled) => self.shakedown.initial_residual.as_ref(),
+            _ => None,
+        };
+        for file in self.residual_stress.iter().chain(initial) {
+            let profile = file.profile();
+            depths.extend(profile.rows().iter().map(|row| row.0));
+            if free_sides {
+                release = Some(self.release_of_profile(engine.background(&self.cracks)?, profile)?);
+            }
+            parts.push(Box::new(profile.clone()));
+        }
+        let mut projection = None;
+        if let Some(plastic) = plastic {
+            let rail = Arc::clone(engine.background(&self.cracks)?);
+            let balanced = BalancedStress::new(&rail, |point| plastic.plastic_stress(point))?;
+            depths.extend(balanced.depths().iter().filter(|depth| **depth <= self.rail.depth));
+            let part = RailPart {
+                centre: self.rail.centre,
+                half_width: 0.5 * self.rail.width,
+                depth: self.rail.depth,
+            };
+            projection = Some(Projection {
+                recovery: plastic.recovery_loss(),
+                loss: projection_loss(&rail, plastic, part),
+                extent: plastic.extent(),
+            });
+            if free_sides {
+                release = Some(self.release_of_plastic(&rail, plastic, &balanced)?);
+            }
+            parts.push(Box::new(balanced));
+        }
+        depths.sort_by(f64::total_cmp);
+        depths.dedup();
+        let field = match parts.len() {
+            0 => None,
+            1 => parts.pop(),
+            _ => Some(Box::new(Sum(parts)) as Box<dyn StressField>),
+        };
+        Ok(CarriedStress { field, depths, projection, release })
+    }
+
+    /// A balanced stress is taken as it is; its release by the sides is only reported.
+    fn release_of_profile(&self, rail: &BulkRail, profile: &DepthProfile) -> Result<Release, BulkError> {
+        let displacements = rail.cancel(&[&Cut(profile)])?;
+        let points: Vec<Vec2> = profile
+            .rows()
+            .iter()
+            .map(|row| Vec2::new(self.rail.centre, -row.0))
+            .filter(|p| -p.y <= self.rail.depth)
+            .collect();
+        let released = StressAtPoints::new(rail, &points)?.stress(&displacements[0]);
+        let of = |(point, released): (&Vec2, &Stress)| {
+            let held = StressField::stress(profile, *point).xx;
+            Release { depth: -point.y, held, free: held + released.xx, carried: false }
+        };
+        Ok(largest(points.iter().zip(&released).map(of)))
+    }
+
+    /// The balance with free sides against that with sides that are held along x.
+    fn release_of_plastic(
+        &self,
+        rail: &BulkRail,
+        plastic: &PlasticField,
+        balanced: &BalancedStress,
+    ) -> Result<Release, BulkError> {
+        let bottom = match self.rail.boundary {
+            Boundary::Block { bottom, .. } => bottom,
+            Boundary::HalfPlane => BottomSupport::Clamped,
+        };
+        let boundary = Boundary::Block { bottom, sides: SideSupport::Rollers };
+        let rollers = BulkRail::new(rail.mesh().clone(), rail.steel(), boundary)?;
+        let held = BalancedStress::new(&rollers, |point| plastic.plastic_stress(point))?;
+        Ok(largest(balanced.depths().iter().map(|&depth| {
+            let point = Vec2::new(self.rail.centre, -depth);
+            let (held, free) = (held.stress(point).xx, balanced.stress(point).xx);
+            Release { depth, held, free, carried: true }
+        })))
+    }
+}
+
+/// The depth at which the sides release most.
+fn largest(releases: impl Iterator<Item = Release>) -> Release {
+    let none = Release { depth: 0.0, held: 0.0, free: 0.0, carried: false };
+    let size = |release: &Release| (release.held - release.free).abs();
+    releases.fold(none, |most, next| if size(&next) >= size(&most) { next } else { most })
+}

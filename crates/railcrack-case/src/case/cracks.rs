@@ -1,0 +1,172 @@
+//! Cracks of a case: copies of a row, contact with one another, and their place in the rail.
+
+use crate::schema::{Fault, Report, Row, SectionValues};
+use crate::tables::{ANGLE, COUNT, CRACK_FRICTION, LENGTH, MOUTH, POINTS, Rail, SPACING};
+use railcrack::crack::{Crack, CrackError, CrackNetwork};
+use railcrack::math::Vec2;
+
+/// Most cracks of a case, copies included: each brings a dense block of unknowns, and ten times as
+/// many as the largest published network has are enough.
+const MOST_CRACKS: usize = 100;
+
+/// All cracks of a case, copies written out.
+#[derive(Debug, Clone)]
+pub(super) struct PlacedCracks {
+    pub network: CrackNetwork,
+    pub friction: Vec<f64>,
+    /// For each crack the index of its section.
+    pub owner: Vec<usize>,
+}
+
+/// Builds the cracks of all sections, and reports those that are impossible or meet.
+pub(super) fn place_cracks(sections: &[&SectionValues], report: &mut Report) -> Option<PlacedCracks> {
+    let mut cracks = Vec::new();
+    let mut friction = Vec::new();
+    let mut owner = Vec::new();
+    let mut complete = true;
+    for (index, section) in sections.iter().enumerate() {
+        let Some((crack, coefficient, shifts)) = place_row(section, report) else {
+            complete = false;
+            continue;
+        };
+        if cracks.len() + shifts.len() > MOST_CRACKS {
+            let fault = section.fault_of_all(format!("more than {MOST_CRACKS} cracks in the case"));
+            report.add(Fault { span: Some(section.span_of(COUNT)), ..fault });
+            return None;
+        }
+        for shift in shifts {
+            cracks.push(crack.moved(shift));
+            friction.push(coefficient);
+            owner.push(index);
+        }
+    }
+    if !report_meetings(&cracks, &owner, sections, report) || !complete {
+        return None;
+    }
+    CrackNetwork::new(cracks).ok().map(|network| PlacedCracks { network, friction, owner })
+}
+
+/// The first crack of a section, its crack-face friction, and how far each copy is moved (mm).
+fn place_row(section: &SectionValues, report: &mut Report) -> Option<(Crack, f64, Vec<f64>)> {
+    let crack = place_first(section, report);
+    let count = section.get(COUNT)?;
+    let spacing = match section.get(SPACING) {
+        None if count > 1 || section.is_refused(SPACING) => return None,
+        spacing => spacing.unwrap_or_default(),
+    };
+    Some((crack?, section.get(CRACK_FRICTION)?, (0..count).map(|i| i as f64 * spacing).collect()))
+}
+
+fn place_first(section: &SectionValues, report: &mut Report) -> Option<Crack> {
+    if let Some(points) = section.get(POINTS) {
+        let points = points.iter().map(|p| Vec2::new(p[0], p[1])).collect();
+        let refuse = |error: CrackError| {
+            let parts = section.entry(POINTS).map(|entry| entry.parts.as_slice()).unwrap_or_default();
+            let part = blamed_point(&error).and_then(|i| parts.get(i).cloned());
+            let key = section.dotted(POINTS.key.name);
+            let help = "y points up and the rail is y < 0; the first point lies on the surface (y = 0), or below it \
+                        for a buried crack";
+            let message = format!("`{key}`: {error}");
+            report.add(Fault::of(key, part.unwrap_or(section.span_of(POINTS)), message).help(help));
+        };
+        return Crack::polyline(points).map_err(refuse).ok();
+    }
+    let (mouth, length, angle) = (section.get(MOUTH)?, section.get(LENGTH)?, section.get(ANGLE)?);
+    Crack::surface_breaking(mouth, length, angle.to_radians())
+        .map_err(|error| report.add(section.fault(ANGLE, error)))
+        .ok()
+}
+
+/// The point (from 0) that an error is about.
+fn blamed_point(error: &CrackError) -> Option<usize> {
+    match error {
+        CrackError::NotFinite { index, .. } | CrackError::OutsideRail { index, .. } => index.checked_sub(1),
+        CrackError::RepeatedPoint { index } => Some(*index),
+        CrackError::SelfCrossing { second, .. } => Some(*second),
+        _ => None,
+    }
+}
+
+/// Reports, once for each pair of sections, cracks that meet; whether there are none.
+fn report_meetings(
+    cracks: &[Crack],
+    owner: &[usize],
+    sections: &[&SectionValues],
+    report: &mut Report,
+) -> bool {
+    let mut reported: Vec<(usize, usize)> = Vec::new();
+    for (i, one) in cracks.iter().enumerate() {
+        for (j, other) in cracks.iter().enumerate().skip(i + 1) {
+            let owners = (owner[i], owner[j]);
+            if reported.contains(&owners) || CrackNetwork::new(vec![one.clone(), other.clone()]).is_ok() {
+                continue;
+            }
+            reported.push(owners);
+            let (first, second) = (sections[owners.0], sections[owners.1]);
+            let help =
+                format!("cracks {} and {} of the network, copies counted, must not meet", i + 1, j + 1);
+            let fault = if owners.0 == owners.1 {
+                let key = first.dotted(SPACING.key.name);
+                let message = format!("`{}`: its copies cross, touch or overlap", first.path);
+                Fault::of(key, first.span_of(SPACING), message)
+            } else {
+                let message = format!("`{}` and `{}` cross, touch or overlap", first.path, second.path);
+                Fault::of(second.path.clone(), second.span.clone(), message)
+                    .also(first.span.clone(), "the other crack")
+            };
+            report.add(fault.help(help));
+        }
+    }
+    reported.is_empty()
+}
+
+/// Reports, once for each section, cracks that are longer than the rail or leave it.
+pub(super) fn check_fit(
+    placed: &PlacedCracks,
+    rail: &Rail,
+    sections: &[&SectionValues],
+    report: &mut Report,
+) {
+    let mut reported: Vec<usize> = Vec::new();
+    for (crack, &owner) in placed.network.cracks().iter().zip(&placed.owner) {
+        if reported.contains(&owner) {
+            continue;
+        }
+        let section = sections[owner];
+        let Some((says, row)) = misfit(crack, rail) else { continue };
+        reported.push(owner);
+        let name = if section.entry(row).is_some() { row.key.name } else { POINTS.key.name };
+        let span = if section.entry(row).is_some() { section.span_of(row) } else { section.span_of(POINTS) };
+        let key = section.dotted(name);
+        let message = format!("`{key} = {}`: {says}", report.shown(&span));
+        let help = "[rail] width_mm, depth_mm and centre_mm say how far the rail reaches";
+        report.add(Fault::of(key, span, message).help(help));
+    }
+}
+
+/// Why a crack does not fit, and the key to blame.
+fn misfit(crack: &Crack, rail: &Rail) -> Option<(String, Row<f64>)> {
+    let length = crack.length();
+    if length > rail.width {
+        let message = format!("a crack of {length} mm is longer than the rail, width_mm = {}", rail.width);
+        return Some((message, LENGTH));
+    }
+    let (left, right) = rail.ends();
+    for point in crack.points() {
+        if point.y <= -rail.depth {
+            let message = format!(
+                "the crack leaves the rail at depth {} mm, the rail ends at depth {} mm",
+                -point.y, rail.depth
+            );
+            return Some((message, LENGTH));
+        }
+        if point.x <= left || point.x >= right {
+            let message = format!(
+                "the crack leaves the rail at x = {} mm, the rail reaches from {left} to {right} mm",
+                point.x
+            );
+            return Some((message, MOUTH));
+        }
+    }
+    None
+}

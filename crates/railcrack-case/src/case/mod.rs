@@ -1,0 +1,21 @@
+//! The case: read, checked, and made into a run.
+
+mod build;
+mod carried;
+#[expect(clippy::module_inception, reason = "the type gives its file the name")]
+mod case;
+mod cracks;
+mod overrides;
+mod prepared;
+mod read;
+mod shared;
+mod size;
+
+pub use carried::{CarriedStress, CarriedStressError, Projection, Release};
+pub use case::Case;
+pub use overrides::Overrides;
+pub use prepared::PreparedRun;
+pub use shared::{RailKey, SharedRail, SharedRailError};
+pub use size::RunSize;
+
+pub(crate) use build::build;

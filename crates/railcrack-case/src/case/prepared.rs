@@ -1,0 +1,154 @@
+//! Engine, contact solver and residual stress of a run, made of its case.
+
+use super::carried::{CarriedStress, CarriedStressError};
+use super::case::Case;
+use super::shared::SharedRail;
+use crate::tables::{ContactSolver, Engine};
+use railcrack::body::BodyEngine;
+use railcrack::bulk::Boundary;
+use railcrack::contact::{self, Latin, Newton};
+use railcrack::dislocation::{DislocationEngine, FaceResolution};
+use railcrack::field::HertzWheel;
+use railcrack::growth::{FieldSettings, Growth, GrowthProblem, GrowthState, RailBox};
+use railcrack::residual::PlasticField;
+use railcrack::xfem::{
+    EnrichmentRadius, Layers, Outline, RailEnd, Window, XfemEngine, XfemSettings, default_element_sizes,
+};
+use std::num::NonZeroUsize;
+
+/// Growth of the length that the window makes room for, at most: a crack that grows on has it
+/// enlarged.
+const LARGEST_WINDOW: f64 = 3.0;
+
+/// Elements over the depth of the plastic stress, at least.
+const LAYERS_PER_PLASTIC_DEPTH: f64 = 40.0;
+
+impl Case {
+    /// Resolution of the crack faces in the dislocation engine.
+    #[must_use]
+    pub fn face_resolution(&self) -> FaceResolution {
+        let cracks = self.cracks.cracks().len();
+        self.mesh
+            .interface_elements
+            .map_or(FaceResolution::for_cracks(cracks), |elements| FaceResolution { elements })
+    }
+
+    /// The finite-element engine, with a mesh for the cracks at the beginning and their growth.
+    #[must_use]
+    pub fn xfem_engine(&self) -> XfemEngine {
+        let sizes = match self.mesh.element_size {
+            Some(size) => vec![size; self.cracks.cracks().len()],
+            None => default_element_sizes(&self.cracks),
+        };
+        let expected_growth =
+            (1.0 + self.growth.increment).powf(self.growth.steps as f64).min(LARGEST_WINDOW);
+        let window = Window::with_sizes(&self.cracks, &sizes, expected_growth);
+        let defaults = XfemSettings::default();
+        let settings = XfemSettings {
+            enrichment: self.mesh.tip_enrichment_radius.map_or(defaults.enrichment, EnrichmentRadius::Fixed),
+            interface_spacing: self.mesh.interface_spacing,
+            ..defaults
+        };
+        let end = match self.rail.boundary {
+            Boundary::HalfPlane => RailEnd::HalfPlane { centre: self.rail.centre },
+            Boundary::Block { bottom, sides } => RailEnd::Block {
+                outline: Outline {
+                    left: self.rail.centre - 0.5 * self.rail.width,
+                    right: self.rail.centre + 0.5 * self.rail.width,
+                    depth: self.rail.depth,
+                },
+                bottom,
+                sides,
+            },
+        };
+        XfemEngine::with_window(window, self.steel, end, settings)
+    }
+
+    /// The fields to be computed; none where none are asked for.
+    fn field_settings(&self) -> Option<FieldSettings> {
+        let every = NonZeroUsize::new(self.fields.every)?;
+        let mouth = self.cracks.cracks().first()?.points()[0].x;
+        let positions: Vec<f64> =
+            self.fields.over_a.iter().map(|over_a| mouth + over_a * self.contact.half_width).collect();
+        (!positions.is_empty()).then_some(FieldSettings { positions, every })
+    }
+
+    /// The finite-element engine, with a mesh that also resolves `plastic` stress.
+    pub(crate) fn finite_elements(&self, plastic: Option<&PlasticField>) -> XfemEngine {
+        let engine = self.xfem_engine();
+        match plastic.and_then(|field| field.plastic_depth()) {
+            Some(depth) => engine.resolving(Layers { depth, height: depth / LAYERS_PER_PLASTIC_DEPTH }),
+            None => engine,
+        }
+    }
+
+    /// Everything that is made once for the run of this case. `rolled` is the plastic stress of the
+    /// stabilised state, for a case that wants it
+    /// ([`PlasticSource::Rolled`](crate::PlasticSource)).
+    ///
+    /// Errors: the residual stress cannot be made.
+    pub fn prepare(&self, rolled: Option<&PlasticField>) -> Result<PreparedRun<'_>, CarriedStressError> {
+        self.prepare_sharing(rolled, None)
+    }
+
+    /// [`Case::prepare`] with mesh, factor and columns of another run: the same bits, sooner.
+    pub fn prepare_sharing(
+        &self,
+        rolled: Option<&PlasticField>,
+        shared: Option<&SharedRail>,
+    ) -> Result<PreparedRun<'_>, CarriedStressError> {
+        let plastic = self.plastic_field(rolled)?;
+        let mut finite_elements = self.finite_elements(plastic.as_ref());
+        if let Some(shared) = shared {
+            shared.give_to(&mut finite_elements);
+        }
+        let residual = self.carried_stress(plastic.as_ref(), &mut finite_elements)?;
+        let engine: Box<dyn BodyEngine> = match self.engine {
+            Engine::Xfem => Box::new(finite_elements),
+            Engine::Dislocation => {
+                Box::new(DislocationEngine { steel: self.steel, resolution: self.face_resolution() })
+            }
+        };
+        Ok(PreparedRun { case: self, engine, residual })
+    }
+}
+
+/// A run before its first step.
+pub struct PreparedRun<'a> {
+    case: &'a Case,
+    engine: Box<dyn BodyEngine>,
+    residual: CarriedStress,
+}
+
+impl PreparedRun<'_> {
+    /// The residual stress that the rail carries.
+    #[must_use]
+    pub fn residual(&self) -> &CarriedStress {
+        &self.residual
+    }
+
+    /// The growth loop from `state` on, or from the beginning where there is none.
+    pub fn growth(self, state: Option<GrowthState>) -> Growth {
+        let Self { case, engine, residual } = self;
+        let newton: Box<dyn contact::ContactSolver> = Box::new(Newton::default());
+        let latin: Box<dyn contact::ContactSolver> = Box::new(Latin::default());
+        let (solver, fallback) = match case.contact_solver {
+            ContactSolver::Newton => (newton, latin),
+            ContactSolver::Latin => (latin, newton),
+        };
+        let problem = GrowthProblem {
+            engine,
+            solver,
+            fallback,
+            crack_friction: case.crack_friction.clone(),
+            wheel: Box::new(HertzWheel::new(&case.contact, &case.steel).expect("the case is checked")),
+            residual: residual.field,
+            passages: case.passages,
+            fields: case.field_settings(),
+            growth: case.growth,
+            rail: RailBox { width: case.rail.width, depth: case.rail.depth, centre: case.rail.centre },
+        };
+        let state = state.unwrap_or_else(|| GrowthState::initial(&case.cracks));
+        Growth::new(problem, state)
+    }
+}

@@ -1,0 +1,65 @@
+//! Case files, read to a case or to all their errors.
+
+use super::build::build;
+use super::case::Case;
+use super::overrides::Overrides;
+use crate::schema::{
+    CaseErrors, Chosen, Fault, Reading, Report, Source, parse_document, read_file, read_sections,
+};
+use crate::tables::{CASE_FILE, STUDY};
+use std::path::Path;
+use std::sync::Arc;
+use toml::de::DeTable;
+
+impl Case {
+    /// The case in the file `path`, be it of a user or `case.toml` of a run folder. Relative file
+    /// names in it are relative to its folder.
+    ///
+    /// Errors: all of the file, a file that cannot be read included.
+    pub fn read(path: &Path) -> Result<Self, CaseErrors> {
+        Self::read_with(path, &Overrides::default())
+    }
+
+    /// As [`Case::read`], with `overrides` in place of the values in the file.
+    pub fn read_with(path: &Path, overrides: &Overrides) -> Result<Self, CaseErrors> {
+        let source = read_file(path)?;
+        Self::parse_with(&source.text, &source.name, path.parent().unwrap_or(Path::new("")), overrides)
+    }
+
+    /// The case written in `text`; errors call it `name`, relative file names are relative to
+    /// `folder`.
+    pub fn parse(text: &str, name: &str, folder: &Path) -> Result<Self, CaseErrors> {
+        Self::parse_with(text, name, folder, &Overrides::default())
+    }
+
+    /// As [`Case::parse`], with `overrides` in place of the values in the text.
+    pub fn parse_with(
+        text: &str,
+        name: &str,
+        folder: &Path,
+        overrides: &Overrides,
+    ) -> Result<Self, CaseErrors> {
+        let mut report = Report::new(Source { name: name.into(), text: Arc::from(text) });
+        let case = parse_document(text, &mut report)
+            .filter(|root| is_no_study(root.get_ref(), &mut report))
+            .and_then(|root| {
+                let overrides = overrides.list();
+                let reading = Reading { file: &CASE_FILE, overrides: &overrides, chosen: &Chosen::default() };
+                build(read_sections(root.get_ref(), reading, &mut report), folder, &mut report)
+            });
+        match case {
+            Some(case) if report.is_clean() => Ok(case),
+            _ => Err(report.into_errors()),
+        }
+    }
+}
+
+/// A study is no case: an error that says how it is computed.
+fn is_no_study(root: &DeTable, report: &mut Report) -> bool {
+    let Some((name, _)) = root.get_key_value(STUDY.name) else { return true };
+    let (file, header) = (&report.source.name, STUDY.header());
+    let help = format!("`railcrack sweep {file}` computes it, `railcrack check {file}` lists its cases");
+    let message = format!("`{header}`: this file is a study, which is many cases, where one is wanted");
+    report.add(Fault::of(STUDY.name, name.span(), message).help(help));
+    false
+}

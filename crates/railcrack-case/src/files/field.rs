@@ -1,0 +1,103 @@
+//! Plastic stress on a mesh, in VTU files.
+
+use super::companion::{Companion, RELATIVE, kept_as};
+use crate::schema::{Report, Row, SectionValues};
+use railcrack::mesh::{Array, UnstructuredGrid};
+use railcrack::residual::{PLASTIC_STRESS_ARRAY, PlasticField};
+use railcrack_vtu::{VtuError, read_vtu_bytes, vtu_text};
+use std::path::Path;
+
+/// A plastic stress on a mesh, and its file reduced to the mesh and this one array. Two are equal
+/// when these files are.
+#[derive(Debug, Clone)]
+pub struct FieldFile {
+    given: String,
+    kept_as: &'static str,
+    text: String,
+    field: PlasticField,
+}
+
+impl PartialEq for FieldFile {
+    fn eq(&self, other: &Self) -> bool {
+        self.text == other.text
+    }
+}
+
+impl FieldFile {
+    /// The plastic stress.
+    #[must_use]
+    pub fn field(&self) -> &PlasticField {
+        &self.field
+    }
+
+    /// A file of its mesh and of the one array that is used.
+    #[must_use]
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// The file's name as the case gives it.
+    #[must_use]
+    pub fn given_name(&self) -> &str {
+        &self.given
+    }
+
+    /// The file beside a stored case.
+    pub(crate) fn companion(&self) -> Companion<'_> {
+        Companion { name: self.kept_as, text: &self.text }
+    }
+}
+
+/// The field in the file that a key names, relative to `folder`; none where it names none or it
+/// cannot be read, which `report` then says.
+pub(crate) fn read_field(
+    section: &SectionValues,
+    row: Row<String>,
+    folder: &Path,
+    report: &mut Report,
+) -> Option<FieldFile> {
+    let given = section.get(row)?;
+    match read(&folder.join(&given)) {
+        Ok((text, field)) => Some(FieldFile { given, kept_as: kept_as(row), text, field }),
+        Err((message, help)) => {
+            report.add(section.fault(row, message).help(help));
+            None
+        }
+    }
+}
+
+/// Help where the file is not such a field.
+const EXPECTED: &str =
+    "a VTU file with `plastic_stress_mpa` on points or cells, as `railcrack shakedown` writes it";
+
+fn read(path: &Path) -> Result<(String, PlasticField), (String, &'static str)> {
+    if path.is_dir() {
+        return Err(("it is a folder, not a file".into(), RELATIVE));
+    }
+    let bytes = std::fs::read(path).map_err(|reason| match reason.kind() {
+        std::io::ErrorKind::NotFound => ("there is no such file".to_owned(), RELATIVE),
+        _ => (format!("cannot be read: {reason}"), RELATIVE),
+    })?;
+    let grid = read_vtu_bytes(&bytes, path).map_err(|error| (without_path(&error), EXPECTED))?;
+    let field = PlasticField::from_grid(&grid).map_err(|error| (error.to_string(), EXPECTED))?;
+    let used = |arrays: &[Array]| -> Vec<Array> {
+        arrays.iter().filter(|array| array.name == PLASTIC_STRESS_ARRAY).cloned().collect()
+    };
+    // Data on points are taken where both are there.
+    let point_data = used(&grid.point_data);
+    let cell_data = if point_data.is_empty() { used(&grid.cell_data) } else { Vec::new() };
+    let kept = UnstructuredGrid { points: grid.points, cells: grid.cells, point_data, cell_data };
+    let text = vtu_text(&kept).map_err(|error| (error.to_string(), EXPECTED))?;
+    let text = String::from_utf8(text).map_err(|error| (error.to_string(), EXPECTED))?;
+    Ok((text, field))
+}
+
+/// The message names the file already.
+fn without_path(error: &VtuError) -> String {
+    match error {
+        VtuError::Io { reason, .. } => reason.to_string(),
+        VtuError::Grid { reason, .. } => reason.to_string(),
+        VtuError::Malformed { part, reason, .. } => format!("{part}: {reason}"),
+        VtuError::Unsupported { part, found, accepted, .. } => format!("{part} is {found}: {accepted}"),
+    }
+}

@@ -1,0 +1,12 @@
+//! Files that a case names.
+
+mod companion;
+mod field;
+mod profile;
+
+pub use companion::Companion;
+pub use field::FieldFile;
+pub use profile::ProfileFile;
+
+pub(crate) use field::read_field;
+pub(crate) use profile::read_profile;

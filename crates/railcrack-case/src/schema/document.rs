@@ -1,0 +1,141 @@
+//! From a file to its sections.
+
+use super::declaration::{Section, SectionPresence};
+use super::error::{CaseErrors, Fault, Report, Source};
+use super::reading::Reading;
+use super::section::read_section;
+use super::sections::Sections;
+use std::ops::Range;
+use std::path::Path;
+use std::sync::Arc;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// The text of the file `path`.
+///
+/// Errors: it cannot be read, or is no text.
+pub(crate) fn read_file(path: &Path) -> Result<Source, CaseErrors> {
+    read_text(path, &path.display().to_string()).map_err(|unreadable| {
+        let (source, fault) = *unreadable;
+        let mut report = Report::new(source);
+        report.add(fault);
+        report.into_errors()
+    })
+}
+
+/// The text of a file, which errors call `name`; or why it cannot be had, with the part that can be
+/// shown.
+pub(crate) fn read_text(path: &Path, name: &str) -> Result<Source, Box<(Source, Fault)>> {
+    let source = |text: &str| Source { name: name.into(), text: Arc::from(text) };
+    let unreadable = |why: String| Box::new((source(""), Fault::new(format!("cannot read `{name}`: {why}"))));
+    if path.is_dir() {
+        return Err(unreadable("it is a folder, not a file".into()));
+    }
+    let bytes = std::fs::read(path).map_err(|e| match e.kind() {
+        std::io::ErrorKind::NotFound => unreadable("there is no such file".into()),
+        _ => unreadable(e.to_string()),
+    })?;
+    match String::from_utf8(bytes) {
+        Ok(text) => Ok(source(&text)),
+        Err(error) => {
+            let start = error.utf8_error().valid_up_to();
+            let shown = String::from_utf8_lossy(error.as_bytes());
+            let fault = Fault {
+                message: format!("`{name}` is not UTF-8 text: byte {} is not part of a character", start + 1),
+                span: Some(start..start),
+                help: Some("store the file as UTF-8".into()),
+                ..Fault::default()
+            };
+            Err(Box::new((source(&shown), fault)))
+        }
+    }
+}
+
+/// The document; none where it is not TOML, which `report` then says.
+pub(crate) fn parse_document<'i>(text: &'i str, report: &mut Report) -> Option<Spanned<DeTable<'i>>> {
+    let (document, errors) = DeTable::parse_recoverable(text);
+    for error in &errors {
+        let span = error.span().map(|s| s.start.min(text.len())..s.end.min(text.len()));
+        report.add(syntax_fault(text, error.message(), span));
+    }
+    errors.is_empty().then_some(document)
+}
+
+/// The sections of a document.
+pub(crate) fn read_sections(root: &DeTable, reading: Reading, report: &mut Report) -> Sections {
+    let end = report.source.text.len();
+    let mut sections = Vec::new();
+    for section in reading.file.sections {
+        if section.name.is_empty() {
+            sections.push(read_section(section, 1, Some((root, 0..0)), reading, report));
+            continue;
+        }
+        let tables = match root.get_key_value(section.name) {
+            None => Vec::new(),
+            Some((name, value)) => {
+                let Some(tables) = tables(section, name.span(), value, report) else { continue };
+                tables
+            }
+        };
+        if tables.is_empty() && section.must_be_written() {
+            let message = format!("`{}` is missing: it has no default", section.header());
+            let help = format!("{} {}", section.doc, reading.file.start);
+            report.add(Fault::of(section.name, end..end, message).help(help));
+        }
+        if tables.is_empty() && section.presence == SectionPresence::Defaulted {
+            sections.push(read_section(section, 1, None, reading, report));
+        }
+        for (i, table) in tables.into_iter().enumerate() {
+            sections.push(read_section(section, i + 1, Some(table), reading, report));
+        }
+    }
+    Sections(sections)
+}
+
+/// A refusal of TOML itself; a key given twice is named.
+fn syntax_fault(text: &str, message: &str, span: Option<Range<usize>>) -> Fault {
+    let at = span.clone().and_then(|s| text.get(s)).unwrap_or_default().trim();
+    if message.contains("duplicate") {
+        let help = "a key or a section [name] is written once; only a section [[name]] repeats";
+        return Fault {
+            key: Some(at.into()),
+            span,
+            ..Fault::new(format!("`{at}` is given twice")).help(help)
+        };
+    }
+    let help = "see https://toml.io for how values, lists and sections are written";
+    Fault { span, ..Fault::new(format!("not TOML: {message}")).help(help) }
+}
+
+/// The tables of a section with their places; an error where it is written as something else.
+pub(crate) fn tables<'d, 'i>(
+    section: &Section,
+    name: Range<usize>,
+    value: &'d Spanned<DeValue<'i>>,
+    report: &mut Report,
+) -> Option<Vec<(&'d DeTable<'i>, Range<usize>)>> {
+    let repeated = section.presence == SectionPresence::Repeated;
+    let found = match value.get_ref() {
+        DeValue::Table(table) if !repeated => Some(vec![(table, name.clone())]),
+        DeValue::Array(items) if repeated => items
+            .iter()
+            .map(|item| match item.get_ref() {
+                DeValue::Table(table) => Some((table, item.span())),
+                _ => None,
+            })
+            .collect(),
+        _ => None,
+    };
+    if found.is_none() {
+        let header = section.header();
+        let message = match value.get_ref() {
+            DeValue::Table(_) => format!("`[{}]` must be written `{header}`", section.name),
+            DeValue::Array(_) if !repeated => {
+                format!("`[[{}]]` must be written `{header}`, once", section.name)
+            }
+            _ => format!("`{}` must be a section `{header}`", section.name),
+        };
+        report.add(Fault::of(section.name, name, message).help(section.doc));
+    }
+    found
+}

@@ -1,0 +1,218 @@
+//! Errors of a file: message, place, key, help; all of a file at once.
+
+use miette::{Diagnostic, LabeledSpan, NamedSource};
+use std::fmt;
+use std::ops::Range;
+use std::sync::Arc;
+use thiserror::Error;
+
+/// One error of a case file or of a file that it names.
+#[derive(Debug, Clone, Error, Diagnostic)]
+#[error("{message}")]
+pub struct CaseError {
+    message: String,
+    file: String,
+    key: Option<String>,
+    span: Option<Range<usize>>,
+    #[help]
+    help: Option<String>,
+    #[source_code]
+    text: NamedSource<Arc<str>>,
+    #[label(collection)]
+    labels: Vec<LabeledSpan>,
+}
+
+impl CaseError {
+    /// Key, value given and what is accepted.
+    #[must_use]
+    pub fn message(&self) -> &str {
+        &self.message
+    }
+
+    /// A remedy.
+    #[must_use]
+    pub fn help(&self) -> Option<&str> {
+        self.help.as_deref()
+    }
+
+    /// The file as the user named it.
+    #[must_use]
+    pub fn file(&self) -> &str {
+        &self.file
+    }
+
+    /// The key with its section, `section.key` or `section[2].key` (repeated sections count from
+    /// 1).
+    #[must_use]
+    pub fn key(&self) -> Option<&str> {
+        self.key.as_deref()
+    }
+
+    /// Bytes of the file that the error is about; none where the file cannot be read or the command
+    /// line is wrong.
+    #[must_use]
+    pub fn span(&self) -> Option<Range<usize>> {
+        self.span.clone()
+    }
+
+    /// Line and column in the file, from 1; columns count characters.
+    #[must_use]
+    pub fn position(&self) -> Option<(usize, usize)> {
+        let start = self.span.as_ref()?.start;
+        let before = self.text.inner().get(..start)?;
+        let line = before.matches('\n').count() + 1;
+        let column = before.rsplit('\n').next().map_or(0, |rest| rest.chars().count()) + 1;
+        Some((line, column))
+    }
+
+    /// The same error with `note` added to its help.
+    pub(crate) fn noting(mut self, note: &str) -> Self {
+        self.help = Some(match self.help {
+            Some(help) => format!("{help}; {note}"),
+            None => note.to_owned(),
+        });
+        self
+    }
+
+    /// The whole error on one line: `file:line:column: message (help)`.
+    #[must_use]
+    pub fn one_line(&self) -> String {
+        let place = match self.position() {
+            Some((line, column)) => format!("{}:{line}:{column}", self.file),
+            None => self.file.clone(),
+        };
+        match &self.help {
+            Some(help) => format!("{place}: {} ({help})", self.message),
+            None => format!("{place}: {}", self.message),
+        }
+    }
+}
+
+/// All errors of a case file, in the order of the file; never empty.
+#[derive(Debug, Clone, Error, Diagnostic)]
+pub struct CaseErrors {
+    #[related]
+    errors: Vec<CaseError>,
+}
+
+impl CaseErrors {
+    /// The errors.
+    #[must_use]
+    pub fn errors(&self) -> &[CaseError] {
+        &self.errors
+    }
+}
+
+impl fmt::Display for CaseErrors {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let lines: Vec<String> = self.errors.iter().map(CaseError::one_line).collect();
+        write!(f, "{}", lines.join("\n"))
+    }
+}
+
+/// A text and the name under which errors speak of it.
+#[derive(Debug, Clone)]
+pub(crate) struct Source {
+    pub name: String,
+    pub text: Arc<str>,
+}
+
+/// An error in the making.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Fault {
+    pub message: String,
+    pub key: Option<String>,
+    pub span: Option<Range<usize>>,
+    pub help: Option<String>,
+    /// A second place that the error is about, and what it is.
+    pub also: Option<(Range<usize>, &'static str)>,
+}
+
+impl Fault {
+    /// A fault of the whole file.
+    pub fn new(message: impl Into<String>) -> Self {
+        Self { message: message.into(), ..Self::default() }
+    }
+
+    /// A fault of `key`, at `span`.
+    pub fn of(key: impl Into<String>, span: Range<usize>, message: impl Into<String>) -> Self {
+        Self { key: Some(key.into()), span: Some(span), ..Self::new(message) }
+    }
+
+    /// With a remedy.
+    pub fn help(self, help: impl Into<String>) -> Self {
+        Self { help: Some(help.into()), ..self }
+    }
+
+    /// With a second place that the error is about, and what it is.
+    pub fn also(self, span: Range<usize>, what: &'static str) -> Self {
+        Self { also: Some((span, what)), ..self }
+    }
+}
+
+/// The errors of a file as they are found.
+#[derive(Debug)]
+pub(crate) struct Report {
+    pub source: Source,
+    errors: Vec<CaseError>,
+}
+
+impl Report {
+    pub fn new(source: Source) -> Self {
+        Self { source, errors: Vec::new() }
+    }
+
+    /// The text at `span` as written, shortened to a line.
+    pub fn shown(&self, span: &Range<usize>) -> String {
+        let text = self.source.text.get(span.clone()).unwrap_or_default();
+        let line = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        match line.char_indices().nth(60) {
+            Some(_) => format!("{}…", line.chars().take(59).collect::<String>()),
+            None => line,
+        }
+    }
+
+    /// Adds an error about the file.
+    pub fn add(&mut self, fault: Fault) {
+        let source = self.source.clone();
+        self.add_to(&source, fault);
+    }
+
+    /// Adds an error about another file.
+    pub fn add_to(&mut self, source: &Source, fault: Fault) {
+        let Fault { message, key, span, help, also } = fault;
+        let primary = span.clone().map(|s| LabeledSpan::new_primary_with_span(Some("here".into()), s));
+        let second = also.map(|(s, what)| LabeledSpan::new_with_span(Some(what.into()), s));
+        let labels = primary.into_iter().chain(second).collect();
+        self.errors.push(CaseError {
+            message,
+            file: source.name.clone(),
+            key,
+            span,
+            help,
+            text: NamedSource::new(&source.name, source.text.clone()),
+            labels,
+        });
+    }
+
+    /// Takes up an error that another report found in the same file or in one that it names.
+    pub fn absorb(&mut self, error: CaseError) {
+        self.errors.push(error);
+    }
+
+    /// Whether there is no error so far.
+    pub fn is_clean(&self) -> bool {
+        self.errors.is_empty()
+    }
+
+    /// The errors as they came.
+    pub fn into_list(self) -> Vec<CaseError> {
+        self.errors
+    }
+
+    /// The errors in the order of the file.
+    pub fn into_errors(mut self) -> CaseErrors {
+        self.errors.sort_by_key(|e| e.span.as_ref().map(|s| s.start));
+        CaseErrors { errors: self.errors }
+    }
+}

@@ -1,0 +1,163 @@
+//! JSON Schema of a declared file, for editors.
+
+use super::declaration::{
+    FileSchema, Form, Key, Kind, NumberRange, Presence, Preset, RangeEnd, Section, SectionPresence, available,
+};
+use serde_json::{Map, Value, json};
+
+/// The JSON Schema (draft 2020-12) of a file.
+pub(crate) fn file_schema(file: &FileSchema) -> Value {
+    let mut properties = Map::new();
+    let mut required = Vec::new();
+    for section in file.sections {
+        if section.name.is_empty() {
+            for key in section.keys {
+                properties.insert(key.name.into(), key_schema(key));
+            }
+            continue;
+        }
+        let schema = match section.presence {
+            SectionPresence::Repeated => {
+                json!({ "description": section.doc, "type": "array", "minItems": 1, "items": section_schema(section) })
+            }
+            _ => section_schema(section),
+        };
+        properties.insert(section.name.into(), schema);
+        if section.must_be_written() {
+            required.push(section.name);
+        }
+    }
+    json!({
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": file.title,
+        "type": "object",
+        "properties": properties,
+        "required": required,
+        "additionalProperties": false,
+    })
+}
+
+/// The JSON Schema of one table of a section.
+pub(crate) fn section_schema(section: &Section) -> Value {
+    let mut properties = Map::new();
+    for key in section.keys.iter().filter(|k| section.offers(k)) {
+        properties.insert(key.name.into(), key_schema(key));
+    }
+    let is_always_required = |key: &&Key| key.is_required() && !section.is_in_a_form(key);
+    let required: Vec<&str> = section.keys.iter().filter(is_always_required).map(|k| k.name).collect();
+    let mut schema = json!({
+        "description": section.doc,
+        "type": "object",
+        "properties": properties,
+        "required": required,
+        "additionalProperties": false,
+    });
+    if let Some(schema) = schema.as_object_mut() {
+        if !section.forms.is_empty() {
+            let forms: Vec<Value> = section.forms.iter().map(|f| form_schema(section, f)).collect();
+            schema.insert("oneOf".into(), forms.into());
+        }
+        for (key, pair) in section.keys.iter().filter_map(|key| Some((key.name, key.pair?))) {
+            let default = section.key(pair.key).map(|other| other.presence.preset());
+            let Some(Preset::Integer(default)) = default else { continue };
+            let above = json!({ pair.key: { "minimum": default + 1 } });
+            schema.insert("dependentRequired".into(), json!({ key: [pair.key] }));
+            schema.insert("if".into(), json!({ "properties": above, "required": [pair.key] }));
+            schema.insert("then".into(), json!({ "required": [key] }));
+        }
+    }
+    schema
+}
+
+/// All keys of this form that have no default, and none of the keys of another.
+fn form_schema(section: &Section, form: &Form) -> Value {
+    let required: Vec<&str> = section
+        .keys
+        .iter()
+        .filter(|k| form.keys.contains(&k.name) && k.is_required())
+        .map(|k| k.name)
+        .collect();
+    let others: Vec<Value> = section
+        .forms
+        .iter()
+        .flat_map(|f| f.keys)
+        .filter(|k| !form.keys.contains(k))
+        .map(|k| json!({ "required": [k] }))
+        .collect();
+    json!({ "required": required, "not": { "anyOf": others } })
+}
+
+fn key_schema(key: &Key) -> Value {
+    let mut schema = Map::new();
+    schema.insert("description".into(), key.doc.into());
+    match key.kind {
+        Kind::Number { range, .. } => {
+            schema.insert("type".into(), "number".into());
+            insert_range(&mut schema, range);
+        }
+        Kind::Integer { min, max } => {
+            schema.insert("type".into(), "integer".into());
+            schema.insert("minimum".into(), min.into());
+            schema.insert("maximum".into(), max.into());
+        }
+        Kind::Text => {
+            schema.insert("type".into(), "string".into());
+            schema.insert("maxLength".into(), 200.into());
+        }
+        Kind::Path { .. } => {
+            schema.insert("type".into(), "string".into());
+            schema.insert("minLength".into(), 1.into());
+        }
+        Kind::Choice(words) => {
+            let names: Vec<&str> = available(words).map(|word| word.name).collect();
+            schema.insert("enum".into(), names.into());
+        }
+        Kind::Numbers { range, .. } => {
+            let mut number = Map::new();
+            number.insert("type".into(), "number".into());
+            insert_range(&mut number, range);
+            schema.insert("type".into(), "array".into());
+            schema.insert("maxItems".into(), Kind::MOST_NUMBERS.into());
+            schema.insert("items".into(), Value::Object(number));
+        }
+        Kind::Points { .. } => {
+            schema.insert("type".into(), "array".into());
+            schema.insert("minItems".into(), 2.into());
+            let number = json!({ "type": "number" });
+            let pair = json!({ "type": "array", "items": number, "minItems": 2, "maxItems": 2 });
+            schema.insert("items".into(), pair);
+        }
+        Kind::Groups { .. } => {
+            schema.insert("type".into(), "array".into());
+            let group = json!({ "type": "array", "items": { "type": "string" }, "minItems": 2 });
+            schema.insert("items".into(), group);
+        }
+    }
+    if let Presence::Default(preset) = key.presence {
+        // JSON has no infinity: such a default is left to the description.
+        match preset {
+            Preset::Number(x) if x.is_finite() => schema.insert("default".into(), x.into()),
+            Preset::Integer(n) => schema.insert("default".into(), n.into()),
+            Preset::Text(text) => schema.insert("default".into(), text.into()),
+            Preset::Numbers(numbers) => schema.insert("default".into(), numbers.into()),
+            Preset::Number(_) | Preset::Points(_) | Preset::Groups(_) => None,
+        };
+    }
+    Value::Object(schema)
+}
+
+fn insert_range(schema: &mut Map<String, Value>, range: NumberRange) {
+    let mut insert = |name: &str, bound: f64| {
+        if bound.is_finite() {
+            schema.insert(name.into(), bound.into());
+        }
+    };
+    match range.min {
+        RangeEnd::Closed(min) => insert("minimum", min),
+        RangeEnd::Open(min) => insert("exclusiveMinimum", min),
+    }
+    match range.max {
+        RangeEnd::Closed(max) => insert("maximum", max),
+        RangeEnd::Open(max) => insert("exclusiveMaximum", max),
+    }
+}

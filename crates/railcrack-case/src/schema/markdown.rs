@@ -1,0 +1,63 @@
+//! Page of documentation of a declared file.
+
+use super::declaration::{FileSchema, Key, Kind, Presence, Section, SectionPresence};
+use super::words::{Availability, Word};
+use super::write::preset_text;
+
+/// The page, in Markdown: the introduction, then a table of the keys of each section.
+pub(crate) fn page(file: &FileSchema) -> String {
+    let mut page = String::from(file.introduction);
+    for section in file.sections.iter().chain(file.beside) {
+        let title =
+            if section.name.is_empty() { "At the top".into() } else { format!("`{}`", section.header()) };
+        page.push_str(&format!("\n## {title}\n\n{}", section.doc));
+        page.push_str(match section.presence {
+            SectionPresence::Defaulted => " May be left out.\n",
+            SectionPresence::Optional => " Optional.\n",
+            SectionPresence::Required => " Required.\n",
+            SectionPresence::Repeated => " At least one is required.\n",
+        });
+        page.push_str(&forms(section));
+        page.push_str("\n| key | accepted | default | meaning |\n|---|---|---|---|\n");
+        for key in section.keys {
+            page.push_str(&row(section, key));
+        }
+    }
+    page
+}
+
+fn forms(section: &Section) -> String {
+    let ways: Vec<String> = section
+        .forms
+        .iter()
+        .map(|f| f.keys.iter().map(|k| format!("`{k}`")).collect::<Vec<_>>().join(", "))
+        .collect();
+    if ways.is_empty() { String::new() } else { format!("\nEither {}.\n", ways.join("; or ")) }
+}
+
+fn row(section: &Section, key: &Key) -> String {
+    let accepted = match key.kind {
+        Kind::Choice(words) => words().iter().map(choice).collect::<Vec<_>>().join("; "),
+        _ => key.kind.accepted(),
+    };
+    let default = match key.presence {
+        Presence::Default(preset) => format!("`{}`", preset_text(preset)),
+        Presence::Optional(_) => "none".into(),
+        Presence::Required(_) => "required".into(),
+    };
+    let mut meaning = key.doc.to_string();
+    if let Some(with) = key.only_with {
+        meaning.push_str(&format!(" Only with `{} = \"{}\"`.", with.key, with.choice));
+    }
+    if !section.offers(key) {
+        meaning.push_str(" Refused for now.");
+    }
+    format!("| `{}` | {accepted} | {default} | {meaning} |\n", key.name)
+}
+
+fn choice(choice: &Word) -> String {
+    match choice.availability {
+        Availability::Now => format!("`\"{}\"`: {}", choice.name, choice.doc),
+        Availability::Later { .. } => format!("`\"{}\"`: {}, refused for now", choice.name, choice.doc),
+    }
+}

@@ -1,0 +1,44 @@
+//! Declared text files: sections, keys, ranges and words as data, from which reading with all
+//! errors at once, defaults, JSON Schema, documentation and writing back derive. What is declared,
+//! it does not know: it imports nothing else of this crate.
+
+mod accept;
+mod declaration;
+mod document;
+mod error;
+mod forms;
+mod json_schema;
+mod markdown;
+mod reading;
+mod row;
+mod section;
+mod sections;
+mod suggest;
+#[cfg(test)]
+mod tests;
+mod value;
+mod words;
+mod write;
+
+pub use declaration::{
+    FileSchema, Form, Key, Kind, NumberRange, OnlyWith, Pair, Presence, Preset, RangeEnd, Section,
+    SectionPresence,
+};
+pub use error::{CaseError, CaseErrors};
+pub use value::Value;
+pub use words::{Availability, Choice, Word};
+
+pub(crate) use accept::Raw;
+pub(crate) use declaration::short;
+pub(crate) use document::{parse_document, read_file, read_sections, read_text, tables};
+pub(crate) use error::{Fault, Report, Source};
+pub(crate) use json_schema::{file_schema, section_schema};
+pub(crate) use markdown::page;
+pub(crate) use reading::{Chosen, Override, Reading};
+pub(crate) use row::{
+    Row, choice, closed, file, groups, integer, number, numbers, points, positive, section, text, within,
+};
+pub(crate) use section::read_section;
+pub(crate) use sections::{SectionValues, Sections};
+pub(crate) use suggest::nearest;
+pub(crate) use write::{Written, first_file};

@@ -1,0 +1,170 @@
+//! Rows of a declaration: keys with the type of the values that they give.
+
+use super::declaration::{Key, Kind, NumberRange, OnlyWith, Pair, Presence, Preset};
+use super::words::{Choice, words};
+use std::marker::PhantomData;
+
+/// A key whose values are read as `T`.
+#[derive(Debug)]
+pub(crate) struct Row<T> {
+    pub key: Key,
+    values: PhantomData<fn() -> T>,
+}
+
+impl<T> Clone for Row<T> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<T> Copy for Row<T> {}
+
+impl<T> Row<T> {
+    const fn new(name: &'static str, kind: Kind, preset: Preset, doc: &'static str) -> Self {
+        let presence = Presence::Default(preset);
+        let key = Key { name, kind, presence, doc, only_with: None, pair: None, reference: None };
+        Self { key, values: PhantomData }
+    }
+
+    const fn with(self, key: Key) -> Self {
+        Self { key, values: self.values }
+    }
+
+    /// Without a default: it must be given, where its form is chosen.
+    pub const fn required(self) -> Self {
+        let presence = Presence::Required(self.key.presence.preset());
+        self.with(Key { presence, ..self.key })
+    }
+
+    /// Without a default: where it is not given, what it describes does not exist.
+    pub const fn optional(self) -> Self {
+        let presence = Presence::Optional(self.key.presence.preset());
+        self.with(Key { presence, ..self.key })
+    }
+
+    /// With another value in the first file of a user than the default.
+    pub const fn first(self, value: Preset) -> Self {
+        self.with(Key { reference: Some(value), ..self.key })
+    }
+
+    /// Only with the word `choice` of another key; `otherwise` says why.
+    pub const fn only_with<U>(self, other: Row<U>, choice: &'static str, otherwise: &'static str) -> Self {
+        let only_with = OnlyWith { key: other.key.name, choice, otherwise };
+        self.with(Key { only_with: Some(only_with), ..self.key })
+    }
+
+    /// Given together with an integer above its default, [`Pair`].
+    pub const fn paired(self, other: Row<usize>, help: &'static str) -> Self {
+        self.with(Key { pair: Some(Pair { key: other.key.name, help }), ..self.key })
+    }
+}
+
+/// \[min, max\].
+pub(crate) const fn closed(min: f64, max: f64) -> NumberRange {
+    NumberRange::closed(min, max)
+}
+
+/// (0, max\].
+pub(crate) const fn positive(max: f64) -> NumberRange {
+    NumberRange::positive(max)
+}
+
+/// \[−largest, largest\].
+pub(crate) const fn within(largest: f64) -> NumberRange {
+    NumberRange::closed(-largest, largest)
+}
+
+/// A number with a default, or an example where it has none.
+pub(crate) const fn number(
+    name: &'static str,
+    unit: &'static str,
+    range: NumberRange,
+    default: f64,
+    doc: &'static str,
+) -> Row<f64> {
+    Row::new(name, Kind::Number { unit, range }, Preset::Number(default), doc)
+}
+
+/// An integer of `range`, ends included, with a default or an example.
+pub(crate) const fn integer(
+    name: &'static str,
+    (min, max): (u64, u64),
+    default: u64,
+    doc: &'static str,
+) -> Row<usize> {
+    Row::new(name, Kind::Integer { min, max }, Preset::Integer(default), doc)
+}
+
+/// One of the words of `T`, by default the first.
+pub(crate) const fn choice<T: Choice>(name: &'static str, doc: &'static str) -> Row<T> {
+    Row::new(name, Kind::Choice(words::<T>), Preset::Text(T::WORDS[0].1.name), doc)
+}
+
+/// One line of text.
+pub(crate) const fn text(name: &'static str, default: &'static str, doc: &'static str) -> Row<String> {
+    Row::new(name, Kind::Text, Preset::Text(default), doc)
+}
+
+/// The name of another file, and its name where a complete copy is kept.
+pub(crate) const fn file(
+    name: &'static str,
+    kept_as: &'static str,
+    example: &'static str,
+    doc: &'static str,
+) -> Row<String> {
+    Row::new(name, Kind::Path { kept_as }, Preset::Text(example), doc)
+}
+
+/// A list of numbers.
+pub(crate) const fn numbers(
+    name: &'static str,
+    unit: &'static str,
+    range: NumberRange,
+    default: &'static [f64],
+    doc: &'static str,
+) -> Row<Vec<f64>> {
+    Row::new(name, Kind::Numbers { unit, range }, Preset::Numbers(default), doc)
+}
+
+/// A list of points.
+pub(crate) const fn points(
+    name: &'static str,
+    unit: &'static str,
+    range: NumberRange,
+    example: &'static [[f64; 2]],
+    doc: &'static str,
+) -> Row<Vec<[f64; 2]>> {
+    Row::new(name, Kind::Points { unit, range }, Preset::Points(example), doc)
+}
+
+/// Groups of keys; `written` is `example` as it stands in a file.
+pub(crate) const fn groups(
+    name: &'static str,
+    example: &'static [&'static [&'static str]],
+    written: &'static str,
+    doc: &'static str,
+) -> Row<Vec<Vec<String>>> {
+    Row::new(name, Kind::Groups { example: written }, Preset::Groups(example), doc)
+}
+
+/// Declares a section: a constant for each row, and the [`Section`](super::Section) of all of them.
+///
+/// `NAME "name", Presence, "Sentence." [, forms [[ROW, …], …]]; ROW: Type = row; …`
+macro_rules! section {
+    (
+        $SECTION:ident $name:literal, $presence:ident, $doc:literal $(, forms [$([$($OF:ident),+]),+])?;
+        $($ROW:ident: $Type:ty = $row:expr;)+
+    ) => {
+        $(pub(crate) const $ROW: $crate::schema::Row<$Type> = $row;)+
+
+        #[doc = $doc]
+        pub const $SECTION: $crate::schema::Section = $crate::schema::Section {
+            name: $name,
+            doc: $doc,
+            presence: $crate::schema::SectionPresence::$presence,
+            keys: &[$($ROW.key),+],
+            forms: &[$($($crate::schema::Form { keys: &[$($OF.key.name),+] }),+)?],
+        };
+    };
+}
+pub(crate) use section;

@@ -1,0 +1,168 @@
+//! Reading of one section against its declaration.
+
+use super::accept::Raw;
+use super::declaration::{Key, Presence, Section, SectionPresence};
+use super::error::{Fault, Report};
+use super::forms::{check_pairs, choose_form};
+use super::reading::Reading;
+use super::sections::{Entry, SectionValues};
+use super::suggest::nearest;
+use std::ops::Range;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// Reads one table as `section`, `number` counting repeated sections from 1.
+pub(crate) fn read_section(
+    section: &'static Section,
+    number: usize,
+    table: Option<(&DeTable, Range<usize>)>,
+    reading: Reading,
+    report: &mut Report,
+) -> SectionValues {
+    let file = reading.file;
+    let path = match section.presence {
+        SectionPresence::Repeated => format!("{}[{number}]", section.name),
+        _ => section.name.to_string(),
+    };
+    let span = table.as_ref().map_or(0..0, |(_, span)| span.clone());
+    let mut read = SectionValues { section, path, span, entries: Vec::new(), refused: Vec::new() };
+    let mut given: Vec<(&'static Key, Range<usize>)> = Vec::new();
+    for (name, value) in table.iter().flat_map(|(table, _)| table.iter()) {
+        let is_section =
+            |s: &&Section| section.name.is_empty() && !s.name.is_empty() && s.name == name.get_ref();
+        if file.sections.iter().chain(file.beside).any(|s| is_section(&s)) {
+            continue;
+        }
+        match section.key(name.get_ref()) {
+            Some(key) if reading.override_of(section.name, key.name).is_none() => {
+                given.push((key, name.span()));
+                read_value(&mut read, key, reading.chosen.of(value), file.list, report);
+            }
+            Some(_) => (),
+            None => {
+                let shown = report.shown(&value.span());
+                report.add(unknown_key(&read, name, value, &shown, file.sections));
+            }
+        }
+    }
+    given.sort_by_key(|(_, span)| span.start);
+    for key in section.keys {
+        let Some(given_instead) = reading.override_of(section.name, key.name) else { continue };
+        given.push((key, 0..0));
+        match key.kind.accept(&given_instead.value, file.list) {
+            Ok(value) => read.entries.push(Entry { key, value, span: None, parts: Vec::new() }),
+            Err(refusal) => report.add(Fault {
+                key: Some(read.dotted(key.name)),
+                help: refusal.help,
+                ..Fault::new(format!("`{}`: {}", given_instead.shown(), refusal.message))
+            }),
+        }
+    }
+    fill(&mut read, &given, report);
+    read
+}
+
+fn read_value(
+    read: &mut SectionValues,
+    key: &'static Key,
+    value: &Spanned<DeValue>,
+    list: &'static str,
+    report: &mut Report,
+) {
+    let raw = Raw::read(value.get_ref());
+    match key.kind.accept(&raw, list) {
+        Ok(value_read) => {
+            let parts = match raw {
+                Raw::List(items) => items.into_iter().map(|(_, span)| span).collect(),
+                _ => Vec::new(),
+            };
+            read.entries.push(Entry { key, value: value_read, span: Some(value.span()), parts });
+        }
+        Err(refusal) => {
+            read.refused.push(key.name);
+            let dotted = read.dotted(key.name);
+            let shown = report.shown(&value.span());
+            let span = refusal.part.unwrap_or(value.span());
+            let message = format!("`{dotted} = {shown}`: {}", refusal.message);
+            report.add(Fault { help: refusal.help, ..Fault::of(dotted, span, message) });
+        }
+    }
+}
+
+fn unknown_key(
+    read: &SectionValues,
+    name: &Spanned<std::borrow::Cow<str>>,
+    value: &Spanned<DeValue>,
+    shown: &str,
+    sections: &[Section],
+) -> Fault {
+    let given: &str = name.get_ref();
+    let section = read.section;
+    let is_table = match value.get_ref() {
+        DeValue::Table(_) => true,
+        DeValue::Array(items) => items.iter().any(|i| matches!(i.get_ref(), DeValue::Table(_))),
+        _ => false,
+    };
+    if section.name.is_empty() && is_table {
+        let named = sections.iter().filter(|s| !s.name.is_empty());
+        let known: Vec<String> = named.clone().map(Section::header).collect();
+        let near = nearest(given, named.map(|s| s.name)).unwrap_or_default();
+        return Fault::of(given, name.span(), format!("unknown section `{given}`"))
+            .help(format!("nearest known section: `{near}`; known: {}", known.join(", ")));
+    }
+    let headers_with = |key: &str| -> Vec<String> {
+        sections.iter().filter(|s| s.key(key).is_some()).map(Section::header).collect()
+    };
+    let elsewhere = headers_with(given);
+    let help = if !elsewhere.is_empty() {
+        format!("`{given}` is a key of {}", elsewhere.join(" and "))
+    } else if section.name.is_empty() {
+        let near = nearest(given, sections.iter().flat_map(|s| s.keys).map(|k| k.name)).unwrap_or_default();
+        let owner = headers_with(near).into_iter().next().filter(|header| !header.is_empty());
+        format!("nearest known key: `{near}`, of {}", owner.as_deref().unwrap_or("the top of the file"))
+    } else {
+        let known: Vec<&str> = section.keys.iter().map(|k| k.name).collect();
+        let near = nearest(given, known.iter().copied()).unwrap_or_default();
+        format!("nearest known key: `{near}`; {} knows {}", section.header(), known.join(", "))
+    };
+    let dotted = read.dotted(given);
+    let message = format!("`{dotted} = {shown}`: unknown key");
+    Fault::of(dotted, name.span(), message).help(help)
+}
+
+/// Chooses the form, refuses keys that do not go together, fills in the defaults, names missing
+/// keys.
+fn fill(read: &mut SectionValues, given: &[(&'static Key, Range<usize>)], report: &mut Report) {
+    let section = read.section;
+    let form = choose_form(read, given, report);
+    for key in section.keys {
+        let dotted = read.dotted(key.name);
+        if let Some((_, span)) = given.iter().find(|(k, _)| k.name == key.name) {
+            if let Some(with) = key.only_with
+                && read.named(with.key).is_some_and(|other| !other.has_word(with.choice))
+            {
+                let message = format!("`{dotted}` needs {} = \"{}\"", with.key, with.choice);
+                let help = format!("{}: leave `{}` out", with.otherwise, key.name);
+                report.add(Fault::of(dotted, span.clone(), message).help(help));
+            }
+            continue;
+        }
+        if section.is_in_a_form(key) && !form.is_some_and(|f| f.keys.contains(&key.name)) {
+            continue;
+        }
+        let wanted = key
+            .only_with
+            .is_none_or(|with| read.named(with.key).is_some_and(|other| other.has_word(with.choice)));
+        match key.presence {
+            Presence::Default(preset) if wanted => {
+                read.entries.push(Entry { key, value: preset.into(), span: None, parts: Vec::new() });
+            }
+            Presence::Required(_) => {
+                let message = format!("`{dotted}` is missing: it must be {}", key.kind.accepted());
+                report.add(Fault::of(dotted, read.span.clone(), message).help(key.doc));
+            }
+            _ => (),
+        }
+    }
+    check_pairs(read, report);
+}

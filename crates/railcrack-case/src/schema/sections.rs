@@ -1,0 +1,128 @@
+//! Accepted values of the sections of a file.
+
+use super::declaration::{Key, Kind, Section};
+use super::error::Fault;
+use super::row::Row;
+use super::value::{FromValue, Value};
+use std::fmt::Display;
+use std::ops::Range;
+
+/// The sections of a file, as far as they are accepted.
+#[derive(Debug)]
+pub(crate) struct Sections(pub(super) Vec<SectionValues>);
+
+impl Sections {
+    /// All sections in the order of the declaration.
+    pub fn iter(&self) -> impl Iterator<Item = &SectionValues> {
+        self.0.iter()
+    }
+
+    /// The tables of a section; none where it is not written and has no defaults.
+    pub fn all<'a>(&'a self, section: &Section) -> impl Iterator<Item = &'a SectionValues> {
+        self.0.iter().filter(move |read| read.section.name == section.name)
+    }
+
+    /// The section, which does not repeat.
+    pub fn one(&self, section: &Section) -> Option<&SectionValues> {
+        self.all(section).next()
+    }
+
+    /// Gives `value` to a key that has none.
+    pub fn settle<T>(&mut self, section: &Section, row: Row<T>, value: Value) {
+        let Some(key) = section.key(row.key.name) else { return };
+        for read in self.0.iter_mut().filter(|read| read.section.name == section.name) {
+            if read.entry(row).is_none() {
+                read.entries.push(Entry { key, value: value.clone(), span: None, parts: Vec::new() });
+            }
+        }
+    }
+}
+
+/// The accepted values of one section.
+#[derive(Debug, Clone)]
+pub(crate) struct SectionValues {
+    pub section: &'static Section,
+    /// Its name in messages: `section`, `section[2]`.
+    pub path: String,
+    /// Where it stands in the file.
+    pub span: Range<usize>,
+    pub(super) entries: Vec<Entry>,
+    /// Keys whose value was given but not accepted.
+    pub(super) refused: Vec<&'static str>,
+}
+
+/// One accepted value.
+#[derive(Debug, Clone)]
+pub(crate) struct Entry {
+    pub key: &'static Key,
+    pub value: Value,
+    /// Where it stands; none for defaults and overrides.
+    pub span: Option<Range<usize>>,
+    /// Where the elements of a list stand.
+    pub parts: Vec<Range<usize>>,
+}
+
+impl Entry {
+    pub(super) fn has_word(&self, word: &str) -> bool {
+        matches!(&self.value, Value::Text(text) if text == word)
+    }
+}
+
+impl SectionValues {
+    /// The value of a key; none where it is not given and has no default.
+    pub fn get<T: FromValue>(&self, row: Row<T>) -> Option<T> {
+        T::from_value(&self.entry(row)?.value)
+    }
+
+    /// The value of a key with its places.
+    pub fn entry<T>(&self, row: Row<T>) -> Option<&Entry> {
+        self.named(row.key.name)
+    }
+
+    pub(super) fn named(&self, key: &str) -> Option<&Entry> {
+        self.entries.iter().find(|e| e.key.name == key)
+    }
+
+    /// Whether a key was given a value that was not accepted: nothing more can be said about it.
+    pub fn is_refused<T>(&self, row: Row<T>) -> bool {
+        self.has_refused(&row.key)
+    }
+
+    pub(super) fn has_refused(&self, key: &Key) -> bool {
+        self.refused.contains(&key.name)
+    }
+
+    /// Where a key stands, or the section where it does not.
+    pub fn span_of<T>(&self, row: Row<T>) -> Range<usize> {
+        self.entry(row).and_then(|e| e.span.clone()).unwrap_or(self.span.clone())
+    }
+
+    /// A key with its section, in messages.
+    pub fn dotted(&self, key: &str) -> String {
+        if self.path.is_empty() { key.into() } else { format!("{}.{key}", self.path) }
+    }
+
+    /// A fault of the value of a key.
+    pub fn fault<T>(&self, row: Row<T>, says: impl Display) -> Fault {
+        let dotted = self.dotted(row.key.name);
+        let value = self.entry(row).map_or(String::new(), |entry| format!(" = {}", entry.value));
+        Fault::of(dotted.clone(), self.span_of(row), format!("`{dotted}{value}`: {says}"))
+    }
+
+    /// A fault of the section as a whole.
+    pub fn fault_of_all(&self, says: impl Display) -> Fault {
+        Fault::of(self.path.clone(), self.span.clone(), format!("`{}`: {says}", self.path))
+    }
+
+    /// Key and value in the order of the declaration, files under the names of a complete copy.
+    pub(super) fn values(&self) -> Vec<(&'static str, Value)> {
+        let value = |key: &Key| {
+            let given = self.named(key.name)?;
+            Some(match key.kind {
+                Kind::Path { kept_as } => Value::Text(kept_as.into()),
+                _ => given.value.clone(),
+            })
+        };
+        self.section.keys.iter().filter_map(|key| Some((key.name, value(key)?))).collect()
+    }
+}

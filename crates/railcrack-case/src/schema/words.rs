@@ -1,0 +1,57 @@
+//! Words that stand for the variants of an enum.
+
+/// An enum whose variants have words in files.
+pub trait Choice: Copy + PartialEq + Sized + 'static {
+    /// Every variant with its word, the default first.
+    const WORDS: &'static [(Self, Word)];
+
+    /// Words that are reserved for later versions.
+    const LATER: &'static [Word] = &[];
+
+    /// The word in files and results.
+    fn word(self) -> &'static str {
+        Self::WORDS.iter().find(|(value, _)| *value == self).map_or("", |(_, word)| word.name)
+    }
+
+    /// The variant with this word; none where no variant has it.
+    fn of_word(name: &str) -> Option<Self> {
+        Self::WORDS.iter().find(|(_, word)| word.name == name).map(|(value, _)| *value)
+    }
+}
+
+/// One word of a [`Choice`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Word {
+    /// The word.
+    pub name: &'static str,
+    /// Its meaning, without a capital and a full stop.
+    pub doc: &'static str,
+    /// Whether this version accepts it.
+    pub availability: Availability,
+}
+
+/// Whether this version accepts a word.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Availability {
+    /// Accepted.
+    Now,
+    /// The word is reserved and refused.
+    Later {
+        /// The reason, a sentence.
+        reason: &'static str,
+        /// A remedy, in this version.
+        instead: &'static str,
+    },
+}
+
+impl Word {
+    /// A word that this version accepts.
+    pub const fn now(name: &'static str, doc: &'static str) -> Self {
+        Self { name, doc, availability: Availability::Now }
+    }
+}
+
+/// All words of a choice, those of later versions last.
+pub(super) fn words<T: Choice>() -> Vec<Word> {
+    T::WORDS.iter().map(|(_, word)| *word).chain(T::LATER.iter().copied()).collect()
+}

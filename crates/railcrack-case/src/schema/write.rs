@@ -1,0 +1,108 @@
+//! Declared files as text: the first file of a user, and a file as it was read.
+
+use super::declaration::{FileSchema, Key, Kind, Presence, Preset, Section, SectionPresence, available};
+use super::row::Row;
+use super::sections::Sections;
+use super::value::{Value, toml_value};
+
+/// The sections of a file with their values, every default filled in.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Written(Vec<(String, Vec<(&'static str, Value)>)>);
+
+impl Written {
+    /// The values of `sections`, in the order of the declaration, and files under the names by
+    /// which a complete copy keeps them.
+    pub fn of(sections: &Sections) -> Self {
+        Self(sections.iter().map(|section| (section.section.header(), section.values())).collect())
+    }
+
+    /// Puts `value` in place of that of a key.
+    pub fn replace<T>(&mut self, section: &Section, row: Row<T>, value: &Value) {
+        for (_, values) in self.0.iter_mut().filter(|(header, _)| *header == section.header()) {
+            for (_, old) in values.iter_mut().filter(|(key, _)| *key == row.key.name) {
+                *old = value.clone();
+            }
+        }
+    }
+
+    /// The text of the file.
+    pub fn to_toml(&self) -> String {
+        let mut text = String::new();
+        for (header, values) in &self.0 {
+            if !header.is_empty() {
+                text.push_str(&format!("\n{header}\n"));
+            }
+            for (key, value) in values {
+                text.push_str(&format!("{key} = {}\n", toml_value(value)));
+            }
+        }
+        text
+    }
+}
+
+/// The first file of a user: every key with its meaning, those commented out that may be left out.
+pub(crate) fn first_file(file: &FileSchema) -> String {
+    let mut text = String::from(file.preamble);
+    for section in file.sections {
+        if !section.name.is_empty() {
+            let comment = if section.presence == SectionPresence::Optional { "# " } else { "" };
+            text.push_str(&format!("\n# {}\n{comment}{}\n", section.doc, section.header()));
+        }
+        for key in section.keys.iter().filter(|k| section.offers(k)) {
+            text.push_str(&init_line(section, key));
+        }
+    }
+    text
+}
+
+/// Column at which comments begin.
+const COMMENT_COLUMN: usize = 33;
+
+/// Longer lines put the comment above the key.
+const LINE_WIDTH: usize = 120;
+
+fn init_line(section: &Section, key: &Key) -> String {
+    let preset = key.reference.unwrap_or(key.presence.preset());
+    let other_form = section.forms.iter().skip(1).any(|f| f.keys.contains(&key.name));
+    let inactive = other_form
+        || section.presence == SectionPresence::Optional
+        || matches!(key.presence, Presence::Optional(_))
+        || means_nothing_alone(section, key)
+        || !goes_with_the_defaults(section, key);
+    let assignment = format!("{}{} = {}", if inactive { "# " } else { "" }, key.name, preset_text(preset));
+    let mut comment = key.doc.to_string();
+    match key.kind {
+        Kind::Choice(words) => {
+            let names: Vec<String> =
+                available(words).map(|word| format!("\"{}\": {}", word.name, word.doc)).collect();
+            comment.push_str(&format!(" {}.", names.join("; ")));
+        }
+        Kind::Number { unit: "", range } => comment.push_str(&format!(" In {range}.")),
+        Kind::Number { unit, range } => comment.push_str(&format!(" In {range} {unit}.")),
+        Kind::Integer { min, max } => comment.push_str(&format!(" From {min} to {max}.")),
+        Kind::Numbers { unit, range } => comment.push_str(&format!(" Each in {range} {unit}.")),
+        Kind::Text | Kind::Path { .. } | Kind::Points { .. } | Kind::Groups { .. } => (),
+    }
+    if other_form && let Some(first) = section.forms.first() {
+        comment.push_str(&format!(" Instead of {}.", first.keys.join(", ")));
+    }
+    let beside = format!("{assignment:<COMMENT_COLUMN$} # {comment}\n");
+    if beside.chars().count() <= LINE_WIDTH { beside } else { format!("# {comment}\n{assignment}\n") }
+}
+
+/// Whether another key, which is not given, goes with this one.
+fn means_nothing_alone(section: &Section, key: &Key) -> bool {
+    section.keys.iter().any(|other| other.pair.is_some_and(|pair| pair.key == key.name))
+}
+
+/// Whether a key that needs another one's choice has it by default.
+fn goes_with_the_defaults(section: &Section, key: &Key) -> bool {
+    let Some(with) = key.only_with else { return true };
+    let default = section.key(with.key).map(|other| other.presence.preset());
+    matches!(default, Some(Preset::Text(chosen)) if chosen == with.choice)
+}
+
+/// A value of a declaration as TOML.
+pub(super) fn preset_text(preset: Preset) -> String {
+    toml_value(&preset.into())
+}

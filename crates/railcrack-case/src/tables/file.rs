@@ -1,0 +1,89 @@
+//! The case file: all sections, and the texts around them.
+
+use super::contact::CONTACT;
+use super::crack::CRACK;
+use super::growth::GROWTH;
+use super::mesh::MESH;
+use super::output::OUTPUT;
+use super::passage::PASSAGE;
+use super::rail::RAIL;
+use super::shakedown::SHAKEDOWN;
+use super::solver::SOLVER;
+use super::stress::{PLASTIC_STRESS, RESIDUAL_STRESS};
+use super::study::STUDY;
+use super::title::TOP;
+use super::traffic::TRAFFIC;
+use crate::schema::{FileSchema, Section, file_schema, first_file, page};
+
+/// The sections of a case, in the order in which they are written.
+pub const SECTIONS: &[Section] = &[
+    TOP,
+    RAIL,
+    CONTACT,
+    PASSAGE,
+    CRACK,
+    RESIDUAL_STRESS,
+    PLASTIC_STRESS,
+    SHAKEDOWN,
+    GROWTH,
+    MESH,
+    SOLVER,
+    TRAFFIC,
+    OUTPUT,
+];
+
+/// The case file.
+pub(crate) static CASE_FILE: FileSchema = FileSchema {
+    title: "Case file of railcrack",
+    sections: SECTIONS,
+    beside: &[STUDY],
+    introduction: INTRODUCTION,
+    preamble: PREAMBLE,
+    start: "`railcrack init` writes a file to start from",
+    list: "a list of values makes a study, which `railcrack sweep` computes",
+};
+
+/// The JSON Schema (draft 2020-12) of a case file, for editors.
+#[must_use]
+pub fn json_schema() -> serde_json::Value {
+    file_schema(&CASE_FILE)
+}
+
+/// The page `docs/case-file.md`: every key with its values, default and meaning.
+#[must_use]
+pub fn markdown() -> String {
+    page(&CASE_FILE)
+}
+
+/// The first file of a user: the reference case of Table 1 of the paper, with a comment on every
+/// key.
+#[must_use]
+pub fn init_text() -> String {
+    first_file(&CASE_FILE)
+}
+
+const PREAMBLE: &str = "\
+# A case of railcrack. `railcrack check FILE` validates it, `railcrack run FILE` computes it.
+# y points up and the rail is y <= 0; lengths in mm, stresses in MPa, angles in degrees.
+# Every key has a default except those of [contact] and [[crack]]: the reference case of Trolle et al.
+# (2014), Table 1.
+
+";
+
+const INTRODUCTION: &str = "\
+# The case file
+
+A case is one TOML file. `railcrack init` writes the reference case with a comment on every key, `railcrack check`
+validates a case and says what would be computed, `railcrack schema` prints its JSON Schema for editors.
+
+* Lengths are in mm, stresses in MPa, angles in degrees. y points up, the rail is y <= 0.
+* File names are relative to the folder of the case file.
+* An unknown key, a wrong type, a number out of range, two keys that say the same thing or a missing file is an
+  error that names the file, the line, the key, the value and what is accepted. All errors of a file are reported
+  at once, the exit code is 2, and nothing is written.
+* An integer is written without a decimal point (`241`); a number may be written either way (`6` or `6.0`).
+* Not-a-number is never accepted, infinity only where the range below includes it.
+* A list in place of a value makes the file a study, many cases in one: see [studies](studies.md).
+
+This page is generated from the table of keys in the library; a test keeps it up to date.
+";

@@ -1,0 +1,44 @@
+//! `[mesh]`: discretisation of rail and crack faces.
+
+use crate::schema::{SectionValues, integer, number, positive, section};
+
+section! {
+    MESH "mesh", Defaulted, "Discretisation.";
+    ELEMENT_SIZE: f64 = number("element_size_mm", "mm", positive(100.0), 0.1,
+        "Element size at the cracks in the finite-element engine; without it, at each crack a sixtieth of the longest one \
+         (a thirtieth where there are more than three), or a thirtieth of the crack or a seventh of the segment at its \
+         tip if that is less. Without effect on the dislocation engine.").optional();
+    TIP_ENRICHMENT_RADIUS: f64 = number("tip_enrichment_radius_mm", "mm", positive(100.0), 0.5,
+        "Radius around a tip within which nodes carry the square-root functions of the crack tip; without it, two and a \
+         half elements.").optional();
+    INTERFACE_SPACING: f64 = number("interface_spacing_mm", "mm", positive(100.0), 0.2,
+        "Largest distance between face points in the finite-element engine; without it, the length of crack in an \
+         element.").optional();
+    INTERFACE_ELEMENTS: usize = integer("interface_elements", (8, 400), 48,
+        "Elements along each crack in the dislocation engine, before its grading towards mouth and kinks; without \
+         it 48, and 180 shared by all cracks, but at least 28 each, where there are more than three.").optional();
+}
+
+/// Discretisation; without a value, each engine chooses it from the cracks.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MeshSettings {
+    /// Element size at the cracks in the finite-element engine, mm.
+    pub element_size: Option<f64>,
+    /// Radius of the √r functions around a tip, mm.
+    pub tip_enrichment_radius: Option<f64>,
+    /// Largest distance between face points of the finite-element engine, mm.
+    pub interface_spacing: Option<f64>,
+    /// Elements along each crack in the dislocation engine.
+    pub interface_elements: Option<usize>,
+}
+
+impl MeshSettings {
+    pub(crate) fn read(section: &SectionValues) -> Self {
+        Self {
+            element_size: section.get(ELEMENT_SIZE),
+            tip_enrichment_radius: section.get(TIP_ENRICHMENT_RADIUS),
+            interface_spacing: section.get(INTERFACE_SPACING),
+            interface_elements: section.get(INTERFACE_ELEMENTS),
+        }
+    }
+}

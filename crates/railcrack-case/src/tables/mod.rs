@@ -1,0 +1,41 @@
+//! Tables of keys, a file for each section: its rows, the words of its choices, and the type that
+//! it fills. A new key is a row and the line that reads it.
+
+mod contact;
+mod crack;
+mod file;
+mod growth;
+mod mesh;
+mod output;
+mod passage;
+mod rail;
+mod shakedown;
+mod solver;
+mod stress;
+mod study;
+mod title;
+mod traffic;
+
+pub use file::{SECTIONS, init_text, json_schema, markdown};
+pub use mesh::MeshSettings;
+pub use output::FieldOutput;
+pub use rail::{Rail, boundary_name};
+pub use shakedown::ShakedownSettings;
+pub use solver::{ContactSolver, Engine};
+pub use stress::PlasticSource;
+pub use study::{Combine, STUDY};
+
+pub(crate) use contact::{CONTACT, read_contact};
+pub(crate) use crack::{ANGLE, COUNT, CRACK, CRACK_FRICTION, LENGTH, MOUTH, POINTS, SPACING};
+pub(crate) use file::CASE_FILE;
+pub(crate) use growth::{GROWTH, STEPS, read_growth};
+pub(crate) use mesh::MESH;
+pub(crate) use output::OUTPUT;
+pub(crate) use passage::{FROM, PASSAGE, TO, read_passage, read_passages};
+pub(crate) use rail::{CENTRE, RAIL, read_steel};
+pub(crate) use shakedown::SHAKEDOWN;
+pub(crate) use solver::{ENGINE, SOLVER, SOLVER_CONTACT};
+pub(crate) use stress::{PLASTIC_STRESS, PROFILE, RESIDUAL_STRESS};
+pub(crate) use study::{COLOUR_BY, COMBINE, TOGETHER};
+pub(crate) use title::{TITLE, TOP};
+pub(crate) use traffic::{AXLE_LOAD, TRAFFIC};

@@ -1,0 +1,77 @@
+//! `[passage]`: the passage of the wheel over the cracks.
+
+use crate::schema::{Choice, Report, SectionValues, Word, choice, closed, integer, number, section, within};
+use railcrack::contact::StepControl;
+use railcrack::crack::CrackNetwork;
+use railcrack::growth::PassageSettings;
+use railcrack::load::{HertzianContact, Passage};
+
+section! {
+    PASSAGE "passage", Defaulted,
+        "Passage of the wheel; with from > to it runs towards -x, and the mouths of from and to change places.";
+    FROM: f64 = number("from_over_a", "a", within(1e3), -6.0,
+        "First position of the contact's middle, measured from the first mouth that the wheel meets.");
+    TO: f64 = number("to_over_a", "a", within(1e3), 6.0,
+        "Last position, measured from the last mouth that the wheel meets.");
+    POSITIONS: usize = integer("positions", (2, 100_000), 241, "Output positions, evenly spaced.");
+    MAX_PASSAGES: usize = integer("max_passages", (1, 1000), 5,
+        "Most passages of the wheel over an unchanged crack until the history of K repeats.");
+    PASSAGE_TOLERANCE: f64 = number("passage_tolerance", "", closed(1e-9, 0.1), 1e-3,
+        "Change of K between two passages, relative to its peak, below which the history repeats.");
+    STEP_TOLERANCE: f64 = number("step_tolerance", "", closed(1e-6, 0.1), 2e-3,
+        "Load steps are refined until K changes by less, relative to its peak.");
+    STEP_CONTROL: StepControl = choice("step_control", "Choice of the load steps.");
+}
+
+impl Choice for StepControl {
+    const WORDS: &'static [(Self, Word)] = &[
+        (
+            Self::Adaptive,
+            Word::now(
+                "adaptive",
+                "changes of contact status are resolved in their order, and load steps are refined by step_tolerance",
+            ),
+        ),
+        (Self::Fixed, Word::now("fixed", "one load step from output position to output position")),
+    ];
+}
+
+/// The positions of the wheel, from the mouths of `cracks`.
+pub(crate) fn read_passage(
+    section: &SectionValues,
+    contact: Option<&HertzianContact>,
+    cracks: Option<&CrackNetwork>,
+    report: &mut Report,
+) -> Option<Passage> {
+    let (from, to) = (section.get(FROM)?, section.get(TO)?);
+    if from == to {
+        let help = "the wheel has to move; from > to is a wheel that runs towards -x";
+        let says = format!("must differ from {}", FROM.key.name);
+        report.add(section.fault(TO, says).help(help));
+        return None;
+    }
+    let (contact, cracks) = (contact?, cracks?);
+    // The wheel meets the cracks one after the other: it starts before the first mouth on its way
+    // and ends behind the last one.
+    let (first, last) = if from < to {
+        (cracks.leftmost_mouth(), cracks.rightmost_mouth())
+    } else {
+        (cracks.rightmost_mouth(), cracks.leftmost_mouth())
+    };
+    Some(Passage {
+        from: first + from * contact.half_width,
+        to: last + to * contact.half_width,
+        positions: section.get(POSITIONS)?,
+    })
+}
+
+/// Repetition and resolution of `passage`.
+pub(crate) fn read_passages(section: &SectionValues, passage: Passage) -> Option<PassageSettings> {
+    Some(PassageSettings {
+        passage,
+        max_passages: section.get(MAX_PASSAGES)?,
+        passage_tolerance: section.get(PASSAGE_TOLERANCE)?,
+        step_tolerance: section.get(STEP_TOLERANCE)?,
+        step_control: section.get(STEP_CONTROL)?,
+    })
+}

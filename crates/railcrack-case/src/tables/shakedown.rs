@@ -1,0 +1,76 @@
+//! `[shakedown]`: plastic behaviour of the rail, and the criterion of crack initiation.
+
+use crate::files::{ProfileFile, read_profile};
+use crate::schema::{
+    Choice, Report, SectionValues, Word, choice, closed, file, integer, number, positive, section,
+};
+use railcrack::fatigue::DangVan;
+use railcrack::material::KinematicHardening;
+use railcrack::shakedown::Method;
+use std::path::Path;
+
+section! {
+    SHAKEDOWN "shakedown", Defaulted,
+        "Plastic behaviour of the rail under the repeated passage, and the Dang Van criterion.";
+    YIELD_STRESS: f64 = number("yield_stress_mpa", "MPa", positive(1e4), 500.0,
+        "Yield stress in tension; in shear it is k = yield stress / sqrt(3).");
+    HARDENING_MODULUS: f64 = number("hardening_modulus_mpa", "MPa", positive(1e7), 20e3,
+        "Modulus C of the linear kinematic hardening X = (2/3) C eps_p.");
+    METHOD: Method = choice("method", "Way to the stabilised state.");
+    MAX_PASSES: usize = integer("max_passes", (1, 100_000), 500,
+        "Passages after which the rail counts as not stabilised.");
+    INITIAL_RESIDUAL: String = file("initial_residual", "inputs/initial-residual.csv", "manufacturing.csv",
+        "Balanced profile present before the first passage, as [residual_stress] profile.").optional();
+    DANG_VAN_A: f64 = number("dang_van_a", "", closed(0.0, 10.0), 0.3, "Slope of the Dang Van criterion.");
+    DANG_VAN_B: f64 = number("dang_van_b_mpa", "MPa", positive(1e4), 250.0,
+        "Fatigue limit in pure shear of the Dang Van criterion.");
+}
+
+impl Choice for Method {
+    const WORDS: &'static [(Self, Word)] = &[
+        (
+            Self::PassByPass,
+            Word::now("pass-by-pass", "each passage starts from the state left by the one before"),
+        ),
+        (
+            Self::Direct,
+            Word::now(
+                "direct",
+                "the state downstream becomes that upstream in every iteration: cheaper, and another admissible state",
+            ),
+        ),
+    ];
+}
+
+/// Plastic behaviour of the rail and the criterion of crack initiation.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ShakedownSettings {
+    /// Yield stress and hardening of the steel.
+    pub hardening: KinematicHardening,
+    /// Way to the stabilised state.
+    pub method: Method,
+    /// Passages after which the rail counts as not stabilised.
+    pub max_passes: usize,
+    /// Balanced profile present before the first passage.
+    pub initial_residual: Option<ProfileFile>,
+    /// The criterion of crack initiation.
+    pub dang_van: DangVan,
+}
+
+impl ShakedownSettings {
+    /// Files are relative to `folder`.
+    pub(crate) fn read(section: &SectionValues, folder: &Path, report: &mut Report) -> Option<Self> {
+        let initial_residual = read_profile(section, INITIAL_RESIDUAL, folder, report);
+        let (yield_stress, modulus) = (section.get(YIELD_STRESS)?, section.get(HARDENING_MODULUS)?);
+        let hardening = KinematicHardening::new(yield_stress, modulus)
+            .map_err(|error| report.add(section.fault_of_all(error)))
+            .ok()?;
+        Some(Self {
+            hardening,
+            method: section.get(METHOD)?,
+            max_passes: section.get(MAX_PASSES)?,
+            initial_residual,
+            dang_van: DangVan { slope: section.get(DANG_VAN_A)?, limit: section.get(DANG_VAN_B)? },
+        })
+    }
+}

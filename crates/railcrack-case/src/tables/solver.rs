@@ -1,0 +1,60 @@
+//! `[solver]`: the engine of the cracked rail and the solver of the contact conditions.
+
+use crate::schema::{Choice, Word, choice, section};
+
+section! {
+    SOLVER "solver", Defaulted, "Solvers.";
+    ENGINE: Engine = choice("engine", "Engine that computes the cracked rail.");
+    SOLVER_CONTACT: ContactSolver = choice("contact", "Solver of the contact conditions on the crack faces.");
+}
+
+/// Engines that compute the cracked rail.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Engine {
+    /// Extended finite elements.
+    Xfem,
+    /// Distributed dislocations in a half-plane.
+    Dislocation,
+}
+
+impl Choice for Engine {
+    const WORDS: &'static [(Self, Word)] = &[
+        (Self::Xfem, Word::now("xfem", "extended finite elements")),
+        (Self::Dislocation, Word::now("dislocation", "distributed dislocations in a half-plane")),
+    ];
+}
+
+impl Engine {
+    /// Every engine of this version, the default first.
+    pub const ALL: [Self; 2] = [Self::Xfem, Self::Dislocation];
+
+    /// The name in case files and results.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        self.word()
+    }
+}
+
+/// Solvers of the contact conditions on the crack faces.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ContactSolver {
+    /// Active sets, exact complementarity.
+    Newton,
+    /// The LATIN method.
+    Latin,
+}
+
+impl Choice for ContactSolver {
+    const WORDS: &'static [(Self, Word)] = &[
+        (Self::Newton, Word::now("newton", "active sets, exact complementarity")),
+        (Self::Latin, Word::now("latin", "the LATIN method of the paper")),
+    ];
+}
+
+impl ContactSolver {
+    /// The name in case files and results.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        self.word()
+    }
+}

@@ -1,0 +1,59 @@
+//! `[residual_stress]` and `[plastic_stress]`: stress that rolling or manufacture left in the rail.
+
+use crate::files::{FieldFile, ProfileFile, read_field, read_profile};
+use crate::schema::{Report, SectionValues, file, section};
+use std::path::Path;
+
+section! {
+    RESIDUAL_STRESS "residual_stress", Optional,
+        "A balanced residual stress that depends on depth; it adds to the wheel.";
+    PROFILE: String = file("profile", "inputs/residual-stress.csv", "profile.csv",
+        "CSV read by header, depth_mm,sxx_mpa[,szz_mpa]: linear between rows, zero beyond the last.").required();
+}
+
+section! {
+    PLASTIC_STRESS "plastic_stress", Optional,
+        "A plastic stress K:eps_p = 2 G eps_p that is still to be balanced on the crack mesh. With neither key, that of the \
+          stabilised state of [shakedown], which the run computes first.",
+        forms [[PLASTIC_FIELD], [PLASTIC_PROFILE]];
+    PLASTIC_FIELD: String = file("field", "inputs/plastic-stress.vtu", "shakedown/plastic.vtu",
+        "VTU with plastic_stress_mpa on points or cells: written by `railcrack shakedown`, or by any other program.")
+        .optional();
+    PLASTIC_PROFILE: String = file("profile", "inputs/plastic-stress.csv", "plastic.csv",
+        "CSV as that of [residual_stress], read as a plastic stress.").optional();
+}
+
+/// Origin of a plastic stress.
+#[derive(Debug, Clone, PartialEq)]
+pub enum PlasticSource {
+    /// A field on a mesh.
+    Field(FieldFile),
+    /// A profile by depth.
+    Profile(ProfileFile),
+    /// The stabilised state under the wheel of the case, computed first.
+    Rolled,
+}
+
+impl PlasticSource {
+    /// Files are relative to `folder`.
+    pub(crate) fn read(section: &SectionValues, folder: &Path, report: &mut Report) -> Option<Self> {
+        if section.entry(PLASTIC_FIELD).is_some() {
+            return read_field(section, PLASTIC_FIELD, folder, report).map(Self::Field);
+        }
+        if section.entry(PLASTIC_PROFILE).is_some() {
+            return read_profile(section, PLASTIC_PROFILE, folder, report).map(Self::Profile);
+        }
+        let refused = section.is_refused(PLASTIC_FIELD) || section.is_refused(PLASTIC_PROFILE);
+        (!refused).then_some(Self::Rolled)
+    }
+
+    /// The name in results.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Field(_) => "field",
+            Self::Profile(_) => "profile",
+            Self::Rolled => "rolled",
+        }
+    }
+}

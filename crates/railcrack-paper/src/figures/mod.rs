@@ -1,0 +1,13 @@
+//! The figures: a table each, and charts of it for the SVG file and the page.
+
+mod charts;
+mod engines;
+mod sheets;
+mod tables;
+mod write;
+
+pub(crate) use charts::{Quantity, TableCurve, page_chart};
+pub(crate) use engines::engines;
+pub(crate) use sheets::sheet;
+pub(crate) use tables::FigureTable;
+pub(crate) use write::{path_table, profile_table, sif_table};

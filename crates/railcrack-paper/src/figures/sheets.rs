@@ -1,0 +1,97 @@
+//! The SVG files of the figures: the main set-ups, both bodies and both ways of travel.
+
+use super::charts::{Quantity, TableCurve, cracks, drawn};
+use super::tables::FigureTable;
+use crate::figure::{Figure, Kind};
+use crate::setup::SETUPS;
+use crate::verdict::MAIN;
+use railcrack_report::{
+    Chart, ChartSheet, Curve, CurveColour, CurveDots, CurveLook, CurveWidth, LegendEntry, SheetLegend,
+};
+
+/// Points of an initial crack: all are straight.
+const INITIAL_POINTS: usize = 2;
+/// Cracks of a run in the block whose K leaves the other curves readable.
+const FEW_CRACKS: usize = 2;
+
+/// The sheet of `figure` from its table.
+///
+/// Errors: the text of a value that is no finite number.
+pub(crate) fn sheet(figure: &Figure, table: &FigureTable) -> Result<ChartSheet, String> {
+    let mut quantities = Vec::new();
+    for quantity in Quantity::ALL {
+        quantities.extend(quantity.curves(table)?.map(|curves| (quantity, curves)));
+    }
+    let rows = match figure.kind {
+        Kind::Sif => quantities.iter().map(|(quantity, curves)| sif_row(figure, *quantity, curves)).collect(),
+        Kind::Paths => {
+            let all = quantities.iter().flat_map(|(quantity, curves)| path_panels(figure, *quantity, curves));
+            all.collect::<Vec<_>>().chunks(2).map(<[Chart]>::to_vec).collect()
+        }
+        Kind::Profile => {
+            quantities.iter().map(|(quantity, curves)| vec![profiles(figure, *quantity, curves)]).collect()
+        }
+    };
+    let mut sheet = ChartSheet {
+        title: format!("Trollé et al. (2014), Fig. {}, recomputed", figure.number),
+        subtitle: figure.title.to_owned(),
+        rows,
+        legend: SheetLegend::default(),
+    };
+    if figure.kind == Kind::Sif {
+        let bodies = LegendEntry::solid_and_dashed(["half-plane", "block, bottom clamped"]);
+        sheet.legend = SheetLegend::Names(bodies.into());
+    }
+    Ok(sheet)
+}
+
+/// K for cracks that lean along the travel and, beside it, against it: half-plane solid, block
+/// dashed.
+fn sif_row(figure: &Figure, quantity: Quantity, curves: &[TableCurve]) -> Vec<Chart> {
+    let column = |(way, words): (&str, &str)| {
+        let [half_plane, block] = ["half-plane", "block"].map(|body| format!("{body}, {way}"));
+        let is_block = move |curve: &TableCurve| curve.setup == block;
+        let is_shown = |curve: &TableCurve| {
+            curve.setup == half_plane || is_block(curve) && cracks(curves, &curve.name) <= FEW_CRACKS
+        };
+        let look = |(table, curve): (&TableCurve, Curve)| {
+            if is_block(table) { curve.with_look(CurveLook::Dashed) } else { curve }
+        };
+        let curves = drawn(figure, curves, is_shown).map(look).collect();
+        let heading =
+            if quantity == Quantity::Ki { format!("Cracks lean {words} the travel") } else { String::new() };
+        Chart { heading, curves, ..quantity.chart(figure) }
+    };
+    [("with", "along"), ("against", "against")].map(column).into()
+}
+
+/// The paths in each main set-up that has any.
+fn path_panels(figure: &Figure, quantity: Quantity, curves: &[TableCurve]) -> Vec<Chart> {
+    let panel = |name: &'static str| {
+        let paths = drawn(figure, curves, move |curve| curve.setup == name);
+        let paths: Vec<Curve> =
+            paths.map(|(_, curve)| curve.with_dots(CurveDots::AllBut(0..INITIAL_POINTS))).collect();
+        let initial = |path: &Curve| {
+            let points = path.points.iter().take(INITIAL_POINTS).copied().collect();
+            Curve::line("initial crack", points).with_colour(CurveColour::Ink).with_width(CurveWidth::Wide)
+        };
+        let initial: Vec<Curve> = paths.iter().map(initial).collect();
+        let body = name.split(',').next().unwrap_or(name);
+        let side = if name.ends_with("against") { "left" } else { "right" };
+        Chart {
+            heading: format!("{body}: wheel rolls to the {side}"),
+            curves: paths.into_iter().chain(initial).collect(),
+            ..quantity.chart(figure)
+        }
+    };
+    let panels = SETUPS[..MAIN].iter().map(|setup| panel(setup.name));
+    panels.filter(|chart| !chart.curves.is_empty()).collect()
+}
+
+/// The readings of Fig. 21 solid, rolled rails dashed.
+fn profiles(figure: &Figure, quantity: Quantity, curves: &[TableCurve]) -> Chart {
+    let look = |(table, curve): (&TableCurve, Curve)| {
+        if table.name.starts_with("rolled") { curve.with_look(CurveLook::Dashed) } else { curve }
+    };
+    Chart { curves: drawn(figure, curves, |_| true).map(look).collect(), ..quantity.chart(figure) }
+}

@@ -1,0 +1,297 @@
+//! A sheet of charts as an SVG file.
+
+use super::axis::{ChartAxis, ChartRange, ChartScale};
+use super::curve::{Curve, CurveColour, CurveDots, CurveLook, CurveWidth};
+use super::types::{Chart, ChartAspect, ChartSheet, LegendEntry, LegendMark, SheetLegend};
+use crate::markup::plain;
+use crate::numbers::shortened;
+use crate::svg::{
+    Anchor, Axes, Axis, CATEGORIES, Entry, Frame, GREY, INK, Mark, ORANGE, Span, Stroke, Svg, TextStyle,
+    around, coordinate, draw_legend, ends, legend_width, quantity, sequence, text,
+};
+
+/// Inside of the only chart of a sheet, and of one of several, pixels.
+const SIZES: [[f64; 2]; 2] = [[600.0, 360.0], [420.0, 230.0]];
+/// Heights of a chart to scale.
+const TO_SCALE: [f64; 2] = [150.0, 560.0];
+/// Room at the left of a chart: ticks and title of its y axis.
+const LEFT: f64 = 76.0;
+/// Room below a chart with a title of its x axis, and below one without.
+const BELOW: [f64; 2] = [56.0, 24.0];
+/// Height of the heading of a sheet, and of that of a chart.
+pub(crate) const HEADING: f64 = 58.0;
+const CHART_HEADING: f64 = 20.0;
+/// The most entries of a legend that has no entries of its own: of more, evenly chosen ones.
+const LEGEND: usize = 18;
+/// Letters of a line of the legend.
+const LEGEND_LETTERS: f64 = 60.0;
+/// Fill of areas and of the rail.
+const AREA: &str = "#fbe8c6";
+const RAIL: &str = "#f6f5f2";
+
+/// Title and subtitle of a picture, the title cut to `room` pixels.
+pub(crate) fn draw_heading(svg: &mut Svg, left: f64, room: f64, title: &str, subtitle: &str) {
+    let bold = TextStyle { size: 15.0, anchor: Anchor::Start, colour: INK, weight: "bold" };
+    let quiet = TextStyle { size: 12.0, colour: GREY, weight: "normal", ..bold };
+    svg.text([left, 24.0], &[Span::Plain(shortened(title, room / 8.6))], bold);
+    svg.text([left, 43.0], &text(subtitle), quiet);
+}
+
+impl ChartSheet {
+    /// The file.
+    pub fn svg(&self) -> String {
+        let size = SIZES[usize::from(self.charts().count() > 1)];
+        let mut placed: Vec<(Axes, &Chart, bool)> = Vec::new();
+        let mut top = HEADING;
+        for (r, row) in self.rows.iter().enumerate() {
+            top += if row.iter().any(|chart| !chart.heading.is_empty()) { CHART_HEADING } else { 0.0 };
+            let (mut bottom, mut below) = (top, BELOW[1]);
+            for (column, chart) in row.iter().enumerate() {
+                let (x, y, height) = self.axes(chart, size);
+                let left = LEFT + column as f64 * (size[0] + LEFT + 16.0);
+                let frame = Frame { left, top, width: size[0], height };
+                // The chart below has the labels.
+                let next = self.rows.get(r + 1).and_then(|row| row.get(column));
+                let is_titled = next.is_none_or(|next| next.x != chart.x || !next.heading.is_empty());
+                below = if is_titled { BELOW[0] } else { below };
+                bottom = f64::max(bottom, frame.bottom());
+                placed.push((Axes { frame, x, y }, chart, is_titled));
+            }
+            top = bottom + below;
+        }
+        let entries = self.entries();
+        let right = placed.iter().map(|(axes, ..)| axes.frame.right()).fold(0.0, f64::max);
+        let width = right + 24.0 + legend_width(&entries);
+        let mut svg = Svg::new(width, top.max(HEADING + 20.0 + 18.0 * entries.len() as f64));
+        draw_heading(&mut svg, LEFT, width - LEFT, &self.title, &self.subtitle);
+        for (axes, chart, is_titled) in &placed {
+            draw(&mut svg, axes, chart, *is_titled);
+        }
+        draw_legend(&mut svg, [right + 16.0, HEADING], &entries);
+        svg.finish(&format!("{}: {}", plain(&self.subtitle), self.title))
+    }
+
+    /// Coordinate `c` of all points on charts whose axis has the title of that of `chart`.
+    fn values<'a>(&'a self, chart: &'a Chart, c: usize) -> impl Iterator<Item = f64> + 'a {
+        let axis = move |chart: &'a Chart| if c == 0 { &chart.x } else { &chart.y };
+        let alike = self.charts().filter(move |other| axis(other).title() == axis(chart).title());
+        let points = |chart: &'a Chart| {
+            let areas = chart.areas.iter().flat_map(|area| &area.outline);
+            chart.curves.iter().flat_map(|curve| &curve.points).chain(areas)
+        };
+        alike.flat_map(points).map(move |point| point[c])
+    }
+
+    /// The scales of `chart`, and its height.
+    fn axes(&self, chart: &Chart, [width, height]: [f64; 2]) -> (Axis, Axis, f64) {
+        if chart.aspect == ChartAspect::Equal {
+            return equal(ends(self.values(chart, 0)), ends(self.values(chart, 1)), width);
+        }
+        let axis = |axis: &ChartAxis, c: usize, length: f64| {
+            let is_logarithmic = axis.scale == ChartScale::Logarithmic;
+            let values = self.values(chart, c).filter(|&value| !is_logarithmic || value > 0.0);
+            let [low, high] = match (axis.range, axis.scale) {
+                (ChartRange::Exact(ends), _) => ends,
+                (_, ChartScale::Logarithmic) => {
+                    let [low, high] = around(values.map(f64::ln));
+                    [low.exp(), high.exp()]
+                }
+                (ChartRange::Tight, _) => ends(values),
+                (ChartRange::Around, _) => around(values),
+                (ChartRange::AroundZero, _) => around(values.chain([0.0])),
+            };
+            let ticks = (length / 40.0).round() as usize;
+            match axis.scale {
+                ChartScale::Linear => Axis::exact(low, high, ticks),
+                ChartScale::Depth => Axis::exact(high, low, ticks),
+                ChartScale::Logarithmic => Axis::logarithmic(low, high),
+            }
+        };
+        (axis(&chart.x, 0, width), axis(&chart.y, 1, height), height)
+    }
+
+    /// The legend; of many names, evenly chosen ones.
+    fn entries(&self) -> Vec<Entry> {
+        let others = match &self.legend {
+            SheetLegend::Entries(entries) => return entries.iter().map(entry).collect(),
+            SheetLegend::Names(others) => others,
+        };
+        let mut entries: Vec<LegendEntry> = Vec::new();
+        for chart in self.charts() {
+            let curve = |(place, curve): (usize, &Curve)| LegendEntry {
+                mark: LegendMark::Curve {
+                    look: curve.look,
+                    dots: curve.dots.clone(),
+                    width: curve.width,
+                    colour: curve.colour.unwrap_or(CurveColour::Category(place)),
+                },
+                words: curve.name.clone(),
+            };
+            let areas =
+                chart.areas.iter().map(|a| LegendEntry { mark: LegendMark::Area, words: a.name.clone() });
+            for new in areas.chain(chart.curves.iter().enumerate().map(curve)) {
+                if !new.words.is_empty() && !entries.iter().any(|entry| entry.words == new.words) {
+                    entries.push(new);
+                }
+            }
+        }
+        let every = entries.len().div_ceil(LEGEND).max(1);
+        entries.iter().step_by(every).chain(others).map(entry).collect()
+    }
+}
+
+/// Scales around the points between `x` and `y` with the same unit both ways, depth downwards, on
+/// `width` pixels; the height that they need.
+fn equal([left, right]: [f64; 2], [_, deep]: [f64; 2], width: f64) -> (Axis, Axis, f64) {
+    let (across, deep) = ((right - left).max(1e-6), deep.max(1e-6));
+    let air = 0.12 * across.max(deep);
+    // The room above the surface takes notes.
+    let above = 0.6 * air;
+    let (x_span, y_span) = (across + 2.0 * air, deep + air + above);
+    let scale = (width / x_span).min(TO_SCALE[1] / y_span);
+    let height = (scale * y_span).max(TO_SCALE[0]);
+    let (half, middle) = (0.5 * width / scale, 0.5 * (left + right));
+    let ticks = |length: f64| (length / 55.0) as usize + 1;
+    let x = Axis::exact(middle - half, middle + half, ticks(width));
+    (x, Axis::exact(height / scale - above, -above, ticks(height)), height)
+}
+
+fn draw(svg: &mut Svg, axes: &Axes, chart: &Chart, is_titled: bool) {
+    let frame = axes.frame;
+    let [_, surface] = axes.at(0.0, 0.0);
+    let is_rail = chart.aspect == ChartAspect::Equal && chart.y.scale == ChartScale::Depth;
+    if is_rail {
+        svg.rectangle([frame.left, surface, frame.width, frame.bottom() - surface], RAIL, "none");
+    }
+    axes.draw_grid(svg);
+    axes.clip(svg);
+    let at = |points: &[[f64; 2]]| -> Vec<[f64; 2]> { points.iter().map(|&[x, y]| axes.at(x, y)).collect() };
+    for area in &chart.areas {
+        let corners = at(&area.outline);
+        let path: Vec<String> =
+            corners.iter().map(|[x, y]| format!("{} {}", coordinate(*x), coordinate(*y))).collect();
+        svg.area("piece", &format!("M{}Z", path.join("L")), AREA);
+        let closed: Vec<[f64; 2]> = corners.iter().chain(corners.first()).copied().collect();
+        svg.polyline("outline", &closed, &Stroke { dashes: "4 3", ..Stroke::solid(ORANGE, 1.2) });
+    }
+    for (place, curve) in chart.curves.iter().enumerate() {
+        draw_curve(
+            svg,
+            chart,
+            curve,
+            curve.colour.unwrap_or(CurveColour::Category(place)),
+            at(&curve.points),
+        );
+    }
+    svg.unclip();
+    if is_rail {
+        let line = [[frame.left, surface], [frame.right(), surface]];
+        svg.polyline("surface", &line, &Stroke::solid(INK, 2.2));
+    }
+    let style = TextStyle { size: 11.0, anchor: Anchor::Middle, colour: INK, weight: "normal" };
+    for note in &chart.notes {
+        let [x, y] = axes.at(note.at[0], note.at[1]);
+        svg.text([x, y - 7.0], &text(&note.words), style);
+    }
+    let heading = TextStyle { size: 12.0, anchor: Anchor::Start, colour: GREY, weight: "normal" };
+    if !chart.heading.is_empty() {
+        svg.text([frame.left, frame.top - 9.0], &text(&chart.heading), heading);
+    }
+    let x_title = if is_titled { titled(&chart.x, &axes.x) } else { Vec::new() };
+    axes.draw_frame(svg, &x_title, &titled(&chart.y, &axes.y));
+}
+
+fn draw_curve(svg: &mut Svg, chart: &Chart, curve: &Curve, colour: CurveColour, points: Vec<[f64; 2]>) {
+    let has_place = |&i: &usize| {
+        let [x, y] = curve.points[i];
+        let fits = |axis: &ChartAxis, value: f64| axis.scale != ChartScale::Logarithmic || value > 0.0;
+        fits(&chart.x, x) && fits(&chart.y, y)
+    };
+    let shown: Vec<usize> = (0..points.len()).filter(has_place).collect();
+    let stroke = stroke(curve.look, curve.width, colour);
+    if curve.look != CurveLook::Dots {
+        let is_initial = colour == CurveColour::Ink && curve.width == CurveWidth::Wide;
+        let class = if is_initial { "initial" } else { "series" };
+        let line: Vec<[f64; 2]> = shown.iter().map(|&i| points[i]).collect();
+        svg.polyline(class, &line, &stroke);
+    }
+    for &i in shown.iter().filter(|&&i| curve.has_dot(i)) {
+        svg.dot(points[i], 2.4, &stroke.colour);
+    }
+}
+
+/// The title of an axis with the power of ten that its labels leave out.
+fn titled(axis: &ChartAxis, scale: &Axis) -> Vec<Span> {
+    let power = match scale.exponent() {
+        0 => return quantity(&axis.title()),
+        exponent => format!("10^{{{exponent}}}").replace('-', "\u{2212}"),
+    };
+    let unit = if axis.unit.is_empty() { format!("\u{d7}{power}") } else { format!("{power} {}", axis.unit) };
+    quantity(&format!("{} ({unit})", axis.label))
+}
+
+fn stroke(look: CurveLook, width: CurveWidth, colour: CurveColour) -> Stroke {
+    let dashes = match look {
+        CurveLook::Line | CurveLook::Dots => "",
+        CurveLook::Dashed => "6 4",
+        CurveLook::FineDashed => "2 3",
+        CurveLook::DashDotted => "9 3 2 3",
+    };
+    let colour = match colour {
+        CurveColour::Category(number) => CATEGORIES[number % CATEGORIES.len()].to_owned(),
+        CurveColour::Along(place) => sequence(place),
+        CurveColour::Ink => INK.to_owned(),
+        CurveColour::Quiet => GREY.to_owned(),
+    };
+    let width = match width {
+        CurveWidth::Usual => 1.7,
+        CurveWidth::Wide => 3.2,
+    };
+    Stroke { dashes, ..Stroke::solid(&colour, width) }
+}
+
+fn entry(entry: &LegendEntry) -> Entry {
+    let mark = match &entry.mark {
+        LegendMark::Heading => Mark::Heading,
+        LegendMark::Area => Mark::Box(AREA.to_owned()),
+        LegendMark::Curve { look, dots, width, colour } => {
+            let stroke = stroke(*look, *width, *colour);
+            match (look, dots) {
+                (CurveLook::Dots, _) => Mark::Dot(stroke.colour),
+                (_, CurveDots::None | CurveDots::Last) => Mark::Line(stroke),
+                (_, CurveDots::All | CurveDots::AllBut(_)) => Mark::Dotted(stroke),
+            }
+        }
+    };
+    Entry { mark, words: shortened(&entry.words, LEGEND_LETTERS) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn chart(y: &str, points: &[[f64; 2]]) -> Chart {
+        Chart {
+            x: ChartAxis::linear("x", "mm"),
+            y: ChartAxis::logarithmic(y, "mm"),
+            curves: vec![Curve::line("curve", points.to_vec()).with_dots(CurveDots::All)],
+            ..Chart::default()
+        }
+    }
+
+    #[test]
+    fn axes_with_the_same_title_have_the_same_scale() {
+        let rows =
+            vec![vec![chart("y", &[[0.0, 1e-6]]), chart("y", &[[5.0, 1e-2]]), chart("z", &[[1.0, 1.0]])]];
+        let sheet = ChartSheet { rows, ..ChartSheet::default() };
+        let [first, second, third] = [0, 1, 2].map(|i| sheet.axes(&sheet.rows[0][i], SIZES[1]));
+        assert!(first.0 == second.0 && first.1 == second.1 && first.0 == third.0 && first.1 != third.1);
+    }
+
+    #[test]
+    fn zero_has_no_place_on_a_logarithmic_axis() {
+        let svg = ChartSheet::of("t", "s", chart("y", &[[0.0, 0.0], [1.0, 1e-3], [2.0, 1e-1]])).svg();
+        assert_eq!(svg.matches("<circle").count(), 2 + 3, "two points, three dots of the legend");
+        assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
+    }
+}

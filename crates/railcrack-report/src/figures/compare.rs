@@ -1,0 +1,156 @@
+//! Two runs: K of both and its difference, crack paths, lengths.
+
+use super::plot::Plot;
+use super::sif::{self, Mode};
+use super::{cycles, paths};
+use crate::chart::{
+    Chart, ChartSheet, Curve, CurveColour, CurveDots, CurveLook, CurveWidth, LegendEntry, SheetLegend,
+};
+use railcrack_run::Comparison;
+use railcrack_run::compare::TipComparison;
+use railcrack_run::compare::{self, Aligned};
+
+/// A tip of both runs with K at common positions.
+type Tip<'a> = (&'a TipComparison, &'a Aligned);
+
+/// The plots of a comparison; none where the runs have no common step.
+pub(crate) fn comparison_plots(comparison: &Comparison) -> Vec<Plot> {
+    if comparison.common_steps == 0 {
+        return Vec::new();
+    }
+    let last = comparison.common_steps - 1;
+    vec![
+        Plot::sheet(compare::FIRST_STEP, sifs(comparison, 0)),
+        Plot::sheet(compare::LAST_STEP, sifs(comparison, last)),
+        Plot::sheet(compare::PATHS, paths_of_both(comparison)),
+    ]
+}
+
+/// The first and the last common step.
+pub(crate) fn steps_of_both(comparison: &Comparison) -> Vec<usize> {
+    let mut steps = vec![0, comparison.common_steps.saturating_sub(1)];
+    steps.dedup();
+    steps
+}
+
+/// K of both runs, and its difference beside it, in `step`.
+fn sifs(comparison: &Comparison, step: usize) -> ChartSheet {
+    let names = comparison.names();
+    let all = comparison.tips.iter().zip(&comparison.aligned);
+    let tips: Vec<Tip> = all.filter(|(tip, _)| tip.step == step).collect();
+    let row = |mode: Mode| {
+        let symbol = mode.symbol();
+        let both = sif::chart(
+            &format!("{}-{step}", mode.id()),
+            symbol,
+            format!("{symbol} of both runs; the second one dashed."),
+            tips.iter().enumerate().flat_map(|tip| both_runs(&names, mode, tip, tips.len())).collect(),
+        );
+        let difference = sif::chart(
+            &format!("{}-difference-{step}", mode.id()),
+            &format!("{symbol}, second − first"),
+            format!("Difference of {symbol}, second minus first."),
+            tips.iter().enumerate().map(|tip| difference(mode, tip, tips.len())).collect(),
+        );
+        vec![both, difference]
+    };
+    let mut legend = Vec::new();
+    if tips.len() > 1 {
+        legend.extend(LegendEntry::solid_and_dashed([&names[0], &names[1]]));
+        let every = tips.len().div_ceil(16);
+        legend.extend(tips.iter().enumerate().step_by(every).map(|(place, (tip, _))| {
+            LegendEntry::curve(&tip_name(tip), CurveLook::Line, CurveColour::of(place, tips.len()))
+        }));
+    }
+    ChartSheet {
+        title: format!("{} and {}", names[0], names[1]),
+        subtitle: format!(
+            "K of the stabilised passage at step {step}; left: both runs, right: second minus first"
+        ),
+        rows: Mode::BOTH.map(row).to_vec(),
+        legend: if legend.is_empty() { SheetLegend::default() } else { SheetLegend::Entries(legend) },
+    }
+}
+
+fn k(mode: Mode, aligned: &Aligned) -> &[Vec<f64>; 2] {
+    match mode {
+        Mode::I => &aligned.ki,
+        Mode::II => &aligned.kii,
+    }
+}
+
+fn tip_name(tip: &TipComparison) -> String {
+    format!("crack {}, tip {}", tip.crack, tip.tip)
+}
+
+/// K of a tip in both runs. A single tip has a colour for each run; of several each has its colour.
+fn both_runs(
+    names: &[String; 2],
+    mode: Mode,
+    (place, (tip, aligned)): (usize, &Tip),
+    count: usize,
+) -> [Curve; 2] {
+    let curve = |run: usize| {
+        let points = aligned.xc_over_a.iter().zip(&k(mode, aligned)[run]).map(|(&x, &k)| [x, k]);
+        let name = if count == 1 { names[run].clone() } else { format!("{}, {}", tip_name(tip), names[run]) };
+        let colour = if count == 1 { CurveColour::Category(run) } else { CurveColour::of(place, count) };
+        of_run(run, Curve::line(&name, points.collect())).with_colour(colour)
+    };
+    [curve(0), curve(1)]
+}
+
+/// `curve` of the first or the second run: the first is seen below the second where they agree.
+fn of_run(run: usize, curve: Curve) -> Curve {
+    let curve = curve.with_colour(CurveColour::Category(run));
+    if run == 0 { curve.with_width(CurveWidth::Wide) } else { curve.with_look(CurveLook::Dashed) }
+}
+
+fn difference(mode: Mode, (place, (tip, aligned)): (usize, &Tip), count: usize) -> Curve {
+    let [first, second] = k(mode, aligned);
+    let values = first.iter().zip(second).map(|(first, second)| second - first);
+    let points = aligned.xc_over_a.iter().copied().zip(values).map(|(x, k)| [x, k]).collect();
+    if count == 1 {
+        return Curve::line("", points).with_colour(CurveColour::Category(2));
+    }
+    Curve::line(&tip_name(tip), points).with_colour(CurveColour::of(place, count))
+}
+
+fn paths_of_both(comparison: &Comparison) -> ChartSheet {
+    let names = comparison.names();
+    let curve = |run: usize| {
+        let name = &names[run];
+        comparison.cracks[run]
+            .iter()
+            .map(move |crack| of_run(run, paths::path(name, crack)).with_dots(paths::increments(crack)))
+    };
+    let curves = (0..2).flat_map(curve).collect();
+    let chart = paths::chart(
+        "Crack paths to scale; the second run dashed.",
+        curves,
+        comparison.cracks.iter().flatten(),
+    );
+    ChartSheet::of(
+        &format!("{} and {}", names[0], names[1]),
+        "Crack paths to scale, a dot at the end of each increment",
+        chart,
+    )
+}
+
+/// Lengths of the cracks in the common steps.
+pub(crate) fn lengths_of_both(comparison: &Comparison) -> Chart {
+    let names = comparison.names();
+    let mut cracks: Vec<usize> = comparison.tips.iter().map(|tip| tip.crack).collect();
+    cracks.sort_unstable();
+    cracks.dedup();
+    let curve = |run: usize, crack: usize| {
+        let rows = comparison.tips.iter().filter(|tip| (tip.crack, tip.tip) == (crack, 1));
+        let points = rows.map(|tip| [tip.load_cycles[run], tip.lengths[run]]).collect();
+        let dots = if run == 0 { CurveDots::All } else { CurveDots::None };
+        of_run(run, Curve::line(&names[run], points)).with_dots(dots)
+    };
+    let curves = (0..2).flat_map(|run| cracks.iter().map(move |&crack| (run, crack)));
+    cycles::chart(
+        "Crack length against load cycles in the common steps; the second run dashed.",
+        curves.map(|(run, crack)| curve(run, crack)).collect(),
+    )
+}

@@ -1,0 +1,66 @@
+//! The plots of a run.
+
+use super::faces::{CrackMap, FaceMap, face_map};
+use super::plot::Plot;
+use super::sif::Mode;
+use super::{cycles, paths, sif};
+use crate::shown::{CrackFaces, ShownRun, StepFaces};
+use railcrack_run::Summary;
+use railcrack_run::Word;
+use railcrack_run::csv::{TipRow, deferred_growth};
+use railcrack_run::histories::History;
+
+/// Steps in which the histories of a single tip are drawn, at most; of several tips the first and
+/// the last step.
+const DRAWN_STEPS: usize = 5;
+
+/// The plots of a run: its `summary`, the rows of `growth.csv`, and of the rest what is `shown`. A
+/// run without a finished step has none.
+pub(crate) fn run_plots(summary: &Summary, growth: &[TipRow], shown: &ShownRun) -> Vec<Plot> {
+    if summary.steps_recorded == 0 {
+        return Vec::new();
+    }
+    let model = format!(
+        "{}, engine {}, contact {}",
+        summary.boundary.word(),
+        summary.engine.word(),
+        summary.contact.word()
+    );
+    let steps = chosen_steps(&shown.steps(), shown.histories(0).len());
+    let histories: Vec<&History> = steps.into_iter().flat_map(|step| shown.histories(step)).collect();
+    let mut plots: Vec<Plot> =
+        Mode::BOTH.iter().map(|&mode| sif::plot(&summary.title, &model, &histories, mode)).collect();
+    plots.push(paths::plot(summary, &model));
+    plots.push(cycles::plot(summary, growth, &model));
+    for (file, (step, faces)) in ["faces.svg", "faces-last.svg"].into_iter().zip(shown.end_faces()) {
+        plots.push(Plot::picture(file, face_map(&summary.title, &model, &map(step, faces, growth, shown))));
+    }
+    plots
+}
+
+/// Of the steps `shown`, evenly spaced ones for a single tip, first and last for several.
+fn chosen_steps(shown: &[usize], tips: usize) -> Vec<usize> {
+    let last = shown.len().saturating_sub(1);
+    let count = if tips > 1 { 2 } else { DRAWN_STEPS };
+    let parts = (count - 1).min(last).max(1);
+    let mut places: Vec<usize> = (0..=parts).map(|part| (part * last + parts / 2) / parts).collect();
+    places.dedup();
+    places.into_iter().filter_map(|place| shown.get(place).copied()).collect()
+}
+
+/// The `faces` in `step`, whose positions and lengths are those of `shown` and `growth`.
+fn map<'a>(step: usize, faces: &'a StepFaces, growth: &[TipRow], shown: &'a ShownRun) -> FaceMap<'a> {
+    let of_crack = |faces: &'a CrackFaces| {
+        let rows = || growth.iter().filter(|row| row.step == step && row.crack == faces.crack);
+        let deferred: f64 = rows().map(|row| deferred_growth(growth, row)).sum();
+        // A crack that has joined others at all its ends has no row: it reaches to a little beyond
+        // its last point.
+        let last = || faces.s.last().copied().unwrap_or(0.0);
+        CrackMap { length: rows().next().map_or_else(last, |row| row.length - deferred), faces }
+    };
+    FaceMap {
+        step,
+        xc_over_a: shown.histories(step).first().map_or(&[], |history| &history.xc_over_a),
+        cracks: faces.cracks.iter().map(of_crack).collect(),
+    }
+}

@@ -1,0 +1,11 @@
+//! The plots of a study: all runs on one chart each.
+
+mod charts;
+mod plots;
+mod run;
+mod styles;
+
+pub(crate) use charts::study_charts;
+pub(crate) use plots::{STUDY_PLOTS, study_plots};
+pub(crate) use run::{StudyRun, values};
+pub(crate) use styles::Styles;

@@ -1,0 +1,41 @@
+//! The SVG files of a study.
+
+use super::charts::study_charts;
+use super::run::StudyRun;
+use super::styles::Styles;
+use crate::chart::{Chart, ChartSheet, CurveColour, CurveLook, LegendEntry, SheetLegend};
+use crate::figures::plot::Plot;
+use railcrack_run::study::StudyPlan;
+
+/// Every plot that a study may have.
+pub(crate) const STUDY_PLOTS: [&str; 4] = ["ki.svg", "kii.svg", "paths.svg", "length-cycles.svg"];
+
+/// The plots of a study for its runs with a finished step; none where there is no such run.
+pub(crate) fn study_plots(plan: &StudyPlan, runs: &[StudyRun], styles: &Styles) -> Vec<Plot> {
+    let drawn: Vec<&StudyRun> = runs.iter().filter(|run| run.tip().is_some()).collect();
+    let of_all = if drawn.len() == runs.len() { String::new() } else { format!(" of {}", runs.len()) };
+    // With several tips in a run, whose K and length are shown.
+    let several = |run: &&StudyRun| {
+        run.row.summary.as_ref().is_some_and(|summary| summary.cracks.len() > 1)
+            || run.tip().is_some_and(|tip| tip.first.tip > 1)
+    };
+    let of_tip = if drawn.iter().any(several) { ", representative tip of each run" } else { "" };
+    let sheet = |chart: Chart| {
+        let file = STUDY_PLOTS.into_iter().find(|file| file.strip_suffix(".svg") == Some(&chart.id))?;
+        let caption = chart.caption.trim_end_matches('.');
+        let mut legend = styles.legend();
+        let of_tip = if chart.id == "paths" { "" } else { of_tip };
+        if chart.id == "paths" {
+            legend.insert(0, LegendEntry::curve("initial crack", CurveLook::Line, CurveColour::Ink));
+        }
+        let subtitle = format!("{caption}{of_tip} · {}{of_all} runs", drawn.len());
+        Some(Plot::sheet(
+            file,
+            ChartSheet {
+                legend: SheetLegend::Entries(legend),
+                ..ChartSheet::of(&plan.title, &subtitle, chart)
+            },
+        ))
+    };
+    study_charts(&drawn, styles).into_iter().filter_map(sheet).collect()
+}

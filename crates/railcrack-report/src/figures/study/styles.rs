@@ -1,0 +1,107 @@
+//! Colours and dashes of runs by their values.
+
+use super::run::StudyRun;
+use crate::chart::{CATEGORIES, Curve, CurveColour, CurveLook, LegendEntry};
+use crate::choices::{AtFirst, Choice, ChoiceGroup, ChoiceMark, Choices};
+use railcrack_run::study::{StudyAxis, StudyPlan};
+
+/// Lines of the values of the second axis.
+const LOOKS: [CurveLook; 4] =
+    [CurveLook::Line, CurveLook::Dashed, CurveLook::FineDashed, CurveLook::DashDotted];
+/// The most values of an axis in a legend: further ones are told by their place in the order of
+/// colours.
+const LEGEND_VALUES: usize = 12;
+
+/// Colours and dashes of the values of each axis.
+pub(crate) struct Styles<'a> {
+    plan: &'a StudyPlan,
+    colours: Vec<CurveColour>,
+    /// The axis whose values have the dashes.
+    dashed: Option<usize>,
+}
+
+impl<'a> Styles<'a> {
+    pub(crate) fn new(plan: &'a StudyPlan) -> Self {
+        let few = |(_, axis): &(usize, &StudyAxis)| (2..=LOOKS.len()).contains(&axis.len());
+        let others = plan.axes.iter().enumerate().filter(|(i, _)| *i != plan.colour_axis);
+        Self {
+            plan,
+            colours: plan.axes.get(plan.colour_axis).map_or_else(Vec::new, colours),
+            dashed: others.into_iter().find(few).map(|(i, _)| i),
+        }
+    }
+
+    /// `points` as a curve of `run`.
+    pub(super) fn curve(&self, run: &StudyRun, points: Vec<[f64; 2]>) -> Curve {
+        let choice = &run.planned.choice;
+        let value = |axis: usize| choice.get(axis).copied().unwrap_or(0);
+        let colour = self.colours.get(value(self.plan.colour_axis)).copied();
+        let look = self.dashed.map_or(CurveLook::Line, |axis| LOOKS[value(axis) % LOOKS.len()]);
+        Curve { colour: Some(colour.unwrap_or(CurveColour::Ink)), ..Curve::line(&run.name, points) }
+            .with_look(look)
+            .with_choices(choice.clone())
+    }
+
+    fn mark(&self, axis: usize, value: usize) -> ChoiceMark {
+        if axis == self.plan.colour_axis {
+            self.colours.get(value).map_or(ChoiceMark::None, |&colour| ChoiceMark::Colour(colour))
+        } else if Some(axis) == self.dashed {
+            ChoiceMark::Look(LOOKS[value % LOOKS.len()])
+        } else {
+            ChoiceMark::None
+        }
+    }
+
+    /// The switches of the page.
+    pub(crate) fn choices(&self) -> Choices {
+        let group = |(i, axis): (usize, &StudyAxis)| {
+            let choice = |value: usize| Choice {
+                name: axis.value(value),
+                mark: self.mark(i, value),
+                at_first: AtFirst::Shown,
+            };
+            ChoiceGroup { name: axis.name(), values: (0..axis.len()).map(choice).collect() }
+        };
+        Choices { groups: self.plan.axes.iter().enumerate().map(group).collect() }
+    }
+
+    /// The legend of the SVG files, the axis with the colours first.
+    pub(super) fn legend(&self) -> Vec<LegendEntry> {
+        let mut legend = Vec::new();
+        let axes = self.plan.axes.iter().enumerate();
+        let (coloured, others): (Vec<_>, Vec<_>) = axes.partition(|(i, _)| *i == self.plan.colour_axis);
+        for (i, axis) in coloured.into_iter().chain(others) {
+            let every = axis.len().div_ceil(LEGEND_VALUES).max(1);
+            let entries = (0..axis.len()).step_by(every).filter_map(|value| {
+                let (look, colour) = match self.mark(i, value) {
+                    ChoiceMark::Colour(colour) => (CurveLook::Line, colour),
+                    ChoiceMark::Look(look) => (look, CurveColour::Quiet),
+                    ChoiceMark::None => return None,
+                };
+                Some(LegendEntry::curve(&axis.value(value), look, colour))
+            });
+            let entries: Vec<LegendEntry> = entries.collect();
+            if !entries.is_empty() {
+                legend.push(LegendEntry::heading(&axis.name()));
+                legend.extend(entries);
+            } else if axis.len() > 1 {
+                legend.push(LegendEntry::heading(&format!("a curve for each {}", axis.name())));
+            }
+        }
+        legend
+    }
+}
+
+/// Colours of the values of an axis: of numbers, by their order; of words, distinct ones.
+fn colours(axis: &StudyAxis) -> Vec<CurveColour> {
+    let count = axis.len();
+    let along = |rank: usize| CurveColour::Along(rank as f64 / (count - 1).max(1) as f64);
+    match axis.numbers() {
+        Some(numbers) => {
+            let below = |x: &f64| numbers.iter().filter(|other| *other < x).count();
+            numbers.iter().map(|x| along(below(x))).collect()
+        }
+        None if count <= CATEGORIES => (0..count).map(CurveColour::Category).collect(),
+        None => (0..count).map(along).collect(),
+    }
+}

@@ -1,0 +1,170 @@
+//! `compare.csv` and `compare-positions.csv`.
+
+use super::align::Aligned;
+use super::comparison::Comparison;
+use super::tip::{SifDifference, TipComparison, TipSifs};
+use crate::csv::table;
+use railcrack::growth::RunStop;
+
+table! {
+    /// A tip at a growth step in two runs.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub struct CompareRow in "compare.csv", [
+        "Two runs set against each other: a row per step and tip that both have; _1 and _2: first and second run",
+        "dki, dkii: absolute difference of K over the stabilised passage, MPa sqrt(m): the largest, where, and its root mean square",
+        "percent_of_step, percent_of_case: of the largest |K_I| or |K_II| of both runs in the step, in all common steps",
+        "lengths and coordinates: mm, y upwards; angles: degrees from straight ahead, counter-clockwise positive",
+        "empty: no common wheel position, a tip that is not loaded, or no rival direction",
+    ] {
+        /// Which tip, when.
+        step: usize = "step";
+        /// Which tip, when.
+        crack: usize = "crack";
+        /// Which tip, when.
+        tip: usize = "tip";
+        /// Number of wheel positions compared; 0 if the passages have none in common, and then the
+        /// differences of K are empty.
+        positions: usize = "positions";
+        /// Largest absolute difference of K_I, K_II over the passage, MPa√m.
+        dki: Option<f64> = "dki_max_mpa_sqrt_m";
+        /// The same in per cent of `step_peak_mpa_sqrt_m`.
+        dki_of_step: Option<f64> = "dki_percent_of_step";
+        /// The same in per cent of the largest \|K\| of both runs in all common steps.
+        dki_of_case: Option<f64> = "dki_percent_of_case";
+        /// Wheel position x_c/a of that difference.
+        dki_xc_over_a: Option<f64> = "dki_xc_over_a";
+        /// Root mean square of the difference over the positions, MPa√m.
+        dki_rms: Option<f64> = "dki_rms_mpa_sqrt_m";
+        /// Largest absolute difference of K_I, K_II over the passage, MPa√m.
+        dkii: Option<f64> = "dkii_max_mpa_sqrt_m";
+        /// The same in per cent of `step_peak_mpa_sqrt_m`.
+        dkii_of_step: Option<f64> = "dkii_percent_of_step";
+        /// The same in per cent of the largest \|K\| of both runs in all common steps.
+        dkii_of_case: Option<f64> = "dkii_percent_of_case";
+        /// Wheel position x_c/a of that difference.
+        dkii_xc_over_a: Option<f64> = "dkii_xc_over_a";
+        /// Root mean square of the difference over the positions, MPa√m.
+        dkii_rms: Option<f64> = "dkii_rms_mpa_sqrt_m";
+        /// Largest \|K_I\| or \|K_II\| of both runs in the step, all tips, MPa√m.
+        step_peak: f64 = "step_peak_mpa_sqrt_m";
+        /// Position of the tip, mm.
+        first_place: [f64; 2] = "tip_x_1_mm" "tip_y_1_mm";
+        /// Position of the tip, mm.
+        second_place: [f64; 2] = "tip_x_2_mm" "tip_y_2_mm";
+        /// Distance between the two, mm.
+        distance: f64 = "tip_distance_mm";
+        /// As in `growth.csv`.
+        lengths: [f64; 2] = "length_1_mm" "length_2_mm";
+        /// As in `growth.csv`.
+        load_cycles: [f64; 2] = "load_cycles_1" "load_cycles_2";
+        /// As in `growth.csv`.
+        kink_deg: [Option<f64>; 2] = "kink_angle_1_deg" "kink_angle_2_deg";
+        /// As in `growth.csv`.
+        rival_deg: [Option<f64>; 2] = "rival_angle_1_deg" "rival_angle_2_deg";
+        /// As in `growth.csv`.
+        rival_ratio: [Option<f64>; 2] = "rival_ratio_1" "rival_ratio_2";
+        /// As in `growth.csv`.
+        stops: [Option<RunStop>; 2] = "stop_1" "stop_2";
+    }
+}
+
+impl CompareRow {
+    pub(super) fn of(comparison: &Comparison, tip: &TipComparison) -> Self {
+        let TipComparison {
+            step, crack, tip: number, step_peak, places: [first_place, second_place], ..
+        } = *tip;
+        let (ki, kii) = (tip.sifs.map(|sifs| sifs.ki), tip.sifs.map(|sifs| sifs.kii));
+        let of_step = |mode: SifDifference| tip.percent(mode.largest);
+        let of_case = |mode: SifDifference| comparison.percent(mode.largest);
+        Self {
+            step,
+            crack,
+            tip: number,
+            positions: tip.sifs.map_or(0, |sifs| sifs.positions),
+            dki: ki.map(|mode| mode.largest),
+            dki_of_step: ki.map(of_step),
+            dki_of_case: ki.map(of_case),
+            dki_xc_over_a: ki.map(|mode| mode.xc_over_a),
+            dki_rms: ki.map(|mode| mode.rms),
+            dkii: kii.map(|mode| mode.largest),
+            dkii_of_step: kii.map(of_step),
+            dkii_of_case: kii.map(of_case),
+            dkii_xc_over_a: kii.map(|mode| mode.xc_over_a),
+            dkii_rms: kii.map(|mode| mode.rms),
+            step_peak,
+            first_place,
+            second_place,
+            distance: tip.distance,
+            lengths: tip.lengths,
+            load_cycles: tip.load_cycles,
+            kink_deg: tip.kink_deg,
+            rival_deg: tip.rival_deg,
+            rival_ratio: tip.rival_ratio,
+            stops: tip.stops,
+        }
+    }
+}
+
+impl From<CompareRow> for TipComparison {
+    fn from(row: CompareRow) -> Self {
+        let mode = |largest: Option<f64>, xc_over_a: Option<f64>, rms: Option<f64>| {
+            Some(SifDifference { largest: largest?, xc_over_a: xc_over_a?, rms: rms? })
+        };
+        let modes = mode(row.dki, row.dki_xc_over_a, row.dki_rms).zip(mode(
+            row.dkii,
+            row.dkii_xc_over_a,
+            row.dkii_rms,
+        ));
+        Self {
+            step: row.step,
+            crack: row.crack,
+            tip: row.tip,
+            sifs: modes.map(|(ki, kii)| TipSifs { positions: row.positions, ki, kii }),
+            step_peak: row.step_peak,
+            places: [row.first_place, row.second_place],
+            distance: row.distance,
+            lengths: row.lengths,
+            load_cycles: row.load_cycles,
+            kink_deg: row.kink_deg,
+            rival_deg: row.rival_deg,
+            rival_ratio: row.rival_ratio,
+            stops: row.stops,
+        }
+    }
+}
+
+table! {
+    /// K of two runs at a common wheel position.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub struct PositionRow in "compare-positions.csv", [
+        "K of two runs over the stabilised passage of each step, at common wheel positions in ascending order",
+        "_1 and _2: first and second run; dki, dkii: second minus first, MPa sqrt(m)",
+    ] {
+        /// Which tip, when.
+        step: usize = "step";
+        /// Which tip, when.
+        crack: usize = "crack";
+        /// Which tip, when.
+        tip: usize = "tip";
+        /// Wheel position x_c/a, in ascending order.
+        xc_over_a: f64 = "xc_over_a";
+        /// K_I of both runs, MPa√m.
+        ki: [f64; 2] = "ki_1_mpa_sqrt_m" "ki_2_mpa_sqrt_m";
+        /// Difference of K_I, second minus first, MPa√m.
+        dki: f64 = "dki_mpa_sqrt_m";
+        /// K_II of both runs, MPa√m.
+        kii: [f64; 2] = "kii_1_mpa_sqrt_m" "kii_2_mpa_sqrt_m";
+        /// Difference of K_II, second minus first, MPa√m.
+        dkii: f64 = "dkii_mpa_sqrt_m";
+    }
+}
+
+impl PositionRow {
+    pub(super) fn of_tip<'a>((tip, k): (&'a TipComparison, &'a Aligned)) -> impl Iterator<Item = Self> + 'a {
+        k.xc_over_a.iter().enumerate().map(move |(i, &xc_over_a)| {
+            let [ki, kii] = [&k.ki, &k.kii].map(|k| [k[0][i], k[1][i]]);
+            let TipComparison { step, crack, tip, .. } = *tip;
+            Self { step, crack, tip, xc_over_a, ki, dki: ki[1] - ki[0], kii, dkii: kii[1] - kii[0] }
+        })
+    }
+}

@@ -1,0 +1,294 @@
+//! Tables of results, each declared once: columns with their meaning, rows, writer and reader.
+
+use super::column::Column;
+use super::fields::Fields;
+use super::rows::Rows;
+use crate::words::Word;
+use crate::{OutputError, VERSION};
+use railcrack::math::Stress;
+use railcrack::shakedown::PlasticStrain;
+
+/// A row of a table; [`table!`](super::table) declares its struct, columns, writer and reader
+/// together.
+pub trait Table: Sized {
+    /// File of the table.
+    const FILE: &'static str;
+    /// Lines before the column names, without `#`.
+    const COMMENTS: &'static [&'static str];
+    /// Columns, from left to right. New ones come after the old.
+    const COLUMNS: &'static [Column];
+
+    /// Writes the fields of this row.
+    fn put(&self, rows: &mut Rows);
+
+    /// Reads a row.
+    ///
+    /// Errors: a field is missing or not what its column holds.
+    fn take(fields: &mut Fields) -> Result<Self, OutputError>;
+}
+
+/// The columns of a table in a run whose case has `sections`.
+pub fn column_names<T: Table>(sections: &[&str]) -> Vec<&'static str> {
+    let there = |column: &&Column| column.section.is_none_or(|section| sections.contains(&section));
+    T::COLUMNS.iter().filter(there).map(|column| column.name).collect()
+}
+
+/// Comment lines, then the column names.
+pub(crate) fn header<T: Table>(sections: &[&str]) -> String {
+    header_of(T::COMMENTS, &column_names::<T>(sections))
+}
+
+pub(crate) fn header_of(comments: &[&str], columns: &[&str]) -> String {
+    let mut text = format!("# railcrack {VERSION}\n");
+    for comment in comments {
+        text += &format!("# {comment}\n");
+    }
+    text + &columns.join(",") + "\n"
+}
+
+/// A whole table.
+///
+/// Errors: a number that is not finite.
+pub(crate) fn whole<T: Table>(content: impl IntoIterator<Item = T>) -> Result<Vec<u8>, OutputError> {
+    let mut rows = Rows::default();
+    content.into_iter().for_each(|row| row.put(&mut rows));
+    Ok([header::<T>(&[]).as_bytes(), rows.text(T::FILE)?].concat())
+}
+
+/// The columns of a table as a table of Markdown; columns with the same meaning share a line.
+pub(crate) fn markdown<T: Table>() -> String {
+    let mut lines: Vec<(Vec<String>, String)> = Vec::new();
+    for column in T::COLUMNS {
+        let (name, meaning) = (format!("`{}`", column.name), sentence(column.meaning));
+        match lines.iter_mut().find(|(_, known)| *known == meaning) {
+            Some((names, _)) => names.push(name),
+            None => lines.push((vec![name], meaning)),
+        }
+    }
+    let line = |(names, meaning): &(Vec<String>, String)| format!("| {} | {meaning} |\n", names.join(", "));
+    lines.iter().map(line).fold("| column | meaning |\n|---|---|\n".to_owned(), |page, line| page + &line)
+}
+
+/// A doc comment as a cell of a page: one line, without the full stop, small where it begins with a
+/// common word.
+fn sentence(lines: &[&str]) -> String {
+    let text: Vec<&str> = lines.iter().map(|line| line.trim()).collect();
+    let text = text.join(" ");
+    let text = text.strip_suffix('.').unwrap_or(&text);
+    let mut letters = text.chars();
+    match (letters.next(), letters.clone().next()) {
+        (Some(first), Some(' ' | 'a'..='z')) => first.to_lowercase().chain(letters).collect(),
+        _ => text.to_owned(),
+    }
+}
+
+/// A value that takes one or more fields of a row.
+pub trait Cell: Sized {
+    /// Writes it into `columns`.
+    fn put(&self, rows: &mut Rows, columns: &[&'static str]);
+
+    /// Reads it from the next fields.
+    ///
+    /// Errors: they do not hold it.
+    fn take(fields: &mut Fields) -> Result<Self, OutputError>;
+}
+
+impl Cell for usize {
+    fn put(&self, rows: &mut Rows, _: &[&'static str]) {
+        rows.count(*self);
+    }
+
+    fn take(fields: &mut Fields) -> Result<Self, OutputError> {
+        fields.parse("a whole number", |text| text.parse().ok())
+    }
+}
+
+impl Cell for f64 {
+    fn put(&self, rows: &mut Rows, columns: &[&'static str]) {
+        rows.real(columns[0], *self);
+    }
+
+    fn take(fields: &mut Fields) -> Result<Self, OutputError> {
+        fields.parse("a finite number", |text| text.parse().ok().filter(|value: &Self| value.is_finite()))
+    }
+}
+
+impl Cell for String {
+    fn put(&self, rows: &mut Rows, _: &[&'static str]) {
+        rows.quoted(self);
+    }
+
+    fn take(fields: &mut Fields) -> Result<Self, OutputError> {
+        fields.parse("text", |text| Some(text.to_owned()))
+    }
+}
+
+impl<W: Word> Cell for W {
+    fn put(&self, rows: &mut Rows, _: &[&'static str]) {
+        rows.name(self.word());
+    }
+
+    fn take(fields: &mut Fields) -> Result<Self, OutputError> {
+        fields.parse(&W::accepted(), W::of_word)
+    }
+}
+
+/// Empty where there is none.
+impl<T: Cell> Cell for Option<T> {
+    fn put(&self, rows: &mut Rows, columns: &[&'static str]) {
+        match self {
+            Some(value) => value.put(rows, columns),
+            None => rows.name(""),
+        }
+    }
+
+    fn take(fields: &mut Fields) -> Result<Self, OutputError> {
+        if fields.skip_empty() { Ok(None) } else { T::take(fields).map(Some) }
+    }
+}
+
+/// Components xx, yy, zz, xy.
+impl Cell for Stress {
+    fn put(&self, rows: &mut Rows, columns: &[&'static str]) {
+        [self.xx, self.yy, self.zz, self.xy].put(rows, columns);
+    }
+
+    fn take(fields: &mut Fields) -> Result<Self, OutputError> {
+        let [xx, yy, zz, xy] = Cell::take(fields)?;
+        Ok(Self { xx, yy, zz, xy })
+    }
+}
+
+/// Components xx, yy, zz, xy of the tensor.
+impl Cell for PlasticStrain {
+    fn put(&self, rows: &mut Rows, columns: &[&'static str]) {
+        [self.xx, self.yy, self.zz, self.xy].put(rows, columns);
+    }
+
+    fn take(fields: &mut Fields) -> Result<Self, OutputError> {
+        let [xx, yy, zz, xy] = Cell::take(fields)?;
+        Ok(Self { xx, yy, zz, xy })
+    }
+}
+
+/// A field for each.
+impl<T: Cell, const N: usize> Cell for [T; N] {
+    fn put(&self, rows: &mut Rows, columns: &[&'static str]) {
+        for (value, column) in self.iter().zip(columns) {
+            value.put(rows, std::slice::from_ref(column));
+        }
+    }
+
+    fn take(fields: &mut Fields) -> Result<Self, OutputError> {
+        let values: Result<Vec<T>, OutputError> = (0..N).map(|_| T::take(fields)).collect();
+        values?.try_into().map_err(|_| fields.unreadable("a row"))
+    }
+}
+
+/// Declares a table: the struct of its rows with the columns of each field, and all that follows
+/// from it ([`Table`]). The doc comment of a field is what the columns mean in
+/// `docs/file-formats.md`. A field of one section of the case is an `Option` and ends in `, with
+/// "section"`.
+#[macro_export]
+macro_rules! table {
+    (
+        $(#[$attribute:meta])*
+        pub struct $row:ident in $file:literal, [$($comment:literal),* $(,)?] {
+            $(
+                $(#[doc = $meaning:literal])+
+                $field:ident: $kind:ty = $($column:literal)+ $(, with $section:literal)?;
+            )+
+        }
+    ) => {
+        $(#[$attribute])*
+        pub struct $row {
+            $($(#[doc = $meaning])+ pub $field: $kind,)+
+        }
+
+        impl $crate::csv::Table for $row {
+            const FILE: &'static str = $file;
+            const COMMENTS: &'static [&'static str] = &[$($comment),*];
+            const COLUMNS: &'static [$crate::csv::Column] = $crate::table!(@flat
+                [] $([[$($meaning),+] [$($section)?] $($column)+])+);
+
+            fn put(&self, rows: &mut $crate::csv::Rows) {
+                $(if true $(&& rows.has($section))? {
+                    $crate::csv::Cell::put(&self.$field, rows, &[$($column),+]);
+                })+
+                rows.end();
+            }
+
+            fn take(fields: &mut $crate::csv::Fields) -> Result<Self, $crate::OutputError> {
+                Ok(Self { $($field: $crate::csv::Cell::take(fields)?,)+ })
+            }
+        }
+    };
+    (@flat [$($done:tt)*]) => { &[$($done)*] };
+    (@flat [$($done:tt)*] [$meaning:tt $section:tt] $($rest:tt)*) => {
+        $crate::table!(@flat [$($done)*] $($rest)*)
+    };
+    (@flat [$($done:tt)*] [$meaning:tt $section:tt $column:literal $($more:literal)*] $($rest:tt)*) => {
+        $crate::table!(@flat [
+            $($done)*
+            $crate::csv::Column { name: $column, meaning: &$meaning, section: $crate::table!(@section $section) },
+        ] [$meaning $section $($more)*] $($rest)*)
+    };
+    (@section []) => { None };
+    (@section [$section:literal]) => { Some($section) };
+}
+
+pub use crate::table;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::csv::read_table;
+
+    table! {
+        /// A row with a column of its own for one section.
+        #[derive(Debug, Clone, PartialEq)]
+        pub struct Fluid in "fluid.csv", ["a comment"] {
+            /// Which tip, when.
+            step: usize = "step";
+            /// Which tip, when.
+            tip: usize = "tip";
+            /// K_I, MPa√m.
+            ki: f64 = "ki_mpa_sqrt_m";
+            /// Pressure of the fluid at the
+            /// mouth, MPa.
+            fluid: Option<f64> = "fluid_mpa", with "fluid";
+        }
+    }
+
+    fn text(rows: &[Fluid], sections: &'static [&'static str]) -> String {
+        let mut text = Rows::with_sections(sections);
+        rows.iter().for_each(|row| row.put(&mut text));
+        header::<Fluid>(sections) + std::str::from_utf8(text.text(Fluid::FILE).unwrap()).unwrap()
+    }
+
+    #[test]
+    fn a_section_brings_its_column_behind_the_others() {
+        let rows = [(1, Some(6.0)), (2, None)].map(|(tip, fluid)| Fluid { step: 0, tip, ki: 1e-7, fluid });
+        let with = text(&rows, &["fluid"]);
+        assert!(with.ends_with("step,tip,ki_mpa_sqrt_m,fluid_mpa\n0,1,1e-7,6.0\n0,2,1e-7,\n"), "{with}");
+        let without = text(&rows, &[]);
+        assert!(without.ends_with("# a comment\nstep,tip,ki_mpa_sqrt_m\n0,1,1e-7\n0,2,1e-7\n"), "{without}");
+        let folder = std::env::temp_dir().join(format!("railcrack-table-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).unwrap();
+        for (text, fluid) in [(with, Some(6.0)), (without, None)] {
+            std::fs::write(folder.join(Fluid::FILE), text).unwrap();
+            let read: Vec<Fluid> = read_table(&folder).unwrap();
+            assert_eq!(read, [Fluid { fluid, ..rows[0].clone() }, rows[1].clone()]);
+        }
+        std::fs::remove_dir_all(&folder).unwrap();
+    }
+
+    #[test]
+    fn the_page_has_a_line_for_each_meaning() {
+        assert_eq!(
+            markdown::<Fluid>(),
+            "| column | meaning |\n|---|---|\n| `step`, `tip` | which tip, when |\n\
+             | `ki_mpa_sqrt_m` | K_I, MPa√m |\n| `fluid_mpa` | pressure of the fluid at the mouth, MPa |\n"
+        );
+    }
+}

@@ -1,0 +1,126 @@
+//! Fields of a run as files of VTK, and the collection that lists them.
+
+use super::OutputError;
+use super::files::FIELDS_FOLDER;
+use super::folder::{Durability, replace_file};
+use railcrack::body::{Face, FieldGrid};
+use railcrack::growth::{FieldSnapshot, StepRecord};
+use railcrack::mesh::{Array, CellBlock, CellShape, UnstructuredGrid};
+use railcrack_vtu::{Snapshot, VtuError, pvd_text, vtu_text};
+use serde::{Deserialize, Serialize};
+use std::fs;
+use std::path::Path;
+
+/// A field file in the list of them.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct FieldFileEntry {
+    /// Its name in the run folder.
+    pub name: String,
+    /// Step, plus the share of the positions of its passage that lie before.
+    pub time: f64,
+}
+
+/// The name of the file of a step and a position, which counts from 1.
+fn name(step: usize, position: usize) -> String {
+    format!("step-{step:04}-position-{position:04}.vtu")
+}
+
+/// Step and position (from 1) of the field file of this name; none where it is not one that a run
+/// writes.
+pub fn step_and_position(file: &str) -> Option<(usize, usize)> {
+    let (step, position) = file.strip_prefix("step-")?.strip_suffix(".vtu")?.split_once("-position-")?;
+    let (step, position) = (step.parse().ok()?, position.parse().ok()?);
+    (name(step, position) == file).then_some((step, position))
+}
+
+/// Whether a file of this name is one that a run writes.
+pub fn is_field_file(file: &str) -> bool {
+    step_and_position(file).is_some()
+}
+
+/// The fields of a step: of each wheel position its number (from 1), the name of its file in the
+/// run folder, and what the file holds.
+pub fn field_grids(record: &StepRecord) -> impl Iterator<Item = (usize, String, UnstructuredGrid)> {
+    record.fields.iter().flat_map(|fields| {
+        fields.snapshots.iter().map(|snapshot| {
+            let position = snapshot.position + 1;
+            let file = format!("{FIELDS_FOLDER}/{}", name(record.step, position));
+            (position, file, grid_of(&fields.grid, snapshot))
+        })
+    })
+}
+
+/// Writes the fields of a step, each to its file.
+///
+/// Errors: a number that is not finite; the system refuses.
+pub(crate) fn write_fields(
+    folder: &Path,
+    record: &StepRecord,
+    durability: Durability,
+) -> Result<Vec<FieldFileEntry>, OutputError> {
+    if record.fields.is_some() {
+        let directory = folder.join(FIELDS_FOLDER);
+        fs::create_dir_all(&directory).map_err(OutputError::io("create", &directory))?;
+    }
+    let positions = record.passages.last().map_or(1, |passage| passage.xc.len());
+    let write = |(position, file, grid): (usize, String, UnstructuredGrid)| {
+        let path = folder.join(&file);
+        let text = vtu_text(&grid).map_err(|reason| VtuError::Grid { path: path.clone(), reason })?;
+        replace_file(&path, &text, durability)?;
+        let time = record.step as f64 + (position - 1) as f64 / positions as f64;
+        Ok(FieldFileEntry { name: file, time })
+    };
+    field_grids(record).map(write).collect()
+}
+
+/// Writes the list of `files` to `path`.
+///
+/// Errors: the system refuses.
+pub(crate) fn write_collection<'a>(
+    path: &Path,
+    files: impl Iterator<Item = &'a FieldFileEntry>,
+    durability: Durability,
+) -> Result<(), OutputError> {
+    let snapshots: Vec<Snapshot> =
+        files.map(|file| Snapshot { time: file.time, file: file.name.clone() }).collect();
+    let text = pvd_text(&snapshots).map_err(|reason| VtuError::Grid { path: path.to_path_buf(), reason })?;
+    replace_file(path, text.as_bytes(), durability)
+}
+
+/// Elements, pieces of elements, faces.
+fn grid_of(grid: &FieldGrid, field: &FieldSnapshot) -> UnstructuredGrid {
+    let block = |shape, connectivity: Vec<usize>| CellBlock { shape, connectivity };
+    let bulk = grid.quads.len() + grid.triangles.len();
+    let side = grid.lines.iter().map(|line| match line.face {
+        Face::Plus => 1.0,
+        Face::Minus => -1.0,
+    });
+    UnstructuredGrid {
+        points: grid.points.clone(),
+        cells: vec![
+            block(CellShape::QuadraticQuad, grid.quads.concat()),
+            block(CellShape::Triangle, grid.triangles.concat()),
+            block(CellShape::Line, grid.lines.iter().flat_map(|line| line.ends).collect()),
+        ],
+        point_data: vec![
+            Array::vectors("displacement_mm", &field.displacement),
+            Array::stresses("stress_mpa", &field.stress),
+            Array::vectors("traction", &field.traction),
+        ],
+        cell_data: vec![Array::scalars("face", std::iter::repeat_n(0.0, bulk).chain(side).collect())],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_names_that_a_run_writes_are_field_files() {
+        assert!(is_field_file(&name(0, 101)) && is_field_file(&name(12_345, 100_000)));
+        for other in ["mine.vtu", "step-1-position-1.vtu", "step-0001-position-0001.vtu.bak", "step-0001.vtu"]
+        {
+            assert!(!is_field_file(other), "{other}");
+        }
+    }
+}

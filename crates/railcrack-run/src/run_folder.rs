@@ -1,0 +1,164 @@
+//! The results of a run, read back from its folder.
+
+use crate::csv::{FaceRow, ResidualRow, SifRow, StepBlocks, Table, TipRow, read_table};
+use crate::field_files::step_and_position;
+use crate::files::{FIELDS_FOLDER, SUMMARY_FILE};
+use crate::folder::{read_case, read_json, stored_case};
+use crate::histories::History;
+use crate::{OutputError, Summary};
+use railcrack::mesh::UnstructuredGrid;
+use railcrack_case::Case;
+use railcrack_vtu::read_vtu;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+
+/// The folder of a run. Summary and case are read when it is opened, tables and fields when they
+/// are asked for; only finished growth steps count.
+///
+/// ```
+/// # use railcrack_run::simulation::{RunEntry, Simulation};
+/// # let folder = std::env::temp_dir().join(format!("railcrack-open-{}", std::process::id()));
+/// # let text = "[contact]\npeak_pressure_mpa = 845.0\nhalf_width_mm = 6.75\nfriction = 0.025\n\
+/// #     [[crack]]\nmouth_mm = 0.0\nlength_mm = 6.0\nangle_deg = 15.0\nfriction = 0.5\n\
+/// #     [solver]\nengine = \"dislocation\"\n[growth]\nsteps = 1\n";
+/// # let case = railcrack_case::Case::parse(text, "case.toml", "".as_ref())?;
+/// # Simulation::new(&case).run_in(&folder, RunEntry::Replace)?;
+/// use railcrack_run::RunFolder;
+///
+/// let run = RunFolder::open(&folder)?;
+/// assert_eq!(run.summary.steps, 1);
+/// assert_eq!(run.case()?.contact.half_width, 6.75);
+/// for tip in run.growth()? {
+///     println!("step {}: {:.3} mm, {:.2} MPa√m", tip.step, tip.length, tip.delta_keq);
+/// }
+/// for step in run.faces()? {
+///     let open = step?.rows().filter(|point| point.as_ref().is_ok_and(|point| point.opening > 0.0)).count();
+///     assert!(open > 0);
+/// }
+/// # std::fs::remove_dir_all(&folder)?;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct RunFolder {
+    /// The folder.
+    pub path: PathBuf,
+    /// `summary.json`.
+    pub summary: Summary,
+    /// Text of `case.toml`.
+    pub case_text: String,
+}
+
+/// A field file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct FieldFile {
+    /// Growth step.
+    pub step: usize,
+    /// Wheel position, from 1.
+    pub position: usize,
+    /// The file.
+    pub path: PathBuf,
+}
+
+impl RunFolder {
+    /// Opens the folder `path`.
+    ///
+    /// Errors: no run in it; summary or case are damaged; the system refuses.
+    pub fn open(path: &Path) -> Result<Self, OutputError> {
+        Ok(Self {
+            summary: read_json(path, SUMMARY_FILE)?,
+            case_text: stored_case(path)?.unwrap_or_default(),
+            path: path.to_path_buf(),
+        })
+    }
+
+    /// The case.
+    ///
+    /// Errors: there is none, or this version does not accept it.
+    pub fn case(&self) -> Result<Case, OutputError> {
+        read_case(&self.path)
+    }
+
+    /// `growth.csv`: every tip at every growth step.
+    ///
+    /// Errors: the table is damaged; the system refuses.
+    pub fn growth(&self) -> Result<Vec<TipRow>, OutputError> {
+        self.by_step()?.read()
+    }
+
+    /// `sif.csv`, step by step: K at every wheel position.
+    ///
+    /// Errors: the table is damaged; the system refuses.
+    pub fn sif(&self) -> Result<StepBlocks<SifRow>, OutputError> {
+        self.by_step()
+    }
+
+    /// `faces.csv`, step by step: the face points at every wheel position.
+    ///
+    /// Errors: the table is damaged; the system refuses.
+    pub fn faces(&self) -> Result<StepBlocks<FaceRow>, OutputError> {
+        self.by_step()
+    }
+
+    fn by_step<T: Table>(&self) -> Result<StepBlocks<T>, OutputError> {
+        StepBlocks::open(&self.path, 0..self.summary.steps_recorded)
+    }
+
+    /// K of every tip over the stabilised passages of the first `steps` growth steps.
+    ///
+    /// Errors: the table is damaged; the system refuses.
+    pub fn histories(&self, steps: usize) -> Result<Vec<History>, OutputError> {
+        let mut histories = Vec::new();
+        for block in StepBlocks::open(&self.path, 0..steps.min(self.summary.steps_recorded))? {
+            histories.append(&mut History::of_step(block?.rows())?);
+        }
+        Ok(histories)
+    }
+
+    /// `residual.csv`, from the surface down; empty if the rail carries no residual stress.
+    ///
+    /// Errors: the table is damaged; the system refuses.
+    pub fn residual(&self) -> Result<Vec<ResidualRow>, OutputError> {
+        let is_there = self.path.join(ResidualRow::FILE).is_file();
+        if is_there { read_table(&self.path) } else { Ok(Vec::new()) }
+    }
+
+    /// The field files of finished growth steps, in their order.
+    ///
+    /// Errors: the system refuses.
+    pub fn fields(&self) -> Result<Vec<FieldFile>, OutputError> {
+        field_files(&self.path, self.summary.steps_recorded)
+    }
+}
+
+/// The field files of the first `steps` growth steps of the run in `folder`, in their order.
+///
+/// Errors: the system refuses.
+pub fn field_files(folder: &Path, steps: usize) -> Result<Vec<FieldFile>, OutputError> {
+    let folder = folder.join(FIELDS_FOLDER);
+    let refused = || OutputError::io("read", &folder);
+    let entries = match std::fs::read_dir(&folder) {
+        Err(reason) if reason.kind() == ErrorKind::NotFound => return Ok(Vec::new()),
+        entries => entries.map_err(refused())?,
+    };
+    let mut files = Vec::new();
+    for entry in entries {
+        let name = entry.map_err(refused())?.file_name();
+        if let Some((step, position)) =
+            step_and_position(&name.to_string_lossy()).filter(|(step, _)| *step < steps)
+        {
+            files.push(FieldFile { step, position, path: folder.join(name) });
+        }
+    }
+    files.sort_by_key(|file| (file.step, file.position));
+    Ok(files)
+}
+
+impl FieldFile {
+    /// Reads it.
+    ///
+    /// Errors: it is damaged; the system refuses.
+    pub fn read(&self) -> Result<UnstructuredGrid, OutputError> {
+        Ok(read_vtu(&self.path)?)
+    }
+}

@@ -1,0 +1,70 @@
+//! Recorder of the stabilised plastic state: passages as they finish, the rest at the end.
+
+use super::document::ShakedownSummary;
+use super::fields;
+use super::results::ShakedownResults;
+use super::tables::{LayerRow, PassRow};
+use crate::OutputError;
+use crate::case_files::CaseFiles;
+use crate::csv::{CsvFile, Rows, Table, header, whole};
+use crate::files::{CYCLE_FILE, PLASTIC_FILE, SHAKEDOWN_FILE};
+use crate::folder::{self, Durability, Existing};
+use railcrack::shakedown::PassRecord;
+use railcrack_vtu::write_vtu;
+use std::path::{Path, PathBuf};
+
+/// A folder being written.
+#[derive(Debug)]
+pub(crate) struct ShakedownRecorder {
+    folder: PathBuf,
+    passes: CsvFile,
+}
+
+impl ShakedownRecorder {
+    /// Begins the folder with the case.
+    ///
+    /// Errors: the folder holds a run that is not to be replaced; the system refuses.
+    pub fn start(folder: &Path, case: &CaseFiles, existing: Existing) -> Result<Self, OutputError> {
+        folder::begin(folder, case, existing)?;
+        let passes = passes_of(folder)?;
+        Ok(Self { folder: folder.to_path_buf(), passes })
+    }
+
+    /// Appends a passage. The first one begins the table anew: a computation that needs more layers
+    /// starts again.
+    ///
+    /// Errors: a number that is not finite; the system refuses.
+    pub fn pass(&mut self, pass: &PassRecord) -> Result<(), OutputError> {
+        if pass.pass == 1 {
+            self.passes = passes_of(&self.folder)?;
+        }
+        let mut row = Rows::default();
+        PassRow::from(pass).put(&mut row);
+        self.passes.append(row.text(PassRow::FILE)?)
+    }
+
+    /// Writes tables, fields, plots, report and summary.
+    ///
+    /// Errors: a number that is not finite; the system refuses.
+    pub fn finish(&self, results: &ShakedownResults) -> Result<ShakedownSummary, OutputError> {
+        let put = |name: &str, content: &[u8]| replace(&self.folder.join(name), content);
+        put(LayerRow::FILE, &whole(LayerRow::of(&results.stabilised, &results.initiation))?)?;
+        for (name, grid) in
+            [(PLASTIC_FILE, fields::plastic_grid(results)), (CYCLE_FILE, fields::cycle_grid(results))]
+        {
+            let path = self.folder.join(name);
+            write_vtu(&path, &grid)?;
+        }
+        let summary = ShakedownSummary::of(results);
+        folder::write_json(&self.folder, SHAKEDOWN_FILE, &summary, Durability::Cached)?;
+        Ok(summary)
+    }
+}
+
+fn passes_of(folder: &Path) -> Result<CsvFile, OutputError> {
+    CsvFile::create(&folder.join(PassRow::FILE), &header::<PassRow>(&[]))
+}
+
+fn replace(path: &Path, content: &[u8]) -> Result<(), OutputError> {
+    folder::replace_file(path, content, Durability::Cached)
+}

@@ -1,0 +1,42 @@
+//! Results of a shakedown computation, as its folder shows them.
+
+use railcrack::fatigue::{DangVan, Initiation};
+use railcrack::shakedown::{DepthBounds, MapPoint, RolledRail, StabilisedRail};
+
+/// Everything that the folder shows.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct ShakedownResults {
+    /// Heading.
+    pub title: String,
+    /// The rail and its wheel.
+    pub rail: RolledRail,
+    /// The stabilised state.
+    pub stabilised: StabilisedRail,
+    /// With the direct method: the state that passages lead to, for comparison.
+    pub pass_by_pass: Option<StabilisedRail>,
+    /// The criterion.
+    pub dang_van: DangVan,
+    /// The criterion at the surface, then in every layer.
+    pub initiation: Initiation,
+    /// Shakedown limits by depth.
+    pub bounds: Vec<DepthBounds>,
+    /// First yield and limit of shakedown over friction.
+    pub map: Vec<MapPoint>,
+    /// Length and depth of the rail in `plastic.vtu`.
+    pub extent: Extent,
+    /// Wall time, s.
+    pub wall_s: f64,
+    /// Remarks for the reader.
+    pub warnings: Vec<String>,
+}
+
+/// A piece of rail, mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Extent {
+    /// Left end.
+    pub from: f64,
+    /// Right end.
+    pub to: f64,
+    /// Depth.
+    pub depth: f64,
+}

@@ -1,0 +1,79 @@
+//! `passes.csv` and `profile.csv`.
+
+use crate::csv::table;
+use railcrack::fatigue::Initiation;
+use railcrack::math::Stress;
+use railcrack::shakedown::{PassRecord, PlasticStrain, StabilisedRail};
+
+table! {
+    /// A passage; with the direct method, the only one.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub struct PassRow in "passes.csv", [
+        "What each passage changes, the largest over depth; strains are equivalent, sqrt(2/3) of the Frobenius norm",
+        "stress_change_mpa: of sxx or szz of the residual stress, MPa; plastic_strain_max: after the passage; plastic_path_max: strain along the way; left_stress_max_mpa: that the passages so far leave",
+    ] {
+        /// Passage, from 1.
+        pass: usize = "pass";
+        /// Largest change of σ_xx or σ_zz of the residual stress by the passage, MPa.
+        stress_change: f64 = "stress_change_mpa";
+        /// Largest change of the plastic strain by the passage, √(2/3) \|Δε_p\|.
+        strain_change: f64 = "plastic_strain_change";
+        /// Largest plastic strain after the passage, √(2/3) \|ε_p\|.
+        largest_strain: f64 = "plastic_strain_max";
+        /// Largest plastic strain accumulated in the passage, √(2/3) ∫ \|dε_p\|.
+        plastic_path: f64 = "plastic_path_max";
+        /// Largest \|σ_xx\| or \|σ_zz\| due to the passages so far, without that of manufacturing,
+        /// MPa.
+        left_stress: f64 = "left_stress_max_mpa";
+        /// Elastic redistributions in the passage.
+        redistributions: usize = "redistributions";
+    }
+}
+
+impl From<&PassRecord> for PassRow {
+    fn from(pass: &PassRecord) -> Self {
+        Self {
+            pass: pass.pass,
+            stress_change: pass.stress_change,
+            strain_change: pass.strain_change,
+            largest_strain: pass.largest_strain,
+            plastic_path: pass.plastic_path,
+            left_stress: pass.left_stress,
+            redistributions: pass.iterations,
+        }
+    }
+}
+
+table! {
+    /// The unloaded rail in a layer.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub struct LayerRow in "profile.csv", [
+        "What the unloaded rail keeps, by depth: residual stress (that of manufacturing included), plastic strain (tensor components)",
+        "depth_mm: middle of the layer, mm; stress: MPa, tension positive; x along the rail, y upwards, z out of plane",
+        "plastic_per_pass: equivalent plastic strain along the way of one passage; dang_van_mpa: largest tau + a p_h of the cycle, MPa",
+    ] {
+        /// Depth of the middle of the layer, mm.
+        depth: f64 = "depth_mm";
+        /// Residual stress, that of manufacturing included, MPa.
+        stress: Stress = "sxx_mpa" "syy_mpa" "szz_mpa" "sxy_mpa";
+        /// Plastic strain; `ep_xy` is the tensor component.
+        strain: PlasticStrain = "ep_xx" "ep_yy" "ep_zz" "ep_xy";
+        /// Plastic strain accumulated per passage in the stabilised state, √(2/3) ∫ \|dε_p\|.
+        plastic_per_pass: f64 = "plastic_per_pass";
+        /// Largest τ + a p_h of the stabilised cycle, MPa.
+        dang_van: f64 = "dang_van_mpa";
+    }
+}
+
+impl LayerRow {
+    /// The layers of `rail`; `initiation` has the surface before them.
+    pub(super) fn of(rail: &StabilisedRail, initiation: &Initiation) -> impl Iterator<Item = Self> {
+        rail.profile.iter().zip(initiation.by_depth.iter().skip(1)).map(|(layer, value)| Self {
+            depth: layer.depth,
+            stress: layer.stress,
+            strain: layer.strain,
+            plastic_per_pass: layer.plastic_per_pass,
+            dang_van: value.worst.value,
+        })
+    }
+}

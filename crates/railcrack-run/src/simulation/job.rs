@@ -1,0 +1,54 @@
+//! A run before its first step: its case, and what it starts from.
+
+use super::observer::RunObserver;
+use crate::{CaseFiles, Presentation, RunInfo};
+use railcrack::growth::GrowthState;
+use railcrack_case::{Case, SharedRail};
+use std::path::Path;
+
+/// The start of a run.
+pub struct Stage<'a> {
+    /// The run folder.
+    pub folder: &'a Path,
+    /// Who is told of the run.
+    pub observer: &'a dyn RunObserver,
+    /// Who makes plots and pages.
+    pub presentation: &'a dyn Presentation,
+    /// A rail that another run has made.
+    pub shared: Option<&'a SharedRail>,
+    /// The state to go on from; none at the beginning.
+    pub state: Option<GrowthState>,
+}
+
+/// A run before anything is computed.
+#[derive(Debug)]
+pub struct Job {
+    /// `case.toml` and the files that it names.
+    pub case: CaseFiles,
+    /// Facts of the case for the files of the run.
+    pub info: RunInfo,
+}
+
+impl Job {
+    /// The run of `case`.
+    pub fn of(case: &Case) -> Self {
+        Self {
+            case: case_files(case),
+            info: RunInfo {
+                title: case.title.clone(),
+                engine: case.engine,
+                contact: case.contact_solver,
+                boundary: case.rail.boundary,
+                half_width: case.contact.half_width,
+                axle_load: case.axle_load,
+                warnings: Vec::new(),
+            },
+        }
+    }
+}
+
+/// `case.toml` and the files that it names.
+pub fn case_files(case: &Case) -> CaseFiles {
+    let companions = case.companions().into_iter().map(|file| (file.name.into(), file.text.into())).collect();
+    CaseFiles { toml: case.to_toml(), companions }
+}

@@ -1,0 +1,40 @@
+//! Results of a study written to its folder.
+
+use super::folder::StudyFolder;
+use super::results::StudyResults;
+use super::table::{StudySummaryRow, TimesRow};
+use crate::OutputError;
+use crate::csv::Table;
+use crate::presentation::Presentation;
+
+impl StudyFolder {
+    /// Builds `summary.csv`, `times.csv` and what `presentation` makes of them from the run folders
+    /// alone, whoever computed them.
+    ///
+    /// Several processes may do so at once: once the last of them has, the files have every run.
+    ///
+    /// Errors: a file of a run is damaged; the system refuses.
+    pub fn write_results(&self, presentation: &dyn Presentation) -> Result<StudyResults, OutputError> {
+        loop {
+            let results = self.read_results()?;
+            self.put(StudySummaryRow::FILE, &results.table(self.plan())?)?;
+            self.put(TimesRow::FILE, &results.times()?)?;
+            presentation.study(self, &results)?;
+            // Another process may have finished the last run, and written all results, while this
+            // one was about to: what has just been written would then hide what the other one
+            // wrote.
+            if results.are_complete() || !self.is_over()? {
+                return Ok(results);
+            }
+        }
+    }
+
+    fn is_over(&self) -> Result<bool, OutputError> {
+        for run in &self.plan().runs {
+            if self.outcome(run)?.is_none() {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+}

@@ -1,0 +1,25 @@
+//! Every table that the program writes, as `docs/file-formats.md` describes it.
+
+use crate::compare::{CompareRow, PositionRow};
+use crate::csv::{FaceRow, ResidualRow, SifRow, Table, TipRow, markdown};
+use crate::shakedown::{LayerRow, PassRow};
+use crate::study::{StudySummaryRow, TimesRow};
+
+/// Name and columns (a table of Markdown) of every table.
+pub fn table_descriptions() -> Vec<(&'static str, String)> {
+    fn of<T: Table>() -> (&'static str, String) {
+        (T::FILE, markdown::<T>())
+    }
+    vec![
+        of::<SifRow>(),
+        of::<TipRow>(),
+        of::<FaceRow>(),
+        of::<ResidualRow>(),
+        of::<CompareRow>(),
+        of::<PositionRow>(),
+        of::<StudySummaryRow>(),
+        of::<TimesRow>(),
+        of::<PassRow>(),
+        of::<LayerRow>(),
+    ]
+}

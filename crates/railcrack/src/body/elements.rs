@@ -1,0 +1,107 @@
+//! Jumps along the cracks that are linear in the parameter g of their walk.
+
+use super::{FaceMesh, FacePoint, FaceSample};
+use crate::crack::{End, Walk};
+use crate::math::{Vec2, gauss_legendre};
+
+/// A straight part of an element: between two nodes or kinks.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FacePiece {
+    /// Index of its crack in the network, from 0.
+    pub crack: usize,
+    /// Index of the straight segment of the crack, from 0.
+    pub segment: usize,
+    /// Range of the parameter g.
+    pub range: (f64, f64),
+    /// Ends, mm.
+    pub ends: (Vec2, Vec2),
+}
+
+/// A part of the faces between two neighbouring nodes; `ends` are its face points, none at a tip.
+/// Jumps are linear in g on it.
+#[derive(Debug, Clone)]
+pub struct FaceElement {
+    /// Index of its crack in the network, from 0.
+    pub crack: usize,
+    /// Range of the parameter g of its crack's [`Walk`].
+    pub range: (f64, f64),
+    /// Face points at its two ends.
+    pub ends: [Option<usize>; 2],
+    /// Its straight parts.
+    pub pieces: Vec<FacePiece>,
+}
+
+/// The elements of all cracks and their face points: every node but the tips. `nodes` are the
+/// values of g, ends included, for each walk; a value that is there twice is a vertex at which the
+/// jump may change abruptly, with a face point on each side.
+pub fn discretise(walks: &[Walk], nodes: &[Vec<f64>]) -> (Vec<FaceElement>, FaceMesh) {
+    let mut elements = Vec::new();
+    let mut faces = FaceMesh::default();
+    for (crack, (walk, nodes)) in walks.iter().zip(nodes).enumerate() {
+        let vertices = walk.vertices();
+        let last = nodes.len() - 1;
+        let has_point =
+            |i: usize| !(i == 0 && walk.has_tip(End::First) || i == last && walk.has_tip(End::Last));
+        let mut previous = None;
+        for (i, &g) in nodes.iter().enumerate() {
+            let breaks = i > 0 && nodes[i - 1] == g;
+            let point = has_point(i).then(|| {
+                let segment = walk.segment_at(g, &vertices) + usize::from(breaks);
+                let tangent = walk.tangent(segment);
+                // The mouth is where the crack says, free of round-off.
+                let (s, position) =
+                    if i == 0 { (0.0, walk.first_point()) } else { (walk.s(g), walk.position(segment, g)) };
+                faces.points.push(FacePoint { crack, segment, s, position, tangent, weight: 0.0 });
+                faces.points.len() - 1
+            });
+            if i > 0 && !breaks {
+                let range = (nodes[i - 1], g);
+                let pieces = pieces(walk, crack, range, &vertices);
+                elements.push(FaceElement { crack, range, ends: [previous, point], pieces });
+            }
+            previous = point;
+        }
+    }
+    sample_faces(walks, &elements, &mut faces);
+    (elements, faces)
+}
+
+fn pieces(walk: &Walk, crack: usize, range: (f64, f64), vertices: &[f64]) -> Vec<FacePiece> {
+    let mut cuts = vec![range.0];
+    cuts.extend(vertices.iter().copied().filter(|&v| v > range.0 && v < range.1));
+    cuts.push(range.1);
+    cuts.windows(2)
+        .map(|cut| {
+            let segment = walk.segment_at(0.5 * (cut[0] + cut[1]), vertices);
+            let ends = (walk.position(segment, cut[0]), walk.position(segment, cut[1]));
+            FacePiece { crack, segment, range: (cut[0], cut[1]), ends }
+        })
+        .collect()
+}
+
+/// Gauss points per piece for the nodal forces of a field; ds/dg and the shape functions are
+/// polynomials.
+const FACE_POINTS: usize = 3;
+
+fn sample_faces(walks: &[Walk], elements: &[FaceElement], faces: &mut FaceMesh) {
+    let rule = gauss_legendre(FACE_POINTS);
+    for element in elements {
+        let walk = &walks[element.crack];
+        for piece in &element.pieces {
+            let width = piece.range.1 - piece.range.0;
+            for &(t, w) in &rule {
+                let g = piece.range.0 + t * width;
+                let length = w * width * walk.ds(g);
+                let towards_end = (g - element.range.0) / (element.range.1 - element.range.0);
+                let shares = [(element.ends[0], 1.0 - towards_end), (element.ends[1], towards_end)];
+                let shares =
+                    shares.map(|(point, share)| (point.unwrap_or(0), point.map_or(0.0, |_| share * length)));
+                for (point, length) in shares {
+                    faces.points[point].weight += length;
+                }
+                let normal = walk.tangent(piece.segment).left();
+                faces.samples.push(FaceSample { point: walk.position(piece.segment, g), normal, shares });
+            }
+        }
+    }
+}

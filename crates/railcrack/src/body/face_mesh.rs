@@ -1,0 +1,66 @@
+//! Face points, and the quadrature between them.
+
+use crate::math::{Stress, Vec2};
+
+/// A face point: where the contact conditions hold.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FacePoint {
+    /// Index of its crack in the network, from 0.
+    pub crack: usize,
+    /// Index of the straight segment of the crack, from 0.
+    pub segment: usize,
+    /// Arc length from the crack's first point, mm.
+    pub s: f64,
+    /// Where, mm.
+    pub position: Vec2,
+    /// x1, along the walk; x2 is x1 turned by +90°.
+    pub tangent: Vec2,
+    /// Length of face that the point stands for: nodal force / weight = traction, mm.
+    pub weight: f64,
+}
+
+/// A quadrature point of the faces, for the nodal forces of a stress field.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FaceSample {
+    /// Where, mm.
+    pub point: Vec2,
+    /// x2 of the face there: the traction taken over is σ·x2.
+    pub normal: Vec2,
+    /// Face points that share the traction, with the length (mm) each takes of it; a point without
+    /// share has 0.
+    pub shares: [(usize, f64); 2],
+}
+
+/// The face points and the quadrature between them.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct FaceMesh {
+    /// The face points, crack by crack along the walk.
+    pub points: Vec<FacePoint>,
+    /// The quadrature points.
+    pub samples: Vec<FaceSample>,
+}
+
+impl FaceMesh {
+    /// Nodal forces on the + faces, N/mm, of removing a transmitted stress σ: ∫ φ_j σ·x2 ds in the
+    /// frame of point j, `[2 j]` along x1, `[2 j + 1]` along x2. `stress` gives σ (MPa) at a point
+    /// (mm).
+    #[must_use]
+    pub fn nodal_forces(&self, stress: impl Fn(Vec2) -> Stress) -> Vec<f64> {
+        self.nodal_forces_of_samples(|_, point| stress(point))
+    }
+
+    /// [`FaceMesh::nodal_forces`] of a stress that is known by the index of the sample, from 0.
+    #[must_use]
+    pub fn nodal_forces_of_samples(&self, stress: impl Fn(usize, Vec2) -> Stress) -> Vec<f64> {
+        let mut forces = vec![0.0; 2 * self.points.len()];
+        for (k, sample) in self.samples.iter().enumerate() {
+            let traction = stress(k, sample.point).traction(sample.normal);
+            for (point, length) in sample.shares {
+                let tangent = self.points[point].tangent;
+                forces[2 * point] += length * traction.dot(tangent);
+                forces[2 * point + 1] += length * traction.dot(tangent.left());
+            }
+        }
+        forces
+    }
+}

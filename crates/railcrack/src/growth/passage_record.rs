@@ -1,0 +1,41 @@
+//! Records of a passage: histories of K and states of the crack faces.
+
+use crate::body::FacePoint;
+use crate::contact::FaceState;
+use crate::fracture::Sif;
+use serde::{Deserialize, Serialize};
+
+/// One passage on fixed cracks.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PassageRecord {
+    /// Output positions x_c in the order of travel, mm.
+    pub xc: Vec<f64>,
+    /// `sifs[tip][position]`, MPa √mm.
+    pub sifs: Vec<Vec<Sif>>,
+}
+
+/// The faces during the stabilised passage.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FaceRecord {
+    /// The face points, crack by crack, along the walk.
+    pub points: Vec<FacePoint>,
+    /// `states[position][point]`.
+    pub states: Vec<Vec<FaceState>>,
+}
+
+/// Effort of the contact solver in one growth step.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct SolverCounts {
+    /// Passages until the history repeated.
+    pub passages: usize,
+    /// Load steps between output positions, beyond the one that each position needs.
+    pub substeps: usize,
+    /// Contact solutions.
+    pub solves: usize,
+    /// Contact iterations, all solutions together.
+    pub iterations: usize,
+    /// The most iterations of one solution.
+    pub iterations_max: usize,
+    /// Largest violation of the contact conditions, relative to the largest traction and jump.
+    pub complementarity_max: f64,
+}

@@ -1,0 +1,114 @@
+//! Settings of passages and growth; the defaults are the reference values of the paper.
+
+use crate::contact::StepControl;
+use crate::fatigue::{DirectionCriterion, ParisLaw};
+use crate::load::Passage;
+use crate::math::OutOfRange;
+
+/// The wheel's passages.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PassageSettings {
+    /// Output positions.
+    pub passage: Passage,
+    /// Passages at most.
+    pub max_passages: usize,
+    /// Change of K between two passages, relative to its peak, below which the history repeats.
+    pub passage_tolerance: f64,
+    /// Tolerance of the load steps on K, relative to its peak; of no meaning to fixed steps.
+    pub step_tolerance: f64,
+    /// How load steps are chosen; fixed ones go from output position to output position.
+    pub step_control: StepControl,
+}
+
+/// As a case file that says nothing, with the passage of the reference case.
+impl Default for PassageSettings {
+    fn default() -> Self {
+        Self {
+            passage: Passage::default(),
+            max_passages: 5,
+            passage_tolerance: 1e-3,
+            step_tolerance: 2e-3,
+            step_control: StepControl::Adaptive,
+        }
+    }
+}
+
+impl PassageSettings {
+    /// Refuses a passage that is none, no passages at all, and tolerances that are not positive.
+    pub fn check(&self) -> Result<(), OutOfRange> {
+        self.passage.check()?;
+        let passages = self.max_passages as f64;
+        OutOfRange::unless(self.max_passages >= 1, "passages at most", passages, "at least 1")?;
+        OutOfRange::unless_positive("tolerance of the passages", self.passage_tolerance)?;
+        OutOfRange::unless_positive("tolerance of the load steps", self.step_tolerance)
+    }
+}
+
+/// How cracks grow and when a run ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GrowthSettings {
+    /// Number of increments; 0 computes the initial cracks only.
+    pub steps: usize,
+    /// Increment of the fastest tip as a fraction of its crack's current length.
+    pub increment: f64,
+    /// Rate.
+    pub law: ParisLaw,
+    /// Rate (mm per cycle) below which a tip is arrested.
+    pub arrest_rate: f64,
+    /// Direction.
+    pub criterion: DirectionCriterion,
+    /// A crack this long (mm) ends the run.
+    pub critical_length: Option<f64>,
+    /// This many load cycles end the run.
+    pub stop_after_cycles: Option<f64>,
+}
+
+/// As a case file that says nothing: the reference values of the paper.
+impl Default for GrowthSettings {
+    fn default() -> Self {
+        Self {
+            steps: 25,
+            increment: 0.04,
+            law: ParisLaw::RAIL_STEEL,
+            arrest_rate: 1e-9,
+            criterion: DirectionCriterion::MaxRate,
+            critical_length: None,
+            stop_after_cycles: None,
+        }
+    }
+}
+
+impl GrowthSettings {
+    /// Refuses an increment that is none, and limits that are not numbers.
+    pub fn check(&self) -> Result<(), OutOfRange> {
+        let fraction = self.increment > 0.0 && self.increment.is_finite();
+        OutOfRange::unless(fraction, "increment over the crack length", self.increment, "positive")?;
+        let at_least_zero =
+            |quantity, value: f64| OutOfRange::unless(value >= 0.0, quantity, value, "zero or more");
+        at_least_zero("arrest rate (mm per cycle)", self.arrest_rate)?;
+        at_least_zero("critical length (mm)", self.critical_length.unwrap_or(0.0))?;
+        at_least_zero("cycles to stop after", self.stop_after_cycles.unwrap_or(0.0))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_defaults_can_be_computed() {
+        assert!(PassageSettings::default().check().is_ok() && GrowthSettings::default().check().is_ok());
+    }
+
+    #[test]
+    fn settings_under_which_nothing_can_be_computed_are_refused() {
+        let (passages, growth) = (PassageSettings::default(), GrowthSettings::default());
+        let none = Passage { positions: 0, ..Passage::default() };
+        assert!(PassageSettings { passage: none, ..passages }.check().is_err());
+        assert!(PassageSettings { max_passages: 0, ..passages }.check().is_err());
+        assert!(PassageSettings { passage_tolerance: 0.0, ..passages }.check().is_err());
+        assert!(PassageSettings { step_tolerance: f64::NAN, ..passages }.check().is_err());
+        assert!(GrowthSettings { increment: 0.0, ..growth }.check().is_err());
+        assert!(GrowthSettings { critical_length: Some(f64::NAN), ..growth }.check().is_err());
+    }
+}

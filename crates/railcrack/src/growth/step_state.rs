@@ -1,0 +1,80 @@
+//! The state of the cracks at the start of a step, and the increments that they would make.
+
+use super::{BreakOut, DeferredGrowth, TipStop};
+use crate::crack::{Crack, CrackTip, Junction};
+use crate::math::Vec2;
+
+/// The rail as a rectangle below y = 0.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RailBox {
+    /// Width, mm.
+    pub width: f64,
+    /// Depth, mm.
+    pub depth: f64,
+    /// Abscissa of its middle, mm.
+    pub centre: f64,
+}
+
+/// The rail of the paper: 300 mm by 172 mm around x = 0.
+impl Default for RailBox {
+    fn default() -> Self {
+        Self { width: 300.0, depth: 172.0, centre: 0.0 }
+    }
+}
+
+/// Direction and rate of growth of one tip, with its state.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TipDrive {
+    /// Which tip.
+    pub tip: CrackTip,
+    /// The chosen kink, radians, counter-clockwise; none for a tip that does not load.
+    pub kink: Option<f64>,
+    /// da/dN of the actual tip, mm per cycle: zero at or below the threshold.
+    pub rate: f64,
+    /// Its growth of earlier steps that is not in the crack yet.
+    pub deferred: DeferredGrowth,
+    /// Why it stopped in an earlier step, if it did.
+    pub stopped: Option<TipStop>,
+}
+
+/// The state of a run at the start of a step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StepState<'a> {
+    /// Step number, from 0.
+    pub step: usize,
+    /// The cracks.
+    pub cracks: &'a [Crack],
+    /// Where they have joined each other.
+    pub junctions: &'a [Junction],
+    /// Tips that broke out in earlier steps.
+    pub break_outs: &'a [BreakOut],
+    /// All their tips.
+    pub tips: &'a [TipDrive],
+    /// Load cycles so far.
+    pub load_cycles: f64,
+    /// The rail.
+    pub rail: RailBox,
+    /// The length that the engine resolves, mm: its element size.
+    pub resolution: f64,
+}
+
+impl StepState<'_> {
+    /// The length of crack `crack` (from 0), with the deferred growth of its tips, mm.
+    pub fn length(&self, crack: usize) -> f64 {
+        let own = self.tips.iter().filter(|tip| tip.tip.crack == crack);
+        self.cracks[crack].length() + own.map(|tip| tip.deferred.length).sum::<f64>()
+    }
+}
+
+/// A straight increment that a tip would make.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Step {
+    /// The tip.
+    pub tip: CrackTip,
+    /// Where it is.
+    pub from: Vec2,
+    /// Where it would be.
+    pub to: Vec2,
+    /// The share of the way that it has made in earlier steps.
+    pub deferred: f64,
+}

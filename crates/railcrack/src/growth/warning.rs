@@ -1,0 +1,43 @@
+//! Warnings of a step.
+
+use serde::{Deserialize, Serialize};
+
+/// Kinds of warnings.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum WarningKind {
+    /// How the engine represents the cracks.
+    Engine,
+    /// The other contact solver took over.
+    ContactFallback,
+    /// Two kinks are nearly as good.
+    NearTie,
+    /// The history of K still changes from passage to passage.
+    Passages,
+    /// The residual stress, and how it was balanced.
+    ResidualStress,
+}
+
+impl WarningKind {
+    /// The name in output files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Engine => "engine",
+            Self::ContactFallback => "contact-fallback",
+            Self::NearTie => "near-tie",
+            Self::Passages => "passages",
+            Self::ResidualStress => "residual-stress",
+        }
+    }
+}
+
+/// Something the reader of the results must know.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Warning {
+    /// The step at which it arose.
+    pub step: usize,
+    /// Its kind.
+    pub kind: WarningKind,
+    /// One sentence with its numbers.
+    pub text: String,
+}

@@ -1,0 +1,37 @@
+//! Numbers that are not accepted.
+
+use thiserror::Error;
+
+/// A quantity outside of the range in which it means something.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[error("{quantity} = {value}: must be {accepted}")]
+pub struct OutOfRange {
+    /// Which quantity, with its unit.
+    pub quantity: &'static str,
+    /// The given value.
+    pub value: f64,
+    /// The accepted values.
+    pub accepted: &'static str,
+}
+
+impl OutOfRange {
+    /// Refuses a `value` that is not positive and finite.
+    pub fn unless_positive(quantity: &'static str, value: f64) -> Result<(), Self> {
+        Self::unless(value > 0.0 && value.is_finite(), quantity, value, "positive and finite")
+    }
+
+    /// Refuses a `value` that is not finite.
+    pub fn unless_finite(quantity: &'static str, value: f64) -> Result<(), Self> {
+        Self::unless(value.is_finite(), quantity, value, "finite")
+    }
+
+    /// Refuses `value` unless it is `fine`.
+    pub fn unless(
+        fine: bool,
+        quantity: &'static str,
+        value: f64,
+        accepted: &'static str,
+    ) -> Result<(), Self> {
+        if fine { Ok(()) } else { Err(Self { quantity, value, accepted }) }
+    }
+}

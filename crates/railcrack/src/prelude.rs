@@ -1,0 +1,17 @@
+//! The names of a whole program, from the wheel to the path of the cracks.
+
+pub use crate::body::{BodyEngine, CrackedBody};
+pub use crate::contact::{ContactSolver, FaceProblem, Latin, Newton, StepControl};
+pub use crate::crack::{Crack, CrackNetwork, End};
+pub use crate::dislocation::{DislocationEngine, FaceResolution};
+pub use crate::fatigue::{DirectionCriterion, HourlierPineau, Kink, KinkFunctions, ParisLaw, SifRanges};
+pub use crate::field::{DepthProfile, HertzWheel, StressField, Wheel};
+pub use crate::fracture::{Sif, SifHistory};
+pub use crate::growth::{
+    Growth, GrowthProblem, GrowthSettings, GrowthState, Observer, PassageSettings, RailBox, RailLoad,
+    RunStop, TipStop, Unobserved, stabilised_passage,
+};
+pub use crate::load::{HertzianContact, Passage};
+pub use crate::material::IsotropicElastic;
+pub use crate::math::{Stress, Vec2};
+pub use crate::xfem::{MeshSettings, RailEnd, XfemEngine, XfemSettings};
