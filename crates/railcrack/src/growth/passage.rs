@@ -27,6 +27,18 @@ pub struct StabilisedPassage {
     pub last_change: Option<f64>,
 }
 
+impl StabilisedPassage {
+    /// The tip with the lowest K_I, and that over the largest |K| of all tips. Faces do not
+    /// overlap, so that a negative one is the error of the engine at a closed tip.
+    #[must_use]
+    pub fn lowest_opening(&self) -> Option<(usize, f64)> {
+        let peak = self.histories.iter().map(SifHistory::peak).fold(0.0, f64::max);
+        let lowest = |history: &SifHistory| history.samples.iter().map(|k| k.ki).fold(0.0, f64::min);
+        let tips = self.histories.iter().map(|history| lowest(history) / peak).enumerate();
+        tips.filter(|_| peak > 0.0).min_by(|a, b| a.1.total_cmp(&b.1))
+    }
+}
+
 /// A passage that could not be computed.
 #[derive(Debug, Error)]
 #[non_exhaustive]

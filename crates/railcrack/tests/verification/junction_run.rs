@@ -1,6 +1,6 @@
 //! A run in which a surface crack coalesces with a buried one, beyond the junction and the spall.
 
-use crate::common::{Absolute, Relative, Rolling, close, default_elements, joined_body, largest};
+use crate::common::{Absolute, Of, Relative, Rolling, close, default_elements, joined_body, largest};
 use railcrack::contact::{FaceProblem, Newton};
 use railcrack::growth::{GrowthState, PieceKind, StepRecord, TipStop, Unobserved};
 use railcrack_case::{Case, Overrides};
@@ -82,6 +82,23 @@ fn against_a_finer_mesh() {
         Absolute(5e-3),
         "required of the engine; 3.2e-3, K_I of the upper tip as it closes",
     );
+}
+
+/// The largest K_I lies where a face point changes its status, between output positions: it does not
+/// depend on how many of these there are.
+#[test]
+fn ranges_between_output_positions() {
+    let record = &steps(&case(), None, 3)[3].0;
+    let mut rolling = Rolling::over(vec![record.cracks[0].clone()], 0.1, 0.025);
+    let body = joined_body(&record.cracks, &record.junctions, default_elements());
+    let mut largest_ki = |positions: usize| {
+        rolling.steps.positions = positions;
+        let result = rolling.on(&FaceProblem::new(&body, &[0.1; 2]).unwrap(), &Newton::default());
+        let peak = result.histories[0].peak();
+        (result.histories[0].samples.iter().map(|k| k.ki).fold(0.0, f64::max), peak)
+    };
+    let ((few, peak), (many, _)) = (largest_ki(121), largest_ki(1921));
+    close(few, many, Of(2e-3, peak), "the load bends within a step of a tenth of a");
 }
 
 /// The whole run by the other engine: the same final tips, and the same spall.
