@@ -84,21 +84,22 @@ fn against_a_finer_mesh() {
     );
 }
 
-/// The largest K_I lies where a face point changes its status, between output positions: it does not
-/// depend on how many of these there are.
+/// The largest K_I lies where a face point changes its status, between output positions: a run has it
+/// as eight times as many positions have it, in the other engine.
 #[test]
 fn ranges_between_output_positions() {
-    let record = &steps(&case(), None, 3)[3].0;
+    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../cases/junction.toml");
+    let overrides = Overrides { engine: Some("xfem".into()), ..Overrides::default() };
+    let case = Case::read_with(&path, &overrides).unwrap();
+    let record = &steps(&case, None, 3)[3].0;
     let mut rolling = Rolling::over(vec![record.cracks[0].clone()], 0.1, 0.025);
+    rolling.steps.positions = 1921;
     let body = joined_body(&record.cracks, &record.junctions, default_elements());
-    let mut largest_ki = |positions: usize| {
-        rolling.steps.positions = positions;
-        let result = rolling.on(&FaceProblem::new(&body, &[0.1; 2]).unwrap(), &Newton::default());
-        let peak = result.histories[0].peak();
-        (result.histories[0].samples.iter().map(|k| k.ki).fold(0.0, f64::max), peak)
-    };
-    let ((few, peak), (many, _)) = (largest_ki(121), largest_ki(1921));
-    close(few, many, Of(2e-3, peak), "the load bends within a step of a tenth of a");
+    let result = rolling.on(&FaceProblem::new(&body, &[0.1; 2]).unwrap(), &Newton::default());
+    let upper = &result.histories[0];
+    let largest_ki = upper.samples.iter().map(|k| k.ki).fold(0.0, f64::max);
+    let reason = "the engines; 1.7 % at output positions and held points alone";
+    close(record.tips[0].ki_max, largest_ki, Of(7e-3, upper.peak()), reason);
 }
 
 /// The whole run by the other engine: the same final tips, and the same spall.
