@@ -16,7 +16,7 @@ section! {
          element.").optional();
     INTERFACE_ELEMENTS: usize = integer("interface_elements", (8, 400), 48,
         "Elements along each crack in the dislocation engine, before its grading towards mouth and kinks; without \
-         it 48, and 180 shared by all cracks, but at least 20 each, where there are more than three.").optional();
+         it 48, and 180 shared by all cracks, but at least 28 each, where there are more than three.").optional();
 }
 
 /// Discretisation; without a value, each engine chooses it from the cracks.

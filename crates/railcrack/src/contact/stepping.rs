@@ -195,7 +195,8 @@ impl<'a> Stepper<'a> {
     }
 
     /// Follows `path` to `station`, in as many steps as the tolerance asks for. `accepted` sees
-    /// every accepted solution with its forces.
+    /// every accepted solution, and the faces wherever a status changes on the way to it, with
+    /// their forces.
     ///
     /// Errors: contact does not converge in the smallest step, or in too many; the steps find no
     /// end; an interruption.
@@ -289,7 +290,7 @@ impl<'a> Stepper<'a> {
             allowed: &|j| allowed(tolerance, scale_of[j]),
         };
         let traced = follow(self.problem, &mut self.faces, &self.current, scale, accuracy);
-        let Traced { reference_slip, holds } = match traced {
+        let Traced { reference_slip, changes } = match traced {
             Ok(traced) => traced,
             Err(Stop::Inaccurate { excess }) => return Ok(Attempt::Shorter((0.9 / excess.cbrt()).max(0.2))),
             Err(Stop::Lost { share }) if share > EARLY => return Ok(Attempt::Shorter(BEFORE * share)),
@@ -307,8 +308,8 @@ impl<'a> Stepper<'a> {
         if (0..self.problem.points()).any(astray) {
             return Ok(Attempt::Shorter(0.5));
         }
-        for hold in &holds {
-            accepted(&hold.solution, &load.at(hold.share));
+        for change in &changes {
+            accepted(&change.solution, &load.at(change.share));
         }
         Ok(self.accept(target, load.end, accepted))
     }

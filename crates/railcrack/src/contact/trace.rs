@@ -39,12 +39,12 @@ impl StepLoad {
 pub(super) struct Traced {
     /// The slip (mm, p) from which friction counts at its end.
     pub reference_slip: Vec<f64>,
-    /// Where points were held at the slip that they had.
-    pub holds: Vec<Hold>,
+    /// Where statuses changed: what was rising may fall from there on, so that extremes of K lie there.
+    pub changes: Vec<Change>,
 }
 
-/// A point touches or ceases to slip.
-pub(super) struct Hold {
+/// A point touches, opens, begins to slip or ceases to.
+pub(super) struct Change {
     /// When, as share of the step.
     pub share: f64,
     /// The faces then.
@@ -92,7 +92,7 @@ struct Way<'w, 'a> {
     /// Coefficients of τ and τ².
     rates: [FaceRate; 2],
     reference_slip: Vec<f64>,
-    holds: Vec<Hold>,
+    changes: Vec<Change>,
     accuracy: Accuracy<'w>,
     /// By crack, a bound of the error of slip that what the parabola misses means, over √C_jj of
     /// the point: by Cauchy and Schwarz |C_jk| ≤ √(C_jj C_kk). None before it is asked for; `faces`
@@ -129,7 +129,7 @@ pub(super) fn follow<'a>(
         now: current.clone(),
         rates: [FaceRate::zero(n), FaceRate::zero(n)],
         reference_slip: current.jump.iter().step_by(2).copied().collect(),
-        holds: Vec::new(),
+        changes: Vec::new(),
         accuracy,
         error_bounds: None,
     };
@@ -148,7 +148,7 @@ pub(super) fn follow<'a>(
         way.change(event)?;
     }
     way.advance(1.0 - way.share);
-    Ok(Traced { reference_slip: way.reference_slip, holds: way.holds })
+    Ok(Traced { reference_slip: way.reference_slip, changes: way.changes })
 }
 
 impl Way<'_, '_> {
@@ -233,8 +233,8 @@ impl Way<'_, '_> {
         let held = before == PointStatus::Open || status == PointStatus::Stick;
         if held && self.problem.friction(point) > 0.0 {
             self.check(point)?;
-            self.holds.push(Hold { share: self.share, solution: self.now.clone() });
         }
+        self.changes.push(Change { share: self.share, solution: self.now.clone() });
         self.reference_slip[point] = slip;
         self.now.status[point] = status;
         self.faces.set_status(point, status, slip);

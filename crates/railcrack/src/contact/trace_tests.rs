@@ -46,9 +46,10 @@ fn a_point_that_is_pushed_to_and_fro() {
     let current = point([0.0, 0.0], [0.0, P], Stick);
     let load = [[0.0, -P], [4.0 * L, 0.0], [-4.0 * L, 0.0]];
     let (traced, end) = followed(&current, load, [0.0; 2], 1e-9);
-    let Traced { reference_slip, holds } = traced.ok().unwrap();
-    assert_eq!(holds.len(), 1);
-    let hold = &holds[0];
+    let Traced { reference_slip, changes } = traced.ok().unwrap();
+    // It begins to slip, is held, and slips back.
+    assert_eq!(changes.len(), 3);
+    let hold = &changes[1];
     let farthest = C * (L - MU * P);
     assert_near(hold.share, 0.5, 1.0);
     assert_eq!(hold.solution.status, [SlipForward]);
@@ -68,9 +69,9 @@ fn a_point_that_touches_sticks_or_slips_on() {
     for (along, status) in [(0.4 * P, Stick), (1.2 * P, SlipForward), (-1.2 * P, SlipBackward)] {
         let current = point([0.0, C * P], [0.0, 0.0], Open);
         let (traced, end) = followed(&current, [[0.0, P], [along, -2.0 * P], [0.0; 2]], [0.0; 2], 1e-9);
-        let Traced { reference_slip, holds } = traced.ok().unwrap();
-        assert_eq!((holds.len(), end.status[0]), (1, status), "{along}");
-        assert_near(holds[0].share, 0.5, 1.0);
+        let Traced { reference_slip, changes } = traced.ok().unwrap();
+        assert_eq!((changes.len(), end.status[0]), (1, status), "{along}");
+        assert_near(changes[0].share, 0.5, 1.0);
         assert_near(reference_slip[0], 0.5 * C * along, C * P);
         let slip = match status {
             Stick => 0.5 * C * along,
@@ -82,11 +83,15 @@ fn a_point_that_touches_sticks_or_slips_on() {
 }
 
 #[test]
-fn a_point_that_opens_holds_nothing() {
+fn a_point_opens() {
     let current = point([2e-4, 0.0], [-20.0, 40.0], SlipForward);
     // Slip 2e-4 = c (load − 20).
     let (traced, end) = followed(&current, [[40.0, -40.0], [10.0, 80.0], [0.0; 2]], [0.0; 2], 1e-9);
-    assert!(traced.ok().unwrap().holds.is_empty());
+    let changes = traced.ok().unwrap().changes;
+    // Where the pressure 40 − 80 τ is gone.
+    assert_eq!(changes.len(), 1);
+    assert_near(changes[0].share, 0.5, 1.0);
+    assert_eq!(changes[0].solution.status, [SlipForward]);
     assert_eq!(end.status, [Open]);
     assert_near(end.jump[0], C * 50.0, 1e-3);
     assert_near(end.jump[1], C * 40.0, 1e-3);

@@ -186,6 +186,11 @@ impl Crack {
         self.points.windows(2).map(|p| (p[1] - p[0]).length()).sum()
     }
 
+    /// Its largest depth, mm.
+    pub fn depth(&self) -> f64 {
+        self.points.iter().fold(0.0, |depth, p| depth.max(-p.y))
+    }
+
     /// This crack longer by `increment` (mm) at `end`, turned by `kink` (radians,
     /// counter-clockwise) from straight ahead. Errors as [`Crack::polyline`].
     pub fn extended(&self, end: End, increment: f64, kink: f64) -> Result<Self, CrackError> {

@@ -4,7 +4,7 @@ use super::assembly::stiffness;
 use super::junctions::{Core, Ties, cores};
 use super::nodes::{self, FaceResolution};
 use crate::body::{BodyEngine, BodyError, CrackedBody, discretise};
-use crate::crack::{CrackNetwork, End, Walk, point_to_segment};
+use crate::crack::{Crack, CrackNetwork, End, Walk, point_to_segment};
 use crate::linear::{LinearError, spd_inverse};
 use crate::material::IsotropicElastic;
 use crate::math::{Matrix, Vec2};
@@ -58,7 +58,28 @@ pub fn cracked_body(
         tips.push(tip);
     }
     let sif_influence = Matrix::from_fn(rows.len(), compliance.columns(), |i, j| rows[i][j]);
-    Ok(CrackedBody::new(faces, tips, [compliance, stiffness, sif_influence]))
+    let body = CrackedBody::new(faces, tips, [compliance, stiffness, sif_influence]);
+    Ok(CrackedBody { remarks: thin_flaps(network), ..body })
+}
+
+/// Depth of a surface-breaking crack over its length below which the flap above it is too thin to
+/// be resolved: that of 1.5°. K is 0.9 % off at 1° and 0.5 % at 2° and 3°.
+const THIN: f64 = 0.026;
+
+/// Remarks on cracks below flaps that the elements do not resolve.
+fn thin_flaps(network: &CrackNetwork) -> Vec<String> {
+    let cracks = network.cracks().iter().enumerate();
+    let thin = cracks.filter(|(_, c)| c.is_surface_breaking() && c.depth() < THIN * c.length());
+    let remark = |(i, crack): (usize, &Crack)| {
+        format!(
+            "crack {}: over its length of {:.3} mm it is nowhere deeper than {:.3} mm; the thin flap above it bends, and its K is known to 1 % \
+             of the peak at 1°, less well below; more elements (interface_elements) resolve it",
+            i + 1,
+            crack.length(),
+            crack.depth()
+        )
+    };
+    thin.map(remark).collect()
 }
 
 /// Number of face points of `network` at `resolution`.
@@ -78,16 +99,34 @@ fn nodes(
 ) -> Vec<Vec<f64>> {
     let of_walk = |(i, walk): (usize, &Walk)| {
         let core_at = |vertex| cores.iter().find(|core| core.is_at(i, vertex));
-        nodes::nodes(walk, resolution, core_at, |point| clearance(network, i, point))
+        nodes::nodes(walk, resolution, core_at, |point| room(network, i, point))
     };
     walks.iter().enumerate().map(of_walk).collect()
 }
 
-/// Distance from a point of crack `own` to the nearest other crack, mm.
-fn clearance(network: &CrackNetwork, own: usize, point: Vec2) -> f64 {
+/// Largest length of an element over the distance to another crack.
+const NEIGHBOUR_SHARE: f64 = 1.0;
+/// The same over the distance to a tip of another crack, whose singular stress the element has to
+/// follow: a tip at half an element from another crack has its K to 0.3 %, without this to 3.7 %.
+const NEIGHBOUR_TIP_SHARE: f64 = 0.4;
+/// Largest length of an element of a buried crack over its depth: K of a tip 0.001 mm below the
+/// surface is 0.6 % off, without this 6 to 17 %.
+const SURFACE_SHARE: f64 = 0.12;
+
+/// Largest length (mm) of an element of crack `own` at `point` beside other cracks, their tips and
+/// the running surface.
+fn room(network: &CrackNetwork, own: usize, point: Vec2) -> f64 {
     let others = network.cracks().iter().enumerate().filter(|(i, _)| *i != own);
     let segments = others.flat_map(|(_, crack)| crack.points().windows(2));
-    segments.map(|p| point_to_segment(point, p[0], p[1])).fold(f64::INFINITY, f64::min)
+    let to_faces = segments.map(|p| point_to_segment(point, p[0], p[1]));
+    let tips = network.tips().into_iter().filter(|tip| tip.crack != own);
+    let to_tips = tips.map(|tip| (network.cracks()[tip.crack].tip(tip.end) - point).length());
+    let buried = !network.cracks()[own].is_surface_breaking();
+    let to_surface = buried.then_some(-point.y);
+    let nearest = |distances: &mut dyn Iterator<Item = f64>| distances.fold(f64::INFINITY, f64::min);
+    (NEIGHBOUR_SHARE * nearest(&mut to_faces.into_iter()))
+        .min(NEIGHBOUR_TIP_SHARE * nearest(&mut to_tips.into_iter()))
+        .min(SURFACE_SHARE * nearest(&mut to_surface.into_iter()))
 }
 
 /// The dislocation engine: [`cracked_body`] for one steel and resolution.

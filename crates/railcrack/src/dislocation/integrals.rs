@@ -5,25 +5,28 @@ use crate::body::FacePiece as Piece;
 use crate::crack::{End, Walk, point_to_segment};
 use crate::math::{Vec2, gauss_legendre};
 
+/// Error of the integral over a pair of pieces, of its size. The flap above a crack at 1° is a
+/// million times more compliant in bending than in shear: with 1e-6 its energy is not positive.
+const ACCURACY: f64 = 1e-8;
+/// The most points of a rule: that of pieces at [`APART`].
+const MOST_POINTS: usize = 8;
+
 /// Gauss rules on [0, 1] by number of points.
-pub(super) struct Rules([Vec<(f64, f64)>; 4]);
+pub(super) struct Rules(Vec<Vec<(f64, f64)>>);
 
 impl Rules {
     pub(super) fn new() -> Self {
-        Self([gauss_legendre(2), gauss_legendre(3), gauss_legendre(4), gauss_legendre(6)])
+        Self((0..=MOST_POINTS).map(gauss_legendre).collect())
     }
 
-    /// The rule for pieces at a distance of `ratio` times the longer one: error below about 1e-6 of
-    /// the integral, from the convergence ρ^(−2n) of Gauss quadrature with the singularity at that
+    /// The rule for pieces at a distance of `ratio` times the longer one. The error is ρ^(−2n),
+    /// with ρ of the ellipse around the piece that goes through a singularity beside it at that
     /// distance.
     fn at(&self, ratio: f64) -> &[(f64, f64)] {
-        if ratio > 8.0 {
-            &self.0[0]
-        } else if ratio > 2.5 {
-            &self.0[1]
-        } else {
-            &self.0[2]
-        }
+        let across = 2.0 * ratio;
+        let rho = across + (1.0 + across * across).sqrt();
+        let points = (-ACCURACY.ln() / (2.0 * rho.ln())).ceil();
+        &self.0[(points as usize).clamp(2, MOST_POINTS)]
     }
 }
 
@@ -67,6 +70,8 @@ fn midpoint(a: &Piece) -> Vec2 {
     (a.ends.0 + a.ends.1) * 0.5
 }
 
+/// Distance of two pieces over the longer one, below which that one is halved.
+const APART: f64 = 0.8;
 /// Halvings before a pair that touches at a corner is integrated as it is: the remaining error is
 /// 4^(−depth/2) of the whole times a logarithm.
 const DEPTH: usize = 20;
@@ -82,7 +87,7 @@ fn subdivided(
 ) {
     let (la, lb) = ((a.ends.1 - a.ends.0).length(), (b.ends.1 - b.ends.0).length());
     let ratio = apart(a, b) / la.max(lb);
-    if ratio < 0.8 && depth < DEPTH {
+    if ratio < APART && depth < DEPTH {
         let halve = |piece: &Piece| {
             let walk = &walks[piece.crack];
             let middle = 0.5 * (piece.range.0 + piece.range.1);
@@ -103,7 +108,7 @@ fn subdivided(
         return;
     }
     let rule = rules.at(ratio);
-    let mut points_b = [(Vec2::default(), 0.0); 6];
+    let mut points_b = [(Vec2::default(), 0.0); MOST_POINTS];
     for (slot, (point, weight)) in points_b.iter_mut().zip(samples(&walks[b.crack], b, rule)) {
         *slot = (point, weight);
     }
@@ -144,8 +149,8 @@ fn log_integral(walk: &Walk, a: (f64, f64), b: (f64, f64), rules: &Rules) -> f64
     let beyond = (turn - b.1, turn - b.0);
     let smooth = |x: f64| if x.abs() < 1e-4 { -x * x / 24.0 } else { (2.0 * (0.5 * x).sin() / x).abs().ln() };
     let mut rest = 0.0;
-    for &(ta, wa) in &rules.0[3] {
-        for &(tb, wb) in &rules.0[3] {
+    for &(ta, wa) in &rules.0[6] {
+        for &(tb, wb) in &rules.0[6] {
             let g = a.0 + ta * (a.1 - a.0);
             let h = b.0 + tb * (b.1 - b.0);
             // |sin(x/2)| = x/2 · smooth; near x = 2π the factor (2π − x) is split off as well.

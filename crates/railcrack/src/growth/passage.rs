@@ -18,7 +18,8 @@ use thiserror::Error;
 pub struct StabilisedPassage {
     /// All passages, the stabilised one last.
     pub passages: Vec<PassageRecord>,
-    /// Histories of the stabilised passage per tip: all accepted substeps and both unloaded ends.
+    /// Histories of the stabilised passage per tip: all accepted substeps,
+    /// every change of contact status and both unloaded ends.
     pub histories: Vec<SifHistory>,
     /// The faces at the output positions of the stabilised passage.
     pub faces: FaceRecord,
@@ -26,6 +27,18 @@ pub struct StabilisedPassage {
     pub counts: SolverCounts,
     /// Change of K between the last two passages relative to its peak; none after a single passage.
     pub last_change: Option<f64>,
+}
+
+impl StabilisedPassage {
+    /// The tip with the lowest K_I, and that over the largest |K| of all tips. Faces do not
+    /// overlap, so that a negative one is the error of the engine at a closed tip.
+    #[must_use]
+    pub fn lowest_opening(&self) -> Option<(usize, f64)> {
+        let peak = self.histories.iter().map(SifHistory::peak).fold(0.0, f64::max);
+        let lowest = |history: &SifHistory| history.samples.iter().map(|k| k.ki).fold(0.0, f64::min);
+        let tips = self.histories.iter().map(|history| lowest(history) / peak).enumerate();
+        tips.filter(|_| peak > 0.0).min_by(|a, b| a.1.total_cmp(&b.1))
+    }
 }
 
 /// A passage that could not be computed.
@@ -369,4 +382,25 @@ fn change(before: &PassageRecord, after: &PassageRecord) -> f64 {
         }
     }
     if difference == 0.0 { 0.0 } else { difference / peak }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fracture::Sif;
+
+    #[test]
+    fn the_lowest_opening_is_relative_to_the_largest_k() {
+        let history = |ki: f64, kii: f64| SifHistory { samples: vec![Sif::default(), Sif { ki, kii }] };
+        let mut passage = StabilisedPassage {
+            passages: Vec::new(),
+            histories: vec![history(10.0, -500.0), history(-20.0, 30.0)],
+            faces: FaceRecord { points: Vec::new(), states: Vec::new() },
+            counts: SolverCounts::default(),
+            last_change: None,
+        };
+        assert_eq!(passage.lowest_opening(), Some((1, -0.04)));
+        passage.histories = vec![history(0.0, 0.0)];
+        assert_eq!(passage.lowest_opening(), None, "unloaded");
+    }
 }

@@ -5,7 +5,7 @@ use super::border::Border;
 use super::columns::ColumnStore;
 use super::condense::{Condensed, System};
 use super::cuts::Cuts;
-use super::domain::{domain_of, short_part};
+use super::domain::{domain_of, short_part, thin_flaps};
 use super::error::XfemError;
 use super::field::Inside;
 use super::interface::{Interface, Station};
@@ -61,7 +61,7 @@ pub(super) fn reduced(
     times.border_s = lap();
     let context =
         SifContext { mesh, cuts: &cuts, space: &space, interface: &interface, elasticity: &elasticity };
-    let mut remarks = Vec::new();
+    let mut remarks = thin_flaps(network);
     let mut functionals: Vec<SifFunctional> = Vec::new();
     for (tip, &size) in sizes.iter().enumerate() {
         let (domain, remark) = domain_of(&cuts, tip, size, &settings);

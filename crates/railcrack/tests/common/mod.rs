@@ -6,12 +6,14 @@
 
 mod ledger;
 mod passage;
+mod random;
 mod requirements;
 mod table;
 mod xfem;
 
 pub use ledger::{measured, measured_as, measured_order};
 pub use passage::{Rolling, RollingEngine, StepControl};
+pub use random::Random;
 pub use requirements::REQUIREMENTS;
 pub use table::{History, column, histories, rows, table_histories};
 pub use xfem::{Meshed, condition, misfit, sifs_under};

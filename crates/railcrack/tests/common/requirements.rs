@@ -456,4 +456,34 @@ pub const REQUIREMENTS: &[Requirement] = &[
         "",
         "Fracture: a run ends within an increment of the toughness.",
     ),
+    requirement(
+        "junction_run::ranges_between_output_positions",
+        "",
+        "Histories of K: the largest K_I does not depend on the number of output positions.",
+    ),
+    requirement(
+        "xfem::random_networks::engines_agree_or_warn",
+        "",
+        "Engines: K of random networks, kinked and buried cracks among them, agrees where no warning is given.",
+    ),
+    requirement(
+        "awkward_places::a_tip_beside_another_crack",
+        "",
+        "Dislocations: a tip at half a hundredth of its crack from another crack has the K of three times the elements.",
+    ),
+    requirement(
+        "awkward_places::a_tip_just_below_the_surface",
+        "",
+        "Dislocations: a tip 0.001 mm below the surface has the K of four times the elements.",
+    ),
+    requirement(
+        "awkward_places::thin_flaps",
+        "",
+        "Dislocations: a crack at 2° has the K of twice the elements; at 1° a remark says how far it is known.",
+    ),
+    requirement(
+        "awkward_places::nine_parallel_cracks",
+        "",
+        "Dislocations: nine parallel cracks have the K of nearly twice the elements.",
+    ),
 ];

@@ -4,6 +4,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod awkward_places;
 mod closed_kink;
 mod closed_tip;
 mod collinear_cracks;

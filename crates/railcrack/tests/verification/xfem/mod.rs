@@ -10,6 +10,7 @@ mod junctions;
 mod neighbours;
 mod networks;
 mod random_cracks;
+mod random_networks;
 mod shifted_mesh;
 mod short_increments;
 mod sif_domain;

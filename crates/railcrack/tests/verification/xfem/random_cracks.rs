@@ -1,7 +1,7 @@
 //! Random cracks, many of them in awkward positions relative to the mesh, on one mesh: K against
 //! the dislocation engine, and the condition of C.
 
-use crate::common::{Of, close, condition, largest, measured_as, sifs_under, steel};
+use crate::common::{Of, Random, close, condition, largest, measured_as, sifs_under, steel};
 use railcrack::bulk::{Boundary, BulkRail};
 use railcrack::crack::{Crack, CrackNetwork};
 use railcrack::dislocation::{self, FaceResolution};
@@ -40,28 +40,15 @@ fn rail() -> Arc<BulkRail> {
     )
 }
 
-/// Pseudo-random numbers that are the same in every run: splitmix64 (Steele, Lea & Flood 2014).
-struct Random(u64);
+/// Random cracks for this mesh.
+struct Awkward(Random);
 
-impl Random {
-    fn between(&mut self, from: f64, to: f64) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut bits = self.0;
-        bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        bits ^= bits >> 31;
-        from + (to - from) * (bits >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn pick<T: Copy>(&mut self, choices: &[T]) -> T {
-        choices[(self.between(0.0, choices.len() as f64) as usize).min(choices.len() - 1)]
-    }
-
+impl Awkward {
     /// The point moved to an awkward position relative to the mesh, or left unchanged.
     fn awkward(&mut self, p: Vec2) -> Vec2 {
-        let sliver = self.pick(&[0.0, 0.0, 1e-9, -1e-9, 1e-6, -1e-6, 1e-3]) * H;
+        let sliver = self.0.pick(&[0.0, 0.0, 1e-9, -1e-9, 1e-6, -1e-6, 1e-3]) * H;
         let (x, y) = ((p.x / H).round() * H, (p.y / H).round() * H);
-        match self.pick(&[0, 0, 1, 2, 3, 4]) {
+        match self.0.pick(&[0, 0, 1, 2, 3, 4]) {
             1 => Vec2::new(x + sliver, y),
             2 => Vec2::new(x, y + sliver),
             3 => Vec2::new(x + sliver, p.y),
@@ -73,32 +60,32 @@ impl Random {
     /// Straight or kinked, from the surface or buried; often through nodes and along lines of the
     /// mesh.
     fn crack(&mut self) -> Option<Crack> {
-        let buried = self.between(0.0, 1.0) < 0.25;
+        let buried = self.0.between(0.0, 1.0) < 0.25;
         let mut points = vec![if buried {
-            Vec2::new(self.between(-3.0, 3.0), self.between(-5.0, -2.5))
+            Vec2::new(self.0.between(-3.0, 3.0), self.0.between(-5.0, -2.5))
         } else {
-            Vec2::new(self.between(-2.0, 2.0), 0.0)
+            Vec2::new(self.0.between(-2.0, 2.0), 0.0)
         }];
         if buried {
             points[0] = self.awkward(points[0]);
         } else {
             points[0].x = self.awkward(points[0]).x;
         }
-        let mut angle = -self.between(10.0, 170.0);
-        if self.between(0.0, 1.0) < 0.1 {
-            angle = self.pick(&[-45.0, -90.0, -135.0]);
+        let mut angle = -self.0.between(10.0, 170.0);
+        if self.0.between(0.0, 1.0) < 0.1 {
+            angle = self.0.pick(&[-45.0, -90.0, -135.0]);
         }
-        if buried && self.between(0.0, 1.0) < 0.3 {
-            angle = self.pick(&[0.0, 180.0]);
+        if buried && self.0.between(0.0, 1.0) < 0.3 {
+            angle = self.0.pick(&[0.0, 180.0]);
         }
-        let segments = self.pick(&[1, 1, 2, 3]);
+        let segments = self.0.pick(&[1, 1, 2, 3]);
         for segment in 0..segments {
             let last = points[points.len() - 1];
-            let length = if segment == 0 { self.between(4.0, 6.0) } else { self.between(1.0, 2.0) };
+            let length = if segment == 0 { self.0.between(4.0, 6.0) } else { self.0.between(1.0, 2.0) };
             points.push(last + Vec2::unit(f64::to_radians(angle)) * length);
             let end = points.len() - 1;
             points[end] = self.awkward(points[end]);
-            angle += self.between(-60.0, 60.0);
+            angle += self.0.between(-60.0, 60.0);
         }
         let deep =
             points[1..].iter().all(|p| p.y <= -MIN_DEPTH && p.x.abs() < FINE.0 - 1.0 && p.y > 1.0 - FINE.1);
@@ -148,7 +135,7 @@ fn outcome(rail: &Arc<BulkRail>, crack: Crack) -> Outcome {
 fn agree_with_dislocations() {
     let rail = rail();
     println!("{} unknowns", rail.factor().order());
-    let mut random = Random(1);
+    let mut random = Awkward(Random(1));
     let mut cracks = Vec::new();
     while cracks.len() < CRACKS {
         cracks.extend(random.crack());

@@ -1,0 +1,57 @@
+//! Tips and cracks in places that default elements used not to resolve: beside another crack, just
+//! below the surface, under a thin flap, and many of them.
+
+use crate::common::{Of, Rolling, StepControl, body, close, largest, polyline, surface_crack};
+use railcrack::contact::{FaceProblem, Newton};
+use railcrack::crack::Crack;
+use railcrack::dislocation::FaceResolution;
+
+/// K of all tips at the output positions, fewer for several cracks, with `elements` along each crack, and the remarks.
+fn sifs(cracks: &[Crack], elements: usize, friction: f64, wheel: f64) -> (Vec<f64>, Vec<String>) {
+    let mut rolling = Rolling::over(cracks.to_vec(), friction, wheel);
+    if cracks.len() > 1 {
+        rolling.steps = StepControl { positions: 61, ..StepControl::default() };
+    }
+    let body = body(cracks, elements);
+    let problem = FaceProblem::new(&body, &vec![friction; cracks.len()]).unwrap();
+    let mut result = rolling.on(&problem, &Newton::default());
+    let last = result.passages.pop().unwrap();
+    (last.sifs.iter().flatten().flat_map(|k| [k.ki, k.kii]).collect(), body.remarks.clone())
+}
+
+/// Default elements against `fine` ones, relative to the largest K.
+fn misfit(cracks: &[Crack], fine: usize, friction: f64, wheel: f64) -> f64 {
+    let default = FaceResolution::for_cracks(cracks.len()).elements;
+    let (k, want) = (sifs(cracks, default, friction, wheel).0, sifs(cracks, fine, friction, wheel).0);
+    largest(k.iter().zip(&want).map(|(a, b)| a - b)) / largest(want)
+}
+
+/// A tip 0.034 mm from another crack: step 2 of the junction case.
+#[test]
+fn a_tip_beside_another_crack() {
+    let joining = [(0.0, 0.0), (5.7956, -1.5529), (6.0268, -1.6171), (6.2661, -1.6881)];
+    let cracks = [polyline(&joining), polyline(&[(6.3, -0.8751), (6.3, -2.7483)])];
+    close(misfit(&cracks, 144, 0.1, 0.025), 0.0, Of(1e-2, 1.0), "without graded elements 3.7 %");
+}
+
+#[test]
+fn a_tip_just_below_the_surface() {
+    let cracks = [polyline(&[(1.0, -0.001), (2.0, -1.0)])];
+    close(misfit(&cracks, 192, 0.3, 0.1), 0.0, Of(1e-2, 1.0), "without graded elements 6 %");
+}
+
+/// At 2° elements follow the flap; at 1° that does not suffice, and a remark says so.
+#[test]
+fn thin_flaps() {
+    let steep = [surface_crack(0.0, 6.0, 2.0)];
+    close(misfit(&steep, 96, 0.5, 0.1), 0.0, Of(1.2e-2, 1.0), "without graded elements 3 %");
+    assert!(sifs(&steep, 48, 0.5, 0.1).1.is_empty());
+    let shallow = sifs(&[surface_crack(0.0, 6.0, 1.0)], 24, 0.5, 0.1).1;
+    assert!(shallow.iter().any(|remark| remark.contains("thin flap")), "{shallow:?}");
+}
+
+#[test]
+fn nine_parallel_cracks() {
+    let cracks: Vec<Crack> = (0..9).map(|i| surface_crack(3.375 * f64::from(i), 6.0, 15.0)).collect();
+    close(misfit(&cracks, 48, 0.5, 0.025), 0.0, Of(5e-3, 1.0), "with 20 elements each 1.0 %");
+}
