@@ -61,4 +61,5 @@ pub mod math;
 pub mod mesh;
 pub mod residual;
 pub mod shakedown;
+pub mod space;
 pub mod xfem;
