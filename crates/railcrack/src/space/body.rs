@@ -235,7 +235,7 @@ mod probe {
 
     #[test]
     fn penny() {
-        for (block, ring) in [(2, 2), (3, 3), (4, 4), (4, 6), (6, 4)] {
+        for (block, ring) in [(2, 2), (3, 3), (4, 4), (4, 6)] {
             let crack = SpaceCrack::buried(1.0, 1.0, 1.0, 100.0).unwrap();
             let t0 = std::time::Instant::now();
             let body =
@@ -255,7 +255,7 @@ mod probe {
 
     #[test]
     fn wide() {
-        for (w, n) in [(4.0, 4), (8.0, 4), (8.0, 6)] {
+        for (w, n) in [(2.0, 4), (4.0, 4)] {
             let crack = SpaceCrack::surface_breaking(0.5 * PI, w, 1.0).unwrap();
             let body = SpaceBody::new(&crack, &steel(), Surroundings::HalfSpace, SpaceResolution { block: n, ring: n }).unwrap();
             let full = SpaceBody::new(&SpaceCrack::buried(0.5*PI,w,1.0,100.0).unwrap(), &steel(), Surroundings::FullSpace, SpaceResolution { block: n, ring: n }).unwrap();
@@ -269,7 +269,7 @@ mod probe {
     #[test]
     fn surface() {
         for dip in [90f64, 45.0, 30.0, 15.0] {
-            for (block, ring) in [(2, 2), (3, 3), (4, 4)] {
+            for (block, ring) in [(3, 3), (4, 4), (6,6)] {
                 let crack = SpaceCrack::surface_breaking(dip.to_radians(), 1.0, 1.0).unwrap();
                 let t0 = std::time::Instant::now();
                 let body =

@@ -92,36 +92,6 @@ impl DuffyRules {
     }
 }
 
-/// Coordinates (p, q) of a cell that begin at a corner or run along an edge.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct LocalFrame {
-    origin: [f64; 2],
-    p: [f64; 2],
-    q: [f64; 2],
-}
-
-impl LocalFrame {
-    /// From corner `from` along the edge to corner `to`, its neighbour.
-    pub fn along(from: usize, to: usize) -> Self {
-        let (a, b) = (super::cell::CORNERS[from], super::cell::CORNERS[to]);
-        let p = [b[0] - a[0], b[1] - a[1]];
-        // Across, into the cell: away from the corner in the other direction.
-        let inward = |c: usize| if a[c] == 0.0 { 1.0 } else { -1.0 };
-        let q = if p[0] == 0.0 { [inward(0), 0.0] } else { [0.0, inward(1)] };
-        Self { origin: a, p, q }
-    }
-
-    /// Around corner `corner`.
-    pub fn around(corner: usize) -> Self {
-        Self::along(corner, (corner + 1) % 4)
-    }
-
-    /// (u, v) of (p, q).
-    pub fn at(&self, [p, q]: [f64; 2]) -> [f64; 2] {
-        std::array::from_fn(|c| self.origin[c] + p * self.p[c] + q * self.q[c])
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

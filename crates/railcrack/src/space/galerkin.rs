@@ -13,66 +13,26 @@
 //! their quadrature rules, by coordinates of Duffy where cells touch.
 
 use super::cell::{Cell, CellPoint};
-use super::duffy::{DuffyRules, LocalFrame, PairPoint};
+use super::duffy::DuffyRules;
 use super::grid::Grid;
 use super::image_table::ImageTable;
+use super::patch::{ApartRules, CellPair, Cover, Patch, weighted};
 use crate::math::{Matrix, gauss_legendre};
 use rayon::prelude::*;
 use std::f64::consts::PI;
 
 /// Points per direction where cells touch.
 const DUFFY_ORDER: usize = 5;
-/// Points per direction where a cell touches its image.
-const IMAGE_ORDER: usize = 6;
-/// Distance over size of two cells, and the points per direction that it takes; closer cells are
-/// divided.
-const ORDERS: [(f64, usize); 4] = [(3.0, 2), (1.2, 3), (0.5, 4), (0.25, 6)];
-/// Divisions of a cell, at most.
-const DIVISIONS: usize = 8;
+/// The same where a cell touches its image, at 90° and per reciprocal sine of the dip: the image of a
+/// shallow crack is near.
+const IMAGE_ORDER: f64 = 4.0;
+const SHALLOW_ORDER: f64 = 1.5;
+/// Points per direction on the mouth.
+const MOUTH_ORDER: usize = 8;
 
 /// A block of two cells: hats of the first, components, hats of the second, components.
 type Block = [[[[f64; 3]; 4]; 3]; 4];
 const EMPTY: Block = [[[[0.0; 3]; 4]; 3]; 4];
-
-/// A part of the unit square.
-#[derive(Debug, Clone, Copy)]
-struct Part {
-    corner: [f64; 2],
-    size: [f64; 2],
-}
-
-const WHOLE: Part = Part { corner: [0.0; 2], size: [1.0; 2] };
-
-impl Part {
-    fn at(&self, x: f64, y: f64) -> [f64; 2] {
-        [self.corner[0] + self.size[0] * x, self.corner[1] + self.size[1] * y]
-    }
-
-    fn quarters(&self) -> [Part; 4] {
-        let size = self.size.map(|s| 0.5 * s);
-        [[0.0, 0.0], [0.5, 0.0], [0.5, 0.5], [0.0, 0.5]].map(|[x, y]| Part { corner: self.at(x, y), size })
-    }
-}
-
-/// A disc that holds a part of a cell.
-#[derive(Debug, Clone, Copy)]
-struct Cover {
-    centre: [f64; 2],
-    radius: f64,
-}
-
-impl Cover {
-    fn new(cell: &Cell, part: &Part) -> Self {
-        let at = |x: f64, y: f64| {
-            let [u, v] = part.at(x, y);
-            cell.at(u, v).position
-        };
-        let centre = at(0.5, 0.5);
-        let away = |p: [f64; 2]| (p[0] - centre[0]).hypot(p[1] - centre[1]);
-        let edge = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.5, 0.0], [1.0, 0.5], [0.5, 1.0], [0.0, 0.5]];
-        Self { centre, radius: edge.map(|[x, y]| away(at(x, y))).into_iter().fold(0.0, f64::max) }
-    }
-}
 
 /// The half-space seen from the plane of a crack.
 #[derive(Debug, Clone)]
@@ -90,7 +50,7 @@ pub(super) struct Galerkin<'a> {
     image: Option<&'a ImagePart>,
     near: DuffyRules,
     mouth: DuffyRules,
-    rules: Vec<Vec<(f64, f64)>>,
+    apart: ApartRules,
     logarithmic: Vec<(f64, f64)>,
     /// Cells at the points of the rules of the whole cell.
     points: Vec<Vec<Vec<(CellPoint, f64)>>>,
@@ -105,16 +65,14 @@ enum Half {
 
 impl<'a> Galerkin<'a> {
     pub fn new(grid: &'a Grid, poisson: f64, image: Option<&'a ImagePart>) -> Self {
-        let rules: Vec<_> = ORDERS.iter().map(|&(_, order)| gauss_legendre(order)).collect();
-        let points = grid
-            .cells
-            .iter()
-            .map(|cell| rules.iter().map(|rule| rule_points(cell, &WHOLE, rule)).collect())
-            .collect();
-        let covers = grid.cells.iter().map(|cell| Cover::new(cell, &WHOLE)).collect();
-        let (near, mouth) = (DuffyRules::new(DUFFY_ORDER), DuffyRules::new(IMAGE_ORDER));
-        let logarithmic = gauss_legendre(8);
-        Self { grid, poisson, image, near, mouth, rules, logarithmic, points, covers }
+        let apart = ApartRules::new();
+        let of_cell = |cell| apart.all().iter().map(|rule| Patch::WHOLE.points(cell, rule)).collect();
+        let points = grid.cells.iter().map(of_cell).collect();
+        let covers = grid.cells.iter().map(|cell| Patch::WHOLE.cover(cell)).collect();
+        let order = image.map_or(1.0, |image| IMAGE_ORDER + SHALLOW_ORDER / image.dip.sin());
+        let (near, mouth) = (DuffyRules::new(DUFFY_ORDER), DuffyRules::new(order.round() as usize));
+        let logarithmic = gauss_legendre(MOUTH_ORDER);
+        Self { grid, poisson, image, near, mouth, apart, logarithmic, points, covers }
     }
 
     /// The stiffness in units of the shear modulus (mm): component i of the free vertex a is row
@@ -185,123 +143,56 @@ impl<'a> Galerkin<'a> {
     }
 
     /// The block of the cells i and j.
-    pub fn pair(&self, i: usize, j: usize) -> Block {
+    fn pair(&self, i: usize, j: usize) -> Block {
         let mut block = EMPTY;
-        let (first, second) = (&self.grid.cells[i], &self.grid.cells[j]);
-        let shared: Vec<(usize, usize)> = (0..4)
-            .flat_map(|a| (0..4).map(move |b| (a, b)))
-            .filter(|&(a, b)| first.vertices[a] == second.vertices[b])
-            .collect();
-        match shared[..] {
-            [] => self.apart(i, j, Half::Direct, &mut block),
-            [(a, b)] => {
-                let frames = [LocalFrame::around(a), LocalFrame::around(b)];
-                self.touching(&self.near.corner, [first, second], frames, Half::Direct, &mut block);
-            }
-            [(a, b), (c, d)] => {
-                let frames = [LocalFrame::along(a, c), LocalFrame::along(b, d)];
-                self.touching(&self.near.edge, [first, second], frames, Half::Direct, &mut block);
-            }
-            _ => {
-                let frames = [LocalFrame::along(0, 1); 2];
-                self.touching(&self.near.same, [first, second], frames, Half::Direct, &mut block);
-            }
-        }
+        let cells = [&self.grid.cells[i], &self.grid.cells[j]];
+        let corners = (0..4).flat_map(|a| (0..4).map(move |b| (a, b)));
+        let shared: Vec<_> = corners.filter(|&(a, b)| cells[0].vertices[a] == cells[1].vertices[b]).collect();
+        self.half(i, j, Half::Direct, &shared, &mut block);
         if self.image.is_some() {
-            let on_mouth = |&(a, _): &(usize, usize)| self.grid.vertices[first.vertices[a]][0] == 0.0;
-            let shared: Vec<_> = shared.into_iter().filter(on_mouth).filter(|&(a, b)| i != j || a == b).collect();
-            match shared[..] {
-                [] => self.apart(i, j, Half::Image, &mut block),
-                [(a, b)] => {
-                    let frames = [LocalFrame::around(a), LocalFrame::around(b)];
-                    self.touching(&self.mouth.corner, [first, second], frames, Half::Image, &mut block);
-                }
-                [(a, b), (c, d), ..] => {
-                    let frames = [LocalFrame::along(a, c), LocalFrame::along(b, d)];
-                    self.touching(&self.mouth.edge, [first, second], frames, Half::Image, &mut block);
-                }
-            }
+            // A cell touches the image of another where both touch the mouth.
+            let on_mouth = |(a, _): &(usize, usize)| self.grid.vertices[cells[0].vertices[*a]][0] == 0.0;
+            let shared: Vec<_> = shared.into_iter().filter(on_mouth).collect();
+            self.half(i, j, Half::Image, &shared, &mut block);
         }
         block
     }
 
-    fn touching(
-        &self,
-        rule: &[PairPoint],
-        [first, second]: [&Cell; 2],
-        [one, other]: [LocalFrame; 2],
-        half: Half,
-        block: &mut Block,
-    ) {
-        for pair in rule {
-            let ([u, v], [p, q]) = (one.at(pair.first), other.at(pair.second));
-            let (x, y) = (first.at(u, v), second.at(p, q));
-            self.add(half, &x, &[(y, pair.weight)], block);
-        }
-    }
-
-    fn apart(&self, i: usize, j: usize, half: Half, block: &mut Block) {
-        let covers = [self.covers[i], self.covers[j]];
-        match self.order(covers, half) {
-            Some(order) => {
-                let (first, second) = (&self.points[i][order], &self.points[j][order]);
-                for (x, weight) in first {
-                    self.add_weighted(half, x, *weight, second, block);
+    fn half(&self, i: usize, j: usize, half: Half, shared: &[(usize, usize)], block: &mut Block) {
+        let cells = [&self.grid.cells[i], &self.grid.cells[j]];
+        let touching = if half == Half::Direct { &self.near } else { &self.mouth };
+        let between = |one: [f64; 2], other: [f64; 2]| self.between(one, other, half);
+        let pair = CellPair { cells, touching, apart: &self.apart, between: &between };
+        let mut add = |x: &CellPoint, second: &[(CellPoint, f64)]| self.add(half, x, second, block);
+        match *shared {
+            [] => {
+                let covers = [&self.covers[i], &self.covers[j]];
+                let distance = between(covers[0].centre, covers[1].centre);
+                match ApartRules::place(distance, covers[0], covers[1]) {
+                    Some(place) => {
+                        for (x, weight) in &self.points[i][place] {
+                            add(&weighted(x, *weight), &self.points[j][place]);
+                        }
+                    }
+                    None => pair.apart([Patch::WHOLE; 2], 0, &mut add),
                 }
             }
-            None => {
-                let cells = [&self.grid.cells[i], &self.grid.cells[j]];
-                self.divided(cells, [WHOLE; 2], covers, half, 0, block);
-            }
+            [(a, b)] => pair.corner([Patch::around(a), Patch::around(b)], &mut add),
+            [(a, b), (c, d)] => pair.edge([Patch::along(a, c), Patch::along(b, d)], &mut add),
+            _ => pair.same(Patch::WHOLE, &mut add),
         }
     }
 
-    /// The rule for two parts at some distance, if one is enough.
-    fn order(&self, [one, other]: [Cover; 2], half: Half) -> Option<usize> {
-        let tau = one.centre[1] - other.centre[1];
-        let between = match (half, self.image) {
+    /// The distance of two points, the second reflected in the surface where it is an image.
+    fn between(&self, one: [f64; 2], other: [f64; 2], half: Half) -> f64 {
+        let tau = one[1] - other[1];
+        match (half, self.image) {
             (Half::Image, Some(image)) => {
-                let (s, t) = (one.centre[0], other.centre[0]);
+                let (s, t) = (one[0], other[0]);
                 (s * s + t * t - 2.0 * s * t * (2.0 * image.dip).cos() + tau * tau).max(0.0).sqrt()
             }
-            _ => (one.centre[0] - other.centre[0]).hypot(tau),
-        };
-        let ratio = (between - one.radius - other.radius) / (2.0 * one.radius.max(other.radius));
-        ORDERS.iter().position(|&(limit, _)| ratio > limit)
-    }
-
-    fn divided(
-        &self,
-        cells: [&Cell; 2],
-        parts: [Part; 2],
-        covers: [Cover; 2],
-        half: Half,
-        level: usize,
-        block: &mut Block,
-    ) {
-        let order = self.order(covers, half);
-        if order.is_some() || level == DIVISIONS {
-            let rule = &self.rules[order.unwrap_or(ORDERS.len() - 1)];
-            let second = rule_points(cells[1], &parts[1], rule);
-            for (x, weight) in rule_points(cells[0], &parts[0], rule) {
-                self.add_weighted(half, &x, weight, &second, block);
-            }
-        } else if covers[0].radius >= covers[1].radius {
-            for part in parts[0].quarters() {
-                let covers = [Cover::new(cells[0], &part), covers[1]];
-                self.divided(cells, [part, parts[1]], covers, half, level + 1, block);
-            }
-        } else {
-            for part in parts[1].quarters() {
-                let covers = [covers[0], Cover::new(cells[1], &part)];
-                self.divided(cells, [parts[0], part], covers, half, level + 1, block);
-            }
+            _ => (one[0] - other[0]).hypot(tau),
         }
-    }
-
-    fn add_weighted(&self, half: Half, x: &CellPoint, weight: f64, second: &[(CellPoint, f64)], block: &mut Block) {
-        let gradients = x.gradients.map(|g| g.map(|v| v * weight));
-        self.add(half, &CellPoint { gradients, ..*x }, second, block);
     }
 
     /// Adds the products of the point `x` with the points of another cell and their weights.
@@ -388,38 +279,60 @@ impl<'a> Galerkin<'a> {
         let other = &self.grid.cells[j];
         let ends = [other.vertices[from], other.vertices[to]];
         let corner = |end: usize| cell.vertices.iter().position(|&v| v == ends[end]);
-        let mut add = |[u, v]: [f64; 2], frame: &LocalFrame, q: f64, weight: f64| {
+        let mut add = |[u, v]: [f64; 2], frame: &Patch, q: f64, weight: f64| {
             let [p, r] = frame.at([q, 0.0]);
             self.add_line(image, &cell.at(u, v), line_point(other, p, r, from, to), weight, &mut block);
         };
         match (corner(0), corner(1)) {
             (Some(a), Some(b)) => {
-                let (own, line) = (LocalFrame::along(a, b), LocalFrame::along(from, to));
+                let (own, line) = (Patch::along(a, b), Patch::along(from, to));
                 for pair in &self.mouth.own_line {
                     add(own.at(pair.first), &line, pair.second[0], pair.weight);
                 }
             }
             (Some(a), None) | (None, Some(a)) => {
                 let starts = cell.vertices[a] == ends[0];
-                let line = if starts { LocalFrame::along(from, to) } else { LocalFrame::along(to, from) };
-                let own = LocalFrame::around(a);
+                let line = if starts { Patch::along(from, to) } else { Patch::along(to, from) };
+                let own = Patch::around(a);
                 for pair in &self.mouth.corner_line {
                     add(own.at(pair.first), &line, pair.second[0], pair.weight);
                 }
             }
             (None, None) => {
-                let line = LocalFrame::along(from, to);
+                let line = Patch::along(from, to);
                 let (start, end) = (self.grid.vertices[ends[0]], self.grid.vertices[ends[1]]);
                 let half = 0.5 * (end[1] - start[1]).abs();
                 let cover = Cover { centre: [0.0, 0.5 * (start[1] + end[1])], radius: half };
-                self.line_apart(cell, WHOLE, cover, 0, &mut |point, rule| {
-                    for (q, weight) in rule {
-                        add(point.0, &line, *q, weight * point.1);
-                    }
+                self.line_apart(cell, Patch::WHOLE, &cover, &mut |point, weight, rule| {
+                    rule.iter().for_each(|(q, w)| add(point, &line, *q, w * weight));
                 });
             }
         }
         block
+    }
+
+    fn line_apart(
+        &self,
+        cell: &Cell,
+        patch: Patch,
+        line: &Cover,
+        visit: &mut dyn FnMut([f64; 2], f64, &[(f64, f64)]),
+    ) {
+        let own = patch.cover(cell);
+        let distance = (own.centre[0] - line.centre[0]).hypot(own.centre[1] - line.centre[1]);
+        let place = ApartRules::place(distance, &own, line);
+        if place.is_none() && own.radius >= 0.25 * line.radius {
+            for quarter in patch.quarters() {
+                self.line_apart(cell, quarter, line, visit);
+            }
+            return;
+        }
+        let rule = if place.is_none() { &self.logarithmic } else { self.apart.rule(place) };
+        for (x, wx) in rule {
+            for (y, wy) in rule {
+                visit(patch.at([*x, *y]), wx * wy * patch.measure(), rule);
+            }
+        }
     }
 
     /// ∫ w_i P_ij w_j dζ along a mouth edge, P the concentrated part of Q(0, 0, τ).
@@ -428,7 +341,7 @@ impl<'a> Galerkin<'a> {
         let Some(image) = self.image else { return block };
         let concentrated = image.table.concentrated();
         let (j, [from, to]) = self.grid.mouth[edge];
-        let frame = LocalFrame::along(from, to);
+        let frame = Patch::along(from, to);
         for (x, weight) in &self.logarithmic {
             let [u, v] = frame.at([*x, 0.0]);
             let cell = self.grid.cells[j].at(u, v);
@@ -458,7 +371,7 @@ impl<'a> Galerkin<'a> {
         };
         let ((first, [a, b]), (second, [c0, c1])) = (edge(one), edge(other));
         let at = |cell: &Cell, from: usize, to: usize, p: f64| {
-            let [u, v] = LocalFrame::along(from, to).at([p, 0.0]);
+            let [u, v] = Patch::along(from, to).at([p, 0.0]);
             line_point(cell, u, v, from, to)
         };
         let mut add = |p: f64, q: f64, weight: f64| {
@@ -497,28 +410,6 @@ impl<'a> Galerkin<'a> {
             }
         }
         block
-    }
-
-    fn line_apart(
-        &self,
-        cell: &Cell,
-        part: Part,
-        line: Cover,
-        level: usize,
-        visit: &mut impl FnMut(([f64; 2], f64), &[(f64, f64)]),
-    ) {
-        let own = Cover::new(cell, &part);
-        let order = self.order([own, line], Half::Direct);
-        if order.is_none() && level < DIVISIONS && own.radius >= 0.5 * line.radius {
-            part.quarters().into_iter().for_each(|part| self.line_apart(cell, part, line, level + 1, visit));
-            return;
-        }
-        let rule = &self.rules[order.unwrap_or(ORDERS.len() - 1)];
-        for (x, wx) in rule {
-            for (y, wy) in rule {
-                visit((part.at(*x, *y), wx * wy * part.size[0] * part.size[1]), rule);
-            }
-        }
     }
 
     /// ∂_s w_i Q_ij(s, 0, τ) w_j′, and of the full space ν ∂_ζ w_ζ w_s′/r.
@@ -564,15 +455,3 @@ fn line_point(cell: &Cell, u: f64, v: f64, from: usize, to: usize) -> LinePoint 
     LinePoint { zeta: point.position[1], hats, sense: length.signum() }
 }
 
-/// The points of a rule on a part of a cell, and their weights.
-fn rule_points(cell: &Cell, part: &Part, rule: &[(f64, f64)]) -> Vec<(CellPoint, f64)> {
-    let area = part.size[0] * part.size[1];
-    rule.iter()
-        .flat_map(|(x, wx)| {
-            rule.iter().map(move |(y, wy)| {
-                let [u, v] = part.at(*x, *y);
-                (cell.at(u, v), wx * wy * area)
-            })
-        })
-        .collect()
-}

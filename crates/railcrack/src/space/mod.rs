@@ -9,6 +9,7 @@ mod image_table;
 #[rustfmt::skip]
 mod mindlin_image;
 mod nuclei;
+mod patch;
 mod plane;
 mod shape;
 
