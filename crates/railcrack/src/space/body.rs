@@ -254,6 +254,31 @@ mod probe {
     }
 
     #[test]
+    fn rolling() {
+        use crate::space::*;
+        for dip in [15f64, 30.0] {
+            let crack = SpaceCrack::surface_breaking(dip.to_radians(), 6.0, 6.0).unwrap();
+            let body = SpaceBody::new(&crack, &steel(), Surroundings::HalfSpace, SpaceResolution { block: 3, ring: 3 }).unwrap();
+            let wheel = EllipticWheel { peak_pressure: 845.0, half_width: 6.75, lateral_half_width: 6.75, lateral: 0.0, friction: 0.025, lateral_friction: 0.0 };
+            let contact = SpaceContact { body: &body, friction: 0.5 };
+            let mut faces = contact.virgin();
+            let settings = SpacePassageSettings { passage: crate::load::Passage { from: -40.5, to: 40.5, positions: 61 }, tolerance: 2.0, halvings: 4 };
+            for pass in 0..2 {
+                let t0 = std::time::Instant::now();
+                let h = space_passage(&contact, &SpaceLoad { wheel, constant: None, poisson: 0.3 }, &settings, &mut faces);
+                match h {
+                    Ok(h) => {
+                        let m = body.front.len() / 2;
+                        let get = |f: fn(&FrontSif) -> f64| { let v: Vec<f64> = h.sifs.iter().map(|s| f(&s[m]) / 1000f64.sqrt()).collect(); (v.iter().cloned().fold(9e9, f64::min), v.iter().cloned().fold(-9e9, f64::max)) };
+                        println!("roll {dip} {pass}: steps {} it {} viol {:.1e} err {:.2e} KI {:?} KII {:?} KIII {:?} t {:.2}", h.steps, h.iterations, h.violation, h.step_error, get(|k| k.ki), get(|k| k.kii), get(|k| k.kiii), t0.elapsed().as_secs_f64());
+                    }
+                    Err(e) => println!("roll {dip} {e}"),
+                }
+            }
+        }
+    }
+
+    #[test]
     fn wide() {
         for (w, n) in [(2.0, 4), (4.0, 4)] {
             let crack = SpaceCrack::surface_breaking(0.5 * PI, w, 1.0).unwrap();
