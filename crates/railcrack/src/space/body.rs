@@ -1,11 +1,11 @@
 //! Cracked body in space: compliance, stiffness and stress intensity factors along the front.
 
+use super::Symmetric;
 use super::galerkin::{Galerkin, ImagePart};
 use super::grid::{Grid, SpaceResolution};
 use super::image_table::ImageTable;
 use super::plane::{PlaneFrame, Surroundings};
 use super::shape::SpaceCrack;
-use super::Symmetric;
 use crate::linear::{LinearError, spd_inverse};
 use crate::material::IsotropicElastic;
 use crate::math::{Matrix, gauss_legendre};
@@ -211,104 +211,4 @@ fn front_rows(grid: &Grid, steel: &IsotropicElastic) -> Matrix {
         }
     }
     rows
-}
-
-#[cfg(test)]
-mod probe {
-    use super::*;
-    use crate::space::Extent;
-
-    fn steel() -> IsotropicElastic {
-        IsotropicElastic::new(210e3, 0.3).unwrap()
-    }
-
-    /// K of a unit traction: component on the plane.
-    fn unit(body: &SpaceBody, component: usize) -> Vec<FrontSif> {
-        let mut forces = vec![0.0; 3 * body.points.len()];
-        for point in &body.loads {
-            for (a, w) in point.hats {
-                forces[3 * a + component] += w;
-            }
-        }
-        body.sifs(&forces)
-    }
-
-    #[test]
-    fn penny() {
-        for (block, ring) in [(2, 2), (3, 3), (4, 4), (4, 6)] {
-            let crack = SpaceCrack::buried(1.0, 1.0, 1.0, 100.0).unwrap();
-            let t0 = std::time::Instant::now();
-            let body =
-                SpaceBody::new(&crack, &steel(), Surroundings::FullSpace, SpaceResolution { block, ring }).unwrap();
-            let t = t0.elapsed().as_secs_f64();
-            let exact = 2.0 / PI.sqrt();
-            let tension: Vec<f64> = unit(&body, 0).iter().map(|k| k.ki / exact - 1.0).collect();
-            let range = |v: &[f64]| (v.iter().cloned().fold(9.0, f64::min), v.iter().cloned().fold(-9.0, f64::max));
-            let shear = unit(&body, 1);
-            let e2 = 4.0 / PI.sqrt() / 1.7;
-            let kii: Vec<f64> = shear.iter().zip(&body.front).map(|(k, f)| k.kii / e2 - f.phi.sin()).collect();
-            let kiii: Vec<f64> =
-                shear.iter().zip(&body.front).map(|(k, f)| k.kiii / e2 / 0.7 + f.phi.cos()).collect();
-            println!("{block} {ring} p={} t={t:.2}: KI {:?} KII {:?} KIII {:?}", body.points.len(), range(&tension), range(&kii), range(&kiii));
-        }
-    }
-
-    #[test]
-    fn rolling() {
-        use crate::space::*;
-        for dip in [15f64, 30.0] {
-            let crack = SpaceCrack::surface_breaking(dip.to_radians(), 6.0, 6.0).unwrap();
-            let body = SpaceBody::new(&crack, &steel(), Surroundings::HalfSpace, SpaceResolution { block: 3, ring: 3 }).unwrap();
-            let wheel = EllipticWheel { peak_pressure: 845.0, half_width: 6.75, lateral_half_width: 6.75, lateral: 0.0, friction: 0.025, lateral_friction: 0.0 };
-            let contact = SpaceContact { body: &body, friction: 0.5 };
-            let mut faces = contact.virgin();
-            let settings = SpacePassageSettings { passage: crate::load::Passage { from: -40.5, to: 40.5, positions: 61 }, tolerance: 2.0, halvings: 4 };
-            for pass in 0..2 {
-                let t0 = std::time::Instant::now();
-                let h = space_passage(&contact, &SpaceLoad { wheel, constant: None, poisson: 0.3 }, &settings, &mut faces);
-                match h {
-                    Ok(h) => {
-                        let m = body.front.len() / 2;
-                        let get = |f: fn(&FrontSif) -> f64| { let v: Vec<f64> = h.sifs.iter().map(|s| f(&s[m]) / 1000f64.sqrt()).collect(); (v.iter().cloned().fold(9e9, f64::min), v.iter().cloned().fold(-9e9, f64::max)) };
-                        println!("roll {dip} {pass}: steps {} it {} viol {:.1e} err {:.2e} KI {:?} KII {:?} KIII {:?} t {:.2}", h.steps, h.iterations, h.violation, h.step_error, get(|k| k.ki), get(|k| k.kii), get(|k| k.kiii), t0.elapsed().as_secs_f64());
-                    }
-                    Err(e) => println!("roll {dip} {e}"),
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn wide() {
-        for (w, n) in [(2.0, 4), (4.0, 4)] {
-            let crack = SpaceCrack::surface_breaking(0.5 * PI, w, 1.0).unwrap();
-            let body = SpaceBody::new(&crack, &steel(), Surroundings::HalfSpace, SpaceResolution { block: n, ring: n }).unwrap();
-            let full = SpaceBody::new(&SpaceCrack::buried(0.5*PI,w,1.0,100.0).unwrap(), &steel(), Surroundings::FullSpace, SpaceResolution { block: n, ring: n }).unwrap();
-            let m = body.front.len() / 2;
-            let k: Vec<f64> = (0..3).map(|c| {let k = unit(&body, c)[m]; [k.ki,k.kii,k.kiii][c] / PI.sqrt()}).collect();
-            let f: Vec<f64> = (0..3).map(|c| {let k = unit(&full, c)[m]; [k.ki,k.kii,k.kiii][c] / PI.sqrt()}).collect();
-            println!("wide {w} {n}: {k:?} full {f:?}");
-        }
-    }
-
-    #[test]
-    fn surface() {
-        for dip in [90f64, 45.0, 30.0, 15.0] {
-            for (block, ring) in [(3, 3), (4, 4), (6,6)] {
-                let crack = SpaceCrack::surface_breaking(dip.to_radians(), 1.0, 1.0).unwrap();
-                let t0 = std::time::Instant::now();
-                let body =
-                    SpaceBody::new(&crack, &steel(), Surroundings::HalfSpace, SpaceResolution { block, ring });
-                let t = t0.elapsed().as_secs_f64();
-                let Ok(body) = body else { println!("{dip} {block}: {:?}", body.err()); continue };
-                let k = unit(&body, 0);
-                let m = body.front.len() / 2;
-                let s = PI.sqrt();
-                let x = unit(&body, 1);
-                println!("{dip} {block} {ring} p={} t={t:.2}: KI(90) {:.4} KI(60) {:.4} KI(45) {:.4} KI(0) {:.4} sym {:.1e} | KII(90) {:.4} (60) {:.4} KIII(30) {:.4} | coupling KII {:.4}",
-                    body.points.len(), k[m].ki / s, k[m*2/3].ki / s, k[m/2].ki / s, k[0].ki / s, k[m/2].ki - k[2*m-m/2].ki,
-                    x[m].kii / s, x[m*2/3].kii / s, x[m/3].kiii / s, k[m].kii / s);
-            }
-        }
-    }
 }

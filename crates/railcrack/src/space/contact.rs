@@ -22,7 +22,9 @@ const TOLERANCE: f64 = 1e-11;
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum SpaceContactError {
     /// The iterations do not end.
-    #[error("contact of the faces of a crack in space: change {change:e} after {iterations} iterations, allowed {tolerance:e}")]
+    #[error(
+        "contact of the faces of a crack in space: change {change:e} after {iterations} iterations, allowed {tolerance:e}"
+    )]
     NotConverged {
         /// Iterations made.
         iterations: usize,
@@ -94,16 +96,19 @@ impl SpaceContact<'_> {
     /// The faces under the nodal forces `forces` (N), after `before`.
     ///
     /// Errors: iterations that do not end; a singular system.
-    pub fn step(&self, before: &SpaceFaces, forces: &[f64]) -> Result<(SpaceFaces, StepReport), SpaceContactError> {
+    pub fn step(
+        &self,
+        before: &SpaceFaces,
+        forces: &[f64],
+    ) -> Result<(SpaceFaces, StepReport), SpaceContactError> {
         let stiffness = self.body.stiffness();
         let points = before.status.len();
         let mut jumps = before.jumps.clone();
         let mut reactions = self.reactions(&jumps, forces);
         let mut change = f64::INFINITY;
         for iteration in 1..=ITERATIONS {
-            let status: Vec<SpaceStatus> = (0..points)
-                .map(|a| self.status(a, &jumps, &reactions, &before.jumps))
-                .collect();
+            let status: Vec<SpaceStatus> =
+                (0..points).map(|a| self.status(a, &jumps, &reactions, &before.jumps)).collect();
             let next = self.solve(&status, &jumps, &reactions, before, forces)?;
             let size = next.iter().fold(f64::MIN_POSITIVE, |m, v| m.max(v.abs()));
             change = next.iter().zip(&jumps).fold(0.0f64, |m, (a, b)| m.max((a - b).abs())) / size;
@@ -233,7 +238,11 @@ impl SpaceContact<'_> {
             let open = (-w).max(0.0) / opening;
             let pull = (-r).max(0.0) / force;
             let both = (w / opening) * (r / force);
-            worst.max(open).max(pull).max(both.abs()).max((shear - self.friction * r.max(0.0)).max(0.0) / force)
+            worst
+                .max(open)
+                .max(pull)
+                .max(both.abs())
+                .max((shear - self.friction * r.max(0.0)).max(0.0) / force)
         })
     }
 }

@@ -16,6 +16,7 @@ use super::cell::{Cell, CellPoint};
 use super::duffy::DuffyRules;
 use super::grid::Grid;
 use super::image_table::ImageTable;
+use super::mouth_pair::{LinePoint, MouthPair};
 use super::patch::{ApartRules, CellPair, Cover, Patch, weighted};
 use crate::math::{Matrix, gauss_legendre};
 use rayon::prelude::*;
@@ -274,65 +275,20 @@ impl<'a> Galerkin<'a> {
     fn line(&self, i: usize, edge: usize) -> Block {
         let mut block = EMPTY;
         let Some(image) = self.image else { return block };
-        let cell = &self.grid.cells[i];
         let (j, [from, to]) = self.grid.mouth[edge];
-        let other = &self.grid.cells[j];
-        let ends = [other.vertices[from], other.vertices[to]];
-        let corner = |end: usize| cell.vertices.iter().position(|&v| v == ends[end]);
-        let mut add = |[u, v]: [f64; 2], frame: &Patch, q: f64, weight: f64| {
-            let [p, r] = frame.at([q, 0.0]);
-            self.add_line(image, &cell.at(u, v), line_point(other, p, r, from, to), weight, &mut block);
+        let cells = [&self.grid.cells[i], &self.grid.cells[j]];
+        let corner = |end: usize| cells[0].vertices.iter().position(|&v| v == cells[1].vertices[end]);
+        let pair = MouthPair { cells, touching: &self.mouth, apart: &self.apart };
+        let mut add = |x: &CellPoint, line: &LinePoint, weight: f64| {
+            self.add_line(image, x, line, weight, &mut block);
         };
-        match (corner(0), corner(1)) {
-            (Some(a), Some(b)) => {
-                let (own, line) = (Patch::along(a, b), Patch::along(from, to));
-                for pair in &self.mouth.own_line {
-                    add(own.at(pair.first), &line, pair.second[0], pair.weight);
-                }
-            }
-            (Some(a), None) | (None, Some(a)) => {
-                let starts = cell.vertices[a] == ends[0];
-                let line = if starts { Patch::along(from, to) } else { Patch::along(to, from) };
-                let own = Patch::around(a);
-                for pair in &self.mouth.corner_line {
-                    add(own.at(pair.first), &line, pair.second[0], pair.weight);
-                }
-            }
-            (None, None) => {
-                let line = Patch::along(from, to);
-                let (start, end) = (self.grid.vertices[ends[0]], self.grid.vertices[ends[1]]);
-                let half = 0.5 * (end[1] - start[1]).abs();
-                let cover = Cover { centre: [0.0, 0.5 * (start[1] + end[1])], radius: half };
-                self.line_apart(cell, Patch::WHOLE, &cover, &mut |point, weight, rule| {
-                    rule.iter().for_each(|(q, w)| add(point, &line, *q, w * weight));
-                });
-            }
+        match (corner(from), corner(to)) {
+            (Some(a), Some(b)) => pair.own([Patch::along(a, b), Patch::along(from, to)], &mut add),
+            (Some(a), None) => pair.corner([Patch::around(a), Patch::along(from, to)], &mut add),
+            (None, Some(b)) => pair.corner([Patch::around(b), Patch::along(to, from)], &mut add),
+            (None, None) => pair.apart([Patch::WHOLE, Patch::along(from, to)], 0, &mut add),
         }
         block
-    }
-
-    fn line_apart(
-        &self,
-        cell: &Cell,
-        patch: Patch,
-        line: &Cover,
-        visit: &mut dyn FnMut([f64; 2], f64, &[(f64, f64)]),
-    ) {
-        let own = patch.cover(cell);
-        let distance = (own.centre[0] - line.centre[0]).hypot(own.centre[1] - line.centre[1]);
-        let place = ApartRules::place(distance, &own, line);
-        if place.is_none() && own.radius >= 0.25 * line.radius {
-            for quarter in patch.quarters() {
-                self.line_apart(cell, quarter, line, visit);
-            }
-            return;
-        }
-        let rule = if place.is_none() { &self.logarithmic } else { self.apart.rule(place) };
-        for (x, wx) in rule {
-            for (y, wy) in rule {
-                visit(patch.at([*x, *y]), wx * wy * patch.measure(), rule);
-            }
-        }
     }
 
     /// ∫ w_i P_ij w_j dζ along a mouth edge, P the concentrated part of Q(0, 0, τ).
@@ -345,7 +301,7 @@ impl<'a> Galerkin<'a> {
         for (x, weight) in &self.logarithmic {
             let [u, v] = frame.at([*x, 0.0]);
             let cell = self.grid.cells[j].at(u, v);
-            let line = line_point(&self.grid.cells[j], u, v, from, to);
+            let line = LinePoint::new(&self.grid.cells[j], &frame, *x);
             for a in [from, to] {
                 for b in [from, to] {
                     for c in 0..3 {
@@ -370,10 +326,8 @@ impl<'a> Galerkin<'a> {
             (&self.grid.cells[cell], corners)
         };
         let ((first, [a, b]), (second, [c0, c1])) = (edge(one), edge(other));
-        let at = |cell: &Cell, from: usize, to: usize, p: f64| {
-            let [u, v] = Patch::along(from, to).at([p, 0.0]);
-            line_point(cell, u, v, from, to)
-        };
+        let at =
+            |cell: &Cell, from: usize, to: usize, p: f64| LinePoint::new(cell, &Patch::along(from, to), p);
         let mut add = |p: f64, q: f64, weight: f64| {
             let (x, y) = (at(first, a, b, p), at(second, c0, c1, q));
             let value = -weight * (x.zeta - y.zeta).abs().ln();
@@ -413,7 +367,7 @@ impl<'a> Galerkin<'a> {
     }
 
     /// ∂_s w_i Q_ij(s, 0, τ) w_j′, and of the full space ν ∂_ζ w_ζ w_s′/r.
-    fn add_line(&self, image: &ImagePart, x: &CellPoint, line: LinePoint, weight: f64, block: &mut Block) {
+    fn add_line(&self, image: &ImagePart, x: &CellPoint, line: &LinePoint, weight: f64, block: &mut Block) {
         let nu = self.poisson;
         let k = 1.0 / (4.0 * PI * (1.0 - nu));
         let (s, tau) = (x.position[0].max(0.0), x.position[1] - line.zeta);
@@ -436,22 +390,3 @@ impl<'a> Galerkin<'a> {
 
 /// Cells of which blocks are kept at a time.
 const STRIP: usize = 32;
-
-/// A point of the mouth.
-#[derive(Debug, Clone, Copy)]
-struct LinePoint {
-    zeta: f64,
-    /// Hats times the length per unit of the edge, mm.
-    hats: [f64; 4],
-    /// Whether ζ grows (1) or falls (−1) along the edge.
-    sense: f64,
-}
-
-fn line_point(cell: &Cell, u: f64, v: f64, from: usize, to: usize) -> LinePoint {
-    let point = cell.at(u, v);
-    let (a, b) = (super::cell::CORNERS[from], super::cell::CORNERS[to]);
-    let length = cell.slope(u, v, [b[0] - a[0], b[1] - a[1]])[1];
-    let hats = point.hats.map(|h| h * length.abs());
-    LinePoint { zeta: point.position[1], hats, sense: length.signum() }
-}
-

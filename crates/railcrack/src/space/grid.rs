@@ -112,7 +112,8 @@ impl Grid {
         let (mut cells, mut mouth) = (Vec::new(), Vec::new());
         for j in first..k as i64 {
             for i in -(k as i64)..k as i64 {
-                let corners = [on_block(i, j), on_block(i + 1, j), on_block(i + 1, j + 1), on_block(i, j + 1)];
+                let corners =
+                    [on_block(i, j), on_block(i + 1, j), on_block(i + 1, j + 1), on_block(i, j + 1)];
                 if !closed && j == 0 {
                     mouth.push((cells.len(), [0, 1]));
                 }
@@ -121,7 +122,8 @@ impl Grid {
         }
         for t in 0..columns {
             for row in 0..rows {
-                let corners = [vertex(t, row), vertex(t + 1, row), vertex(t + 1, row + 1), vertex(t, row + 1)];
+                let corners =
+                    [vertex(t, row), vertex(t + 1, row), vertex(t + 1, row + 1), vertex(t, row + 1)];
                 if !closed && t == 0 {
                     mouth.push((cells.len(), [0, 3]));
                 }

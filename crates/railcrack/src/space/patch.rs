@@ -68,10 +68,24 @@ impl Patch {
         }
     }
 
-    /// The four quarters.
-    pub fn quarters(&self) -> [Self; 4] {
-        let [a, b] = self.halves(Along::P).map(|half| half.halves(Along::Q));
-        [a[0], a[1], b[0], b[1]]
+    /// The halves along p, the one with smaller p first.
+    pub fn along_halves(&self) -> [Self; 2] {
+        self.halves(Along::P)
+    }
+
+    /// The halves along q, the one with smaller q first.
+    pub fn across_halves(&self) -> [Self; 2] {
+        self.halves(Along::Q)
+    }
+
+    /// The same patch with p from its other end.
+    pub fn turned(&self) -> Self {
+        Self { origin: moved(self.origin, 1.0, self.p), p: scaled(-1.0, self.p), ..*self }
+    }
+
+    /// The edge q = 0 in the unit square.
+    pub fn edge(&self) -> [f64; 2] {
+        self.p
     }
 
     /// The halves, p of both along their common edge and q away from it.
@@ -85,7 +99,7 @@ impl Patch {
     }
 
     /// Lengths along p and q in the middle, mm.
-    fn lengths(&self, cell: &Cell) -> [f64; 2] {
+    pub fn lengths(&self, cell: &Cell) -> [f64; 2] {
         let [u, v] = self.at([0.5, 0.5]);
         [self.p, self.q].map(|along| {
             let slope = cell.slope(u, v, along);
@@ -133,11 +147,11 @@ pub(super) struct Cover {
 /// divided.
 const ORDERS: [(f64, usize); 4] = [(3.0, 2), (1.2, 3), (0.5, 4), (0.25, 6)];
 /// Divisions of a patch, at most.
-const DIVISIONS: usize = 12;
+pub(super) const DIVISIONS: usize = 12;
 /// Sides of a patch, of two that touch along an edge and of two that touch at a corner may differ by
 /// these factors.
-const EDGE_RATIO: f64 = 2.0;
-const CORNER_RATIO: f64 = 3.0;
+pub(super) const EDGE_RATIO: f64 = 2.0;
+pub(super) const CORNER_RATIO: f64 = 3.0;
 
 /// The rules for patches apart, by order.
 #[derive(Debug, Clone)]
@@ -212,9 +226,8 @@ impl CellPair<'_> {
             self.edge([a, c], visit);
             self.edge([b, d], visit);
             // p and q of both begin at the common corner.
-            let turned = |half: Patch| Patch { origin: moved(half.origin, 1.0, half.p), p: scaled(-1.0, half.p), ..half };
-            self.corner([turned(a), d], visit);
-            self.corner([b, turned(c)], visit);
+            self.corner([a.turned(), d], visit);
+            self.corner([b, c.turned()], visit);
         } else if q > EDGE_RATIO * p {
             let [near, far] = one.halves(Along::Q);
             self.edge([near, other], visit);
@@ -232,7 +245,8 @@ impl CellPair<'_> {
     pub fn corner(&self, patches: [Patch; 2], visit: &mut Visit) {
         let lengths = self.lengths(&patches);
         let smallest = lengths.as_flattened().iter().fold(f64::INFINITY, |m, v| m.min(*v));
-        let longest = if lengths[0][0].max(lengths[0][1]) >= lengths[1][0].max(lengths[1][1]) { 0 } else { 1 };
+        let longest =
+            if lengths[0][0].max(lengths[0][1]) >= lengths[1][0].max(lengths[1][1]) { 0 } else { 1 };
         let [p, q] = lengths[longest];
         if p.max(q) <= CORNER_RATIO * smallest {
             return self.touch(&self.touching.corner, &patches, visit);

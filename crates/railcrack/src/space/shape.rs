@@ -54,7 +54,9 @@ pub enum ShapeError {
         degrees: f64,
     },
     /// A buried crack that reaches the surface.
-    #[error("buried crack whose middle lies {centre} mm down the dip: its half-axis {depth} mm reaches the surface")]
+    #[error(
+        "buried crack whose middle lies {centre} mm down the dip: its half-axis {depth} mm reaches the surface"
+    )]
     ReachesSurface {
         /// Distance of the middle from the trace of the plane, mm.
         centre: f64,
