@@ -172,10 +172,6 @@ impl SpaceBody {
         forces
     }
 
-    pub(super) fn loads(&self) -> &[LoadPoint] {
-        &self.loads
-    }
-
     /// K along the front of jumps ⟦w⟧ (mm), 3p.
     pub fn sifs_of_jumps(&self, jumps: &[f64]) -> Vec<FrontSif> {
         sifs(&self.sif_of_jumps.times(jumps))

@@ -438,9 +438,9 @@ pub const REQUIREMENTS: &[Requirement] = &[
         "Space: a vertical semicircle in shear has the K_II and K_III of an independent discretisation.",
     ),
     requirement(
-        "space::stiffness::shallow_cracks_are_as_definite_as_steep_ones",
+        "space::stiffness::shallow_cracks_stay_definite_on_finer_grids",
         "",
-        "Space: the stiffness of a crack at 15° is as positive definite as that at 90°, at any size of its cells.",
+        "Space: the stiffness of a crack at 15° stays as positive definite, next to that at 90°, on finer grids.",
     ),
     requirement("space::stiffness::mirror_images", "", "Space: cracks at 30° and 150° are mirror images."),
     requirement(

@@ -23,11 +23,11 @@ fn closed_penny_with_friction() {
     let scale = 4.0 * (90.0 - 0.4 * 100.0) / (PI.sqrt() * 1.7);
     for (k, front) in body.sifs_of_jumps(&faces.jumps).iter().zip(body.front()) {
         let reason =
-            "slip of a penny under τ − μ p, Segedin 1951; friction follows the slip, which turns a little";
+            "slip of a penny under τ − μ p, Segedin 1951";
         close(k.kii, scale * front.phi.sin(), Of(0.02, scale), reason);
         close(k.ki, 0.0, Of(1e-9, scale), "closed");
     }
-    // Half of the load keeps what friction holds: reverse slip begins at 2 μ p.
+    // Friction holds the slip when the load falls a little.
     let (held, _) = contact.step(&faces, &load(0.9)).unwrap();
     let change = largest(held.jumps.iter().zip(&faces.jumps).map(|(a, b)| a - b));
     close(change, 0.0, Of(1e-9, largest(faces.jumps.iter().copied())), "held by friction");
@@ -80,8 +80,8 @@ fn lateral_mirror_images() {
     for (a, b) in one.sifs.iter().zip(&other.sifs) {
         for (k, m) in a.iter().zip(b.iter().rev()) {
             let gap = FrontSif { ki: k.ki - m.ki, kii: k.kii - m.kii, kiii: k.kiii + m.kiii };
-            let reason = "round-off of the contact";
-            close(largest([gap.ki, gap.kii, gap.kiii]), 0.0, Of(1e-7, scale), reason);
+            let reason = "quadrature of the stiffness, whose divisions are not mirrored";
+            close(largest([gap.ki, gap.kii, gap.kiii]), 0.0, Of(2e-6, scale), reason);
         }
     }
 }
