@@ -22,8 +22,7 @@ fn closed_penny_with_friction() {
     assert!(report.violation < 1e-9, "{report:?}");
     let scale = 4.0 * (90.0 - 0.4 * 100.0) / (PI.sqrt() * 1.7);
     for (k, front) in body.sifs_of_jumps(&faces.jumps).iter().zip(body.front()) {
-        let reason =
-            "slip of a penny under τ − μ p, Segedin 1951";
+        let reason = "slip of a penny under τ − μ p, Segedin 1951";
         close(k.kii, scale * front.phi.sin(), Of(0.02, scale), reason);
         close(k.ki, 0.0, Of(1e-9, scale), "closed");
     }

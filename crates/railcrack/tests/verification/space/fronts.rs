@@ -22,16 +22,14 @@ fn penny_error(cells: usize) -> f64 {
 
 #[test]
 fn penny_in_tension() {
-    let errors = [2, 4].map(penny_error);
-    close(errors[1], 0.0, Absolute(0.006), "Sneddon 1946; 128 cells");
+    close(penny_error(4), 0.0, Absolute(0.006), "Sneddon 1946; 128 cells");
 }
 
 #[test]
-#[ignore = "extra: half a minute"]
 fn penny_converges() {
-    let errors = [2, 4, 6].map(penny_error);
+    let errors = [2, 4].map(penny_error);
     measured_order(order(errors[0], errors[1]), 1.5, "largest error of K_I along the front of a penny");
-    assert!(errors[2] < 0.003, "{errors:?}");
+    assert!(order(errors[0], errors[1]) > 1.5, "{errors:?}");
 }
 
 #[test]
