@@ -28,6 +28,8 @@ const DUFFY_ORDER: usize = 5;
 /// shallow crack is near.
 const IMAGE_ORDER: f64 = 4.0;
 const SHALLOW_ORDER: f64 = 1.5;
+/// Share of the distance to an image that counts: the image varies faster than 1/r.
+const IMAGE_GAP: f64 = 0.5;
 /// Points per direction on the mouth.
 const MOUTH_ORDER: usize = 8;
 
@@ -162,14 +164,13 @@ impl<'a> Galerkin<'a> {
     fn half(&self, i: usize, j: usize, half: Half, shared: &[(usize, usize)], block: &mut Block) {
         let cells = [&self.grid.cells[i], &self.grid.cells[j]];
         let touching = if half == Half::Direct { &self.near } else { &self.mouth };
-        let between = |one: [f64; 2], other: [f64; 2]| self.between(one, other, half);
-        let pair = CellPair { cells, touching, apart: &self.apart, between: &between };
+        let gap = |one: &Cover, other: &Cover| self.gap(one, other, half);
+        let pair = CellPair { cells, touching, apart: &self.apart, gap: &gap };
         let mut add = |x: &CellPoint, second: &[(CellPoint, f64)]| self.add(half, x, second, block);
         match *shared {
             [] => {
                 let covers = [&self.covers[i], &self.covers[j]];
-                let distance = between(covers[0].centre, covers[1].centre);
-                match ApartRules::place(distance, covers[0], covers[1]) {
+                match ApartRules::place(gap(covers[0], covers[1]), covers[0], covers[1]) {
                     Some(place) => {
                         for (x, weight) in &self.points[i][place] {
                             add(&weighted(x, *weight), &self.points[j][place]);
@@ -184,15 +185,19 @@ impl<'a> Galerkin<'a> {
         }
     }
 
-    /// The distance of two points, the second reflected in the surface where it is an image.
-    fn between(&self, one: [f64; 2], other: [f64; 2], half: Half) -> f64 {
-        let tau = one[1] - other[1];
+    /// The distance of two discs, the second reflected in the surface where it is an image: its plane
+    /// then goes up where the other goes down.
+    fn gap(&self, one: &Cover, other: &Cover, half: Half) -> f64 {
+        let radii = one.radius + other.radius;
+        let (ds, tau) = (one.centre[0] - other.centre[0], one.centre[1] - other.centre[1]);
         match (half, self.image) {
             (Half::Image, Some(image)) => {
-                let (s, t) = (one[0], other[0]);
-                (s * s + t * t - 2.0 * s * t * (2.0 * image.dip).cos() + tau * tau).max(0.0).sqrt()
+                let (sin, cos) = image.dip.sin_cos();
+                let depth = |cover: &Cover| (cover.centre[0] - cover.radius).max(0.0) * sin;
+                let beside = ((ds * cos).hypot(tau) - radii).max(0.0);
+                IMAGE_GAP * beside.hypot(depth(one) + depth(other))
             }
-            _ => (one[0] - other[0]).hypot(tau),
+            _ => ds.hypot(tau) - radii,
         }
     }
 

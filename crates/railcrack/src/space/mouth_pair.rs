@@ -88,7 +88,7 @@ impl MouthPair<'_> {
         });
         let on_mouth = Cover { centre: [0.0, 0.5 * (start + end)], radius: 0.5 * (end - start).abs() };
         let distance = own.centre[0].hypot(own.centre[1] - on_mouth.centre[1]);
-        let place = ApartRules::place(distance, &own, &on_mouth);
+        let place = ApartRules::place(distance - own.radius - on_mouth.radius, &own, &on_mouth);
         if place.is_some() || level == DIVISIONS {
             let rule = self.apart.rule(place);
             let points = area.points(self.cells[0], rule);

@@ -162,9 +162,9 @@ impl ApartRules {
         Self(ORDERS.iter().map(|&(_, order)| crate::math::gauss_legendre(order)).collect())
     }
 
-    /// The place of the rule that is enough at the distance `between` of the middles.
-    pub fn place(between: f64, one: &Cover, other: &Cover) -> Option<usize> {
-        let ratio = (between - one.radius - other.radius) / (2.0 * one.radius.max(other.radius));
+    /// The place of the rule that is enough for patches with the distance `gap`.
+    pub fn place(gap: f64, one: &Cover, other: &Cover) -> Option<usize> {
+        let ratio = gap / (2.0 * one.radius.max(other.radius));
         ORDERS.iter().position(|&(limit, _)| ratio > limit)
     }
 
@@ -187,8 +187,8 @@ pub(super) struct CellPair<'a> {
     pub cells: [&'a Cell; 2],
     pub touching: &'a DuffyRules,
     pub apart: &'a ApartRules,
-    /// Distance of two points, the second maybe reflected.
-    pub between: &'a dyn Fn([f64; 2], [f64; 2]) -> f64,
+    /// Distance of two discs, the second maybe reflected in the surface.
+    pub gap: &'a dyn Fn(&Cover, &Cover) -> f64,
 }
 
 impl CellPair<'_> {
@@ -260,8 +260,7 @@ impl CellPair<'_> {
     /// Patches that do not touch.
     pub fn apart(&self, patches: [Patch; 2], level: usize, visit: &mut Visit) {
         let covers = [patches[0].cover(self.cells[0]), patches[1].cover(self.cells[1])];
-        let between = (self.between)(covers[0].centre, covers[1].centre);
-        let place = ApartRules::place(between, &covers[0], &covers[1]);
+        let place = ApartRules::place((self.gap)(&covers[0], &covers[1]), &covers[0], &covers[1]);
         if place.is_some() || level == DIVISIONS {
             let rule = self.apart.rule(place);
             let second = patches[1].points(self.cells[1], rule);
