@@ -60,5 +60,6 @@ pub mod mesh;
 pub mod prelude;
 pub mod residual;
 pub mod shakedown;
+pub mod space;
 pub mod validity;
 pub mod xfem;

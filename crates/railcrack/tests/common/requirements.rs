@@ -486,4 +486,66 @@ pub const REQUIREMENTS: &[Requirement] = &[
         "",
         "Dislocations: nine parallel cracks have the K of nearly twice the elements.",
     ),
+    requirement(
+        "space::kernel::triangular_dislocations",
+        "",
+        "Space: the strain of a jump in full space and half-space is that of an independent package.",
+    ),
+    requirement(
+        "space::fronts::penny_in_tension",
+        "",
+        "Space: a penny in tension has the K_I of the closed form at every front point.",
+    ),
+    requirement("space::fronts::penny_converges", "", "Space: K of a penny converges with the cells."),
+    requirement(
+        "space::fronts::penny_in_shear",
+        "",
+        "Space: a penny in shear has the K_II and K_III of the closed form at every front point.",
+    ),
+    requirement(
+        "space::fronts::ellipses_in_tension",
+        "",
+        "Space: flat elliptical cracks in tension have the K_I of the closed form at every front point.",
+    ),
+    requirement(
+        "space::fronts::vertical_semi_ellipses_in_tension",
+        "",
+        "Space: semi-ellipses that break the surface have the published K_I, away from the surface.",
+    ),
+    requirement(
+        "space::fronts::vertical_semicircle_in_shear",
+        "",
+        "Space: a vertical semicircle in shear has the K_II and K_III of an independent discretisation.",
+    ),
+    requirement(
+        "space::stiffness::shallow_cracks_stay_definite_on_finer_grids",
+        "",
+        "Space: the stiffness of a crack at 15° stays as positive definite, next to that at 90°, on finer grids.",
+    ),
+    requirement("space::stiffness::mirror_images", "", "Space: cracks at 30° and 150° are mirror images."),
+    requirement(
+        "space::contact::closed_penny_with_friction",
+        "",
+        "Space: a closed penny slides under τ − μ p and is held by friction when the load falls.",
+    ),
+    requirement(
+        "space::contact::open_faces_do_not_feel_the_contact",
+        "",
+        "Space: faces that stay open respond linearly.",
+    ),
+    requirement(
+        "space::contact::lateral_mirror_images",
+        "",
+        "Space: wheels on either side of the crack give mirrored histories.",
+    ),
+    requirement(
+        "space::wide::of_the_2d_engine_at_30_degrees",
+        "",
+        "Space: the middle of a wide crack at 30° has roughly the K_II history of the 2D engine.",
+    ),
+    requirement(
+        "space::wide::of_the_2d_engine_at_15_degrees",
+        "",
+        "Space: the middle of a wide crack at 15° has very roughly the K_II history of the 2D engine.",
+    ),
 ];

@@ -28,6 +28,7 @@ mod plastic_stress;
 mod shakedown;
 mod slant_crack;
 mod slow_tips;
+mod space;
 mod step_tolerance;
 mod symmetric_cracks;
 mod threads;

@@ -1,0 +1,397 @@
+//! Stiffness of a planar crack by Galerkin's method.
+//!
+//! The energy of jumps is a double integral over the crack. In the full space, with r the distance
+//! and k = μ / (4π (1 − ν)), integration by parts leaves (Nedelec 1982; Li, Mear & Xiao 1998)
+//!
+//!   k ∬ ∇w_n·∇′w_n′/r for opening, k ∬ [(1 − ν) ∇w_a·∇′w_a′ + ν div w div′w′]/r for the two slips.
+//!
+//! In the half-space the image is added with the help of the reflection within the plane
+//! (see `image_table`): the full space of the jump continued evenly across the mouth, and
+//! ∬ ∂_s w_i Q_ij ∂_s′w_j′ + ∬ ∂_s w_i Q_ij(s, 0) w_j′(0) + its transpose, the last two over the
+//! crack and its mouth. Where the mouth ends the integral by parts of ∂_s w_s ∂_ζ′w_ζ′, it leaves
+//! one more such term. All kernels grow as 1/r at most: the integrals are taken to the accuracy of
+//! their quadrature rules, by coordinates of Duffy where cells touch.
+
+use super::cell::{Cell, CellPoint};
+use super::duffy::DuffyRules;
+use super::grid::Grid;
+use super::image_table::ImageTable;
+use super::mouth_pair::{LinePoint, MouthPair};
+use super::patch::{ApartRules, CellPair, Cover, Patch, weighted};
+use crate::math::{Matrix, gauss_legendre};
+use rayon::prelude::*;
+use std::f64::consts::PI;
+
+/// Points per direction where cells touch.
+const DUFFY_ORDER: usize = 5;
+/// The same where a cell touches its image, at 90° and per reciprocal sine of the dip: the image of a
+/// shallow crack is near.
+const IMAGE_ORDER: f64 = 4.0;
+const SHALLOW_ORDER: f64 = 1.5;
+/// Share of the distance to an image that counts: the image varies faster than 1/r.
+const IMAGE_GAP: f64 = 0.5;
+/// Points per direction on the mouth.
+const MOUTH_ORDER: usize = 8;
+
+/// A block of two cells: hats of the first, components, hats of the second, components.
+type Block = [[[[f64; 3]; 4]; 3]; 4];
+const EMPTY: Block = [[[[0.0; 3]; 4]; 3]; 4];
+
+/// The half-space seen from the plane of a crack.
+#[derive(Debug, Clone)]
+pub(super) struct ImagePart {
+    /// Twice integrated kernel.
+    pub table: ImageTable,
+    /// The dip angle, radians.
+    pub dip: f64,
+}
+
+/// The integrals over a grid.
+pub(super) struct Galerkin<'a> {
+    grid: &'a Grid,
+    poisson: f64,
+    image: Option<&'a ImagePart>,
+    near: DuffyRules,
+    mouth: DuffyRules,
+    apart: ApartRules,
+    logarithmic: Vec<(f64, f64)>,
+    /// Cells at the points of the rules of the whole cell.
+    points: Vec<Vec<Vec<(CellPoint, f64)>>>,
+    covers: Vec<Cover>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Half {
+    Direct,
+    Image,
+}
+
+impl<'a> Galerkin<'a> {
+    pub fn new(grid: &'a Grid, poisson: f64, image: Option<&'a ImagePart>) -> Self {
+        let apart = ApartRules::new();
+        let of_cell = |cell| apart.all().iter().map(|rule| Patch::WHOLE.points(cell, rule)).collect();
+        let points = grid.cells.iter().map(of_cell).collect();
+        let covers = grid.cells.iter().map(|cell| Patch::WHOLE.cover(cell)).collect();
+        let order = image.map_or(1.0, |image| IMAGE_ORDER + SHALLOW_ORDER / image.dip.sin());
+        let (near, mouth) = (DuffyRules::new(DUFFY_ORDER), DuffyRules::new(order.round() as usize));
+        let logarithmic = gauss_legendre(MOUTH_ORDER);
+        Self { grid, poisson, image, near, mouth, apart, logarithmic, points, covers }
+    }
+
+    /// The stiffness in units of the shear modulus (mm): component i of the free vertex a is row
+    /// 3a + i; symmetric.
+    pub fn stiffness(&self) -> Matrix {
+        let free = self.grid.free;
+        let cells = &self.grid.cells;
+        let mut stiffness = Matrix::zeros(3 * free, 3 * free);
+        // Strips of some cells at a time: the sums are made in the same order by any number of threads.
+        for start in (0..cells.len()).step_by(STRIP) {
+            let strip = start..(start + STRIP).min(cells.len());
+            let blocks: Vec<Vec<Block>> = strip
+                .clone()
+                .into_par_iter()
+                .map(|i| (i..cells.len()).map(|j| self.pair(i, j)).collect())
+                .collect();
+            for (i, row) in strip.zip(&blocks) {
+                for (j, block) in (i..).zip(row) {
+                    self.scatter(&mut stiffness, i, j, block, i != j);
+                }
+            }
+        }
+        if self.image.is_some() {
+            let edges = &self.grid.mouth;
+            let lines: Vec<Vec<Block>> = (0..cells.len())
+                .into_par_iter()
+                .map(|i| (0..edges.len()).map(|e| self.line(i, e)).collect())
+                .collect();
+            for (i, row) in lines.iter().enumerate() {
+                for (block, (j, _)) in row.iter().zip(edges) {
+                    self.scatter(&mut stiffness, i, *j, block, true);
+                }
+            }
+            for (one, (i, _)) in edges.iter().enumerate() {
+                for (other, (j, _)) in edges.iter().enumerate() {
+                    self.scatter(&mut stiffness, *i, *j, &self.lines(one, other), true);
+                    if one == other {
+                        self.scatter(&mut stiffness, *i, *i, &self.own_line(one), false);
+                    }
+                }
+            }
+        }
+        for i in 0..3 * free {
+            for j in 0..i {
+                let mean = 0.5 * (stiffness[(i, j)] + stiffness[(j, i)]);
+                stiffness[(i, j)] = mean;
+                stiffness[(j, i)] = mean;
+            }
+        }
+        stiffness
+    }
+
+    fn scatter(&self, stiffness: &mut Matrix, i: usize, j: usize, block: &Block, and_transposed: bool) {
+        let free = self.grid.free;
+        for (a, &va) in self.grid.cells[i].vertices.iter().enumerate().filter(|(_, v)| **v < free) {
+            for (b, &vb) in self.grid.cells[j].vertices.iter().enumerate().filter(|(_, v)| **v < free) {
+                for c in 0..3 {
+                    for d in 0..3 {
+                        let value = block[a][c][b][d];
+                        stiffness[(3 * va + c, 3 * vb + d)] += value;
+                        if and_transposed {
+                            stiffness[(3 * vb + d, 3 * va + c)] += value;
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// The block of the cells i and j.
+    fn pair(&self, i: usize, j: usize) -> Block {
+        let mut block = EMPTY;
+        let cells = [&self.grid.cells[i], &self.grid.cells[j]];
+        let corners = (0..4).flat_map(|a| (0..4).map(move |b| (a, b)));
+        let shared: Vec<_> = corners.filter(|&(a, b)| cells[0].vertices[a] == cells[1].vertices[b]).collect();
+        self.half(i, j, Half::Direct, &shared, &mut block);
+        if self.image.is_some() {
+            // A cell touches the image of another where both touch the mouth.
+            let on_mouth = |(a, _): &(usize, usize)| self.grid.vertices[cells[0].vertices[*a]][0] == 0.0;
+            let shared: Vec<_> = shared.into_iter().filter(on_mouth).collect();
+            self.half(i, j, Half::Image, &shared, &mut block);
+        }
+        block
+    }
+
+    fn half(&self, i: usize, j: usize, half: Half, shared: &[(usize, usize)], block: &mut Block) {
+        let cells = [&self.grid.cells[i], &self.grid.cells[j]];
+        let touching = if half == Half::Direct { &self.near } else { &self.mouth };
+        let gap = |one: &Cover, other: &Cover| self.gap(one, other, half);
+        let pair = CellPair { cells, touching, apart: &self.apart, gap: &gap };
+        let mut add = |x: &CellPoint, second: &[(CellPoint, f64)]| self.add(half, x, second, block);
+        match *shared {
+            [] => {
+                let covers = [&self.covers[i], &self.covers[j]];
+                match ApartRules::place(gap(covers[0], covers[1]), covers[0], covers[1]) {
+                    Some(place) => {
+                        for (x, weight) in &self.points[i][place] {
+                            add(&weighted(x, *weight), &self.points[j][place]);
+                        }
+                    }
+                    None => pair.apart([Patch::WHOLE; 2], 0, &mut add),
+                }
+            }
+            [(a, b)] => pair.corner([Patch::around(a), Patch::around(b)], &mut add),
+            [(a, b), (c, d)] => pair.edge([Patch::along(a, c), Patch::along(b, d)], &mut add),
+            _ => pair.same(Patch::WHOLE, &mut add),
+        }
+    }
+
+    /// The distance of two discs, the second reflected in the surface where it is an image: its plane
+    /// then goes up where the other goes down.
+    fn gap(&self, one: &Cover, other: &Cover, half: Half) -> f64 {
+        let radii = one.radius + other.radius;
+        let (ds, tau) = (one.centre[0] - other.centre[0], one.centre[1] - other.centre[1]);
+        match (half, self.image) {
+            (Half::Image, Some(image)) => {
+                let (sin, cos) = image.dip.sin_cos();
+                let depth = |cover: &Cover| (cover.centre[0] - cover.radius).max(0.0) * sin;
+                let beside = ((ds * cos).hypot(tau) - radii).max(0.0);
+                IMAGE_GAP * beside.hypot(depth(one) + depth(other))
+            }
+            _ => ds.hypot(tau) - radii,
+        }
+    }
+
+    /// Adds the products of the point `x` with the points of another cell and their weights.
+    fn add(&self, half: Half, x: &CellPoint, second: &[(CellPoint, f64)], block: &mut Block) {
+        match (half, self.image) {
+            (Half::Direct, _) => self.add_direct(x, second, block),
+            (Half::Image, Some(image)) => self.add_image(image, x, second, block),
+            (Half::Image, None) => {}
+        }
+    }
+
+    fn add_direct(&self, x: &CellPoint, second: &[(CellPoint, f64)], block: &mut Block) {
+        let nu = self.poisson;
+        let k = 1.0 / (4.0 * PI * (1.0 - nu));
+        let mut potential = [[0.0; 2]; 4];
+        for (y, weight) in second {
+            let (ds, dz) = (x.position[0] - y.position[0], x.position[1] - y.position[1]);
+            let w = k * weight / (ds * ds + dz * dz).sqrt();
+            for b in 0..4 {
+                potential[b][0] += w * y.gradients[b][0];
+                potential[b][1] += w * y.gradients[b][1];
+            }
+        }
+        for a in 0..4 {
+            let g = x.gradients[a];
+            for b in 0..4 {
+                let (ss, zz) = (g[0] * potential[b][0], g[1] * potential[b][1]);
+                let both = ss + zz;
+                block[a][0][b][0] += both;
+                block[a][1][b][1] += (1.0 - nu) * both + nu * ss;
+                block[a][2][b][2] += (1.0 - nu) * both + nu * zz;
+                block[a][1][b][2] += nu * g[0] * potential[b][1];
+                block[a][2][b][1] += nu * g[1] * potential[b][0];
+            }
+        }
+    }
+
+    fn add_image(&self, image: &ImagePart, x: &CellPoint, second: &[(CellPoint, f64)], block: &mut Block) {
+        let nu = self.poisson;
+        let k = 1.0 / (4.0 * PI * (1.0 - nu));
+        let s = x.position[0].max(0.0);
+        let mut dip = [[[0.0; 3]; 3]; 4];
+        let mut trace = [0.0; 4];
+        for (y, weight) in second {
+            let (other, tau) = (y.position[0].max(0.0), x.position[1] - y.position[1]);
+            let mut q = image.table.kernel(s, other, tau);
+            // The reflection within the plane.
+            let reflected = k / ((s + other) * (s + other) + tau * tau).sqrt();
+            q[0][0] -= reflected;
+            q[1][1] -= reflected;
+            q[2][2] -= (1.0 - nu) * reflected;
+            for b in 0..4 {
+                let g = weight * y.gradients[b][0];
+                for i in 0..3 {
+                    for j in 0..3 {
+                        dip[b][i][j] += g * q[i][j];
+                    }
+                }
+                trace[b] += weight * reflected * y.gradients[b][1];
+            }
+        }
+        for a in 0..4 {
+            let g = x.gradients[a];
+            for b in 0..4 {
+                let zz = g[1] * trace[b];
+                for i in 0..3 {
+                    for j in 0..3 {
+                        block[a][i][b][j] += g[0] * dip[b][i][j];
+                    }
+                }
+                block[a][0][b][0] += zz;
+                block[a][1][b][1] += (1.0 - nu) * zz;
+                block[a][2][b][2] += zz;
+            }
+        }
+    }
+
+    /// The block of cell i with the mouth edge `edge`: jumps on the mouth.
+    fn line(&self, i: usize, edge: usize) -> Block {
+        let mut block = EMPTY;
+        let Some(image) = self.image else { return block };
+        let (j, [from, to]) = self.grid.mouth[edge];
+        let cells = [&self.grid.cells[i], &self.grid.cells[j]];
+        let corner = |end: usize| cells[0].vertices.iter().position(|&v| v == cells[1].vertices[end]);
+        let pair = MouthPair { cells, touching: &self.mouth, apart: &self.apart };
+        let mut add = |x: &CellPoint, line: &LinePoint, weight: f64| {
+            self.add_line(image, x, line, weight, &mut block);
+        };
+        match (corner(from), corner(to)) {
+            (Some(a), Some(b)) => pair.own([Patch::along(a, b), Patch::along(from, to)], &mut add),
+            (Some(a), None) => pair.corner([Patch::around(a), Patch::along(from, to)], &mut add),
+            (None, Some(b)) => pair.corner([Patch::around(b), Patch::along(to, from)], &mut add),
+            (None, None) => pair.apart([Patch::WHOLE, Patch::along(from, to)], 0, &mut add),
+        }
+        block
+    }
+
+    /// ∫ w_i P_ij w_j dζ along a mouth edge, P the concentrated part of Q(0, 0, τ).
+    fn own_line(&self, edge: usize) -> Block {
+        let mut block = EMPTY;
+        let Some(image) = self.image else { return block };
+        let concentrated = image.table.concentrated();
+        let (j, [from, to]) = self.grid.mouth[edge];
+        let frame = Patch::along(from, to);
+        for (x, weight) in &self.logarithmic {
+            let [u, v] = frame.at([*x, 0.0]);
+            let cell = self.grid.cells[j].at(u, v);
+            let line = LinePoint::new(&self.grid.cells[j], &frame, *x);
+            for a in [from, to] {
+                for b in [from, to] {
+                    for c in 0..3 {
+                        for d in 0..3 {
+                            block[a][c][b][d] += weight * line.hats[a] * cell.hats[b] * concentrated[c][d];
+                        }
+                    }
+                }
+            }
+        }
+        block
+    }
+
+    /// The block of two mouth edges: what Q(0, 0, τ) leaves, which is concentrated at τ = 0 in some
+    /// components and c_ij/τ in others, one integration by parts away from −c_ij ∂_ζ w_i ln|τ| w_j′.
+    fn lines(&self, one: usize, other: usize) -> Block {
+        let mut block = EMPTY;
+        let Some(image) = self.image else { return block };
+        let c = image.table.kernel(0.0, 0.0, 1.0);
+        let edge = |e: usize| {
+            let (cell, corners) = self.grid.mouth[e];
+            (&self.grid.cells[cell], corners)
+        };
+        let ((first, [a, b]), (second, [c0, c1])) = (edge(one), edge(other));
+        let at =
+            |cell: &Cell, from: usize, to: usize, p: f64| LinePoint::new(cell, &Patch::along(from, to), p);
+        let mut add = |p: f64, q: f64, weight: f64| {
+            let (x, y) = (at(first, a, b, p), at(second, c0, c1, q));
+            let value = -weight * (x.zeta - y.zeta).abs().ln();
+            // d N/d p over the edge: −1 and 1 at its ends, on the side to which ζ grows.
+            for (corner, slope) in [(a, -x.sense), (b, x.sense)] {
+                for d in [c0, c1] {
+                    for i in 0..2 {
+                        block[corner][i][d][2] += c[i][2] * slope * y.hats[d] * value;
+                    }
+                }
+            }
+        };
+        let ends = [first.vertices[a], first.vertices[b]];
+        let others = [second.vertices[c0], second.vertices[c1]];
+        let rule = &self.logarithmic;
+        // The common point of two edges, if any, is where the logarithm is singular: cubes of the
+        // points of Gauss' rule cluster there.
+        let common = (0..2).flat_map(|i| (0..2).map(move |j| (i, j))).find(|&(i, j)| ends[i] == others[j]);
+        let from = |end: usize, t: f64| if end == 0 { t } else { 1.0 - t };
+        for (x, wx) in rule {
+            let (t, wt) = (x.powi(3), 3.0 * x * x * wx);
+            for (y, wy) in rule {
+                if one == other {
+                    let start = (1.0 - t) * y;
+                    let weight = wt * wy * (1.0 - t);
+                    add(start, start + t, weight);
+                    add(start + t, start, weight);
+                } else if let Some((i, j)) = common {
+                    add(from(i, t), from(j, t * y), wt * wy * t);
+                    add(from(i, t * y), from(j, t), wt * wy * t);
+                } else {
+                    add(*x, *y, wx * wy);
+                }
+            }
+        }
+        block
+    }
+
+    /// ∂_s w_i Q_ij(s, 0, τ) w_j′, and of the full space ν ∂_ζ w_ζ w_s′/r.
+    fn add_line(&self, image: &ImagePart, x: &CellPoint, line: &LinePoint, weight: f64, block: &mut Block) {
+        let nu = self.poisson;
+        let k = 1.0 / (4.0 * PI * (1.0 - nu));
+        let (s, tau) = (x.position[0].max(0.0), x.position[1] - line.zeta);
+        let q = image.table.kernel(s, 0.0, tau);
+        let full = nu * k / s.hypot(tau);
+        for a in 0..4 {
+            let g = x.gradients[a];
+            for b in 0..4 {
+                let hat = weight * line.hats[b];
+                for i in 0..3 {
+                    for j in 0..3 {
+                        block[a][i][b][j] += hat * g[0] * q[i][j];
+                    }
+                }
+                block[a][2][b][1] += hat * g[1] * full;
+            }
+        }
+    }
+}
+
+/// Cells of which blocks are kept at a time.
+const STRIP: usize = 32;

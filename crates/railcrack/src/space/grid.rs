@@ -1,0 +1,201 @@
+//! Grid of cells on a crack.
+//!
+//! A block of cells about the middle, whose rows are parallel to the mouth, and a ring of cells from
+//! the block to the front, whose columns end at the front. Along a column the distance to the front
+//! is the square of the parameter, so that bilinear hats are linear in the square root of the
+//! distance. Neither the mouth nor the middle holds a pole.
+
+use super::cell::Cell;
+use super::shape::{Extent, SpaceCrack};
+use std::f64::consts::PI;
+
+/// Number of cells of a crack.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+pub struct SpaceResolution {
+    /// Cells from the middle of the block to its sides. Along the front are 4 times as many, 8 times
+    /// where the front is closed.
+    pub block: usize,
+    /// Cells from the block to the front.
+    pub ring: usize,
+}
+
+impl Default for SpaceResolution {
+    fn default() -> Self {
+        Self { block: 4, ring: 4 }
+    }
+}
+
+/// A column of the ring where it meets the front.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct FrontColumn {
+    /// The parametric angle of the front.
+    pub phi: f64,
+    /// The vertices on the column in the first and second row from the front.
+    pub vertices: [usize; 2],
+    /// Their parameters η: the distance to the front goes with η².
+    pub parameters: [f64; 2],
+    /// Unit normal of the front in its plane, away from the crack: (s, ζ).
+    pub normal: [f64; 2],
+    /// Distance to the front over η², near the front, mm.
+    pub distance: f64,
+}
+
+/// The cells of a crack.
+#[derive(Debug, Clone)]
+pub(super) struct Grid {
+    pub cells: Vec<Cell>,
+    /// Cells with an edge on the mouth, and the corners of that edge.
+    pub mouth: Vec<(usize, [usize; 2])>,
+    /// Positions (s, ζ) of the vertices, mm. Those on the front come last.
+    pub vertices: Vec<[f64; 2]>,
+    /// Number of vertices that are not on the front.
+    pub free: usize,
+    pub front: Vec<FrontColumn>,
+}
+
+/// Half the side of the block in the unit disc.
+const BLOCK_SIDE: f64 = 0.6;
+/// How round the block is: 0 a square, 1 a disc.
+const ROUNDNESS: f64 = 0.5;
+
+fn block(x: f64, y: f64) -> [f64; 2] {
+    let round = |a: f64, b: f64| a * (1.0 - ROUNDNESS + ROUNDNESS * (1.0 - 0.5 * b * b).sqrt());
+    [BLOCK_SIDE * round(x, y), BLOCK_SIDE * round(y, x)]
+}
+
+/// The point of the side of the block on column `t`, of which there are four per unit.
+fn side(t: f64) -> [f64; 2] {
+    let turn = t.rem_euclid(8.0);
+    match turn {
+        t if t <= 1.0 => [1.0, t],
+        t if t <= 3.0 => [2.0 - t, 1.0],
+        t if t <= 5.0 => [-1.0, 4.0 - t],
+        t if t <= 7.0 => [t - 6.0, -1.0],
+        t => [1.0, t - 8.0],
+    }
+}
+
+/// The point of the unit disc on column `t` at the parameter η: 0 on the front, 1 on the block.
+fn ring(t: f64, eta: f64) -> [f64; 2] {
+    let (sin, cos) = (0.25 * PI * t).sin_cos();
+    // The mouth is exactly at zero.
+    let sin = if t == 0.0 || t == 4.0 { 0.0 } else { sin };
+    let [x, y] = side(t);
+    let inner = block(x, y);
+    let w = eta * eta;
+    [cos + w * (inner[0] - cos), sin + w * (inner[1] - sin)]
+}
+
+impl Grid {
+    pub fn new(crack: &SpaceCrack, resolution: SpaceResolution) -> Self {
+        let (k, rows) = (resolution.block.max(1), resolution.ring.max(2));
+        let closed = crack.extent != Extent::SurfaceBreaking;
+        let (first, columns) = if closed { (-(k as i64), 8 * k) } else { (0, 4 * k) };
+        let (width, step) = (2 * k + 1, 1.0 / k as f64);
+        let on_block = |i: i64, j: i64| (j - first) as usize * width + (i + k as i64) as usize;
+        let block_count = on_block(k as i64, k as i64) + 1;
+        let around = if closed { columns } else { columns + 1 };
+        let free = block_count + around * (rows - 1);
+        // Row 0 of a column lies on the front, the last on the block.
+        let vertex = |t: usize, row: usize| match row {
+            0 => free + t % around,
+            row if row == rows => {
+                let [x, y] = side(t as f64 * step);
+                on_block((x * k as f64).round() as i64, (y * k as f64).round() as i64)
+            }
+            row => block_count + (row - 1) * around + t % around,
+        };
+        let block_point = |i: f64, j: f64| crack.point(block(i * step, j * step));
+        let ring_point = |t: f64, row: f64| crack.point(ring(t * step, row / rows as f64));
+
+        let mut vertices = vec![[0.0; 2]; free + around];
+        let (mut cells, mut mouth) = (Vec::new(), Vec::new());
+        for j in first..k as i64 {
+            for i in -(k as i64)..k as i64 {
+                let corners =
+                    [on_block(i, j), on_block(i + 1, j), on_block(i + 1, j + 1), on_block(i, j + 1)];
+                if !closed && j == 0 {
+                    mouth.push((cells.len(), [0, 1]));
+                }
+                cells.push(Cell::new(corners, |u, v| block_point(i as f64 + u, j as f64 + v)));
+            }
+        }
+        for t in 0..columns {
+            for row in 0..rows {
+                let corners =
+                    [vertex(t, row), vertex(t + 1, row), vertex(t + 1, row + 1), vertex(t, row + 1)];
+                if !closed && t == 0 {
+                    mouth.push((cells.len(), [0, 3]));
+                }
+                if !closed && t + 1 == columns {
+                    mouth.push((cells.len(), [1, 2]));
+                }
+                cells.push(Cell::new(corners, |u, v| ring_point(t as f64 + u, row as f64 + v)));
+            }
+        }
+        for cell in &cells {
+            for (corner, [u, v]) in cell.vertices.iter().zip(super::cell::CORNERS) {
+                vertices[*corner] = cell.at(u, v).position;
+            }
+        }
+        for (cell, corners) in &mouth {
+            for corner in corners {
+                vertices[cells[*cell].vertices[*corner]][0] = 0.0;
+            }
+        }
+        let front = (0..around)
+            .map(|t| {
+                let parameter = |row: usize| row as f64 / rows as f64;
+                let h = 1e-4;
+                let (ahead, behind) = (ring_point(t as f64 + h, 0.0), ring_point(t as f64 - h, 0.0));
+                let tangent = [ahead[0] - behind[0], ahead[1] - behind[1]];
+                let length = tangent[0].hypot(tangent[1]);
+                // φ grows from ζ = c towards s = l: the outward normal is the tangent turned.
+                let normal = [-tangent[1] / length, tangent[0] / length];
+                let (on, near) = (ring_point(t as f64, 0.0), ring_point(t as f64, rows as f64 * h));
+                let inward = (on[0] - near[0]) * normal[0] + (on[1] - near[1]) * normal[1];
+                FrontColumn {
+                    phi: 0.25 * PI * t as f64 * step,
+                    vertices: [vertex(t, 1), vertex(t, 2)],
+                    parameters: [parameter(1), parameter(2)],
+                    normal,
+                    distance: inward / (h * h),
+                }
+            })
+            .collect();
+        Self { cells, mouth, vertices, free, front }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cells_cover_the_crack() {
+        for (crack, share) in [
+            (SpaceCrack::surface_breaking(0.5, 3.0, 2.0).unwrap(), 0.5),
+            (SpaceCrack::buried(0.5, 3.0, 2.0, 5.0).unwrap(), 1.0),
+        ] {
+            let grid = Grid::new(&crack, SpaceResolution { block: 3, ring: 3 });
+            let rule = crate::math::gauss_legendre(6);
+            let mut area = 0.0;
+            for cell in &grid.cells {
+                for (u, wu) in &rule {
+                    area += rule.iter().map(|(v, wv)| wu * wv * cell.at(*u, *v).area).sum::<f64>();
+                }
+            }
+            assert!((area / (share * PI * 6.0) - 1.0).abs() < 1e-6, "{area}");
+            let columns = if share == 1.0 { 24 } else { 13 };
+            assert_eq!(grid.front.len(), columns);
+            let deepest = &grid.front[6];
+            assert!((deepest.normal[0] - 1.0).abs() < 1e-6 && (deepest.phi - 0.5 * PI).abs() < 1e-12);
+            assert!((deepest.distance - 2.0 * (1.0 - BLOCK_SIDE)).abs() < 1e-3, "{}", deepest.distance);
+            for (cell, [from, to]) in &grid.mouth {
+                for corner in [from, to] {
+                    assert_eq!(grid.vertices[grid.cells[*cell].vertices[*corner]][0], 0.0);
+                }
+            }
+        }
+    }
+}

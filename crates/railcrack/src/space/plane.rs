@@ -1,0 +1,105 @@
+//! Plane of a crack in the half-space, and the tractions of jumps on it.
+//!
+//! A point of the plane has the coordinates s, the distance from the trace of the plane in the
+//! surface along its dip, and ζ along that trace. Components of jumps and tractions are along the
+//! normal, along the dip and along the trace, in this order; the normal, the dip and the trace are
+//! turned as x2, x1 and the lateral axis of docs/conventions.md.
+
+use super::nuclei::{image_stress, kelvin_stress, moment, traction};
+
+/// What surrounds a crack.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+pub enum Surroundings {
+    /// The elastic full space.
+    FullSpace,
+    /// The half-space with a surface free of traction.
+    HalfSpace,
+}
+
+/// The directions of an inclined plane: x along the rail, lateral, depth.
+#[derive(Debug, Clone, Copy)]
+pub struct PlaneFrame {
+    normal: [f64; 3],
+    dip: [f64; 3],
+}
+
+/// The lateral direction, along the trace of the plane.
+const TRACE: [f64; 3] = [0.0, 1.0, 0.0];
+
+fn along(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+impl PlaneFrame {
+    /// The plane that goes down at the angle `dip` (radians) from +x.
+    pub fn new(dip: f64) -> Self {
+        let (sin, cos) = dip.sin_cos();
+        Self { normal: [sin, 0.0, -cos], dip: [cos, 0.0, sin] }
+    }
+
+    /// x, lateral and depth of the point (s, ζ) relative to the middle of the trace.
+    pub fn position(&self, s: f64, zeta: f64) -> [f64; 3] {
+        [s * self.dip[0], zeta, s * self.dip[2]]
+    }
+
+    /// The components of a vector of the rail: normal, dip, trace.
+    pub fn components(&self, vector: [f64; 3]) -> [f64; 3] {
+        [along(vector, self.normal), along(vector, self.dip), along(vector, TRACE)]
+    }
+
+    /// The components of the traction of a stress on the plane.
+    pub fn traction(&self, stress: &super::Symmetric) -> [f64; 3] {
+        self.components(traction(stress, self.normal))
+    }
+
+    /// The stiffness −t_i of the jump component j, in units of the shear modulus and per mm³: minus
+    /// the traction at (s, ζ) of a unit jump at (s′, ζ′), τ = ζ − ζ′, only of the image.
+    pub fn image_stiffness(&self, s: f64, other: f64, tau: f64, poisson: f64) -> [[f64; 3]; 3] {
+        let (point, source) = (self.position(s, tau), self.position(other, 0.0));
+        self.columns(|m| image_stress(point, source, m, poisson), poisson)
+    }
+
+    /// The same of the full space, for points that differ.
+    pub fn kelvin_stiffness(&self, ds: f64, tau: f64, poisson: f64) -> [[f64; 3]; 3] {
+        let d = self.position(ds, tau);
+        self.columns(|m| kelvin_stress(d, m, poisson), poisson)
+    }
+
+    fn columns(&self, stress: impl Fn(&super::Symmetric) -> super::Symmetric, poisson: f64) -> [[f64; 3]; 3] {
+        let tractions = [self.normal, self.dip, TRACE].map(|jump| {
+            let stress = stress(&moment(jump, self.normal, poisson));
+            self.traction(&stress)
+        });
+        std::array::from_fn(|i| std::array::from_fn(|j| -tractions[j][i]))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::PI;
+
+    #[test]
+    fn coplanar_jumps_in_the_full_space() {
+        let (nu, ds, tau) = (0.3, 0.7, -0.4);
+        let k = 1.0 / (4.0 * PI * (1.0 - nu));
+        let r = (ds * ds + tau * tau as f64).sqrt();
+        let slip = |a: f64, b: f64, same: f64| {
+            k * (-(1.0 - 2.0 * nu) * same / r.powi(3) - 3.0 * nu * a * b / r.powi(5))
+        };
+        let want = [
+            [-k / r.powi(3), 0.0, 0.0],
+            [0.0, slip(ds, ds, 1.0), slip(ds, tau, 0.0)],
+            [0.0, slip(tau, ds, 0.0), slip(tau, tau, 1.0)],
+        ];
+        for dip in [15f64, 50.0, 90.0, 130.0] {
+            let got = PlaneFrame::new(dip.to_radians()).kelvin_stiffness(ds, tau, nu);
+            for i in 0..3 {
+                for j in 0..3 {
+                    let gap = got[i][j] - want[i][j];
+                    assert!(gap.abs() < 1e-14, "{dip} {i} {j}: {} {}", got[i][j], want[i][j]);
+                }
+            }
+        }
+    }
+}

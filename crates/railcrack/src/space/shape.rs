@@ -1,0 +1,147 @@
+//! Shape of a planar crack.
+
+use std::f64::consts::PI;
+use thiserror::Error;
+
+/// Where the front of a crack ends.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
+pub enum Extent {
+    /// The crack breaks the surface: its front runs from one end of the mouth to the other, and
+    /// `depth` is measured from the mouth along the dip.
+    SurfaceBreaking,
+    /// The front is closed; the middle of the crack lies at this distance (mm) from the trace of
+    /// its plane in the surface, along the dip.
+    Buried {
+        /// Distance of the middle from the trace of the plane, mm.
+        centre: f64,
+    },
+}
+
+/// A planar crack with a smooth front, star-shaped about the middle of its mouth or of itself.
+///
+/// With φ the parametric angle, the front lies at ζ = ζ₀ + c g(φ) cos φ and s = s₀ + l g(φ) sin φ;
+/// φ runs from 0 at the end of larger ζ over 90° at the deepest point to 180°, and to 360° where the
+/// front is closed. g = 1 + Σ b_k cos kφ.
+#[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct SpaceCrack {
+    /// Angle between the plane and +x on the way down, radians.
+    pub dip: f64,
+    /// Half-axis along the surface c, mm.
+    pub half_length: f64,
+    /// Half-axis along the dip l, mm.
+    pub depth: f64,
+    /// x and lateral position (mm) of the middle of the trace of the plane in the surface.
+    pub middle: [f64; 2],
+    /// Whether the front is open or closed.
+    pub extent: Extent,
+    /// b_0, b_1, …: relative deviations of the front from the ellipse.
+    pub deviation: Vec<f64>,
+}
+
+/// An inadmissible crack.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum ShapeError {
+    /// A half-axis.
+    #[error("half-axis {value} mm of a crack: must be positive and finite")]
+    HalfAxis {
+        /// The given value, mm.
+        value: f64,
+    },
+    /// The dip angle.
+    #[error("dip of {degrees}° of a crack: must lie between 5° and 175°")]
+    Dip {
+        /// The given value, degrees.
+        degrees: f64,
+    },
+    /// A buried crack that reaches the surface.
+    #[error(
+        "buried crack whose middle lies {centre} mm down the dip: its half-axis {depth} mm reaches the surface"
+    )]
+    ReachesSurface {
+        /// Distance of the middle from the trace of the plane, mm.
+        centre: f64,
+        /// Half-axis along the dip, mm.
+        depth: f64,
+    },
+    /// A front that is not star-shaped about its middle.
+    #[error("deviation {value} of the front from its ellipse at {degrees}°: must stay below 1/2")]
+    Deviation {
+        /// g − 1 there.
+        value: f64,
+        /// The parametric angle, degrees.
+        degrees: f64,
+    },
+}
+
+impl SpaceCrack {
+    /// A semi-ellipse that breaks the surface: `dip` in radians, half the length of its mouth and
+    /// its depth along the dip in mm.
+    pub fn surface_breaking(dip: f64, half_length: f64, depth: f64) -> Result<Self, ShapeError> {
+        Self::new(dip, half_length, depth, Extent::SurfaceBreaking)
+    }
+
+    /// A buried ellipse whose middle lies `centre` mm from the trace of its plane.
+    pub fn buried(dip: f64, half_length: f64, depth: f64, centre: f64) -> Result<Self, ShapeError> {
+        Self::new(dip, half_length, depth, Extent::Buried { centre })
+    }
+
+    fn new(dip: f64, half_length: f64, depth: f64, extent: Extent) -> Result<Self, ShapeError> {
+        let crack = Self { dip, half_length, depth, middle: [0.0; 2], extent, deviation: Vec::new() };
+        crack.checked()
+    }
+
+    /// The same crack, if it is admissible.
+    pub fn checked(self) -> Result<Self, ShapeError> {
+        for value in [self.half_length, self.depth] {
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(ShapeError::HalfAxis { value });
+            }
+        }
+        let degrees = self.dip.to_degrees();
+        if !(5.0..=175.0).contains(&degrees) {
+            return Err(ShapeError::Dip { degrees });
+        }
+        for degrees in 0..360 {
+            let value = self.radius_factor(f64::from(degrees).to_radians()) - 1.0;
+            if !(value.abs() < 0.5) {
+                return Err(ShapeError::Deviation { value, degrees: f64::from(degrees) });
+            }
+            if let Extent::Buried { centre } = self.extent {
+                let reach = self.depth * (1.0 + value) * f64::from(degrees).to_radians().sin();
+                if !(centre + reach > 0.0) {
+                    return Err(ShapeError::ReachesSurface { centre, depth: self.depth });
+                }
+            }
+        }
+        Ok(self)
+    }
+
+    /// g(φ).
+    pub fn radius_factor(&self, phi: f64) -> f64 {
+        1.0 + self.deviation.iter().enumerate().map(|(k, b)| b * (k as f64 * phi).cos()).sum::<f64>()
+    }
+
+    /// The largest parametric angle of the front: π or 2π.
+    pub fn last_angle(&self) -> f64 {
+        match self.extent {
+            Extent::SurfaceBreaking => PI,
+            Extent::Buried { .. } => 2.0 * PI,
+        }
+    }
+
+    /// (s, ζ) relative to the middle of the trace (mm) of the point (X, Y) of the unit disc; X goes
+    /// to ζ, Y to s. The deviation of the front fades out as the square of the radius.
+    pub fn point(&self, disc: [f64; 2]) -> [f64; 2] {
+        let [x, y] = disc;
+        let factor = if self.deviation.is_empty() {
+            1.0
+        } else {
+            1.0 + (self.radius_factor(y.atan2(x)) - 1.0) * (x * x + y * y)
+        };
+        let centre = match self.extent {
+            Extent::SurfaceBreaking => 0.0,
+            Extent::Buried { centre } => centre,
+        };
+        [centre + self.depth * y * factor, self.half_length * x * factor]
+    }
+}
