@@ -29,8 +29,8 @@ Start:
 
 /// Predicts the growth of rolling-contact-fatigue cracks in rails.
 ///
-/// A case file (TOML) describes the rail, the wheel, the cracks and the growth law. Lengths are in mm, stresses in
-/// MPa, angles in degrees.
+/// A case file (TOML) describes the rail, the wheel, the cracks and the growth law. Lengths are in
+/// mm, stresses in MPa, angles in degrees.
 #[derive(Debug, Parser)]
 #[command(name = "railcrack", version, after_long_help = AFTER_HELP, after_help = AFTER_HELP)]
 pub struct Arguments {

@@ -39,7 +39,8 @@ impl Interruption {
     #[cfg(unix)]
     fn install(&self) -> std::io::Result<()> {
         use std::time::Instant;
-        // `timeout` and some shells send a signal to the program and again to its group: that is one wish, not two.
+        // `timeout` and some shells send a signal to the program and again to its group: that is
+        // one wish, not two.
         const ONE_WISH: Duration = Duration::from_millis(500);
         let mut signals = signal_hook::iterator::Signals::new(SIGNALS)?;
         let (asked, stopped) = (Arc::clone(&self.asked), Arc::clone(&self.stopped));
@@ -63,7 +64,8 @@ impl Interruption {
     fn install(&self) -> std::io::Result<()> {
         use signal_hook::flag;
         for signal in SIGNALS {
-            // In this order: the first signal finds the flag down and raises it, the second finds it up.
+            // In this order: the first signal finds the flag down and raises it, the second finds
+            // it up.
             flag::register_conditional_shutdown(
                 signal,
                 i32::from(Exit::Interrupted.code()),

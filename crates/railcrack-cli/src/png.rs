@@ -15,7 +15,8 @@ const FONTS: [&[u8]; 3] = [
     include_bytes!("../fonts/LiberationSans-Italic.ttf"),
 ];
 
-/// Writes a PNG file beside every SVG file in the folder of results `folder`, and in its `plots` and `figures`. How many.
+/// Writes a PNG file beside every SVG file in the folder of results `folder`, and in its `plots`
+/// and `figures`. How many.
 ///
 /// Errors: a plot is no SVG; the system refuses.
 pub fn write_beside_plots(folder: &Path) -> Result<usize, RunError> {

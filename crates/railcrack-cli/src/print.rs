@@ -13,7 +13,8 @@ pub fn stdout(text: &str) -> Result<(), Failure> {
     }
 }
 
-/// Says on standard error what went wrong: with the lines of the file on a terminal, one line per error otherwise.
+/// Says on standard error what went wrong: with the lines of the file on a terminal, one line per
+/// error otherwise.
 pub fn failure(failure: &Failure) {
     let mut err = std::io::stderr().lock();
     let text = match failure {

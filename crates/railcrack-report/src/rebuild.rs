@@ -53,8 +53,8 @@ impl FolderKind {
 /// its table of runs, from the run folders in it. The files of a command are built again bit for
 /// bit.
 ///
-/// Errors: the folder holds none of these; a file of it is damaged (of a study, runs are: the others
-/// are shown before that is said); the system refuses.
+/// Errors: the folder holds none of these; a file of it is damaged (of a study, runs are: the
+/// others are shown before that is said); the system refuses.
 pub fn rebuild_report(folder: &Path) -> Result<FolderKind, OutputError> {
     let kind = FolderKind::of(folder)?;
     match kind {

@@ -9,7 +9,7 @@ use thiserror::Error;
 const SIF_ROW: u64 = 90;
 const FACE_ROW: u64 = 130;
 
-/// What a run needs, about.
+/// Approximate needs of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Needs {
     /// Memory, bytes.
@@ -32,7 +32,7 @@ impl Needs {
     }
 }
 
-/// What there is; none where the system does not tell.
+/// The available amounts; none where the system does not tell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Budget {
     /// Memory of the machine, or of the group of processes where that is limited to less, bytes.

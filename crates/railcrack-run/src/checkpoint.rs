@@ -21,7 +21,7 @@ const FORMAT: u32 = 8;
 /// Magic, format, checksum.
 const HEADER: usize = 8 + 4 + 8;
 
-/// What tables and run log hold after the last finished step.
+/// Content of tables and run log after the last finished step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) struct Seals {
     pub sif: Seal,
@@ -102,7 +102,7 @@ impl LogFile {
         self.file.sync()
     }
 
-    /// What the log holds.
+    /// Content of the log.
     pub(crate) fn seal(&self) -> Seal {
         self.file.seal()
     }

@@ -71,7 +71,7 @@ pub enum OutputError {
     StudyChanged {
         /// The folder.
         folder: PathBuf,
-        /// What differs first.
+        /// The first difference.
         difference: String,
     },
     /// There is no run to take up again.
@@ -115,7 +115,7 @@ pub enum OutputError {
     Damaged {
         /// The file.
         path: PathBuf,
-        /// What is wrong with it.
+        /// The fault.
         reason: String,
     },
     /// Another process computes in the folder.
@@ -142,7 +142,7 @@ pub enum OutputError {
         folder: PathBuf,
         /// How many.
         runs: usize,
-        /// What is wrong with the first of them.
+        /// The fault of the first of them.
         first: String,
     },
     /// There is no such folder.
@@ -180,7 +180,7 @@ pub enum OutputError {
     /// The system refused.
     #[error("cannot {action} {}: {reason}", path.display())]
     Io {
-        /// What was tried.
+        /// The attempted action.
         action: &'static str,
         /// The file or folder.
         path: PathBuf,

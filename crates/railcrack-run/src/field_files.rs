@@ -20,7 +20,7 @@ pub(crate) struct FieldFileEntry {
     pub name: String,
     /// Step, plus the share of the positions of its passage that lie before.
     pub time: f64,
-    /// What it holds.
+    /// Its content.
     pub seal: Seal,
 }
 

@@ -1,5 +1,5 @@
-//! Passages of the default settings over the crack of Table 1 under every kind of wheel, and tables of more and more rows: one of 200 rows
-//! may cost a passage twice of what full sliding does.
+//! Passages of the default settings over the crack of Table 1 under every kind of wheel, and tables
+//! of more and more rows: one of 200 rows may cost a passage twice of what full sliding does.
 
 use divan::Bencher;
 use railcrack::dislocation::{FaceResolution, cracked_body};

@@ -100,13 +100,15 @@ pub enum ResidualStress {
     Absent,
 }
 
-/// Depth (mm) to which a half-plane has the compliance of a rail that bends: the depth of the rail head's sides.
+/// Depth (mm) to which a half-plane has the compliance of a rail that bends: the depth of the rail
+/// head's sides.
 pub const BENDING_DEPTH: f64 = 20.0;
 /// Half-widths (mm) below which metres are likely: a wheel of 1 kN on a rail has more.
 pub const SHORTEST_HALF_WIDTH: f64 = 0.1;
 
-/// Pressure against first yield and the limit of elastic shakedown of the same contact in full sliding; ν = `poisson`, σ_y =
-/// `yield_stress` (MPa). With a residual stress only the latter counts.
+/// Pressure against first yield and the limit of elastic shakedown of the same contact in full
+/// sliding; ν = `poisson`, σ_y = `yield_stress` (MPa). With a residual stress only the latter
+/// counts.
 pub fn pressure(
     contact: &HertzianContact,
     poisson: f64,

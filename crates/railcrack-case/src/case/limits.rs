@@ -25,14 +25,14 @@ pub(super) fn check_size(case: &Case, sections: &Sections, report: &mut Report) 
     // The rail of the finite elements also carries the residual stress of the other engine.
     let makes_mesh = case.engine == Engine::Xfem || case.plastic_stress.is_some();
     let unknowns = if makes_mesh { case.wanted_mesh_unknowns() } else { 0.0 };
-    if !(unknowns <= MOST_MESH_UNKNOWNS) {
+    if unknowns.is_nan() || unknowns > MOST_MESH_UNKNOWNS {
         let says = format!("{unknowns:.2e} displacement unknowns; there can be {MOST_MESH_UNKNOWNS:e}");
         let help = "a larger [mesh] element_size_mm makes fewer";
         report.add(mesh.fault(ELEMENT_SIZE, says).help(help));
         return false;
     }
     let points = wanted_face_points(case);
-    if !(points <= MOST_FACE_POINTS) {
+    if points.is_nan() || points > MOST_FACE_POINTS {
         let says = format!("{points:.2e} face points; there can be {MOST_FACE_POINTS:e}");
         let (fault, help) = match case.engine {
             Engine::Dislocation => (

@@ -2,7 +2,8 @@
 
 use crate::schema::{NumberRange, closed, integer, number, points, positive, section, within};
 
-/// Flatter cracks lie closer to the surface than face elements are long: their systems are singular.
+/// Flatter cracks lie closer to the surface than face elements are long: their systems are
+/// singular.
 pub(crate) const ANGLES: NumberRange = NumberRange::closed(0.5, 179.5);
 
 section! {

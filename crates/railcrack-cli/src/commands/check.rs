@@ -16,8 +16,8 @@ use std::path::{Path, PathBuf};
 
 /// Validate a case or study file and say what would be computed
 ///
-/// Nothing is computed and nothing is written. The exit code is 0 for a valid case and 2 otherwise; every error of
-/// the file is reported at once.
+/// Nothing is computed and nothing is written. The exit code is 0 for a valid case and 2 otherwise;
+/// every error of the file is reported at once.
 #[derive(Debug, Args)]
 pub struct CheckArguments {
     /// The case file, or a study
@@ -241,7 +241,7 @@ fn plastic_state(case: &Case) -> Vec<Row> {
     rows
 }
 
-/// What the run needs and what there is.
+/// Needs of the run beside what the machine has.
 fn machine(needs: &Needs, folder: &Path) -> Vec<Row> {
     let budget = Budget::of(folder);
     let of = |has: Option<u64>| has.map_or_else(String::new, |has| format!(" of {} MB", mb(has)));
@@ -301,7 +301,8 @@ fn bounds(case: &Case) -> Vec<Row> {
     rows
 }
 
-/// Six significant digits, without trailing zeros: enough to recognise a number, few enough to read.
+/// Six significant digits, without trailing zeros: enough to recognise a number, few enough to
+/// read.
 fn number(value: f64) -> String {
     if value == 0.0 || !value.is_finite() {
         return if value == 0.0 { "0".into() } else { value.to_string() };

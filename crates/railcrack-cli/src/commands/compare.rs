@@ -12,8 +12,9 @@ use std::path::{Path, PathBuf};
 
 /// Set two runs against each other: SIF histories, paths, cycles
 ///
-/// Compares two run folders, or with --engines computes one case with every engine and compares their runs. Of each step
-/// the stabilised passage counts. The differences are printed, and written with plots to a folder of their own.
+/// Compares two run folders, or with --engines computes one case with every engine and compares
+/// their runs. Of each step the stabilised passage counts. The differences are printed, and written
+/// with plots to a folder of their own.
 #[derive(Debug, Args)]
 pub struct CompareArguments {
     /// The first run folder; with --engines the case file
@@ -25,7 +26,8 @@ pub struct CompareArguments {
     /// Compute the case with every engine and compare their runs
     #[arg(long)]
     engines: bool,
-    /// Folder of the comparison [default: the name of the first run or of the case with -compare, beside it]
+    /// Folder of the comparison [default: the name of the first run or of the case with -compare,
+    /// beside it]
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Say whether K differs by more than this, in per cent of the largest |K| of the case

@@ -9,8 +9,8 @@ use std::path::PathBuf;
 
 /// Write a commented case file to start from
 ///
-/// The file holds the reference case (one 6 mm crack at 15 degrees under a wheel of 845 MPa), ready to run, with a
-/// comment on every key.
+/// The file holds the reference case (one 6 mm crack at 15 degrees under a wheel of 845 MPa), ready
+/// to run, with a comment on every key.
 #[derive(Debug, Args)]
 pub struct InitArguments {
     /// The file to write; `-` is standard output

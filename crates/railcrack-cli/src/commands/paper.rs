@@ -12,11 +12,13 @@ use std::io::{IsTerminal, Write};
 use std::path::PathBuf;
 use std::sync::Mutex;
 
-/// Recompute the figures of Trolle et al. (2014), and set every statement of its text against the numbers
+/// Recompute the figures of Trolle et al. (2014), and set every statement of its text against the
+/// numbers
 ///
-/// Figs 13 to 25 and 27 to 30 in the set-ups that the paper leaves open: half-plane and block, travel, friction, load steps,
-/// criterion. The folder gets the case files that were run (cases/), a picture and a table of each figure (figures/),
-/// the numbers that decide each statement (claims.csv), and the page (paper.md).
+/// Figs 13 to 25 and 27 to 30 in the set-ups that the paper leaves open: half-plane and block,
+/// travel, friction, load steps, criterion. The folder gets the case files that were run (cases/),
+/// a picture and a table of each figure (figures/), the numbers that decide each statement
+/// (claims.csv), and the page (paper.md).
 #[derive(Debug, Args)]
 pub struct PaperArguments {
     /// The folder for the results
@@ -31,7 +33,8 @@ pub struct PaperArguments {
     /// Replace the results in the folder
     #[arg(long, conflicts_with = "resume")]
     force: bool,
-    /// Take over the runs in the folder that are of the same cases and version, and compute the rest
+    /// Take over the runs in the folder that are of the same cases and version, and compute the
+    /// rest
     #[arg(long)]
     resume: bool,
 }

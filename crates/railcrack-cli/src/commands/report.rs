@@ -10,8 +10,9 @@ use std::path::PathBuf;
 
 /// Build plots and HTML report of a folder again, from its files alone
 ///
-/// The folder is that of a run, of a plastic state, of a comparison, of a study or of the paper. What these commands wrote is built again
-/// bit for bit; of a run that was interrupted, the finished steps are shown, and of a study the runs that are there.
+/// The folder is that of a run, of a plastic state, of a comparison, of a study or of the paper.
+/// What these commands wrote is built again bit for bit; of a run that was interrupted, the
+/// finished steps are shown, and of a study the runs that are there.
 #[derive(Debug, Args)]
 pub struct ReportArguments {
     /// The folder

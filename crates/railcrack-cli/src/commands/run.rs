@@ -15,8 +15,8 @@ use std::path::{Path, PathBuf};
 
 /// Compute the growth of the cracks of a case
 ///
-/// Results go to the run folder as steps finish. An interrupted run keeps what was computed; --resume goes on with
-/// it.
+/// Results go to the run folder as steps finish. An interrupted run keeps what was computed;
+/// --resume goes on with it.
 #[derive(Debug, Args)]
 pub struct RunArguments {
     /// The case file
@@ -116,9 +116,11 @@ pub fn threads(given: &str) -> Result<NonZeroUsize, String> {
     }
 }
 
-/// Has all parallel parts use `threads` threads; all of the machine where none are given. The calling thread is one of them, so that what it computes between two
-/// parallel parts stays in its caches and in its memory. A thread beside it, like the one that writes steps, must not have parallel parts: it might wait for a
-/// caller that waits for it. Once per program, before any parallel part.
+/// Has all parallel parts use `threads` threads; all of the machine where none are given. The
+/// calling thread is one of them, so that what it computes between two parallel parts stays in its
+/// caches and in its memory. A thread beside it, like the one that writes steps, must not have
+/// parallel parts: it might wait for a caller that waits for it. Once per program, before any
+/// parallel part.
 ///
 /// Errors: the system refuses.
 pub fn use_threads(threads: Option<NonZeroUsize>) -> Result<(), RunError> {

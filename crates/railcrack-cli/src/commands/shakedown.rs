@@ -14,9 +14,10 @@ use std::path::PathBuf;
 
 /// Compute the stabilised plastic state under the repeated passage, and where a crack starts
 ///
-/// The cracks of the case play no part in it. The folder gets the residual state by depth (profile.csv, plastic.vtu), what
-/// every passage changed (passes.csv), the state with its bounds and the Dang Van criterion (shakedown.json), stress and
-/// strain around the contact (cycle.vtu), plots and a report.
+/// The cracks of the case play no part in it. The folder gets the residual state by depth
+/// (profile.csv, plastic.vtu), what every passage changed (passes.csv), the state with its bounds
+/// and the Dang Van criterion (shakedown.json), stress and strain around the contact (cycle.vtu),
+/// plots and a report.
 #[derive(Debug, Args)]
 pub struct ShakedownArguments {
     /// The case file

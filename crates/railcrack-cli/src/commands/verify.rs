@@ -8,9 +8,9 @@ use std::path::PathBuf;
 
 /// Compare the files of a folder with the checksums that were stored with them
 ///
-/// The folder is that of a run, of a plastic state, of a comparison or of a study with all its runs. Nothing is
-/// written. The exit code is 0 where every file holds what was written, and 4 where one is damaged. Plots and reports
-/// have no checksums: `railcrack report` builds them anew.
+/// The folder is that of a run, of a plastic state, of a comparison or of a study with all its
+/// runs. Nothing is written. The exit code is 0 where every file holds what was written, and 4
+/// where one is damaged. Plots and reports have no checksums: `railcrack report` builds them anew.
 #[derive(Debug, Args)]
 pub struct VerifyArguments {
     /// The folder

@@ -1,11 +1,13 @@
-//! The book: every command, case and script in `docs` and the README is run, and prints what the page shows.
+//! The book: every command, case and script in `docs` and the README is run, and prints what the
+//! page shows.
 //!
 //! In a page, a block of
 //!
-//! * any language whose first line is a comment with a file name (`# head-check.toml`) is that file, beside which the commands of the page
-//!   run; a case or a study is checked;
+//! * any language whose first line is a comment with a file name (`# head-check.toml`) is that
+//!   file, beside which the commands of the page run; a case or a study is checked;
 //! * `sh` are commands that must succeed;
-//! * `console` are commands behind `$ ` with what they print, `…` for anything; of one that fails, its message;
+//! * `console` are commands behind `$ ` with what they print, `…` for anything; of one that fails,
+//!   its message;
 //! * `console png` is run where the command has the feature `png`;
 //! * `python` is run with a Python that has meshio;
 //! * `text`, or of no language, is not run.
@@ -99,7 +101,8 @@ fn line_matches(printed: &str, shown: &str) -> bool {
     ends.into_iter().any(|i| line_matches(&after[i..], rest))
 }
 
-/// A folder with the shipped cases, in which the commands of a page are run, and the program by its name.
+/// A folder with the shipped cases, in which the commands of a page are run, and the program by its
+/// name.
 struct Place {
     folder: PathBuf,
     programs: PathBuf,

@@ -59,7 +59,7 @@ fn bad_files_exit_with_2_and_write_nothing() {
         ("empty.toml", "empty.toml:1:1: `[contact]` is missing"),
         ("latin1.toml", "latin1.toml:3:10: `latin1.toml` is not UTF-8"),
         ("key.toml", ":1: `passage.positons = 241`: unknown key (nearest known key: `positions`"),
-        ("nan.toml", "`contact.peak_pressure_mpa = nan`: must be a number in (0, 10000] MPa"),
+        ("nan.toml", "`contact.peak_pressure_mpa = nan`: must be a number in [0.001, 10000] MPa"),
     ] {
         let output = railcrack(&folder, &["check", file]);
         assert_eq!(output.status.code(), Some(2), "{file}: {}", stderr(&output));

@@ -127,7 +127,8 @@ fn refusals_name_what_is_wrong_and_write_nothing() {
     assert_eq!(code, Some(4), "{err}");
 }
 
-/// The X-FEM engine is promised to be within 1 % of the peak of the converged history, the other one within 0.5 %.
+/// The X-FEM engine is promised to be within 1 % of the peak of the converged history, the other
+/// one within 0.5 %.
 const ENGINES_APART: f64 = 1.5;
 
 #[test]

@@ -1,4 +1,5 @@
-//! The documents: what they link to is there, and the case files and studies that they show are accepted.
+//! The documents: what they link to is there, and the case files and studies that they show are
+//! accepted.
 
 use railcrack_case::Input;
 use std::path::{Path, PathBuf};
@@ -75,7 +76,8 @@ fn every_case_in_the_documents_is_accepted() {
         let text = std::fs::read_to_string(&document).unwrap();
         for (line, block) in blocks(&text, "toml") {
             count += 1;
-            // A block that is a file stands beside others of its page: the command's tests run them.
+            // A block that is a file stands beside others of its page: the command's tests run
+            // them.
             if block.lines().next().is_some_and(|first| first.starts_with("# ") && first.ends_with(".toml")) {
                 continue;
             }

@@ -184,8 +184,9 @@ fn free_sides_of_a_block_release_a_part_and_the_run_says_so() {
         let release = &summary(&folder.join(name))["residual_stress"]["release"];
         assert_eq!(release["carried"], carried);
         let [held, free] = ["held_sxx_mpa", "free_sxx_mpa"].map(|key| release[key].as_f64().unwrap());
-        // A bar of 172 mm that sheds N = 2000 N/mm at 81 mm above its middle: N/h (1 + 12 · 81²/h²...) at the surface, half of it
-        // for the clamped bottom: of the order of 12 to 45 MPa.
+        // A bar of 172 mm that sheds N = 2000 N/mm at 81 mm above its middle: N/h
+        // (1 + 12 · 81²/h²...) at the surface, half of it for the clamped bottom: of the order of
+        // 12 to 45 MPa.
         let shed = (held - free).abs();
         assert!(shed > 5.0 && shed < 60.0, "{name}: {held} {free}");
     }

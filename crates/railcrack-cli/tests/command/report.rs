@@ -1,4 +1,5 @@
-//! `railcrack report` as a user meets it: the same files from the folder alone, and what it refuses.
+//! `railcrack report` as a user meets it: the same files from the folder alone, and what it
+//! refuses.
 
 use super::common;
 use super::common::{QUICK_CASE, done, railcrack};
@@ -140,8 +141,9 @@ fn a_direct_state_shows_what_passages_lead_to() {
 fn a_resumed_run_has_the_report_of_one_that_was_not_interrupted() {
     let folder = folder("resumed");
     done(&folder, &["run", "case.toml", "--out", "whole", "--quiet"]);
-    // A run that ends early is one that was interrupted, but for the case it says; so the run is cut back by hand to
-    // what stands after its last checkpoint: tables, then plots and report that are not there.
+    // A run that ends early is one that was interrupted, but for the case it says; so the run is
+    // cut back by hand to what stands after its last checkpoint: tables, then plots and report that
+    // are not there.
     done(&folder, &["run", "case.toml", "--out", "cut", "--quiet"]);
     for file in shown(&folder.join("cut")).keys() {
         fs::remove_file(file).unwrap();

@@ -76,7 +76,8 @@ fn writes_what_the_formats_promise() {
     assert_eq!(before, (read(&run.join("profile.csv")), read(&run.join("passes.csv"))));
 }
 
-/// The residual profile of one state is what another case takes as its balanced residual stress and as its stress of manufacturing.
+/// The residual profile of one state is what another case takes as its balanced residual stress and
+/// as its stress of manufacturing.
 #[test]
 fn profile_goes_into_another_case() {
     let folder = common::folder("shakedown-command", "shakedown-profile");

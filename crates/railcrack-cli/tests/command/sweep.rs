@@ -51,8 +51,8 @@ fn sweep(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
     railcrack(folder, &[&["sweep", "study.toml", "--quiet"], arguments].concat())
 }
 
-/// Every file below `folder` that must be the same whoever computed it: all but wall times, and the checkpoint and summary that
-/// hold some.
+/// Every file below `folder` that must be the same whoever computed it: all but wall times, and the
+/// checkpoint and summary that hold some.
 fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     let mut found = BTreeMap::new();
     let mut pending = vec![folder.to_path_buf()];
@@ -144,7 +144,8 @@ fn every_run_is_the_run_of_its_case() {
 fn threads_parts_and_order_do_not_show() {
     let folder = workplace("order", STUDY);
     assert_eq!(sweep(&folder, &["--out", "one", "--threads", "1"]).0, Some(0));
-    // Two threads and a half for each of two runs at a time would be odd: five threads for six runs.
+    // Two threads and a half for each of two runs at a time would be odd: five threads for six
+    // runs.
     for (out, threads) in [("two", "2"), ("five", "5")] {
         assert_eq!(sweep(&folder, &["--out", out, "--threads", threads]).0, Some(0));
         same_files(&folder.join("one"), &folder.join(out));
@@ -239,13 +240,18 @@ fn an_interrupted_study_says_so_and_goes_on() {
 
 #[test]
 fn a_failed_run_is_reported_and_the_others_go_on() {
-    // Short elements of a crack this close to the surface have a singular system.
-    let study = STUDY.replace("[20.0, 30.0, 40.0]", "[20.0, 0.5]").replace("= 16", "= 200");
+    // Face points this much closer than elements have a singular system.
+    let study = STUDY
+        .replace("[20.0, 30.0, 40.0]", "20.0")
+        .replace("interface_elements = 16", "element_size_mm = 1.0\ninterface_spacing_mm = [1.0, 0.02]")
+        .replace("dislocation", "xfem");
     let folder = workplace("failing", &study);
     let (code, out, _) = sweep(&folder, &["--steps", "0"]);
     assert_eq!(code, Some(3), "{out}");
     assert!(
-        out.starts_with("4 runs: 2 done, 2 failed\nrun 2 (friction = 0.1, angle_deg = 0.5) failed: step 0: "),
+        out.starts_with(
+            "4 runs: 2 done, 2 failed\nrun 2 (friction = 0.1, interface_spacing_mm = 0.02) failed: step 0: "
+        ),
         "{out}"
     );
     let told = folder.join("study");

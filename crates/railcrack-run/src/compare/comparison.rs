@@ -14,9 +14,9 @@ use std::path::Path;
 pub struct Comparison {
     /// The runs.
     pub runs: [RunLabel; 2],
-    /// What their cases say differently.
+    /// Differences of their cases.
     pub case_differences: Vec<CaseDifference>,
-    /// What was not compared, or not as it stands: sentences.
+    /// Notes on parts that were not compared, or not as they stand: sentences.
     pub notes: Vec<String>,
     /// Number of steps that both have, the initial geometry counted.
     pub common_steps: usize,

@@ -8,7 +8,7 @@ use railcrack::growth::RunStop;
 use std::fmt::Write;
 
 impl Comparison {
-    /// What differs, for a terminal: runs, cases, a table with the tip that differs most in each
+    /// The differences, for a terminal: runs, cases, a table with the tip that differs most in each
     /// step, where paths part, and, where there is a `tolerance` (per cent of the largest |K| of
     /// the case), whether K is within it.
     pub fn text(&self, tolerance: Option<f64>) -> String {

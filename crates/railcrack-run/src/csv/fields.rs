@@ -26,7 +26,7 @@ impl<'a> Fields<'a> {
         is_empty
     }
 
-    /// What `parse` makes of the next field.
+    /// The next field, parsed by `parse`.
     pub(super) fn parse<T>(
         &mut self,
         accepted: &str,

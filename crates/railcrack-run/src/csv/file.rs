@@ -71,7 +71,7 @@ impl CsvFile {
         disk::sync(&self.file, &self.path).map_err(OutputError::io("write", &self.path))
     }
 
-    /// What the table holds.
+    /// Content of the table.
     pub(crate) fn seal(&self) -> Seal {
         self.seal
     }

@@ -30,7 +30,7 @@ pub enum RunError {
     /// The system refuses threads or signal handlers.
     #[error("cannot {action}: {reason}")]
     System {
-        /// What was tried.
+        /// The attempted action.
         action: String,
         /// The system's reason.
         reason: String,

@@ -144,7 +144,7 @@ impl StudyFolder {
         &self.path
     }
 
-    /// What is computed in it.
+    /// The computed runs.
     pub fn plan(&self) -> &StudyPlan {
         &self.plan
     }
@@ -206,7 +206,8 @@ impl StudyFolder {
     }
 }
 
-/// The plan of the study in `folder`, whose run folders all lie in it; none where it holds no study.
+/// The plan of the study in `folder`, whose run folders all lie in it; none where it holds no
+/// study.
 fn stored_plan(folder: &Path) -> Result<Option<StudyPlan>, OutputError> {
     let plan = read_json_if_there::<StudyPlan>(folder, PLAN_FILE)?;
     for run in plan.iter().flat_map(|plan| &plan.runs) {

@@ -11,7 +11,7 @@ pub struct StudyPlan {
     pub title: String,
     /// `product` or `zip`.
     pub combine: String,
-    /// What varies; at least one.
+    /// The varied keys; at least one.
     pub axes: Vec<StudyAxis>,
     /// The axis whose values have the colours of the plots, from 0.
     pub colour_axis: usize,
@@ -61,7 +61,7 @@ impl StudyAxis {
         self.len() == 0
     }
 
-    /// What varies: `peak_pressure_mpa, half_width_mm`.
+    /// The varied keys: `peak_pressure_mpa, half_width_mm`.
     pub fn name(&self) -> String {
         self.keys.iter().map(|key| key.name.as_str()).collect::<Vec<_>>().join(", ")
     }

@@ -60,6 +60,6 @@ pub struct StudyRow {
     pub summary: Option<Summary>,
     /// The representative tip; none before the first step.
     pub representative: Option<RepresentativeTip>,
-    /// What is wrong with its files, where they are damaged.
+    /// The fault of its files, where they are damaged.
     pub damage: Option<String>,
 }

@@ -11,14 +11,14 @@ use crate::{CaseFiles, OutputError};
 use serde_json::Value;
 use std::path::Path;
 
-/// What is known of the files of a folder.
+/// Verdict on the files of a folder.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Verification {
     /// Files that were compared with their checksums.
     pub files: usize,
-    /// What is damaged, a line for each file.
+    /// The damaged files, a line for each.
     pub damages: Vec<String>,
-    /// What could not be verified, and why.
+    /// Files that could not be verified, and why.
     pub notes: Vec<String>,
 }
 

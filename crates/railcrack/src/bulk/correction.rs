@@ -56,8 +56,9 @@ impl BlockCorrection {
 
     /// The correction of `rail` for a `wheel` anywhere in `range` (mm).
     ///
-    /// Errors: a half-plane; a wheel that bends the rail; a range that is empty or not finite; a contact that leaves the block
-    /// or comes so close to one of its sides that the field is no longer smooth.
+    /// Errors: a half-plane; a wheel that bends the rail; a range that is empty or not finite; a
+    /// contact that leaves the block or comes so close to one of its sides that the field is no
+    /// longer smooth.
     pub fn new(
         rail: &Arc<BulkRail>,
         wheel: &dyn Wheel,

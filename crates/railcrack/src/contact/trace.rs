@@ -39,7 +39,8 @@ impl StepLoad {
 pub(super) struct Traced {
     /// The slip (mm, p) from which friction counts at its end.
     pub reference_slip: Vec<f64>,
-    /// Where statuses changed: what was rising may fall from there on, so that extremes of K lie there.
+    /// Where statuses changed: what was rising may fall from there on, so that extremes of K lie
+    /// there.
     pub changes: Vec<Change>,
 }
 

@@ -49,9 +49,10 @@ struct Place {
 }
 
 /// Nodes in g, ends included: evenly spaced in g, denser at kinks, where the jump has a corner
-/// singularity, at junctions, and where there is `room` (mm, by point) for short elements only. A kink that is not slight lies inside a short element, so that every node has
-/// one tangent. Where there is a core at a point of the crack (`core_at`, by the index of the
-/// point), its edge, its inner edge and the junction on each side are nodes.
+/// singularity, at junctions, and where there is `room` (mm, by point) for short elements only. A
+/// kink that is not slight lies inside a short element, so that every node has one tangent. Where
+/// there is a core at a point of the crack (`core_at`, by the index of the point), its edge, its
+/// inner edge and the junction on each side are nodes.
 pub(super) fn nodes<'a>(
     walk: &Walk,
     resolution: FaceResolution,
@@ -148,8 +149,8 @@ const MOUTH_ELEMENT: f64 = 0.0017;
 /// Growth of elements away from the mouth: length per distance.
 const MOUTH_GRADING: f64 = 0.085;
 /// Depth of a surface-breaking crack over its length, below which the steel above it is a thin flap
-/// that bends: elements follow its thickness. At 3° and 2° K is 0.5 % off, without this 0.9 and 3 %;
-/// from 4° on it is not needed.
+/// that bends: elements follow its thickness. At 3° and 2° K is 0.5 % off, without this 0.9 and 3
+/// %; from 4° on it is not needed.
 const SHALLOW: f64 = 0.06;
 /// Largest length of an element below a flap over its thickness.
 const FLAP_SHARE: f64 = 0.7;

@@ -19,8 +19,8 @@ pub struct LargestK1 {
 impl LargestK1 {
     /// Of `history`; none where no kink opens, or where samples are not finite.
     ///
-    /// β is searched in [`KINK_ANGLES`] on a grid of 1° and refined by golden section. Under K_I alone it is 0 and k1 = K_I, under K_II alone ∓76.6°
-    /// and k1 = 1.2316 |K_II|.
+    /// β is searched in [`KINK_ANGLES`] on a grid of 1° and refined by golden section. Under K_I
+    /// alone it is 0 and k1 = K_I, under K_II alone ∓76.6° and k1 = 1.2316 |K_II|.
     pub fn of(history: &SifHistory) -> Option<Self> {
         if !history.samples.iter().all(|k| k.ki.is_finite() && k.kii.is_finite()) {
             return None;

@@ -68,7 +68,7 @@ impl Toughness {
     }
 }
 
-/// What EN 13674-1 demands of the toughness of a rail steel at −20 °C.
+/// Toughness of a rail steel at −20 °C demanded by EN 13674-1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RailSteel {
     /// The name of the steel in EN 13674-1.
@@ -91,7 +91,8 @@ impl RailSteel {
         RAIL_STEELS.iter().find(|steel| steel.name.eq_ignore_ascii_case(name.trim()))
     }
 
-    /// The mean that is demanded, at all temperatures: that of −20 °C is on the safe side where it is warmer.
+    /// The mean that is demanded, at all temperatures: that of −20 °C is on the safe side where it
+    /// is warmer.
     pub fn toughness(&self) -> Toughness {
         Toughness { rows: vec![(-20.0, self.mean_toughness)] }
     }

@@ -5,11 +5,13 @@ use crate::load::{Bending, Track};
 use crate::material::IsotropicElastic;
 use crate::math::{OutOfRange, Stress, Vec2};
 
-/// The beam's σ_xx under the axles of a train. It adds to the field of a contact ([`super::Wheels`]).
+/// The beam's σ_xx under the axles of a train. It adds to the field of a contact
+/// ([`super::Wheels`]).
 ///
-/// σ_yy = σ_xy = 0, and σ_zz = 0, as the rail is free to contract sideways. The beam's shear stress is left out, so that the field is in equilibrium only
-/// where M does not change: what is missing at the depth d is V d (h − d/2)/I, with the shear force V; under a wheel, V = Q/2, 1.4 MPa at 10 mm
-/// in a 60E1 under 100 kN.
+/// σ_yy = σ_xy = 0, and σ_zz = 0, as the rail is free to contract sideways. The beam's shear stress
+/// is left out, so that the field is in equilibrium only where M does not change: what is missing
+/// at the depth d is V d (h − d/2)/I, with the shear force V; under a wheel, V = Q/2, 1.4 MPa at 10
+/// mm in a 60E1 under 100 kN.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BendingWheel {
     bending: Bending,

@@ -6,8 +6,8 @@ use crate::load::{CarterContact, HertzianContact};
 use crate::material::IsotropicElastic;
 use crate::math::{OutOfRange, Stress, Vec2};
 
-/// A wheel in Hertzian line contact, in partial slip: the contact in full sliding less the shear that the stick zone does not
-/// bear, both half-ellipses.
+/// A wheel in Hertzian line contact, in partial slip: the contact in full sliding less the shear
+/// that the stick zone does not bear, both half-ellipses.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CarterWheel {
     contact: CarterContact,

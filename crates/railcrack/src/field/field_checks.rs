@@ -17,7 +17,8 @@ pub(super) fn equilibrium(wheel: &dyn Wheel, point: Vec2, step: f64) -> f64 {
     (dx.xx + dy.xy).hypot(dx.xy + dy.yy)
 }
 
-/// Difference (MPa) between the stress at `point` and that of the strains of the displacement there, by central differences of `step` (mm).
+/// Difference (MPa) between the stress at `point` and that of the strains of the displacement
+/// there, by central differences of `step` (mm).
 pub(super) fn strains(wheel: &dyn Wheel, steel: &IsotropicElastic, point: Vec2, step: f64) -> f64 {
     let at = |dx: f64, dy: f64| wheel.displacement(point + Vec2::new(dx, dy), 0.0);
     let dx = (at(step, 0.0) - at(-step, 0.0)) * (0.5 / step);

@@ -80,7 +80,8 @@ const LANES: usize = 8;
 
 /// A field that is computed at many points side by side.
 pub(super) trait Lanes {
-    /// The stress (MPa) at `point` (mm) with the wheel at `xc` (mm), inlined into the loop over points.
+    /// The stress (MPa) at `point` (mm) with the wheel at `xc` (mm), inlined into the loop over
+    /// points.
     fn at(&self, point: Vec2, xc: f64) -> Stress;
 }
 

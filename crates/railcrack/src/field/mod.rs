@@ -43,8 +43,8 @@ impl StressField for Sum {
 pub struct Uniform(pub Stress);
 
 impl Uniform {
-    /// σ_xx = `xx` (MPa) alone: remote tension along the rail, or that of a rail colder than neutral
-    /// ([`crate::load::Temperature::stress`]).
+    /// σ_xx = `xx` (MPa) alone: remote tension along the rail, or that of a rail colder than
+    /// neutral ([`crate::load::Temperature::stress`]).
     pub fn along_rail(xx: f64) -> Self {
         Self(Stress { xx, ..Stress::ZERO })
     }

@@ -10,11 +10,13 @@ use std::f64::consts::PI;
 
 /// A wheel with a contact from a table.
 ///
-/// Φ(z) = (i/2π) ∫ (p + i q)/(z − t) dt and, above the surface, the same with z̄ (Muskhelishvili, § 93): with P and Q the transforms of p and q,
+/// Φ(z) = (i/2π) ∫ (p + i q)/(z − t) dt and, above the surface, the same with z̄ (Muskhelishvili,
+/// § 93): with P and Q the transforms of p and q,
 ///
 /// σ_xx + σ_yy = −(2/π)(Im P + Re Q),  σ_yy = (−Im P + y (Re P′ − Im Q′))/π,  σ_xy = (Im Q + y (Im P′ + Re Q′))/π.
 ///
-/// The sums over the rows are made fast by series, which cost the accuracy that [`TableWheel::summation_error`] measures.
+/// The sums over the rows are made fast by series, which cost the accuracy that
+/// [`TableWheel::summation_error`] measures.
 #[derive(Debug, Clone)]
 pub struct TableWheel {
     contact: TableContact,
@@ -50,8 +52,8 @@ impl TableWheel {
         &self.contact
     }
 
-    /// The largest difference of a stress component from the sum over all rows, over the largest pressure, at some thousand
-    /// places down to 4 half-widths.
+    /// The largest difference of a stress component from the sum over all rows, over the largest
+    /// pressure, at some thousand places down to 4 half-widths.
     pub fn summation_error(&self) -> f64 {
         let place = |i: i32| {
             let x = 5.0 * (2.0 * (f64::from(i) * 0.618_033_988_749_894_9).fract() - 1.0);
@@ -95,7 +97,8 @@ impl Wheel for TableWheel {
         side_by_side(self, points, xc)
     }
 
-    /// 2G (u_x + i u_y) = κ φ(z) + φ(z̄) − (z − z̄) conj Φ(z), φ = ∫ Φ dz, as for [`super::HertzDisplacement`].
+    /// 2G (u_x + i u_y) = κ φ(z) + φ(z̄) − (z − z̄) conj Φ(z), φ = ∫ Φ dz, as for
+    /// [`super::HertzDisplacement`].
     fn displacement(&self, point: Vec2, xc: f64) -> Vec2 {
         let (x, y) = self.place(point, xc);
         let [p, q] = self.potential.integrals(x, y);

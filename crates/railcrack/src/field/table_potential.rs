@@ -2,7 +2,8 @@
 
 use num_complex::Complex64 as Complex;
 
-/// The transforms P = ∫ p/(z − t) dt and Q = ∫ q/(z − t) dt at a place z, Im z ≤ 0, and their derivatives.
+/// The transforms P = ∫ p/(z − t) dt and Q = ∫ q/(z − t) dt at a place z, Im z ≤ 0, and their
+/// derivatives.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Transforms {
     pub p: Complex,
@@ -19,15 +20,16 @@ struct Node {
     q_jump: f64,
 }
 
-/// Terms of the series of a cell. A cell expands what is at least 1/[`RATIO`] of its half-diagonal away, so the first term that is left out
-/// is of the order of RATIO^TERMS/TERMS² = 3e-10.
+/// Terms of the series of a cell. A cell expands what is at least 1/[`RATIO`] of its half-diagonal
+/// away, so the first term that is left out is of the order of RATIO^TERMS/TERMS² = 3e-10.
 const TERMS: usize = 14;
 const RATIO: f64 = 0.3;
 /// Cells with more nodes than this close by are divided.
 const MOST_NEAR: usize = 4;
 /// Most divisions: a cell is then 1e-9 of the table.
 const DEEPEST: u32 = 32;
-/// Half-extents of the table beyond which the moments of the traction are all that is seen; the terms fall by this factor.
+/// Half-extents of the table beyond which the moments of the traction are all that is seen; the
+/// terms fall by this factor.
 const FAR: f64 = 4.0;
 /// Moments: FAR^−MOMENTS = 1e-11.
 const MOMENTS: usize = 18;
@@ -56,8 +58,9 @@ struct Cell {
 ///
 /// P = Σ Δ_j (z − t_j) ln(z − t_j),  P′ = Σ Δ_j ln(z − t_j),  ∫ P dz = Σ Δ_j (z − t_j)² (ln(z − t_j)/2 − 1/4)
 ///
-/// with Δ_j the jumps of slope at the nodes and −π ≤ arg ≤ 0: the sums over segments v ln((z − t_j)/(z − t_(j+1))) − s L, by parts. Close to the table,
-/// nodes far from a cell of the half-plane are summed once, as a series in the cell; far from it, moments take over.
+/// with Δ_j the jumps of slope at the nodes and −π ≤ arg ≤ 0: the sums over segments v
+/// ln((z − t_j)/(z − t_(j+1))) − s L, by parts. Close to the table, nodes far from a cell of the
+/// half-plane are summed once, as a series in the cell; far from it, moments take over.
 #[derive(Debug, Clone)]
 pub(super) struct TablePotential {
     nodes: Vec<Node>,
@@ -152,7 +155,8 @@ impl TablePotential {
         sum
     }
 
-    /// ∫ P dz and ∫ Q dz at z = x + i y, y ≤ 0; without a constant in their expansions about infinity.
+    /// ∫ P dz and ∫ Q dz at z = x + i y, y ≤ 0; without a constant in their expansions about
+    /// infinity.
     pub(super) fn integrals(&self, x: f64, y: f64) -> [Complex; 2] {
         let z = Complex::new(x, y);
         let [p0, q0] = self.moments[0];
@@ -168,8 +172,8 @@ impl TablePotential {
             }
             return sum;
         }
-        // Far away the sum is p0 ln z + 3 p0/2 − …: (z − t)² ln(z − t)/2 has a term of t² (ln z/2 + 3/4), and Σ Δ_j t_j² = 2 p0. The
-        // term −(z − t)²/4 takes p0/2 of it.
+        // Far away the sum is p0 ln z + 3 p0/2 − …: (z − t)² ln(z − t)/2 has a term of t² (ln
+        // z/2 + 3/4), and Σ Δ_j t_j² = 2 p0. The term −(z − t)²/4 takes p0/2 of it.
         let mut sum = [p0, q0].map(|load| Complex::new(-load, 0.0));
         for node in &self.nodes {
             let w = Complex::new(x - node.t, y);
@@ -220,7 +224,8 @@ impl Node {
     }
 }
 
-/// ln(x + i y) with −π ≤ arg ≤ 0, its limit from below on the surface; finite at 0, where the products with it vanish.
+/// ln(x + i y) with −π ≤ arg ≤ 0, its limit from below on the surface; finite at 0, where the
+/// products with it vanish.
 #[inline(always)]
 fn lower_logarithm(x: f64, y: f64) -> Complex {
     Complex::new(0.5 * (x * x + y * y).max(f64::MIN_POSITIVE).ln(), (-y.abs()).atan2(x))

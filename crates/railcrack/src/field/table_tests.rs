@@ -61,7 +61,8 @@ fn an_ellipse_of_two_thousand_points() {
 
 #[test]
 fn stress_converges_with_the_rows() {
-    // Piecewise linear: second order in rows that are evenly spaced in the angle, where the ellipse is smooth.
+    // Piecewise linear: second order in rows that are evenly spaced in the angle, where the ellipse
+    // is smooth.
     let hertz = HertzWheel::new(&HERTZ, &steel()).unwrap();
     let errors: Vec<f64> =
         [51, 101, 201, 401].map(|count| difference(&ellipse(count, true), &hertz)).to_vec();

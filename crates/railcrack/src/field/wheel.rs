@@ -28,8 +28,8 @@ pub trait Wheel: Send + Sync {
     /// contact: abscissae relative to x_c (mm), increasing.
     fn edges(&self) -> &[f64];
 
-    /// The part of the field that bends the rail as a beam; none for a contact alone. It reaches some metres, and is no field of
-    /// the half-plane: the ends of a block cannot cancel it.
+    /// The part of the field that bends the rail as a beam; none for a contact alone. It reaches
+    /// some metres, and is no field of the half-plane: the ends of a block cannot cancel it.
     fn bending(&self) -> Option<&Bending> {
         None
     }

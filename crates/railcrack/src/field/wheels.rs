@@ -98,7 +98,8 @@ impl Wheel for Wheels {
         self.parts.iter().find_map(|part| part.wheel.bending())
     }
 
-    /// The largest of the parts: the stress changes over the contact of one wheel, not over their distance.
+    /// The largest of the parts: the stress changes over the contact of one wheel, not over their
+    /// distance.
     fn half_width(&self) -> f64 {
         self.parts.iter().map(|part| part.wheel.half_width()).fold(0.0, f64::max)
     }

@@ -5,18 +5,20 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Steps of the beam's coordinate βs from position to position: e^(−βs) changes by a tenth.
 const STEP: f64 = PI / 32.0;
-/// βs of the outermost axles at which the passage begins and ends: bending is then 2e-3 of its largest.
+/// βs of the outermost axles at which the passage begins and ends: bending is then 2e-3 of its
+/// largest.
 const REACH: f64 = 2.0 * PI;
-/// Next to the passage of the contact, whose field decays as 1/r, positions are this fraction of r apart.
+/// Next to the passage of the contact, whose field decays as 1/r, positions are this fraction of r
+/// apart.
 const GRADING: f64 = 0.25;
 /// Positions closer than this share of [`STEP`] to one of an extreme are left out.
 const CLOSE: f64 = 0.3;
 
-/// The output positions of `passage` over cracks at `places` (mm along the rail, in any order), in the order of travel; those of the passage
-/// itself where nothing bends the rail.
+/// The output positions of `passage` over cracks at `places` (mm along the rail, in any order), in
+/// the order of travel; those of the passage itself where nothing bends the rail.
 ///
-/// Bending adds the positions in which it is resolved, to 2π/β before and behind every axle, and those in which each axle, and the largest tension
-/// beside it (βs = π/2), is over a place.
+/// Bending adds the positions in which it is resolved, to 2π/β before and behind every axle, and
+/// those in which each axle, and the largest tension beside it (βs = π/2), is over a place.
 pub(super) fn output_positions(passage: &Passage, bending: Option<&Bending>, places: &[f64]) -> Vec<f64> {
     let near = passage.abscissae();
     let Some(bending) = bending else { return near };

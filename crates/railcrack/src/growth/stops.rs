@@ -33,14 +33,15 @@ pub(super) fn stop_of_one(step: &Step, crack: &Crack, rail: RailBox, resolution:
     (!inside).then_some(TipStop::LeavesRail)
 }
 
-/// Whether a tip breaks the rail: its largest k1 reaches the toughness. K of a tip behind a spent ligament, or that has joined a crack, is that of no
-/// crack any more.
+/// Whether a tip breaks the rail: its largest k1 reaches the toughness. K of a tip behind a spent
+/// ligament, or that has joined a crack, is that of no crack any more.
 pub(super) fn breaks(settings: &GrowthSettings, tip: &TipDrive) -> bool {
     let is_tip = !matches!(tip.stopped, Some(TipStop::BreakOut | TipStop::Coalescence));
     is_tip && settings.toughness.is_some_and(|toughness| tip.largest_k1 >= toughness)
 }
 
-/// Why the run ends at the start of this step, before any increment: fracture first, then the critical length, cycles, steps.
+/// Why the run ends at the start of this step, before any increment: fracture first, then the
+/// critical length, cycles, steps.
 pub(super) fn run_stop(settings: &GrowthSettings, state: &StepState<'_>) -> Option<RunStop> {
     if state.tips.iter().any(|tip| breaks(settings, tip)) {
         return Some(RunStop::Fracture);

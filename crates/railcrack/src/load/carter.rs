@@ -8,8 +8,8 @@ use std::f64::consts::PI;
 ///
 /// q = ± μ p0 [√(1 − (u/a)²) − (c/a) √(1 − ((u − d)/c)²)],  c = a √(1 − |ξ|),  |d| = a − c,
 ///
-/// u = x − x_c, the second root only where it is real. The stick zone d ± c touches the leading edge.
-/// ξ = Q/(μ P) is signed as the shear on the rail along +x; |ξ| = 1 is full sliding.
+/// u = x − x_c, the second root only where it is real. The stick zone d ± c touches the leading
+/// edge. ξ = Q/(μ P) is signed as the shear on the rail along +x; |ξ| = 1 is full sliding.
 ///
 /// Source: Carter 1926, Proc. R. Soc. A 112, 151–157; Johnson, Contact Mechanics, 8.3.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,7 +27,8 @@ pub struct CarterContact {
 }
 
 impl CarterContact {
-    /// Refuses a contact without pressure or extent, a negative friction, and more shear than friction.
+    /// Refuses a contact without pressure or extent, a negative friction, and more shear than
+    /// friction.
     pub fn check(&self) -> Result<(), OutOfRange> {
         self.sliding().check()?;
         let friction = "wheel\u{2013}rail friction";
@@ -82,12 +83,14 @@ impl CarterContact {
         self.traction * self.friction * self.line_load()
     }
 
-    /// The creepage (μ a/R) (1 − √(1 − |ξ|)), without sign; R (mm) = `radius` of 1/R = 1/R_wheel + 1/R_rail.
+    /// The creepage (μ a/R) (1 − √(1 − |ξ|)), without sign; R (mm) = `radius` of
+    /// 1/R = 1/R_wheel + 1/R_rail.
     pub fn creepage(&self, radius: f64) -> f64 {
         self.friction * self.half_width / radius * (1.0 - (1.0 - self.traction.abs()).sqrt())
     }
 
-    /// Where pressure or shear are not smooth: abscissae from the centre of the contact, increasing, mm.
+    /// Where pressure or shear are not smooth: abscissae from the centre of the contact,
+    /// increasing, mm.
     pub fn edges(&self) -> Vec<f64> {
         let a = self.half_width;
         let slip_begins = (a - 2.0 * self.stick_half_width()) * self.travel.sign();

@@ -14,7 +14,8 @@ pub struct WheelOnRail {
     pub wheel_radius: f64,
     /// Radius of the rail head across the rail, mm, positive; infinite where it is flat.
     pub rail_head_radius: f64,
-    /// Radius of the wheel's profile across the rail, mm; infinite where it is straight, negative where it is concave.
+    /// Radius of the wheel's profile across the rail, mm; infinite where it is straight, negative
+    /// where it is concave.
     pub wheel_profile_radius: f64,
 }
 
@@ -32,14 +33,15 @@ pub struct HertzEllipse {
 impl HertzEllipse {
     /// The ellipse under `wheel`, of wheels and rails of `material`.
     ///
-    /// With m ≥ n the semi-axes, k = n/m, e² = 1 − k², K and E the complete elliptic integrals of modulus e and D = (K − E)/e²,
-    /// the curvatures along the major and the minor axis are
+    /// With m ≥ n the semi-axes, k = n/m, e² = 1 − k², K and E the complete elliptic integrals of
+    /// modulus e and D = (K − E)/e², the curvatures along the major and the minor axis are
     ///
     /// 1/R_m = (p0/E*) (2 n/m²) D,  1/R_n = (p0/E*) (2 n/m²) (K − D)/k²,  p0 = 3 P/(2π m n),  E* = E/(2 (1 − ν²)):
     ///
     /// their ratio gives k, and the load the size. Source: Johnson, Contact Mechanics, 4.26–4.32.
     ///
-    /// Errors: no load, radii that are not positive, a concave profile that does not leave the rail head.
+    /// Errors: no load, radii that are not positive, a concave profile that does not leave the rail
+    /// head.
     pub fn new(wheel: &WheelOnRail, material: &IsotropicElastic) -> Result<Self, OutOfRange> {
         let WheelOnRail { wheel_load, wheel_radius, rail_head_radius, wheel_profile_radius } = *wheel;
         OutOfRange::unless_positive("wheel load (N)", wheel_load)?;
@@ -78,8 +80,8 @@ impl HertzEllipse {
         2.0 / 3.0 * PI * self.along * self.across * self.peak_pressure
     }
 
-    /// The line contact of the strip at `lateral` (z, mm), in full sliding with signed `friction`: p0 √(1 − (z/b)²) and
-    /// a √(1 − (z/b)²).
+    /// The line contact of the strip at `lateral` (z, mm), in full sliding with signed `friction`:
+    /// p0 √(1 − (z/b)²) and a √(1 − (z/b)²).
     ///
     /// Errors: a strip beside the ellipse.
     pub fn strip(&self, lateral: f64, friction: f64) -> Result<HertzianContact, OutOfRange> {
@@ -100,7 +102,8 @@ fn shape(k: f64) -> (f64, f64) {
     (integrals.d, (integrals.k - integrals.d) / (k * k))
 }
 
-/// k for a ratio of the curvatures ≥ 1, by bisection in log k: the ratio falls from infinity to 1 as k rises to 1.
+/// k for a ratio of the curvatures ≥ 1, by bisection in log k: the ratio falls from infinity to 1
+/// as k rises to 1.
 fn axis_ratio(curvatures: f64) -> f64 {
     // k ≈ (ratio)^(−2/3) and above its inverse; 60 halvings are round-off.
     let (mut low, mut high) = (-curvatures.ln() - 1.0, 0.0);
@@ -144,8 +147,8 @@ mod tests {
 
     #[test]
     fn the_curvatures_are_those_of_the_integrals() {
-        // 1/R_x = (p0 a b/E*) ∫ dw/((a² + w) √((a² + w)(b² + w) w)) over w > 0 (Johnson 3.64), with w = a² tan² φ: smooth and periodic, so
-        // that the midpoint rule is exact to round-off.
+        // 1/R_x = (p0 a b/E*) ∫ dw/((a² + w) √((a² + w)(b² + w) w)) over w > 0 (Johnson 3.64), with
+        // w = a² tan² φ: smooth and periodic, so that the midpoint rule is exact to round-off.
         let ellipse = HertzEllipse::new(&WHEEL, &steel()).unwrap();
         let HertzEllipse { peak_pressure, along, across } = ellipse;
         let curvature = |first: f64, second: f64| {

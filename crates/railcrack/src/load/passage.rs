@@ -22,8 +22,8 @@ impl Travel {
     }
 }
 
-/// Wheel positions of one passage at which results are wanted: `positions` abscissae evenly spaced from `from` to
-/// `to` (mm). `from` > `to` is a wheel that runs towards −x.
+/// Wheel positions of one passage at which results are wanted: `positions` abscissae evenly spaced
+/// from `from` to `to` (mm). `from` > `to` is a wheel that runs towards −x.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Passage {
     /// First abscissa of the Hertz centre, mm.

@@ -2,7 +2,7 @@
 
 use crate::math::OutOfRange;
 
-/// What bending needs of the cross-section of a rail.
+/// Cross-section of a rail in bending.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RailSection {
     /// I about the horizontal axis, mm⁴, positive.
@@ -48,8 +48,8 @@ pub struct NamedSection {
     pub foot_modulus_cm3: f64,
 }
 
-/// The sections that are known by name. Source: EN 13674-1, annex of rail profiles, quoted from memory; I/W_head = h and
-/// I/W_foot = H − h to 0.1 mm.
+/// The sections that are known by name. Source: EN 13674-1, annex of rail profiles, quoted from
+/// memory; I/W_head = h and I/W_foot = H − h to 0.1 mm.
 pub const SECTIONS: &[NamedSection] = &[
     NamedSection {
         name: "60E1",
@@ -93,7 +93,7 @@ impl NamedSection {
         SECTIONS.iter().map(|section| section.name).chain(aliases.copied())
     }
 
-    /// What bending needs of it.
+    /// Its data for bending.
     pub fn section(&self) -> RailSection {
         RailSection {
             second_moment: 1e4 * self.second_moment_cm4,

@@ -36,8 +36,8 @@ pub enum ContactTableError {
     NoPressure,
 }
 
-/// Any pressure p(u) and shear q(u) under the wheel, u = x − x_c: linear between rows, zero outside. Several patches are
-/// rows of zeros between them.
+/// Any pressure p(u) and shear q(u) under the wheel, u = x − x_c: linear between rows, zero
+/// outside. Several patches are rows of zeros between them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TableContact {
     rows: Vec<ContactRow>,
@@ -47,10 +47,12 @@ pub struct TableContact {
 const ROUNDING: f64 = 1e-3;
 
 impl TableContact {
-    /// The contact of `rows`. Where `friction` (μ) is given, |q| ≤ μ p is required, but for the rounding of a file.
+    /// The contact of `rows`. Where `friction` (μ) is given, |q| ≤ μ p is required, but for the
+    /// rounding of a file.
     ///
-    /// Errors: fewer than three rows; values that are not finite; u that does not increase; negative pressure; pressure or shear in the first or
-    /// last row, where a step of the traction makes the stress infinite; more shear than friction allows; no pressure at all.
+    /// Errors: fewer than three rows; values that are not finite; u that does not increase;
+    /// negative pressure; pressure or shear in the first or last row, where a step of the traction
+    /// makes the stress infinite; more shear than friction allows; no pressure at all.
     pub fn new(rows: Vec<ContactRow>, friction: Option<f64>) -> Result<Self, ContactTableError> {
         let [.., last] = &rows[..] else { return Err(ContactTableError::TooFewRows { count: 0 }) };
         let (count, last) = (rows.len(), last.u);
@@ -122,7 +124,8 @@ impl TableContact {
         pressed.fold(0.0, |most, row| most.max(row.shear.abs() / row.pressure))
     }
 
-    /// Ends of the patches, where the traction begins or ceases: abscissae from x_c, increasing, mm.
+    /// Ends of the patches, where the traction begins or ceases: abscissae from x_c, increasing,
+    /// mm.
     pub fn edges(&self) -> Vec<f64> {
         let loaded = |row: &ContactRow| row.pressure != 0.0 || row.shear != 0.0;
         let rows = &self.rows;

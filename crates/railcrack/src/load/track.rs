@@ -25,7 +25,8 @@ pub struct Track {
 }
 
 impl Track {
-    /// Refuses a section or a foundation that is none, a track without axles, and axles that do not press on it.
+    /// Refuses a section or a foundation that is none, a track without axles, and axles that do not
+    /// press on it.
     pub fn check(&self) -> Result<(), OutOfRange> {
         self.section.check()?;
         OutOfRange::unless_positive("foundation modulus k (N/mm\u{b2})", self.foundation)?;
@@ -86,7 +87,8 @@ impl Bending {
         self.track.axles.iter().map(of).sum()
     }
 
-    /// σ_xx (MPa) at `x` (mm from x_c) and `depth` (mm): linear through the height of the rail, zero below its foot.
+    /// σ_xx (MPa) at `x` (mm from x_c) and `depth` (mm): linear through the height of the rail,
+    /// zero below its foot.
     pub fn stress(&self, x: f64, depth: f64) -> f64 {
         let RailSection { second_moment, neutral_axis_depth, height } = self.track.section;
         if height.is_some_and(|height| depth > height) {
@@ -95,7 +97,8 @@ impl Bending {
         -self.moment(x) * (neutral_axis_depth - depth.max(0.0)) / second_moment
     }
 
-    /// Deflection w (mm, downwards) and its slope w′ at `x` (mm from x_c): w = Qβ/(2k) e^(−β|s|) (cos β|s| + sin β|s|).
+    /// Deflection w (mm, downwards) and its slope w′ at `x` (mm from x_c): w = Qβ/(2k) e^(−β|s|)
+    /// (cos β|s| + sin β|s|).
     pub fn deflection(&self, x: f64) -> (f64, f64) {
         let of = |axle: &Axle| {
             let s = x - axle.at;
@@ -121,7 +124,8 @@ mod tests {
 
     #[test]
     fn check_values_of_the_60e1() {
-        // (k, Q) → 1/β (mm), M0 (kN m), σ at the top under the wheel, largest tension there: to the digits given.
+        // (k, Q) → 1/β (mm), M0 (kN m), σ at the top under the wheel, largest tension there: to the
+        // digits given.
         let cases = [
             (50.0, 100e3, 845.2496, 21.13124, -63.3249, 13.1639),
             (30.0, 112.5e3, 960.389, 27.01094, -80.9448, 16.8268),

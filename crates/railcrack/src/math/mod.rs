@@ -17,7 +17,7 @@ mod vector;
 
 pub(crate) use anderson::Anderson;
 pub(crate) use ball::smallest_ball;
-pub(crate) use elliptic::{CompleteElliptic, complete_elliptic};
+pub(crate) use elliptic::complete_elliptic;
 pub(crate) use grading::quantiles;
 pub(crate) use kernels::{add_rows_to_each, axpy, dot, inlined};
 pub use matrix::Matrix;

@@ -34,8 +34,8 @@ pub struct FrontPoint {
     pub normal: [f64; 2],
 }
 
-/// Stress intensity factors of a point of the front, MPa √mm. At the deepest point K_II slides along
-/// the dip and K_III along the lateral axis; elsewhere both directions turn with the front.
+/// Stress intensity factors of a point of the front, MPa √mm. At the deepest point K_II slides
+/// along the dip and K_III along the lateral axis; elsewhere both directions turn with the front.
 #[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize, serde::Deserialize)]
 pub struct FrontSif {
     /// Opening.

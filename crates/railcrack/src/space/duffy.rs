@@ -11,10 +11,10 @@ pub(super) struct PairPoint {
     pub weight: f64,
 }
 
-/// The rules of `order` points per direction for pairs of the same cell, of cells with a common edge
-/// (q = 0 in both, p in the same sense) and of cells with a common corner (p = q = 0 in both), and
-/// for a cell with its own edge q = 0 or an edge from its corner p = q = 0 (the second point has
-/// q = 0).
+/// The rules of `order` points per direction for pairs of the same cell, of cells with a common
+/// edge (q = 0 in both, p in the same sense) and of cells with a common corner (p = q = 0 in both),
+/// and for a cell with its own edge q = 0 or an edge from its corner p = q = 0 (the second point
+/// has q = 0).
 #[derive(Debug, Clone)]
 pub(super) struct DuffyRules {
     pub same: Vec<PairPoint>,

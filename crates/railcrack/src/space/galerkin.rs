@@ -24,8 +24,8 @@ use std::f64::consts::PI;
 
 /// Points per direction where cells touch.
 const DUFFY_ORDER: usize = 5;
-/// The same where a cell touches its image, at 90° and per reciprocal sine of the dip: the image of a
-/// shallow crack is near.
+/// The same where a cell touches its image, at 90° and per reciprocal sine of the dip: the image of
+/// a shallow crack is near.
 const IMAGE_ORDER: f64 = 4.0;
 const SHALLOW_ORDER: f64 = 1.5;
 /// Share of the distance to an image that counts: the image varies faster than 1/r.
@@ -84,7 +84,8 @@ impl<'a> Galerkin<'a> {
         let free = self.grid.free;
         let cells = &self.grid.cells;
         let mut stiffness = Matrix::zeros(3 * free, 3 * free);
-        // Strips of some cells at a time: the sums are made in the same order by any number of threads.
+        // Strips of some cells at a time: the sums are made in the same order by any number of
+        // threads.
         for start in (0..cells.len()).step_by(STRIP) {
             let strip = start..(start + STRIP).min(cells.len());
             let blocks: Vec<Vec<Block>> = strip
@@ -185,8 +186,8 @@ impl<'a> Galerkin<'a> {
         }
     }
 
-    /// The distance of two discs, the second reflected in the surface where it is an image: its plane
-    /// then goes up where the other goes down.
+    /// The distance of two discs, the second reflected in the surface where it is an image: its
+    /// plane then goes up where the other goes down.
     fn gap(&self, one: &Cover, other: &Cover, half: Half) -> f64 {
         let radii = one.radius + other.radius;
         let (ds, tau) = (one.centre[0] - other.centre[0], one.centre[1] - other.centre[1]);
@@ -321,7 +322,8 @@ impl<'a> Galerkin<'a> {
     }
 
     /// The block of two mouth edges: what Q(0, 0, τ) leaves, which is concentrated at τ = 0 in some
-    /// components and c_ij/τ in others, one integration by parts away from −c_ij ∂_ζ w_i ln|τ| w_j′.
+    /// components and c_ij/τ in others, one integration by parts away from −c_ij ∂_ζ w_i ln|τ|
+    /// w_j′.
     fn lines(&self, one: usize, other: usize) -> Block {
         let mut block = EMPTY;
         let Some(image) = self.image else { return block };

@@ -1,8 +1,8 @@
 //! Grid of cells on a crack.
 //!
-//! A block of cells about the middle, whose rows are parallel to the mouth, and a ring of cells from
-//! the block to the front, whose columns end at the front. Along a column the distance to the front
-//! is the square of the parameter, so that bilinear hats are linear in the square root of the
+//! A block of cells about the middle, whose rows are parallel to the mouth, and a ring of cells
+//! from the block to the front, whose columns end at the front. Along a column the distance to the
+//! front is the square of the parameter, so that bilinear hats are linear in the square root of the
 //! distance. Neither the mouth nor the middle holds a pole.
 
 use super::cell::Cell;
@@ -12,8 +12,8 @@ use std::f64::consts::PI;
 /// Number of cells of a crack.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub struct SpaceResolution {
-    /// Cells from the middle of the block to its sides. Along the front are 4 times as many, 8 times
-    /// where the front is closed.
+    /// Cells from the middle of the block to its sides. Along the front are 4 times as many, 8
+    /// times where the front is closed.
     pub block: usize,
     /// Cells from the block to the front.
     pub ring: usize,

@@ -13,9 +13,9 @@
 //!   Q(s, s′, τ) = ∫_s^∞ ∫_s′^∞ Δ
 //!
 //! is homogeneous of degree −1 and smooth but for s = s′ = τ = 0: a function of two variables,
-//! tabulated by piecewise polynomials. A straight dislocation at the mouth is free of stress, so that
-//! Q(0, 0, τ) = 0 for τ ≠ 0 in the components that are even in τ, where it concentrates at τ = 0; the
-//! odd ones leave c/τ.
+//! tabulated by piecewise polynomials. A straight dislocation at the mouth is free of stress, so
+//! that Q(0, 0, τ) = 0 for τ ≠ 0 in the components that are even in τ, where it concentrates at
+//! τ = 0; the odd ones leave c/τ.
 
 use super::plane::PlaneFrame;
 use crate::math::gauss_legendre;

@@ -104,7 +104,8 @@ mod tests {
         for a in 0..6 {
             for b in 0..6 {
                 let unit = |k: usize| std::array::from_fn(|i| f64::from(u8::from(i == k)));
-                // Work of the double force a on the strain of b: the stress is conjugate to C⁻¹ of the moment.
+                // Work of the double force a on the strain of b: the stress is conjugate to C⁻¹ of
+                // the moment.
                 let strained = |s: &Symmetric, m: &Symmetric| {
                     let trace = s[0] + s[1] + s[2];
                     let strain = |i: usize| {

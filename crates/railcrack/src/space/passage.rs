@@ -9,10 +9,10 @@ use rayon::prelude::*;
 /// Stress (MPa) of the uncracked rail at x, lateral and depth (mm).
 pub type StressAt<'a> = dyn Fn([f64; 3]) -> Symmetric + Sync + 'a;
 
-/// What acts on the rail with a crack: a wheel that passes, and a stress that stays.
+/// Load of the rail with a crack: a wheel that passes, and a stress that stays.
 pub struct SpaceLoad<'a> {
-    /// Stress (MPa) of the uncracked rail with the wheel at an abscissa (mm), at x, lateral and depth
-    /// (mm).
+    /// Stress (MPa) of the uncracked rail with the wheel at an abscissa (mm), at x, lateral and
+    /// depth (mm).
     pub wheel: &'a (dyn Fn(f64, [f64; 3]) -> Symmetric + Sync),
     /// The same without the wheel: residual, thermal.
     pub constant: Option<&'a StressAt<'a>>,

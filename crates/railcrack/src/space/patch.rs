@@ -143,13 +143,13 @@ pub(super) struct Cover {
     pub radius: f64,
 }
 
-/// Distance over size of two patches, and the points per direction that it takes; closer patches are
-/// divided.
+/// Distance over size of two patches, and the points per direction that it takes; closer patches
+/// are divided.
 const ORDERS: [(f64, usize); 4] = [(3.0, 2), (1.2, 3), (0.5, 4), (0.25, 6)];
 /// Divisions of a patch, at most.
 pub(super) const DIVISIONS: usize = 12;
-/// Sides of a patch, of two that touch along an edge and of two that touch at a corner may differ by
-/// these factors.
+/// Sides of a patch, of two that touch along an edge and of two that touch at a corner may differ
+/// by these factors.
 pub(super) const EDGE_RATIO: f64 = 2.0;
 pub(super) const CORNER_RATIO: f64 = 3.0;
 

@@ -7,7 +7,7 @@
 
 use super::nuclei::{image_stress, kelvin_stress, moment, traction};
 
-/// What surrounds a crack.
+/// The solid around a crack.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub enum Surroundings {
     /// The elastic full space.
@@ -83,7 +83,7 @@ mod tests {
     fn coplanar_jumps_in_the_full_space() {
         let (nu, ds, tau) = (0.3, 0.7, -0.4);
         let k = 1.0 / (4.0 * PI * (1.0 - nu));
-        let r = (ds * ds + tau * tau as f64).sqrt();
+        let r = (ds * ds + tau * tau).sqrt();
         let slip = |a: f64, b: f64, same: f64| {
             k * (-(1.0 - 2.0 * nu) * same / r.powi(3) - 3.0 * nu * a * b / r.powi(5))
         };

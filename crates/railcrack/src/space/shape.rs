@@ -20,8 +20,8 @@ pub enum Extent {
 /// A planar crack with a smooth front, star-shaped about the middle of its mouth or of itself.
 ///
 /// With φ the parametric angle, the front lies at ζ = ζ₀ + c g(φ) cos φ and s = s₀ + l g(φ) sin φ;
-/// φ runs from 0 at the end of larger ζ over 90° at the deepest point to 180°, and to 360° where the
-/// front is closed. g = 1 + Σ b_k cos kφ.
+/// φ runs from 0 at the end of larger ζ over 90° at the deepest point to 180°, and to 360° where
+/// the front is closed. g = 1 + Σ b_k cos kφ.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct SpaceCrack {
     /// Angle between the plane and +x on the way down, radians.
@@ -103,12 +103,12 @@ impl SpaceCrack {
         }
         for degrees in 0..360 {
             let value = self.radius_factor(f64::from(degrees).to_radians()) - 1.0;
-            if !(value.abs() < 0.5) {
+            if value.is_nan() || value.abs() >= 0.5 {
                 return Err(ShapeError::Deviation { value, degrees: f64::from(degrees) });
             }
             if let Extent::Buried { centre } = self.extent {
                 let reach = self.depth * (1.0 + value) * f64::from(degrees).to_radians().sin();
-                if !(centre + reach > 0.0) {
+                if (centre + reach).is_nan() || centre + reach <= 0.0 {
                     return Err(ShapeError::ReachesSurface { centre, depth: self.depth });
                 }
             }

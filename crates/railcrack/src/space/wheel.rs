@@ -1,8 +1,8 @@
 //! Stress of the half-space under an elliptical Hertz contact in full sliding.
 //!
-//! The point loads of Boussinesq and Cerruti (Johnson 1985, 3.2 and 3.6) are summed over the ellipse
-//! in polar coordinates (r, ψ) about the projection of the point on the surface, r = d sinh t with d
-//! its depth: the integrand stays smooth down to the surface.
+//! The point loads of Boussinesq and Cerruti (Johnson 1985, 3.2 and 3.6) are summed over the
+//! ellipse in polar coordinates (r, ψ) about the projection of the point on the surface, r = d sinh
+//! t with d its depth: the integrand stays smooth down to the surface.
 
 use super::nuclei::Symmetric;
 use crate::math::gauss_legendre;
@@ -79,7 +79,7 @@ impl EllipticWheel {
             let (qa, qb) = (cos * cos / (a * a) + sin * sin / (b * b), x * cos / (a * a) + y * sin / (b * b));
             let root = (qb * qb - qa * c).max(0.0).sqrt();
             let ends = if c < 0.0 { [0.0, (root - qb) / qa] } else { [(-qb - root) / qa, (-qb + root) / qa] };
-            if !(ends[1] > 0.0) {
+            if ends[1].is_nan() || ends[1] <= 0.0 {
                 continue;
             }
             let [from, to] = ends.map(|r| (r.max(0.0) / d).asinh());
@@ -143,7 +143,8 @@ impl EllipticWheel {
 /// Middle and half of the angle under which the ellipse is seen from a point outside.
 fn sector(x: f64, y: f64, a: f64, b: f64, c: f64) -> (f64, f64) {
     let (u, v) = (x / (a * a), y / (b * b));
-    // (x · direction)² − c |direction|² in the metric of the ellipse is a quadratic form, zero on the tangents.
+    // (x · direction)² − c |direction|² in the metric of the ellipse is a quadratic form, zero on
+    // the tangents.
     let (m, n, l) = (u * u - c / (a * a), u * v, v * v - c / (b * b));
     let (mean, difference) = (0.5 * (m + l), (0.5 * (m - l)).hypot(n));
     let axis = 0.5 * (2.0 * n).atan2(m - l);
@@ -213,9 +214,9 @@ mod tests {
                 let stress = wheel(5.0 * aspect, 0.0, 0.0).stress(0.0, [0.0, 0.0, z], NU);
                 let m = (25.0 + z * z).sqrt();
                 let (xx, zz) = (-200.0 * ((25.0 + 2.0 * z * z) / m - 2.0 * z), -5000.0 / m);
-                assert!(
-                    (stress[2] - zz).abs() < allowed * 1000.0 && (stress[0] - xx).abs() < allowed * 1000.0
-                );
+                let off = (stress[2] - zz).abs().max((stress[0] - xx).abs()) / 1000.0;
+                eprintln!("XX {aspect} {z} {off}");
+                assert!(off < allowed, "aspect {aspect}, depth {z} mm: {off} p0");
             }
         }
     }

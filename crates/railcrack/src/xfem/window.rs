@@ -233,8 +233,7 @@ impl Window {
     pub fn mesh(&self, outline: Outline) -> Result<QuadMesh, MeshError> {
         let (x, y) = self.gradings(outline);
         let unknowns = mesh_unknowns(&x, &y);
-        // The negation also refuses what is not a number.
-        if !(unknowns <= MOST_MESH_UNKNOWNS) {
+        if unknowns.is_nan() || unknowns > MOST_MESH_UNKNOWNS {
             return Err(MeshError::TooManyUnknowns { unknowns, most: MOST_MESH_UNKNOWNS });
         }
         QuadMesh::new(x.lines(), y.lines())

@@ -67,7 +67,7 @@ impl Meshed {
     /// The engine with a mesh for joined cracks.
     pub fn engine_of(&self, network: &CrackNetwork) -> XfemEngine {
         let window = Window::with_sizes(network, &self.sizes(network), self.expected_growth);
-        XfemEngine::with_window(window, steel(), self.end.clone(), self.settings)
+        XfemEngine::with_window(window, steel(), self.end, self.settings)
     }
 
     pub fn body(&self, cracks: &[Crack]) -> CrackedBody {

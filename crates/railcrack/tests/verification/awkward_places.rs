@@ -6,7 +6,8 @@ use railcrack::contact::{FaceProblem, Newton};
 use railcrack::crack::Crack;
 use railcrack::dislocation::FaceResolution;
 
-/// K of all tips at the output positions, fewer for several cracks, with `elements` along each crack, and the remarks.
+/// K of all tips at the output positions, fewer for several cracks, with `elements` along each
+/// crack, and the remarks.
 fn sifs(cracks: &[Crack], elements: usize, friction: f64, wheel: f64) -> (Vec<f64>, Vec<String>) {
     let mut rolling = Rolling::over(cracks.to_vec(), friction, wheel);
     if cracks.len() > 1 {

@@ -84,8 +84,8 @@ fn against_a_finer_mesh() {
     );
 }
 
-/// The largest K_I lies where a face point changes its status, between output positions: a run has it
-/// as eight times as many positions have it, in the other engine.
+/// The largest K_I lies where a face point changes its status, between output positions: a run has
+/// it as eight times as many positions have it, in the other engine.
 #[test]
 fn ranges_between_output_positions() {
     let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../cases/junction.toml");

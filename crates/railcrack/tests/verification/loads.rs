@@ -1,4 +1,5 @@
-//! Partial slip, tables, bending and cold: histories against closed forms and prototypes, and the engines against each other.
+//! Partial slip, tables, bending and cold: histories against closed forms and prototypes, and the
+//! engines against each other.
 
 use crate::common::{
     Absolute, Meshed, Of, Relative, body, close, default_elements, largest, open_sifs, steel, surface_crack,
@@ -244,13 +245,12 @@ fn a_winter_rail_breaks() {
     let wheel = Wheels::on_track(hertz(0.025), track()).unwrap();
     let mut problem = GrowthProblem::new(engine, wheel, vec![0.5]);
     problem.residual = Some(Box::new(winter()));
-    let at = |toughness: f64| GrowthSettings {
+    problem.growth = GrowthSettings {
         steps: 30,
         increment: 0.2,
-        toughness: Some(toughness * MPA_SQRT_MM),
+        toughness: Some(20.0 * MPA_SQRT_MM),
         ..GrowthSettings::default()
     };
-    problem.growth = at(20.0);
     let mut growth = Growth::new(problem, GrowthState::initial(&crack.into()));
     let mut last = None;
     while let Some(record) = growth.next_step(&Unobserved).unwrap() {

@@ -19,8 +19,9 @@ use std::path::PathBuf;
 
 /// Compute the runs of a study: a case file with lists in place of values
 ///
-/// Every run has a run folder of its own; summary.csv has a row per run, plots/ and report.html show all runs together. Runs are computed on all
-/// cores; a run that fails is reported, and the others go on. An interrupted study keeps what was computed.
+/// Every run has a run folder of its own; summary.csv has a row per run, plots/ and report.html
+/// show all runs together. Runs are computed on all cores; a run that fails is reported, and the
+/// others go on. An interrupted study keeps what was computed.
 #[derive(Debug, Args)]
 pub struct SweepArguments {
     /// The study file
@@ -29,7 +30,8 @@ pub struct SweepArguments {
     /// The folder of the study [default: the study's name beside it]
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
-    /// Compute runs I, I + N, I + 2 N, … only; other processes compute the others, into the same folder or others
+    /// Compute runs I, I + N, I + 2 N, … only; other processes compute the others, into the same
+    /// folder or others
     #[arg(long, value_name = "I/N")]
     shard: Option<Shard>,
     /// Engine in place of the study's: xfem or dislocation

@@ -11,7 +11,8 @@ pub struct Shard {
 }
 
 impl Shard {
-    /// Whether run `number` (from 1) belongs to this part: those of part I of N are I, I + N, I + 2 N, ….
+    /// Whether run `number` (from 1) belongs to this part: those of part I of N are I, I + N, I + 2
+    /// N, ….
     pub fn has(self, number: usize) -> bool {
         number % self.count == self.index % self.count
     }

@@ -61,7 +61,8 @@ fn ellipses_in_tension() {
     }
 }
 
-/// Newman & Raju (1981) for a deep semi-ellipse a/c ≤ 1 in a half-space under tension, over σ √(πa).
+/// Newman & Raju (1981) for a deep semi-ellipse a/c ≤ 1 in a half-space under tension, over σ
+/// √(πa).
 fn newman_raju(aspect: f64, phi: f64) -> f64 {
     let q = (1.0 + 1.464 * aspect.powf(1.65)).sqrt();
     let f = (aspect * aspect * phi.cos().powi(2) + phi.sin().powi(2)).powf(0.25);

@@ -10,13 +10,15 @@ mod wide;
 use crate::common::steel;
 use railcrack::space::{FrontSif, SpaceBody, SpaceCrack, SpaceResolution, Surroundings, Symmetric};
 
-/// The body with `crack`, `cells` from the middle to the sides of its block and as many in its ring.
+/// The body with `crack`, `cells` from the middle to the sides of its block and as many in its
+/// ring.
 fn body(crack: &SpaceCrack, surroundings: Surroundings, cells: usize) -> SpaceBody {
     let resolution = SpaceResolution { block: cells, ring: cells };
     SpaceBody::new(crack, &steel(), surroundings, resolution).unwrap()
 }
 
-/// The uniform stress with the tractions `normal`, `dip` and `trace` on a plane of the angle `degrees`.
+/// The uniform stress with the tractions `normal`, `dip` and `trace` on a plane of the angle
+/// `degrees`.
 fn stress(degrees: f64, [normal, dip, trace]: [f64; 3]) -> Symmetric {
     let (sin, cos) = degrees.to_radians().sin_cos();
     let (n, s) = ([sin, 0.0, -cos], [cos, 0.0, sin]);

@@ -11,7 +11,8 @@ use railcrack::space::{
 
 /// Half the length of the mouth over the depth along the dip.
 const WIDTH: f64 = 6.0;
-/// `allowed`: of the peak. The flap above a shallow crack bends; 4 cells in depth resolve it roughly.
+/// `allowed`: of the peak. The flap above a shallow crack bends; 4 cells in depth resolve it
+/// roughly.
 fn agrees(degrees: f64, allowed: f64) {
     let length = 6.0;
     let crack = SpaceCrack::surface_breaking(degrees.to_radians(), WIDTH * length, length).unwrap();

@@ -24,7 +24,7 @@ struct Outcome {
     error: f64,
     /// The lowest K_I of the finite elements, over the largest K.
     lowest: f64,
-    /// What the engines say of their accuracy.
+    /// Remarks of the engines on their accuracy.
     remarks: Vec<String>,
 }
 
