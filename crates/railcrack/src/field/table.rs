@@ -13,7 +13,8 @@ use std::f64::consts::PI;
 /// Φ(z) = (i/2π) ∫ (p + i q)/(z − t) dt and, above the surface, the same with z̄ (Muskhelishvili,
 /// § 93): with P and Q the transforms of p and q,
 ///
-/// σ_xx + σ_yy = −(2/π)(Im P + Re Q),  σ_yy = (−Im P + y (Re P′ − Im Q′))/π,  σ_xy = (Im Q + y (Im P′ + Re Q′))/π.
+/// σ_xx + σ_yy = −(2/π)(Im P + Re Q),  σ_yy = (−Im P + y (Re P′ − Im Q′))/π,
+/// σ_xy = (Im Q + y (Im P′ + Re Q′))/π.
 ///
 /// The sums over the rows are made fast by series, which cost the accuracy that
 /// [`TableWheel::summation_error`] measures.

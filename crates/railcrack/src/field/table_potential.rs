@@ -56,7 +56,8 @@ struct Cell {
 
 /// Tractions p and q on [−1, 1], linear between nodes and zero outside, as their transforms
 ///
-/// P = Σ Δ_j (z − t_j) ln(z − t_j),  P′ = Σ Δ_j ln(z − t_j),  ∫ P dz = Σ Δ_j (z − t_j)² (ln(z − t_j)/2 − 1/4)
+/// P = Σ Δ_j (z − t_j) ln(z − t_j),  P′ = Σ Δ_j ln(z − t_j),
+/// ∫ P dz = Σ Δ_j (z − t_j)² (ln(z − t_j)/2 − 1/4)
 ///
 /// with Δ_j the jumps of slope at the nodes and −π ≤ arg ≤ 0: the sums over segments v
 /// ln((z − t_j)/(z − t_(j+1))) − s L, by parts. Close to the table, nodes far from a cell of the

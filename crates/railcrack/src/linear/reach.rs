@@ -14,7 +14,7 @@ pub struct SparseColumn {
     pub entries: Vec<(usize, f64)>,
 }
 
-/// W = L⁻¹ P b of up to [`PANEL_COLUMNS`] columns side by side, stored where one of them is not
+/// W = L⁻¹ P b of up to `PANEL_COLUMNS` columns side by side, stored where one of them is not
 /// zero: on the supernodes between those of their b and the root of the elimination tree.
 ///
 /// The bits of a column depend on the factor and on its b alone. It is valid with the factor that
@@ -59,7 +59,7 @@ impl ReachedPanel {
 
 impl SparseFactor {
     /// W = L⁻¹ P b of every column, so that W_iᵀ W_j = b_iᵀ K⁻¹ b_j: successive panels of
-    /// [`PANEL_COLUMNS`] columns. Columns that begin near each other in the elimination tree should
+    /// `PANEL_COLUMNS` columns. Columns that begin near each other in the elimination tree should
     /// be neighbours.
     ///
     /// Errors: an unknown that does not exist.

@@ -36,7 +36,8 @@ impl HertzEllipse {
     /// With m ≥ n the semi-axes, k = n/m, e² = 1 − k², K and E the complete elliptic integrals of
     /// modulus e and D = (K − E)/e², the curvatures along the major and the minor axis are
     ///
-    /// 1/R_m = (p0/E*) (2 n/m²) D,  1/R_n = (p0/E*) (2 n/m²) (K − D)/k²,  p0 = 3 P/(2π m n),  E* = E/(2 (1 − ν²)):
+    /// 1/R_m = (p0/E*) (2 n/m²) D,  1/R_n = (p0/E*) (2 n/m²) (K − D)/k²,
+    /// p0 = 3 P/(2π m n),  E* = E/(2 (1 − ν²)):
     ///
     /// their ratio gives k, and the load the size. Source: Johnson, Contact Mechanics, 4.26–4.32.
     ///

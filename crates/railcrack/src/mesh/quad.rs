@@ -51,7 +51,7 @@ pub struct QuadMesh {
 /// One rectangle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Element {
-    /// Its nodes, in the order of [`super::shape_functions`].
+    /// Its nodes, in the order of the shape functions.
     pub nodes: [usize; NODES],
     /// Lower left corner, mm.
     pub lower: Vec2,

@@ -83,7 +83,7 @@ mod tests {
     fn coplanar_jumps_in_the_full_space() {
         let (nu, ds, tau) = (0.3, 0.7, -0.4);
         let k = 1.0 / (4.0 * PI * (1.0 - nu));
-        let r = (ds * ds + tau * tau).sqrt();
+        let r = f64::hypot(ds, tau);
         let slip = |a: f64, b: f64, same: f64| {
             k * (-(1.0 - 2.0 * nu) * same / r.powi(3) - 3.0 * nu * a * b / r.powi(5))
         };

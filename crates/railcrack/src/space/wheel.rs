@@ -207,15 +207,15 @@ mod tests {
 
     #[test]
     fn slender_ellipses_press_as_a_line() {
-        // σ_zz and σ_xx below the middle of the line contact (Johnson 1985, 4.49); the ellipse of
-        // aspect n differs as n⁻² ln n.
-        for (aspect, allowed) in [(10.0f64, 0.02), (40.0, 0.002)] {
+        // σ_zz and σ_xx below the middle of the line contact (Johnson 1985, 4.49). σ_xx of an ellipse
+        // of aspect n differs most at the surface, by (1 − 2ν) p0/(1 + n) (Johnson 1985, 3.64).
+        for aspect in [10.0f64, 40.0] {
+            let allowed = 1.01 * (1.0 - 2.0 * NU) / (1.0 + aspect);
             for z in [1.0f64, 5.0, 12.0] {
                 let stress = wheel(5.0 * aspect, 0.0, 0.0).stress(0.0, [0.0, 0.0, z], NU);
                 let m = (25.0 + z * z).sqrt();
                 let (xx, zz) = (-200.0 * ((25.0 + 2.0 * z * z) / m - 2.0 * z), -5000.0 / m);
                 let off = (stress[2] - zz).abs().max((stress[0] - xx).abs()) / 1000.0;
-                eprintln!("XX {aspect} {z} {off}");
                 assert!(off < allowed, "aspect {aspect}, depth {z} mm: {off} p0");
             }
         }

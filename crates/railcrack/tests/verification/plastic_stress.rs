@@ -17,7 +17,9 @@ const LAYERS: &str = "depth_mm,sxx_mpa\n0,25\n0.3,25\n0.8,-110\n2,-110\n3,50\n4.
 
 /// The crack of 6 mm at 15° under a wheel, with further `sections` of a case file.
 fn case(engine: &str, pressure: f64, friction: f64, sections: &str) -> Case {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("plastic-layers");
+    // A folder for each test: one must not read the file that another one is writing.
+    let test = format!("plastic-layers-{:?}", std::thread::current().id());
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(test);
     std::fs::create_dir_all(&folder).unwrap();
     std::fs::write(folder.join(format!("{engine}.csv")), LAYERS).unwrap();
     let text = format!(
