@@ -12,12 +12,13 @@ use std::path::Path;
 
 /// Reads the grid in the file `path`: files of this library and of other programs. Numbers may be
 /// decimal, in base64 or appended (raw or in base64), of any type and byte order, compressed by
-/// zlib or not; cells are those of [`CellShape`](railcrack::mesh::CellShape); arrays of strings are ignored. Values of data are
-/// returned as they are, finite or not: see [`Array::finite`].
+/// zlib or not; cells are those of [`CellShape`](railcrack::mesh::CellShape); arrays of strings are
+/// ignored. Values of data are returned as they are, finite or not: see [`Array::finite`].
 ///
 /// Errors: the system refuses; not such a file, or one of several pieces, with cells that have no
-/// [`CellShape`](railcrack::mesh::CellShape) or with another compression; an array that ends early, is too long or holds no
-/// numbers; a point off the plane z = 0; a cell with a point that does not exist.
+/// [`CellShape`](railcrack::mesh::CellShape) or with another compression; an array that ends early,
+/// is too long or holds no numbers; a point off the plane z = 0; a cell with a point that does not
+/// exist.
 pub fn read_vtu(path: &Path) -> Result<UnstructuredGrid, VtuError> {
     let bytes = std::fs::read(path).map_err(|reason| VtuError::Io {
         action: "read",

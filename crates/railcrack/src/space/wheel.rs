@@ -207,8 +207,9 @@ mod tests {
 
     #[test]
     fn slender_ellipses_press_as_a_line() {
-        // σ_zz and σ_xx below the middle of the line contact (Johnson 1985, 4.49). σ_xx of an ellipse
-        // of aspect n differs most at the surface, by (1 − 2ν) p0/(1 + n) (Johnson 1985, 3.64).
+        // σ_zz and σ_xx below the middle of the line contact (Johnson 1985, 4.49). σ_xx of an
+        // ellipse of aspect n differs most at the surface, by (1 − 2ν) p0/(1 + n) (Johnson 1985,
+        // 3.64).
         for aspect in [10.0f64, 40.0] {
             let allowed = 1.01 * (1.0 - 2.0 * NU) / (1.0 + aspect);
             for z in [1.0f64, 5.0, 12.0] {
