@@ -47,8 +47,8 @@ macro_rules! words {
 words! {
     Engine: Self::Xfem, Self::Dislocation;
     ContactSolver: Self::Newton, Self::Latin;
-    TipStop: Self::Arrest, Self::BreakOut, Self::Coalescence, Self::LeavesRail;
-    RunStop: Self::StepsDone, Self::Cycles, Self::CriticalLength, Self::Detached,
+    TipStop: Self::Arrest, Self::BreakOut, Self::Coalescence, Self::LeavesRail, Self::Fracture;
+    RunStop: Self::StepsDone, Self::Cycles, Self::CriticalLength, Self::Detached, Self::Fracture,
         Self::NoTipGrows(TipStop::Arrest), Self::NoTipGrows(TipStop::BreakOut),
         Self::NoTipGrows(TipStop::Coalescence), Self::NoTipGrows(TipStop::LeavesRail);
     PieceKind: Self::Spall, Self::Detached;
@@ -131,5 +131,19 @@ pub(crate) mod optional {
         W::of_word(&word)
             .map(Some)
             .ok_or_else(|| D::Error::custom(format!("\"{word}\" is not {}", W::accepted())))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_stop_of_a_tip_reads_back() {
+        for stop in TipStop::ALL {
+            assert_eq!(TipStop::of_word(stop.word()), Some(*stop));
+        }
+        assert_eq!(TipStop::of_word("fracture"), Some(TipStop::Fracture));
+        assert_eq!(RunStop::of_word("fracture"), Some(RunStop::Fracture));
     }
 }
