@@ -16,7 +16,7 @@ pub use case::{
     CarriedStress, CarriedStressError, Case, Overrides, PreparedRun, Projection, RailKey, Release, RunSize,
     SharedRail, SharedRailError,
 };
-pub use files::{Companion, FieldFile, ProfileFile};
+pub use files::{CaseFile, Companion, FieldFile, ProfileFile};
 pub use schema::{
     Availability, CaseError, CaseErrors, Choice, Form, Key, Kind, NumberRange, OnlyWith, Pair, Presence,
     Preset, RangeEnd, Section, SectionPresence, Value, Word,
@@ -24,5 +24,5 @@ pub use schema::{
 pub use study::{Axis, Input, Study, StudyRun, Variation, study_schema};
 pub use tables::{
     Combine, ContactSolver, Engine, FieldOutput, MeshSettings, PlasticSource, Rail, SECTIONS, STUDY,
-    ShakedownSettings, boundary_name, init_text, json_schema, markdown,
+    ShakedownSettings, init_text, json_schema, markdown,
 };

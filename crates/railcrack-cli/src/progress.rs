@@ -4,6 +4,7 @@ use crate::display::{Display, Verbosity, styled_bar};
 use crate::interruption::Interruption;
 use indicatif::ProgressBar;
 use railcrack::growth::{StepRecord, TipRecord, TipStop};
+use railcrack::words::Choice;
 use railcrack_run::simulation::RunObserver;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
@@ -115,7 +116,7 @@ fn events(record: &StepRecord) -> Vec<String> {
         .filter(joins)
         .map(|tip| format!("crack {} tip {} joins a crack", tip.tip.crack + 1, tip.tip.tip + 1));
     let enclosed = record.pieces.iter().map(|piece| {
-        format!("{} at crack {}, {:.3} mm\u{b2}", piece.kind.name(), piece.crack + 1, piece.area)
+        format!("{} at crack {}, {:.3} mm\u{b2}", piece.kind.word(), piece.crack + 1, piece.area)
     });
     joined.chain(enclosed).collect()
 }

@@ -6,6 +6,7 @@ use super::rolled::ROLLED_CLAIMS;
 use super::verdict::MAIN;
 use super::{FIGURES, Results, SETUPS, Verdict};
 use railcrack::shakedown::RailState;
+use railcrack::words::Choice;
 use railcrack_run::VERSION;
 
 /// The columns of `claims.csv`.
@@ -268,7 +269,7 @@ paper might have used, beside the two readings of the figure.
     .to_owned();
     for profile in profiles {
         let (depth, stress) = profile.extreme();
-        let state = profile.state.map_or("", RailState::name);
+        let state = profile.state.map_or("", RailState::word);
         let depth = if stress == 0.0 { String::new() } else { rounded(depth) };
         text.push_str(&format!("| {} | {state} | {} | {depth} |\n", profile.name, rounded(stress)));
     }

@@ -123,7 +123,7 @@ fn stress_profiles(
 ) -> Result<Vec<StressProfile>, PaperError> {
     let case = Case::parse(FIG_22.text, FIG_22.name, &folder.join("cases"))?;
     let Some(given) = &case.residual_stress else { return Ok(Vec::new()) };
-    Ok(profiles(given.profile(), rolled))
+    Ok(profiles(given.content(), rolled))
 }
 
 fn write_figures(

@@ -2,25 +2,8 @@
 
 use super::markup::{Piece, pieces};
 use railcrack_vtu::base64;
+pub(crate) use railcrack_vtu::escaped;
 use serde_json::Value;
-
-/// `text` as the content of an element or the value of a quoted attribute.
-pub(crate) fn escaped(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for letter in text.chars() {
-        match letter {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            '\'' => out.push_str("&#39;"),
-            // HTML has no place for them.
-            control if control.is_control() && control != '\n' => out.push(' '),
-            other => out.push(other),
-        }
-    }
-    out
-}
 
 /// [`escaped`], with the index of `K_{I}` lowered and the power of `10^{6}` raised.
 pub(crate) fn typeset(text: &str) -> String {

@@ -56,7 +56,6 @@ pub use study::StudyFolder;
 pub use summary::{CrackSummary, JunctionSummary, PhaseSeconds, PieceSummary, Summary, TipSummary};
 pub use tables::table_descriptions;
 pub use verify::{Verification, verify};
-pub use words::Word;
 
 /// Version of the program that writes the files.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");

@@ -15,4 +15,4 @@ mod write;
 pub use error::VtuError;
 pub use pvd::{Snapshot, pvd_text, write_pvd};
 pub use read::{read_vtu, read_vtu_bytes};
-pub use write::{vtu_text, write_vtu};
+pub use write::{escaped, vtu_text, write_vtu};

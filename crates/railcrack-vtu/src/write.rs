@@ -111,16 +111,18 @@ fn binary_array(text: &mut Vec<u8>, attributes: &str, bytes: &[u8]) {
     line(text, "\n</DataArray>");
 }
 
-/// `name` as the value of an attribute.
-pub(super) fn escaped(name: &str) -> String {
-    let mut out = String::with_capacity(name.len());
-    for letter in name.chars() {
+/// `text` as the content of an element or the value of a quoted attribute, in XML and in HTML.
+pub fn escaped(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for letter in text.chars() {
         match letter {
             '&' => out.push_str("&amp;"),
             '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
             '"' => out.push_str("&quot;"),
-            // XML has no place for control characters.
-            control if control.is_control() => out.push(' '),
+            '\'' => out.push_str("&#39;"),
+            // Neither has a place for them.
+            control if control.is_control() && control != '\n' => out.push(' '),
             other => out.push(other),
         }
     }

@@ -13,7 +13,8 @@ use railcrack::growth::{PassageSettings, RailLoad, Unobserved, stabilised_passag
 use railcrack::linear::SparseCholesky;
 use railcrack::load::HertzianContact;
 use railcrack::material::IsotropicElastic;
-use railcrack::xfem::{MeshSettings, Outline, RailEnd, Window, XfemEngine, XfemSettings, cracked_body};
+use railcrack::math::RailBox;
+use railcrack::xfem::{MeshSettings, RailEnd, Window, XfemEngine, XfemSettings, cracked_body};
 use std::error::Error;
 use std::sync::Arc;
 use std::time::Instant;
@@ -42,7 +43,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let settings = MeshSettings { element_size: size, expected_growth: 1.04f64.powi(STEPS as i32) };
     let first: CrackNetwork = crack.clone().into();
     let window = Window::new(&first, settings);
-    let outline = Outline { left: -3000.0, right: 3000.0, depth: 3000.0 };
+    let outline = RailBox { width: 6000.0, depth: 3000.0, centre: 0.0 };
 
     let (mesh_ms, mesh) = timed(|| window.mesh(outline));
     let mesh = mesh?;

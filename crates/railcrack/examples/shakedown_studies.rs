@@ -8,6 +8,7 @@ use railcrack::material::{IsotropicElastic, KinematicHardening};
 use railcrack::shakedown::{
     Method, Resolution, RolledRail, Stabilisation, StabilisedRail, Travel, stabilise,
 };
+use railcrack::words::Choice;
 use std::time::Instant;
 
 /// Peak pressure (MPa), friction and hardening modulus (MPa) for σ_y = 500 MPa.
@@ -33,7 +34,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let (direct, less) = solve(case, Resolution::default(), Method::Direct, 500)?;
         println!(
             "{case:?} {}: {} passages, {} redistributions, {seconds:.2} s; direct {}, {less:.2} s, {:.0} of {:.0} MPa apart",
-            passes.state.name(),
+            passes.state.word(),
             passes.passes.len(),
             passes.iterations(),
             direct.iterations(),

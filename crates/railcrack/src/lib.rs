@@ -62,4 +62,5 @@ pub mod residual;
 pub mod shakedown;
 pub mod space;
 pub mod validity;
+pub mod words;
 pub mod xfem;

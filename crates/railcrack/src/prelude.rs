@@ -10,13 +10,13 @@ pub use crate::field::{
 };
 pub use crate::fracture::{Sif, SifHistory};
 pub use crate::growth::{
-    Growth, GrowthProblem, GrowthSettings, GrowthState, Observer, PassageSettings, RailBox, RailLoad,
-    RunStop, TipStop, Unobserved, stabilised_passage,
+    Growth, GrowthProblem, GrowthSettings, GrowthState, Observer, PassageSettings, RailLoad, RunStop,
+    TipStop, Unobserved, stabilised_passage,
 };
 pub use crate::load::{
     Axle, CarterContact, HertzEllipse, HertzianContact, NamedSection, Passage, RailSection, TableContact,
     Temperature, Track, Travel, WheelOnRail,
 };
 pub use crate::material::IsotropicElastic;
-pub use crate::math::{Stress, Vec2};
+pub use crate::math::{RailBox, Stress, Vec2};
 pub use crate::xfem::{MeshSettings, RailEnd, XfemEngine, XfemSettings};

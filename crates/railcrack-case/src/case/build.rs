@@ -49,7 +49,7 @@ pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) 
     let growth = sections.one(&GROWTH).and_then(|s| read_growth(s, report));
     let (placed, rail) = (placed?, rail?);
     // A stored case says where the middle of the rail was.
-    sections.settle(&RAIL, CENTRE, Value::Number(rail.centre));
+    sections.settle(&RAIL, CENTRE, Value::Number(rail.extent.centre));
     let solver = sections.one(&SOLVER)?;
     let case = Case {
         title: sections.one(&TOP)?.get(TITLE)?,
@@ -92,10 +92,10 @@ fn check_block(
         report.add(solver.fault(ENGINE, says).help(help));
     }
     let (Some((contact, passage)), Some(section)) = (wheel, sections.one(&PASSAGE)) else { return };
-    let reach = 0.5 * rail.width - (1.0 + SIDE_GAP) * contact.half_width;
-    let (left, right) = (rail.centre - reach, rail.centre + reach);
+    let reach = 0.5 * rail.extent.width - (1.0 + SIDE_GAP) * contact.half_width;
+    let (left, right) = (rail.extent.centre - reach, rail.extent.centre + reach);
     for (key, at) in [(FROM, passage.from), (TO, passage.to)] {
-        if (at - rail.centre).abs() > reach {
+        if (at - rail.extent.centre).abs() > reach {
             let says = format!(
                 "puts the wheel at x = {at} mm; on the top of the block it can be from {left} to {right} mm"
             );

@@ -8,7 +8,7 @@ use railcrack::bulk::{
 use railcrack::field::{DepthProfile, StressField, Sum};
 use railcrack::math::{Stress, Vec2};
 use railcrack::residual::{
-    BalancedStress, PlasticField, PlasticFieldError, ProjectionLoss, RailPart, RecoveryLoss, projection_loss,
+    BalancedStress, PlasticField, PlasticFieldError, ProjectionLoss, RecoveryLoss, projection_loss,
 };
 use railcrack::xfem::{XfemEngine, XfemError};
 use std::sync::Arc;
@@ -95,8 +95,8 @@ impl Case {
     ) -> Result<Option<PlasticField>, CarriedStressError> {
         Ok(match &self.plastic_stress {
             None => None,
-            Some(PlasticSource::Field(file)) => Some(file.field().clone()),
-            Some(PlasticSource::Profile(file)) => Some(PlasticField::layers(file.profile())?),
+            Some(PlasticSource::Field(file)) => Some(file.content().clone()),
+            Some(PlasticSource::Profile(file)) => Some(PlasticField::layers(file.content())?),
             Some(PlasticSource::Rolled) => Some(rolled.ok_or(CarriedStressError::NotRolled)?.clone()),
         })
     }
@@ -120,7 +120,7 @@ impl Case {
             _ => None,
         };
         for file in self.residual_stress.iter().chain(initial) {
-            let profile = file.profile();
+            let profile = file.content();
             depths.extend(profile.rows().iter().map(|row| row.0));
             if free_sides {
                 release = Some(self.release_of_profile(engine.background(&self.cracks)?, profile)?);
@@ -131,15 +131,10 @@ impl Case {
         if let Some(plastic) = plastic {
             let rail = Arc::clone(engine.background(&self.cracks)?);
             let balanced = BalancedStress::new(&rail, |point| plastic.plastic_stress(point))?;
-            depths.extend(balanced.depths().iter().filter(|depth| **depth <= self.rail.depth));
-            let part = RailPart {
-                centre: self.rail.centre,
-                half_width: 0.5 * self.rail.width,
-                depth: self.rail.depth,
-            };
+            depths.extend(balanced.depths().iter().filter(|depth| **depth <= self.rail.extent.depth));
             projection = Some(Projection {
                 recovery: plastic.recovery_loss(),
-                loss: projection_loss(&rail, plastic, part),
+                loss: projection_loss(&rail, plastic, self.rail.extent),
                 extent: plastic.extent(),
             });
             if free_sides {
@@ -163,8 +158,8 @@ impl Case {
         let points: Vec<Vec2> = profile
             .rows()
             .iter()
-            .map(|row| Vec2::new(self.rail.centre, -row.0))
-            .filter(|p| -p.y <= self.rail.depth)
+            .map(|row| Vec2::new(self.rail.extent.centre, -row.0))
+            .filter(|p| -p.y <= self.rail.extent.depth)
             .collect();
         let released = StressAtPoints::new(rail, &points)?.stress(&displacements[0]);
         let of = |(point, released): (&Vec2, &Stress)| {
@@ -189,7 +184,7 @@ impl Case {
         let rollers = BulkRail::new(rail.mesh().clone(), rail.steel(), boundary)?;
         let held = BalancedStress::new(&rollers, |point| plastic.plastic_stress(point))?;
         Ok(largest(balanced.depths().iter().map(|&depth| {
-            let point = Vec2::new(self.rail.centre, -depth);
+            let point = Vec2::new(self.rail.extent.centre, -depth);
             let (held, free) = (held.stress(point).xx, balanced.stress(point).xx);
             Release { depth, held, free, carried: true }
         })))

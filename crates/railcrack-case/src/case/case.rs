@@ -62,7 +62,7 @@ impl Case {
             hardening: self.shakedown.hardening,
             contact: self.contact,
             travel: if passage.from < passage.to { Travel::Forward } else { Travel::Backward },
-            initial: self.shakedown.initial_residual.as_ref().map(|file| file.profile().clone()),
+            initial: self.shakedown.initial_residual.as_ref().map(|file| file.content().clone()),
         }
     }
 

@@ -207,16 +207,17 @@ pub(super) fn check_fit(
 /// Why a crack does not fit, and the key to blame.
 fn misfit(crack: &Crack, rail: &Rail) -> Option<(String, Row<f64>)> {
     let length = crack.length();
-    if length > rail.width {
-        let message = format!("a crack of {length} mm is longer than the rail, width_mm = {}", rail.width);
+    if length > rail.extent.width {
+        let message =
+            format!("a crack of {length} mm is longer than the rail, width_mm = {}", rail.extent.width);
         return Some((message, LENGTH));
     }
-    let (left, right) = rail.ends();
+    let (left, right) = rail.extent.ends();
     for point in crack.points() {
-        if point.y <= -rail.depth {
+        if point.y <= -rail.extent.depth {
             let message = format!(
                 "the crack leaves the rail at depth {} mm, the rail ends at depth {} mm",
-                -point.y, rail.depth
+                -point.y, rail.extent.depth
             );
             return Some((message, LENGTH));
         }

@@ -9,10 +9,10 @@ use railcrack::bulk::Boundary;
 use railcrack::contact::{self, Latin, Newton};
 use railcrack::dislocation::{DislocationEngine, FaceResolution};
 use railcrack::field::HertzWheel;
-use railcrack::growth::{FieldSettings, Growth, GrowthProblem, GrowthState, RailBox};
+use railcrack::growth::{FieldSettings, Growth, GrowthProblem, GrowthState};
 use railcrack::residual::PlasticField;
 use railcrack::xfem::{
-    EnrichmentRadius, Layers, Outline, RailEnd, Window, XfemEngine, XfemSettings, default_element_sizes,
+    EnrichmentRadius, Layers, RailEnd, Window, XfemEngine, XfemSettings, default_element_sizes,
 };
 use std::num::NonZeroUsize;
 
@@ -61,16 +61,8 @@ impl Case {
             ..defaults
         };
         let end = match self.rail.boundary {
-            Boundary::HalfPlane => RailEnd::HalfPlane { centre: self.rail.centre },
-            Boundary::Block { bottom, sides } => RailEnd::Block {
-                outline: Outline {
-                    left: self.rail.centre - 0.5 * self.rail.width,
-                    right: self.rail.centre + 0.5 * self.rail.width,
-                    depth: self.rail.depth,
-                },
-                bottom,
-                sides,
-            },
+            Boundary::HalfPlane => RailEnd::HalfPlane { centre: self.rail.extent.centre },
+            Boundary::Block { bottom, sides } => RailEnd::Block { extent: self.rail.extent, bottom, sides },
         };
         XfemEngine::with_window(window, self.steel, end, settings)
     }
@@ -157,7 +149,7 @@ impl PreparedRun<'_> {
             passages: case.passages,
             fields: case.field_settings(),
             growth: case.growth,
-            rail: RailBox { width: case.rail.width, depth: case.rail.depth, centre: case.rail.centre },
+            rail: case.rail.extent,
         };
         let state = state.unwrap_or_else(|| GrowthState::initial(&case.cracks));
         Growth::new(problem, state)

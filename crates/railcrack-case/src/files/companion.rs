@@ -1,6 +1,8 @@
-//! Files beside a stored case.
+//! Files that a case names, and how they are kept beside a stored case.
 
 use crate::schema::{Kind, Row};
+use railcrack::field::DepthProfile;
+use railcrack::residual::PlasticField;
 
 /// A file that belongs beside the text of [`Case::to_toml`](crate::Case::to_toml), under the name
 /// by which that text calls it.
@@ -12,13 +14,60 @@ pub struct Companion<'a> {
     pub text: &'a str,
 }
 
-/// Help where a file cannot be found.
-pub(super) const RELATIVE: &str = "file names are relative to the folder of the case file";
+/// A file that a case names. Two are equal when their texts are.
+#[derive(Debug, Clone)]
+pub struct CaseFile<T> {
+    given: String,
+    kept_as: &'static str,
+    text: String,
+    content: T,
+}
 
-/// The name of the file of a key beside a stored case.
-pub(super) fn kept_as(row: Row<String>) -> &'static str {
-    match row.key.kind {
-        Kind::Path { kept_as } => kept_as,
-        _ => row.key.name,
+/// A plastic stress on a mesh, and its file reduced to the mesh and this one array.
+pub type FieldFile = CaseFile<PlasticField>;
+
+/// A stress profile and the text it was read from.
+pub type ProfileFile = CaseFile<DepthProfile>;
+
+impl<T> PartialEq for CaseFile<T> {
+    fn eq(&self, other: &Self) -> bool {
+        self.text == other.text
     }
 }
+
+impl<T> CaseFile<T> {
+    /// The file that `row` names `given`.
+    pub(super) fn new(row: Row<String>, given: String, text: String, content: T) -> Self {
+        let kept_as = match row.key.kind {
+            Kind::Path { kept_as } => kept_as,
+            _ => row.key.name,
+        };
+        Self { given, kept_as, text, content }
+    }
+
+    /// Its content.
+    #[must_use]
+    pub fn content(&self) -> &T {
+        &self.content
+    }
+
+    /// Its text.
+    #[must_use]
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// Its name as the case gives it.
+    #[must_use]
+    pub fn given_name(&self) -> &str {
+        &self.given
+    }
+
+    /// The file beside a stored case.
+    pub(crate) fn companion(&self) -> Companion<'_> {
+        Companion { name: self.kept_as, text: &self.text }
+    }
+}
+
+/// Help where a file cannot be found.
+pub(super) const RELATIVE: &str = "file names are relative to the folder of the case file";

@@ -1,52 +1,11 @@
 //! Plastic stress on a mesh, in VTU files.
 
-use super::companion::{Companion, RELATIVE, kept_as};
+use super::companion::{FieldFile, RELATIVE};
 use crate::schema::{Report, Row, SectionValues, read_bytes};
 use railcrack::mesh::{Array, UnstructuredGrid};
 use railcrack::residual::{PLASTIC_STRESS_ARRAY, PlasticField};
 use railcrack_vtu::{VtuError, read_vtu_bytes, vtu_text};
 use std::path::Path;
-
-/// A plastic stress on a mesh, and its file reduced to the mesh and this one array. Two are equal
-/// when these files are.
-#[derive(Debug, Clone)]
-pub struct FieldFile {
-    given: String,
-    kept_as: &'static str,
-    text: String,
-    field: PlasticField,
-}
-
-impl PartialEq for FieldFile {
-    fn eq(&self, other: &Self) -> bool {
-        self.text == other.text
-    }
-}
-
-impl FieldFile {
-    /// The plastic stress.
-    #[must_use]
-    pub fn field(&self) -> &PlasticField {
-        &self.field
-    }
-
-    /// A file of its mesh and of the one array that is used.
-    #[must_use]
-    pub fn text(&self) -> &str {
-        &self.text
-    }
-
-    /// The file's name as the case gives it.
-    #[must_use]
-    pub fn given_name(&self) -> &str {
-        &self.given
-    }
-
-    /// The file beside a stored case.
-    pub(crate) fn companion(&self) -> Companion<'_> {
-        Companion { name: self.kept_as, text: &self.text }
-    }
-}
 
 /// The field in the file that a key names, relative to `folder`; none where it names none or it
 /// cannot be read, which `report` then says.
@@ -58,7 +17,7 @@ pub(crate) fn read_field(
 ) -> Option<FieldFile> {
     let given = section.get(row)?;
     match read(&folder.join(&given)) {
-        Ok((text, field)) => Some(FieldFile { given, kept_as: kept_as(row), text, field }),
+        Ok((text, field)) => Some(FieldFile::new(row, given, text, field)),
         Err((message, help)) => {
             report.add(section.fault(row, message).help(help));
             None

@@ -4,9 +4,7 @@ mod companion;
 mod field;
 mod profile;
 
-pub use companion::Companion;
-pub use field::FieldFile;
-pub use profile::ProfileFile;
+pub use companion::{CaseFile, Companion, FieldFile, ProfileFile};
 
 pub(crate) use field::read_field;
 pub(crate) use profile::read_profile;

@@ -1,50 +1,10 @@
 //! Stress profiles in CSV files.
 
-use super::companion::{Companion, RELATIVE, kept_as};
+use super::companion::{ProfileFile, RELATIVE};
 use crate::schema::{Fault, Report, Row, SectionValues, Source, nearest, read_text};
 use railcrack::field::{DepthProfile, ProfileError};
 use std::ops::Range;
 use std::path::Path;
-
-/// A profile and the text it was read from. Two are equal when their texts are.
-#[derive(Debug, Clone)]
-pub struct ProfileFile {
-    given: String,
-    kept_as: &'static str,
-    text: String,
-    profile: DepthProfile,
-}
-
-impl PartialEq for ProfileFile {
-    fn eq(&self, other: &Self) -> bool {
-        self.text == other.text
-    }
-}
-
-impl ProfileFile {
-    /// The profile.
-    #[must_use]
-    pub fn profile(&self) -> &DepthProfile {
-        &self.profile
-    }
-
-    /// The file's text.
-    #[must_use]
-    pub fn text(&self) -> &str {
-        &self.text
-    }
-
-    /// The file's name as the case gives it.
-    #[must_use]
-    pub fn given_name(&self) -> &str {
-        &self.given
-    }
-
-    /// The file beside a stored case.
-    pub(crate) fn companion(&self) -> Companion<'_> {
-        Companion { name: self.kept_as, text: &self.text }
-    }
-}
 
 /// Columns that are read.
 const COLUMNS: [&str; 3] = ["depth_mm", "sxx_mpa", "szz_mpa"];
@@ -77,7 +37,7 @@ pub(crate) fn read_profile(
         Ok(source) => match parse(&source) {
             Ok(profile) => {
                 let text = source.text.to_string();
-                return Some(ProfileFile { given, kept_as: kept_as(row), text, profile });
+                return Some(ProfileFile::new(row, given, text, profile));
             }
             Err(fault) => report.add_to(&source, Fault { key: key(), ..*fault }),
         },

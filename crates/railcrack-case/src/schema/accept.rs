@@ -3,7 +3,7 @@
 use super::declaration::{Kind, NumberRange, available};
 use super::suggest::nearest;
 use super::value::Value;
-use super::words::Availability;
+use railcrack::words::Availability;
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::DeValue;

@@ -1,6 +1,6 @@
 //! Declaration of a file: sections, keys, kinds and ranges.
 
-use super::words::{Availability, Word};
+use railcrack::words::{Availability, Word};
 
 /// A kind of file: its sections, and the sentences that only its readers need.
 #[derive(Debug)]

@@ -1,8 +1,8 @@
 //! Page of documentation of a declared file.
 
 use super::declaration::{FileSchema, Key, Kind, Presence, Section, SectionPresence};
-use super::words::{Availability, Word};
 use super::write::preset_text;
+use railcrack::words::{Availability, Word};
 
 /// The page, in Markdown: the introduction, then a table of the keys of each section.
 pub(crate) fn page(file: &FileSchema) -> String {

@@ -17,7 +17,6 @@ mod suggest;
 #[cfg(test)]
 mod tests;
 mod value;
-mod words;
 mod write;
 
 pub use declaration::{
@@ -25,8 +24,9 @@ pub use declaration::{
     SectionPresence,
 };
 pub use error::{CaseError, CaseErrors};
+pub use railcrack::words::{Availability, Choice, Word};
 pub use value::Value;
-pub use words::{Availability, Choice, Word};
+pub(crate) use value::{FromValue, read_by_word};
 
 pub(crate) use accept::Raw;
 pub(crate) use declaration::short;

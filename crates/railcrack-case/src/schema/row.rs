@@ -1,7 +1,7 @@
 //! Rows of a declaration: keys with the type of the values that they give.
 
 use super::declaration::{Key, Kind, NumberRange, OnlyWith, Pair, Presence, Preset};
-use super::words::{Choice, words};
+use railcrack::words::{Choice, Word};
 use std::marker::PhantomData;
 
 /// A key whose values are read as `T`.
@@ -98,6 +98,11 @@ pub(crate) const fn integer(
 /// One of the words of `T`, by default the first.
 pub(crate) const fn choice<T: Choice>(name: &'static str, doc: &'static str) -> Row<T> {
     Row::new(name, Kind::Choice(words::<T>), Preset::Text(T::WORDS[0].1.name), doc)
+}
+
+/// All words of a choice, those of later versions last.
+fn words<T: Choice>() -> Vec<Word> {
+    T::WORDS.iter().map(|(_, word)| *word).chain(T::LATER.iter().copied()).collect()
 }
 
 /// One line of text.

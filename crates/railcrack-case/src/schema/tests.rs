@@ -11,6 +11,8 @@ pub(crate) enum Heat {
     Fan,
 }
 
+super::read_by_word!(Heat);
+
 impl Choice for Heat {
     const WORDS: &'static [(Self, Word)] =
         &[(Self::Still, Word::now("still", "no fan")), (Self::Fan, Word::now("fan", "moving air"))];

@@ -1,7 +1,6 @@
 //! Accepted values, and the types as which they are read.
 
 use super::declaration::Preset;
-use super::words::Choice;
 use std::fmt;
 
 /// An accepted value.
@@ -53,11 +52,19 @@ pub(crate) trait FromValue: Sized {
     fn from_value(value: &Value) -> Option<Self>;
 }
 
-impl<T: Choice> FromValue for T {
-    fn from_value(value: &Value) -> Option<Self> {
-        String::from_value(value).and_then(|word| Self::of_word(&word))
-    }
+/// Reads choices by their words.
+macro_rules! read_by_word {
+    ($($choice:ty),+) => {
+        $(impl $crate::schema::FromValue for $choice {
+            fn from_value(value: &$crate::schema::Value) -> Option<Self> {
+                <String as $crate::schema::FromValue>::from_value(value)
+                    .and_then(|word| $crate::schema::Choice::of_word(&word))
+            }
+        })+
+    };
 }
+
+pub(crate) use read_by_word;
 
 impl FromValue for usize {
     fn from_value(value: &Value) -> Option<Self> {

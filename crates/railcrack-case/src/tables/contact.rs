@@ -1,7 +1,8 @@
 //! `[contact]`: wheel on rail.
 
 use crate::schema::{
-    Availability, Choice, Kind, Report, Row, SectionValues, Word, choice, closed, number, positive, section,
+    Availability, Choice, Kind, Report, Row, SectionValues, Word, choice, closed, number, positive,
+    read_by_word, section,
 };
 use railcrack::load::HertzianContact;
 use railcrack::material::IsotropicElastic;
@@ -23,6 +24,8 @@ section! {
         "Wheel-rail friction coefficient; > 0 drags the rail along +x (a braking wheel running towards +x).")
         .required();
 }
+
+read_by_word!(ContactKind);
 
 /// Descriptions of the contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

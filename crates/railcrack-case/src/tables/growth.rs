@@ -1,7 +1,7 @@
 //! `[growth]`: rate and direction of crack growth, and the end of a run.
 
 use crate::schema::{
-    Choice, Report, SectionValues, Word, choice, closed, integer, number, positive, section,
+    Report, SectionValues, choice, closed, integer, number, positive, read_by_word, section,
 };
 use railcrack::fatigue::{DirectionCriterion, ParisLaw};
 use railcrack::growth::GrowthSettings;
@@ -27,17 +27,7 @@ section! {
         "This many load cycles end the run.").optional();
 }
 
-impl Choice for DirectionCriterion {
-    const WORDS: &'static [(Self, Word)] = &[
-        (Self::MaxRate, Word::now("max-rate", "the largest growth rate of the kink (Hourlier-Pineau)")),
-        (
-            Self::MaxRateUnclipped,
-            Word::now("max-rate-unclipped", "the same, with negative k1 kept where max-rate takes zero"),
-        ),
-        (Self::MaxDeltaK1, Word::now("max-delta-k1", "the largest range of k1")),
-        (Self::MaxK1, Word::now("max-k1", "the largest k1")),
-    ];
-}
+read_by_word!(DirectionCriterion);
 
 /// A range of K (MPa √m) that every rail survives many times, and the fastest growth at it, mm per
 /// cycle: a millimetre per cycle is fracture.

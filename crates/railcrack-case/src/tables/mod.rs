@@ -19,7 +19,7 @@ mod traffic;
 pub use file::{SECTIONS, init_text, json_schema, markdown};
 pub use mesh::MeshSettings;
 pub use output::FieldOutput;
-pub use rail::{Rail, boundary_name};
+pub use rail::Rail;
 pub use shakedown::ShakedownSettings;
 pub use solver::{ContactSolver, Engine};
 pub use stress::PlasticSource;

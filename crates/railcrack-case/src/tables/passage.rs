@@ -1,6 +1,6 @@
 //! `[passage]`: the passage of the wheel over the cracks.
 
-use crate::schema::{Choice, Report, SectionValues, Word, choice, closed, integer, number, section, within};
+use crate::schema::{Report, SectionValues, choice, closed, integer, number, read_by_word, section, within};
 use railcrack::contact::StepControl;
 use railcrack::crack::CrackNetwork;
 use railcrack::growth::PassageSettings;
@@ -23,18 +23,7 @@ section! {
     STEP_CONTROL: StepControl = choice("step_control", "Choice of the load steps.");
 }
 
-impl Choice for StepControl {
-    const WORDS: &'static [(Self, Word)] = &[
-        (
-            Self::Adaptive,
-            Word::now(
-                "adaptive",
-                "changes of contact status are resolved in their order, and load steps are refined by step_tolerance",
-            ),
-        ),
-        (Self::Fixed, Word::now("fixed", "one load step from output position to output position")),
-    ];
-}
+read_by_word!(StepControl);
 
 /// The positions of the wheel, from the mouths of `cracks`.
 pub(crate) fn read_passage(

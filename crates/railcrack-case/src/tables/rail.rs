@@ -1,10 +1,12 @@
 //! `[rail]`: elasticity, extent and boundary of the rail.
 
 use crate::schema::{
-    Choice, NumberRange, Report, SectionValues, Word, choice, closed, number, positive, section, within,
+    Choice, NumberRange, Report, SectionValues, Word, choice, closed, number, positive, read_by_word,
+    section, within,
 };
 use railcrack::bulk::{BottomSupport, Boundary, SideSupport};
 use railcrack::material::IsotropicElastic;
+use railcrack::math::RailBox;
 
 /// An incompressible rail has no displacement elements: towards 1/2 they lock.
 const POISSON_RATIOS: NumberRange = NumberRange::closed(0.0, 0.499);
@@ -30,6 +32,8 @@ section! {
         .only_with(BOUNDARY, BLOCK.name, NO_SUPPORTS);
 }
 
+read_by_word!(BoundaryKind, BottomSupport, SideSupport);
+
 /// The two kinds of [`Boundary`], without their supports.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum BoundaryKind {
@@ -47,30 +51,11 @@ impl Choice for BoundaryKind {
     ];
 }
 
-impl Choice for BottomSupport {
-    const WORDS: &'static [(Self, Word)] = &[
-        (Self::Clamped, Word::now("clamped", "no displacement")),
-        (Self::Rollers, Word::now("rollers", "no vertical displacement, one point held along x")),
-    ];
-}
-
-impl Choice for SideSupport {
-    const WORDS: &'static [(Self, Word)] = &[
-        (Self::Free, Word::now("free", "no traction")),
-        (Self::Rollers, Word::now("rollers", "no horizontal displacement")),
-        (Self::Clamped, Word::now("clamped", "no displacement")),
-    ];
-}
-
-/// Extent of the rail: cracks stay in `centre` ± `width` / 2 and above −`depth`.
+/// Extent and boundary of the rail.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rail {
-    /// Length along x, mm.
-    pub width: f64,
-    /// Depth, mm.
-    pub depth: f64,
-    /// Abscissa of the middle, mm.
-    pub centre: f64,
+    /// Cracks stay within it.
+    pub extent: RailBox,
     /// Half-plane, or a block with its supports.
     pub boundary: Boundary,
 }
@@ -82,9 +67,11 @@ impl Rail {
             return None;
         }
         Some(Self {
-            width: section.get(WIDTH)?,
-            depth: section.get(DEPTH)?,
-            centre: section.get(CENTRE).or(middle)?,
+            extent: RailBox {
+                width: section.get(WIDTH)?,
+                depth: section.get(DEPTH)?,
+                centre: section.get(CENTRE).or(middle)?,
+            },
             boundary: match section.get(BOUNDARY)? {
                 BoundaryKind::HalfPlane => Boundary::HalfPlane,
                 BoundaryKind::Block => {
@@ -92,29 +79,6 @@ impl Rail {
                 }
             },
         })
-    }
-
-    /// Abscissae of the two ends, mm.
-    #[must_use]
-    pub fn ends(&self) -> (f64, f64) {
-        (self.centre - 0.5 * self.width, self.centre + 0.5 * self.width)
-    }
-}
-
-/// A boundary in the words of case files: `half-plane`, `block, bottom clamped, sides free`.
-#[must_use]
-pub fn boundary_name(boundary: Boundary) -> &'static str {
-    use {BottomSupport as Bottom, SideSupport as Sides};
-    match boundary {
-        Boundary::HalfPlane => "half-plane",
-        Boundary::Block { bottom, sides } => match (bottom, sides) {
-            (Bottom::Clamped, Sides::Free) => "block, bottom clamped, sides free",
-            (Bottom::Clamped, Sides::Rollers) => "block, bottom clamped, sides rollers",
-            (Bottom::Clamped, Sides::Clamped) => "block, bottom clamped, sides clamped",
-            (Bottom::Rollers, Sides::Free) => "block, bottom rollers, sides free",
-            (Bottom::Rollers, Sides::Rollers) => "block, bottom rollers, sides rollers",
-            (Bottom::Rollers, Sides::Clamped) => "block, bottom rollers, sides clamped",
-        },
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::files::{ProfileFile, read_profile};
 use crate::schema::{
-    Choice, Report, SectionValues, Word, choice, closed, file, integer, number, positive, section,
+    Report, SectionValues, choice, closed, file, integer, number, positive, read_by_word, section,
 };
 use railcrack::fatigue::DangVan;
 use railcrack::material::KinematicHardening;
@@ -26,21 +26,7 @@ section! {
         "Fatigue limit in pure shear of the Dang Van criterion.");
 }
 
-impl Choice for Method {
-    const WORDS: &'static [(Self, Word)] = &[
-        (
-            Self::PassByPass,
-            Word::now("pass-by-pass", "each passage starts from the state left by the one before"),
-        ),
-        (
-            Self::Direct,
-            Word::now(
-                "direct",
-                "the state downstream becomes that upstream in every iteration: cheaper, and another admissible state",
-            ),
-        ),
-    ];
-}
+read_by_word!(Method);
 
 /// Plastic behaviour of the rail and the criterion of crack initiation.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,12 +1,14 @@
 //! `[solver]`: the engine of the cracked rail and the solver of the contact conditions.
 
-use crate::schema::{Choice, Word, choice, section};
+use crate::schema::{Choice, Word, choice, read_by_word, section};
 
 section! {
     SOLVER "solver", Defaulted, "Solvers.";
     ENGINE: Engine = choice("engine", "Engine that computes the cracked rail.");
     SOLVER_CONTACT: ContactSolver = choice("contact", "Solver of the contact conditions on the crack faces.");
 }
+
+read_by_word!(Engine, ContactSolver);
 
 /// Engines that compute the cracked rail.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -24,17 +26,6 @@ impl Choice for Engine {
     ];
 }
 
-impl Engine {
-    /// Every engine of this version, the default first.
-    pub const ALL: [Self; 2] = [Self::Xfem, Self::Dislocation];
-
-    /// The name in case files and results.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        self.word()
-    }
-}
-
 /// Solvers of the contact conditions on the crack faces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ContactSolver {
@@ -49,12 +40,4 @@ impl Choice for ContactSolver {
         (Self::Newton, Word::now("newton", "active sets, exact complementarity")),
         (Self::Latin, Word::now("latin", "the LATIN method of the paper")),
     ];
-}
-
-impl ContactSolver {
-    /// The name in case files and results.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        self.word()
-    }
 }

@@ -43,7 +43,7 @@ impl PlasticSource {
         if section.entry(PLASTIC_PROFILE).is_some() {
             let file = read_profile(section, PLASTIC_PROFILE, folder, report)?;
             // A stress at the surface alone fills no layer.
-            if file.profile().rows().last().is_none_or(|deepest| deepest.0 <= 0.0) {
+            if file.content().rows().last().is_none_or(|deepest| deepest.0 <= 0.0) {
                 let says = "a plastic stress reaches below the surface: a row with depth_mm > 0 is missing";
                 report.add(section.fault(PLASTIC_PROFILE, says));
                 return None;

@@ -1,6 +1,6 @@
 //! `[study]`: how the lists of a study are combined.
 
-use crate::schema::{Choice, Word, choice, groups, section, text};
+use crate::schema::{Choice, Word, choice, groups, read_by_word, section, text};
 
 section! {
     STUDY "study", Defaulted,
@@ -12,6 +12,8 @@ section! {
     COLOUR_BY: String = text("colour_by", "contact.friction",
         "Key whose values have the colours of the overlay plots; without it, that of the first list.").optional();
 }
+
+read_by_word!(Combine);
 
 /// Combinations of the axes of a study.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -30,12 +32,4 @@ impl Choice for Combine {
             Word::now("zip", "the first values of all lists together, then the second ones, and so on"),
         ),
     ];
-}
-
-impl Combine {
-    /// The name in study files.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        self.word()
-    }
 }

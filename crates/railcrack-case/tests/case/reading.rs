@@ -3,7 +3,8 @@
 use proptest::prelude::*;
 use railcrack::dislocation::cracked_body;
 use railcrack::fatigue::ParisLaw;
-use railcrack::growth::{GrowthSettings, PassageSettings, RailBox, StepRecord, Unobserved};
+use railcrack::growth::{GrowthSettings, PassageSettings, StepRecord, Unobserved};
+use railcrack::math::RailBox;
 use railcrack_case::{Case, ContactSolver, Engine, Input, Overrides, init_text};
 use std::path::{Path, PathBuf};
 
@@ -53,8 +54,7 @@ fn defaults_are_the_reference_case() {
     assert_eq!(short.growth.law, ParisLaw::RAIL_STEEL);
     assert_eq!((short.steel.young(), short.steel.poisson()), (210e3, 0.3));
     assert_eq!(short.passages, PassageSettings::default());
-    let rail = RailBox { width: short.rail.width, depth: short.rail.depth, centre: short.rail.centre };
-    assert_eq!(rail, RailBox::default());
+    assert_eq!(short.rail.extent, RailBox::default());
     assert_eq!((short.engine, short.contact_solver), (Engine::Xfem, ContactSolver::Newton));
     assert_eq!(
         (long.cracks.clone(), long.passages.passage, long.rail),
@@ -94,7 +94,7 @@ fn nine_cracks() {
     assert_eq!(mouths, (0..9).map(|i| 3.375 * f64::from(i)).collect::<Vec<_>>());
     assert_eq!(case.crack_friction, vec![0.5; 9]);
     assert_eq!((case.passages.passage.from, case.passages.passage.to), (-40.5, 67.5));
-    assert_eq!(case.rail.centre, 13.5);
+    assert_eq!(case.rail.extent.centre, 13.5);
     assert!(case.to_toml().contains("\ncentre_mm = 13.5\n"), "defaults are filled in");
     assert_eq!(case.growth.steps, 5);
     let body = cracked_body(&case.cracks, &case.steel, case.face_resolution()).unwrap();

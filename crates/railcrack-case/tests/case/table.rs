@@ -1,5 +1,6 @@
 //! Pages, schemas and files derived from the table of keys.
 
+use railcrack_case::Choice;
 use railcrack_case::{Availability, Engine, Kind, Presence, SECTIONS, Section, json_schema, markdown};
 use serde_json::json;
 
@@ -83,6 +84,6 @@ fn every_engine_that_a_case_may_name_is_listed() {
     let solver = SECTIONS.iter().find(|section| section.name == "solver").unwrap();
     let Kind::Choice(words) = solver.key("engine").unwrap().kind else { panic!("engine is a choice") };
     let now = words().into_iter().filter(|word| word.availability == Availability::Now);
-    let listed: Vec<&str> = Engine::ALL.iter().map(|engine| engine.name()).collect();
+    let listed: Vec<&str> = Engine::WORDS.iter().map(|(_, word)| word.name).collect();
     assert_eq!(now.map(|word| word.name).collect::<Vec<_>>(), listed);
 }

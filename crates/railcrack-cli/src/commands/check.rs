@@ -9,6 +9,7 @@ use railcrack::contact::StepControl;
 use railcrack::crack::Crack;
 use railcrack::fatigue::DirectionCriterion;
 use railcrack::shakedown::{DepthBounds, bounds_by_depth, first_yield_ratio, shakedown_limit_ratio};
+use railcrack::words::Choice;
 use railcrack_case::{Case, Input, PlasticSource};
 use railcrack_run::budget::{Budget, Needs, mb};
 use railcrack_run::simulation::plastic_stress_left_out;
@@ -67,13 +68,13 @@ fn summary(case: &Case, folder: &Path) -> String {
 
 fn rail(case: &Case) -> Vec<Row> {
     let rail = &case.rail;
-    let (left, right) = (rail.centre - 0.5 * rail.width, rail.centre + 0.5 * rail.width);
+    let (left, right) = rail.extent.ends();
     vec![
         ("elasticity", format!("E = {} MPa, nu = {}", case.steel.young(), case.steel.poisson())),
-        ("boundary", railcrack_case::boundary_name(rail.boundary).into()),
+        ("boundary", rail.boundary.word().into()),
         (
             "cracks stay within",
-            format!("x = {} to {} mm, depth {} mm", number(left), number(right), rail.depth),
+            format!("x = {} to {} mm, depth {} mm", number(left), number(right), rail.extent.depth),
         ),
     ]
 }
@@ -144,7 +145,7 @@ fn crack_line(count: usize, crack: &Crack, friction: f64) -> String {
 
 fn residual_stress(case: &Case) -> Vec<Row> {
     let Some(file) = &case.residual_stress else { return Vec::new() };
-    let rows = file.profile().rows();
+    let rows = file.content().rows();
     let extreme = |pick: fn(f64, f64) -> f64| rows.iter().map(|r| r.1).reduce(pick).unwrap_or(0.0);
     let deepest = rows.last().map_or(0.0, |r| r.0);
     vec![
@@ -157,7 +158,7 @@ fn residual_stress(case: &Case) -> Vec<Row> {
 fn plastic_stress(case: &Case) -> Vec<Row> {
     match &case.plastic_stress {
         Some(PlasticSource::Field(file)) => {
-            let (left, right, depth) = file.field().extent();
+            let (left, right, depth) = file.content().extent();
             vec![
                 ("field", file.given_name().into()),
                 (
@@ -175,7 +176,7 @@ fn plastic_stress(case: &Case) -> Vec<Row> {
 fn solution(case: &Case) -> Vec<Row> {
     let size = case.size();
     let mut rows =
-        vec![("engine", case.engine.name().into()), ("contact", case.contact_solver.name().into())];
+        vec![("engine", case.engine.word().into()), ("contact", case.contact_solver.word().into())];
     if size.displacements > 0 {
         rows.push(("displacements", format!("{} unknowns, factored once", size.displacements)));
     }
@@ -232,7 +233,7 @@ fn plastic_state(case: &Case) -> Vec<Row> {
     let hardening = &shakedown.hardening;
     let mut rows = vec![
         ("yield, hardening", format!("{} MPa, C = {} MPa", hardening.yield_stress(), hardening.modulus())),
-        ("method", format!("{}, at most {} passages", shakedown.method.name(), shakedown.max_passes)),
+        ("method", format!("{}, at most {} passages", shakedown.method.word(), shakedown.max_passes)),
         ("Dang Van", format!("a = {}, b = {} MPa", shakedown.dang_van.slope, shakedown.dang_van.limit)),
     ];
     if let Some(file) = &shakedown.initial_residual {

@@ -1,5 +1,6 @@
 //! `railcrack check` of a study.
 
+use railcrack::words::Choice;
 use railcrack_case::{Axis, RailKey, Study, StudyRun};
 use railcrack_run::budget::{Budget, Needs, mb};
 use std::collections::HashMap;
@@ -12,7 +13,7 @@ const MOST_LISTED: usize = 50;
 pub fn study_summary(study: &Study, folder: &Path) -> String {
     let count = study.runs.len();
     let runs = if count == 1 { "1 run".to_owned() } else { format!("{count} runs") };
-    let mut text = format!("{}\n\nstudy\n  {:<20} {runs}, {}\n", study.title, "runs", study.combine.name());
+    let mut text = format!("{}\n\nstudy\n  {:<20} {runs}, {}\n", study.title, "runs", study.combine.word());
     for axis in &study.axes {
         text.push_str(&axis_lines(axis));
     }
@@ -42,7 +43,7 @@ pub fn study_summary(study: &Study, folder: &Path) -> String {
     text.push_str("\nruns\n");
     for run in study.runs.iter().take(MOST_LISTED) {
         let StudyRun { number, label, case, .. } = run;
-        let (engine, steps) = (case.engine.name(), case.growth.steps);
+        let (engine, steps) = (case.engine.word(), case.growth.steps);
         text.push_str(&format!("  {number:>5}   {label}   {engine}, {steps} increments\n"));
     }
     if count > MOST_LISTED {

@@ -4,6 +4,7 @@ use crate::commands::run::{self, RunArguments};
 use crate::exit::{Exit, Failure};
 use crate::print;
 use clap::Args;
+use railcrack::words::Choice;
 use railcrack_case::{Case, Engine};
 use railcrack_report::Pages;
 use railcrack_run::simulation::{Ending, RunError};
@@ -93,8 +94,8 @@ fn compare_engines(arguments: &CompareArguments, out: &Path) -> Result<Exit, Fai
     Case::read(&arguments.first)?;
     let interruption = run::listen()?;
     let mut folders = Vec::new();
-    for engine in Engine::ALL {
-        let finished = run::compute(&run_with(arguments, engine.name(), out), &interruption)?;
+    for &(engine, _) in Engine::WORDS {
+        let finished = run::compute(&run_with(arguments, engine.word(), out), &interruption)?;
         if finished.ending == Ending::Interrupted {
             print::stdout(&run::result_text(&finished))?;
             return Ok(Exit::Interrupted);

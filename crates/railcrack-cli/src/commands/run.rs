@@ -6,6 +6,7 @@ use crate::interruption::Interruption;
 use crate::print;
 use crate::progress::{Progress, cycles};
 use clap::Args;
+use railcrack::words::Choice;
 use railcrack_case::{Case, Overrides};
 use railcrack_report::Pages;
 use railcrack_run::budget::{Budget, Needs};
@@ -151,7 +152,7 @@ pub fn result_text(finished: &Finished) -> String {
         return format!("interrupted before the first step was finished\n{}", where_and_on(finished));
     }
     let how = match (ending, &summary.stop) {
-        (Ending::Ended, Some(stop)) => format!("{} at", stop.name()),
+        (Ending::Ended, Some(stop)) => format!("{} at", stop.word()),
         (Ending::Ended, None) => "ended at".to_owned(),
         (Ending::Interrupted, _) => "interrupted after".to_owned(),
     };
@@ -161,7 +162,7 @@ pub fn result_text(finished: &Finished) -> String {
     }
     text.push('\n');
     for tip in &summary.tips {
-        let stop = tip.stop.map_or_else(String::new, |stop| format!(", {}", stop.name()));
+        let stop = tip.stop.map_or_else(String::new, |stop| format!(", {}", stop.word()));
         let waits = tip.waiting_mm > 0.0;
         let waiting = if waits { format!(", {:.3} mm waiting", tip.waiting_mm) } else { String::new() };
         text.push_str(&format!(
@@ -179,7 +180,7 @@ pub fn result_text(finished: &Finished) -> String {
     for piece in &summary.pieces {
         text.push_str(&format!(
             "{} at crack {} in step {}: {:.3} mm\u{b2}\n",
-            piece.kind.name(),
+            piece.kind.word(),
             piece.crack,
             piece.step,
             piece.area_mm2

@@ -5,6 +5,7 @@ use crate::exit::{Exit, Failure};
 use crate::print;
 use clap::Args;
 use railcrack::shakedown::RailState;
+use railcrack::words::Choice;
 use railcrack_case::Case;
 use railcrack_report::Pages;
 use railcrack_run::simulation::{pass_text, roll};
@@ -61,9 +62,9 @@ fn result_text(summary: &ShakedownSummary) -> String {
     let passages = if summary.passes == 1 { "passage" } else { "passages" };
     let mut text = format!(
         "{} after {} {passages} ({}), p0 / k = {:.4}, shakedown limit {:.4}\n",
-        summary.state.name(),
+        summary.state.word(),
         summary.passes,
-        summary.method.name(),
+        summary.method.word(),
         summary.p0_over_k,
         summary.shakedown_limit.p0_over_k
     );

@@ -5,6 +5,7 @@
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+use std::sync::LazyLock;
 
 /// A quick case: few positions, few elements, frictional faces, a kink in the path.
 pub const QUICK_CASE: &str = r#"
@@ -28,6 +29,11 @@ interface_elements = 16
 [growth]
 steps = 2
 "#;
+
+/// The same by dislocations, with fewer positions.
+pub static DISLOCATION_CASE: LazyLock<String> = LazyLock::new(|| {
+    QUICK_CASE.replace("positions = 61", "positions = 41") + "\n[solver]\nengine = \"dislocation\"\n"
+});
 
 /// An empty folder for the test `name` of the file `tests`.
 pub fn folder(tests: &str, name: &str) -> PathBuf {

@@ -1,41 +1,15 @@
 //! Reliability of a user's results: other processes, turned bits, signals, cases larger than the
 //! machine.
 
-use super::common::{self, command, done, ends, read, stderr, stdout};
+use super::common::{self, DISLOCATION_CASE, command, done, ends, read, stderr, stdout};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
-/// A quick case of the dislocation engine.
-const CASE: &str = r#"
-[contact]
-peak_pressure_mpa = 845.0
-half_width_mm = 6.75
-friction = 0.3
-
-[[crack]]
-mouth_mm = 0.0
-length_mm = 6.0
-angle_deg = 40.0
-friction = 0.2
-
-[passage]
-positions = 41
-
-[mesh]
-interface_elements = 16
-
-[growth]
-steps = 2
-
-[solver]
-engine = "dislocation"
-"#;
-
 fn workplace(name: &str) -> PathBuf {
     let folder = common::folder("reliability", name);
-    fs::write(folder.join("case.toml"), CASE).unwrap();
+    fs::write(folder.join("case.toml"), &**DISLOCATION_CASE).unwrap();
     folder
 }
 
@@ -61,7 +35,7 @@ fn turn_a_bit(file: &Path) -> Vec<u8> {
 #[test]
 fn two_processes_do_not_share_a_run_folder() {
     let folder = workplace("lock");
-    let long = CASE.replace("interface_elements = 16", "interface_elements = 400");
+    let long = DISLOCATION_CASE.replace("interface_elements = 16", "interface_elements = 400");
     fs::write(folder.join("long.toml"), long.replace("steps = 2", "steps = 500")).unwrap();
     let line = ["run", "long.toml", "--out", "ab", "--quiet"];
     let mut first = command(&folder, &line).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
@@ -137,8 +111,11 @@ fn other_folders_are_verified_too() {
 #[test]
 fn a_study_has_no_numbers_of_damaged_runs() {
     let folder = workplace("study");
-    fs::write(folder.join("study.toml"), CASE.replace("angle_deg = 40.0", "angle_deg = [30.0, 40.0]"))
-        .unwrap();
+    fs::write(
+        folder.join("study.toml"),
+        DISLOCATION_CASE.replace("angle_deg = 40.0", "angle_deg = [30.0, 40.0]"),
+    )
+    .unwrap();
     done(&folder, &["sweep", "study.toml", "--steps", "0", "--quiet"]);
     done(&folder, &["verify", "study"]);
     let run = "study/runs/002-angle_deg-40";
@@ -161,7 +138,7 @@ fn a_study_has_no_numbers_of_damaged_runs() {
 #[test]
 fn a_run_of_another_process_is_left_to_it() {
     let folder = workplace("left");
-    let study = CASE.replace("angle_deg = 40.0", "angle_deg = [30.0, 40.0]");
+    let study = DISLOCATION_CASE.replace("angle_deg = 40.0", "angle_deg = [30.0, 40.0]");
     fs::write(folder.join("study.toml"), &study).unwrap();
     done(&folder, &["sweep", "study.toml", "--steps", "0", "--quiet", "--shard", "1/2"]);
     let run = folder.join("study/runs/002-angle_deg-40");
@@ -183,7 +160,8 @@ fn a_run_of_another_process_is_left_to_it() {
 fn a_case_larger_than_the_machine_is_refused() {
     let folder = workplace("budget");
     let cracks = "angle_deg = 40.0\ncount = 30\nspacing_mm = 5.0\n";
-    let large = CASE.replace("angle_deg = 40.0", cracks).replace("16", "400").replace("41", "2001");
+    let large =
+        DISLOCATION_CASE.replace("angle_deg = 40.0", cracks).replace("16", "400").replace("41", "2001");
     fs::write(folder.join("large.toml"), large).unwrap();
     let told = done(&folder, &["check", "large.toml"]);
     assert!(told.contains("\nmachine\n") && told.contains("--no-limits"), "{told}");
@@ -201,7 +179,8 @@ fn a_case_larger_than_the_machine_is_refused() {
 fn a_signal_ends_a_run_within_its_assembly() {
     let folder = workplace("signal");
     let cracks = "angle_deg = 40.0\ncount = 25\nspacing_mm = 6.0\n";
-    let long = CASE.replace("angle_deg = 40.0", cracks).replace("elements = 16", "elements = 400");
+    let long =
+        DISLOCATION_CASE.replace("angle_deg = 40.0", cracks).replace("elements = 16", "elements = 400");
     fs::write(folder.join("long.toml"), long).unwrap();
     for signal in ["-INT", "-TERM"] {
         let line = ["run", "long.toml", "--no-limits", "--out", &signal[1..]];
@@ -225,7 +204,7 @@ fn what_goes_wrong_is_said_on_standard_error() {
     let folder = workplace("said");
     assert!(stderr(&ends(&folder, &["report", "nope"], 2)).contains("nope: there is no such folder"));
     // Face points this much closer than elements have a singular system.
-    let study = CASE
+    let study = DISLOCATION_CASE
         .replace("interface_elements = 16", "element_size_mm = 1.0\ninterface_spacing_mm = [1.0, 0.02]")
         .replace("dislocation", "xfem");
     fs::write(folder.join("study.toml"), study).unwrap();
@@ -244,7 +223,7 @@ fn an_option_does_not_hide_a_wrong_value() {
         ("engine = \"dislocation\"", "engine = \"fem\"", ["--engine", "dislocation"]),
         ("steps = 2", "steps = -1", ["--steps", "0"]),
     ] {
-        fs::write(folder.join("wrong.toml"), CASE.replace(good, wrong)).unwrap();
+        fs::write(folder.join("wrong.toml"), DISLOCATION_CASE.replace(good, wrong)).unwrap();
         let said = stderr(&ends(&folder, &["run", "wrong.toml", option[0], option[1]], 2));
         assert!(said.contains(wrong), "{said}");
     }

@@ -1,39 +1,19 @@
 //! `railcrack sweep` as a user meets it.
 
 use super::common;
-use super::common::command;
+use super::common::{DISLOCATION_CASE, command};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::sync::LazyLock;
 use std::time::{Duration, Instant};
 
 /// A quick study of six runs.
-const STUDY: &str = r#"
-title = "Friction and angle"
-[contact]
-peak_pressure_mpa = 845.0
-half_width_mm = 6.75
-friction = [0.1, 0.3]
-
-[[crack]]
-mouth_mm = 0.0
-length_mm = 6.0
-angle_deg = [20.0, 30.0, 40.0]
-friction = 0.2
-
-[passage]
-positions = 41
-
-[mesh]
-interface_elements = 16
-
-[growth]
-steps = 2
-
-[solver]
-engine = "dislocation"
-"#;
+static STUDY: LazyLock<String> = LazyLock::new(|| {
+    let varied = DISLOCATION_CASE.replace("friction = 0.3", "friction = [0.1, 0.3]");
+    "title = \"Friction and angle\"".to_owned() + &varied.replace("40.0", "[20.0, 30.0, 40.0]")
+});
 
 fn workplace(name: &str, study: &str) -> PathBuf {
     let folder = common::folder("sweep-command", name);
@@ -89,7 +69,7 @@ fn column(folder: &Path, name: &str) -> Vec<String> {
 
 #[test]
 fn every_run_is_the_run_of_its_case() {
-    let folder = workplace("whole", STUDY);
+    let folder = workplace("whole", &STUDY);
     let (code, out, err) = sweep(&folder, &["--steps", "1"]);
     assert_eq!((code, out.as_str()), (Some(0), "6 runs: 6 done\nresults in study\n"), "{err}");
     let out = folder.join("study");
@@ -142,7 +122,7 @@ fn every_run_is_the_run_of_its_case() {
 
 #[test]
 fn threads_parts_and_order_do_not_show() {
-    let folder = workplace("order", STUDY);
+    let folder = workplace("order", &STUDY);
     assert_eq!(sweep(&folder, &["--out", "one", "--threads", "1"]).0, Some(0));
     // Two threads and a half for each of two runs at a time would be odd: five threads for six
     // runs.
@@ -171,7 +151,7 @@ fn threads_parts_and_order_do_not_show() {
 
 #[test]
 fn parts_in_folders_of_their_own_merge() {
-    let folder = workplace("merge", STUDY);
+    let folder = workplace("merge", &STUDY);
     for (out, shard) in [("here", "1/2"), ("there", "2/2")] {
         assert_eq!(sweep(&folder, &["--out", out, "--shard", shard]).0, Some(0));
     }
@@ -190,7 +170,7 @@ fn parts_in_folders_of_their_own_merge() {
 
 #[test]
 fn a_killed_study_resumes_to_the_files_of_one_that_was_not() {
-    let folder = workplace("killed", STUDY);
+    let folder = workplace("killed", &STUDY);
     assert_eq!(sweep(&folder, &["--out", "whole", "--steps", "6"]).0, Some(0));
     let line = ["sweep", "study.toml", "--quiet", "--steps", "6", "--out"];
     for (out, finished) in [("killed-1", 1), ("killed-3", 3)] {
@@ -216,7 +196,7 @@ fn a_killed_study_resumes_to_the_files_of_one_that_was_not() {
 #[cfg(unix)]
 #[test]
 fn an_interrupted_study_says_so_and_goes_on() {
-    let folder = workplace("interrupted", STUDY);
+    let folder = workplace("interrupted", &STUDY);
     let line = ["sweep", "study.toml", "--steps", "12", "--threads", "1", "--out", "cut"];
     let child = command(&folder, &line).stdout(Stdio::piped()).stderr(Stdio::null()).spawn().unwrap();
     let first = folder.join("cut/runs/001-friction-0.1-angle_deg-20/outcome.json");
@@ -267,7 +247,7 @@ fn a_failed_run_is_reported_and_the_others_go_on() {
 
 #[test]
 fn a_run_that_cannot_be_written_is_tried_again() {
-    let folder = workplace("unwritable", STUDY);
+    let folder = workplace("unwritable", &STUDY);
     let in_the_way = folder.join("study/runs/002-friction-0.1-angle_deg-30/sif.csv");
     fs::create_dir_all(&in_the_way).unwrap();
     let (code, out, err) = sweep(&folder, &["--steps", "0", "--force"]);
@@ -333,7 +313,7 @@ fn runs_that_share_a_rail_are_those_that_do_not() {
 
 #[test]
 fn refusals_write_nothing() {
-    let folder = workplace("refused", STUDY);
+    let folder = workplace("refused", &STUDY);
     let single = STUDY.replace("[0.1, 0.3]", "0.1").replace("[20.0, 30.0, 40.0]", "20.0");
     fs::write(folder.join("case.toml"), single).unwrap();
     fs::write(folder.join("deep.toml"), STUDY.replace("length_mm = 6.0", "length_mm = [6.0, 400.0]"))
@@ -363,7 +343,7 @@ fn refusals_write_nothing() {
 
 #[test]
 fn no_name_in_a_file_leads_out_of_its_folder() {
-    let folder = workplace("names", STUDY);
+    let folder = workplace("names", &STUDY);
     assert_eq!(sweep(&folder, &["--steps", "0"]).0, Some(0));
     let victim = folder.join("victim");
     fs::rename(folder.join("study/runs/001-friction-0.1-angle_deg-20"), &victim).unwrap();
@@ -381,7 +361,7 @@ fn no_name_in_a_file_leads_out_of_its_folder() {
 
 #[test]
 fn another_study_does_not_enter_the_folder() {
-    let folder = workplace("entered", STUDY);
+    let folder = workplace("entered", &STUDY);
     assert_eq!(sweep(&folder, &["--steps", "0"]).0, Some(0));
     let before = files(&folder.join("study"));
     let refused = |arguments: &[&str], says: &str| {

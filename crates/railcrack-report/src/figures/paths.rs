@@ -5,6 +5,7 @@ use crate::chart::{
     Chart, ChartArea, ChartAspect, ChartAxis, ChartNote, ChartSheet, Curve, CurveColour, CurveDots,
     CurveWidth,
 };
+use railcrack::words::Choice;
 use railcrack_run::{CrackSummary, Summary};
 
 /// Numbers of cracks on a chart; of more, evenly chosen ones.
@@ -64,7 +65,7 @@ pub(super) fn plot(summary: &Summary, model: &str) -> Plot {
     let curves = cracks.iter().enumerate().map(curve).collect();
     let mut chart = chart("Crack paths to scale.", curves, cracks.iter());
     chart.areas.extend(summary.pieces.iter().map(|piece| ChartArea {
-        name: format!("{}, {:.3} mm²", piece.kind.name(), piece.area_mm2),
+        name: format!("{}, {:.3} mm²", piece.kind.word(), piece.area_mm2),
         outline: by_depth(&piece.outline_mm),
     }));
     if cracks.len() > 1 {

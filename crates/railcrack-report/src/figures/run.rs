@@ -5,8 +5,8 @@ use super::plot::Plot;
 use super::sif::Mode;
 use super::{cycles, paths, sif};
 use crate::shown::{CrackFaces, ShownRun, StepFaces};
+use railcrack::words::Choice;
 use railcrack_run::Summary;
-use railcrack_run::Word;
 use railcrack_run::csv::{TipRow, deferred_growth};
 use railcrack_run::histories::History;
 

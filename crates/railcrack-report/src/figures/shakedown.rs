@@ -4,6 +4,7 @@ use super::plot::Plot;
 use super::rolled_field::rolled_field;
 use crate::chart::{Chart, ChartAxis, ChartRange, ChartSheet, Curve, CurveColour, CurveDots, CurveLook};
 use crate::svg::around;
+use railcrack::words::Choice;
 use railcrack_run::shakedown::{BoundsRow, LayerRow, PassRow, ShakedownFolder};
 
 /// Every plot, in the order of reading.
@@ -11,7 +12,7 @@ pub(crate) fn shakedown_plots(state: &ShakedownFolder) -> Vec<Plot> {
     let of = |(file, subtitle, chart): (&'static str, &str, Chart)| {
         let caption = format!("{subtitle}.");
         let chart = Chart { id: file.trim_end_matches(".svg").to_owned(), caption, ..chart };
-        let subtitle = format!("{subtitle} · {}", state.summary.state.name());
+        let subtitle = format!("{subtitle} · {}", state.summary.state.word());
         Plot::sheet(file, ChartSheet::of(&state.summary.title, &subtitle, chart))
     };
     let strain_over_passes = over_passes(

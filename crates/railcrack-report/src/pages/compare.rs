@@ -6,8 +6,8 @@ use crate::numbers::{fixed, grouped, significant};
 use crate::page::{Block, Fact, Page, Section};
 use crate::table::Table;
 use railcrack::growth::RunStop;
+use railcrack::words::Choice;
 use railcrack_run::Comparison;
-use railcrack_run::Word;
 
 /// Rows of the table of tips; `compare.csv` has all.
 const TABLE_ROWS: usize = 500;
@@ -145,11 +145,11 @@ fn runs(comparison: &Comparison) -> Table {
     for run in &comparison.runs {
         table.row([
             run.folder.display().to_string(),
-            run.engine.name().to_owned(),
-            run.contact.name().to_owned(),
+            run.engine.word().to_owned(),
+            run.contact.word().to_owned(),
             run.boundary.word().to_owned(),
             run.steps_recorded.to_string(),
-            run.stop.map_or("not ended", RunStop::name).replace('-', " "),
+            run.stop.map_or("not ended", RunStop::word).replace('-', " "),
             grouped(run.load_cycles),
         ]);
     }

@@ -6,6 +6,7 @@ use crate::numbers::{fixed, significant};
 use crate::page::{Block, Fact, Page, Section};
 use crate::table::Table;
 use railcrack::shakedown::Method;
+use railcrack::words::Choice;
 use railcrack_run::files::CASE_FILE;
 use railcrack_run::shakedown::{ShakedownFolder, ShakedownSummary};
 
@@ -91,7 +92,7 @@ fn verdict(summary: &ShakedownSummary) -> String {
             fixed(dang_van.margin_mpa, 1)
         )
     };
-    let state = match summary.state.name() {
+    let state = match summary.state.word() {
         "elastic" => "The rail stays elastic.".to_owned(),
         "elastic shakedown" => {
             format!("The rail shakes down to an elastic state in {}.", passages(summary.passes))
@@ -119,8 +120,8 @@ fn facts(summary: &ShakedownSummary) -> Vec<Fact> {
     vec![
         fact(
             "State",
-            summary.state.name().to_owned(),
-            format!("{}, {}", passages(summary.passes), summary.method.name()),
+            summary.state.word().to_owned(),
+            format!("{}, {}", passages(summary.passes), summary.method.word()),
         ),
         fact(
             "Load p_{0}/k",
@@ -234,7 +235,7 @@ fn numbers(summary: &ShakedownSummary) -> Table {
         table.row([
             "Largest difference from pass by pass (MPa)".to_owned(),
             fixed(other.stress_difference_mpa, 1),
-            format!("{}, {}", other.state.name(), passages(other.passes)),
+            format!("{}, {}", other.state.word(), passages(other.passes)),
         ]);
     }
     table

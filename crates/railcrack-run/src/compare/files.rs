@@ -8,6 +8,7 @@ use crate::csv::{Table, whole};
 use crate::files::{COMPARE_FILE, REPORT_FILE};
 use crate::folder::{Durability, replace_file};
 use crate::{Existing, OutputError};
+use railcrack::words::Choice;
 use std::path::Path;
 
 /// Plot of K in the first common growth step.
@@ -58,8 +59,8 @@ impl Comparison {
         };
         let [first, second] = names;
         [
-            format!("{first} ({})", self.runs[0].engine.name()),
-            format!("{second} ({})", self.runs[1].engine.name()),
+            format!("{first} ({})", self.runs[0].engine.word()),
+            format!("{second} ({})", self.runs[1].engine.word()),
         ]
     }
 }

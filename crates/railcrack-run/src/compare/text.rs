@@ -3,8 +3,8 @@
 use super::comparison::Comparison;
 use super::parting::Parting;
 use super::tip::{SifDifference, TipComparison};
-use crate::words::Word;
 use railcrack::growth::RunStop;
+use railcrack::words::Choice;
 use std::fmt::Write;
 
 impl Comparison {
@@ -37,8 +37,8 @@ impl Comparison {
     fn runs_text(&self) -> String {
         let mut text = String::new();
         for (run, name) in self.runs.iter().zip(["first ", "second"]) {
-            let stop = run.stop.map_or("not ended", RunStop::name);
-            let (folder, engine, contact) = (run.folder.display(), run.engine.name(), run.contact.name());
+            let stop = run.stop.map_or("not ended", RunStop::word);
+            let (folder, engine, contact) = (run.folder.display(), run.engine.word(), run.contact.word());
             let (boundary, steps) = (run.boundary.word(), run.steps_recorded);
             add(
                 &mut text,
@@ -113,7 +113,7 @@ impl Comparison {
             Some(parting) => add(text, format_args!("{}", parting_text(parting))),
         }
         for tip in self.tips.iter().filter(|tip| tip.stops[0] != tip.stops[1]) {
-            let [first, second] = tip.stops.map(|stop| stop.map_or("goes on", RunStop::name));
+            let [first, second] = tip.stops.map(|stop| stop.map_or("goes on", RunStop::word));
             let TipComparison { step, crack, tip, .. } = tip;
             add(text, format_args!("step {step}, crack {crack}, tip {tip}: {first} | {second}"));
         }

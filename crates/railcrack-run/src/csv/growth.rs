@@ -3,6 +3,7 @@
 use super::table;
 use railcrack::growth::{RunStop, StepRecord, TipRecord};
 use railcrack::math::MPA_SQRT_MM;
+use railcrack::words::Choice;
 use serde::{Deserialize, Serialize};
 
 table! {
@@ -91,7 +92,7 @@ impl TipRow {
     /// Why the tip stopped, or in the last step the run, as the table has it; empty where neither
     /// did.
     pub fn stop_word(&self) -> &'static str {
-        self.stop.map_or("", RunStop::name)
+        self.stop.map_or("", RunStop::word)
     }
 }
 

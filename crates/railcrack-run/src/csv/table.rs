@@ -3,10 +3,12 @@
 use super::column::Column;
 use super::fields::Fields;
 use super::rows::Rows;
-use crate::words::Word;
 use crate::{OutputError, VERSION};
+use railcrack::contact::FaceStatus;
+use railcrack::growth::RunStop;
 use railcrack::math::Stress;
 use railcrack::shakedown::PlasticStrain;
+use railcrack::words::Choice;
 
 /// A row of a table; [`table!`](super::table) declares its struct, columns, writer and reader
 /// together.
@@ -123,15 +125,22 @@ impl Cell for String {
     }
 }
 
-impl<W: Word> Cell for W {
-    fn put(&self, rows: &mut Rows, _: &[&'static str]) {
-        rows.name(self.word());
-    }
+/// Choices, written and read by their words.
+macro_rules! words {
+    ($($choice:ty),+) => {$(
+        impl Cell for $choice {
+            fn put(&self, rows: &mut Rows, _: &[&'static str]) {
+                rows.name(self.word());
+            }
 
-    fn take(fields: &mut Fields) -> Result<Self, OutputError> {
-        fields.parse(&W::accepted(), W::of_word)
-    }
+            fn take(fields: &mut Fields) -> Result<Self, OutputError> {
+                fields.parse(&Self::accepted(), Self::of_word)
+            }
+        }
+    )+};
 }
+
+words!(FaceStatus, RunStop);
 
 /// Empty where there is none.
 impl<T: Cell> Cell for Option<T> {

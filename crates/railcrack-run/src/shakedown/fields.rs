@@ -23,7 +23,7 @@ pub(super) fn plastic_grid(results: &ShakedownResults) -> UnstructuredGrid {
         strains.push(PlasticStrain::default());
         stresses.push(results.rail.initial_stress(0.5 * (bottom + results.extent.depth)));
     }
-    let columns = [results.extent.from, results.extent.to];
+    let columns = <[f64; 2]>::from(results.extent.ends());
     let mut grid = quadrilaterals(&columns, &depths);
     let twice_shear = 2.0 * results.rail.steel.shear_modulus();
     let plastic: Vec<Stress> = strains.iter().map(|&strain| as_tensor(strain) * twice_shear).collect();

@@ -14,5 +14,5 @@ pub use document::{
 };
 pub use folder::{CycleField, ShakedownFolder};
 pub(crate) use recorder::ShakedownRecorder;
-pub(crate) use results::{Extent, ShakedownResults};
+pub(crate) use results::ShakedownResults;
 pub use tables::{LayerRow, PassRow};

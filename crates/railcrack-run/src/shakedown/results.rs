@@ -1,6 +1,7 @@
 //! Results of a shakedown computation, as its folder shows them.
 
 use railcrack::fatigue::{DangVan, Initiation};
+use railcrack::math::RailBox;
 use railcrack::shakedown::{DepthBounds, MapPoint, RolledRail, StabilisedRail};
 
 /// Everything that the folder shows.
@@ -23,20 +24,9 @@ pub(crate) struct ShakedownResults {
     /// First yield and limit of shakedown over friction.
     pub map: Vec<MapPoint>,
     /// Length and depth of the rail in `plastic.vtu`.
-    pub extent: Extent,
+    pub extent: RailBox,
     /// Wall time, s.
     pub wall_s: f64,
     /// Remarks for the reader.
     pub warnings: Vec<String>,
-}
-
-/// A piece of rail, mm.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Extent {
-    /// Left end.
-    pub from: f64,
-    /// Right end.
-    pub to: f64,
-    /// Depth.
-    pub depth: f64,
 }

@@ -97,7 +97,10 @@ fn origin(source: &PlasticSource) -> PlasticOrigin {
 /// The stress on the middle line; none where the rail carries none.
 fn rows(case: &Case, carried: &CarriedStress) -> Option<Vec<ResidualRow>> {
     let field = carried.field.as_ref()?;
-    let at = |&depth: &f64| ResidualRow { depth, stress: field.stress(Vec2::new(case.rail.centre, -depth)) };
+    let at = |&depth: &f64| ResidualRow {
+        depth,
+        stress: field.stress(Vec2::new(case.rail.extent.centre, -depth)),
+    };
     Some(carried.depths.iter().map(at).collect())
 }
 
@@ -150,8 +153,7 @@ fn narrow(case: &Case, projection: &Projection) -> Option<String> {
     if !matches!(case.plastic_stress, Some(PlasticSource::Field(_))) {
         return None;
     }
-    let half = 0.5 * case.rail.width;
-    let (from, to) = (case.rail.centre - half, case.rail.centre + half);
+    let (from, to) = case.rail.extent.ends();
     (left > from || right < to).then(|| {
         format!(
             "the plastic stress is given from x = {left} to {right} mm and to a depth of {depth} mm: beside it goes on as at its ends, \

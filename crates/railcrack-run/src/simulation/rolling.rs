@@ -2,7 +2,7 @@
 
 use super::error::RunError;
 use super::job::case_files;
-use crate::shakedown::{Extent, ShakedownRecorder, ShakedownResults, ShakedownSummary};
+use crate::shakedown::{ShakedownRecorder, ShakedownResults, ShakedownSummary};
 use crate::{Existing, FolderLock, OutputError, Presentation};
 use railcrack::fatigue::Initiation;
 use railcrack::shakedown::{
@@ -78,16 +78,11 @@ fn results(
         Initiation::by_depth(&dang_van, std::iter::once(surface).chain(layers)).ok_or(RunError::NoLayers)?;
     let (friction, poisson) = (rail.contact.friction, rail.steel.poisson());
     let depths: Vec<f64> = (0..BOUNDS).map(|i| BOUNDS_DEPTH * i as f64 / (BOUNDS - 1) as f64).collect();
-    let half_length = 0.5 * case.rail.width;
     Ok(ShakedownResults {
         title: case.title.clone(),
         bounds: bounds_by_depth(friction, poisson, &depths),
         map: shakedown_map((1.2 * friction.abs()).max(MAP_FRICTION), MAP, poisson),
-        extent: Extent {
-            from: case.rail.centre - half_length,
-            to: case.rail.centre + half_length,
-            depth: case.rail.depth,
-        },
+        extent: case.rail.extent,
         warnings: warnings(&stabilised, pass_by_pass.as_ref(), settings),
         wall_s: started.elapsed().as_secs_f64(),
         rail,

@@ -10,6 +10,7 @@ use crate::verify::check_numbers;
 use crate::{OutputError, Presentation, Summary, VERSION};
 use railcrack::growth::RunStop;
 use railcrack::shakedown::ShakedownError;
+use railcrack::words::Choice;
 use railcrack_case::{Axis, Study, StudyRun, Variation};
 use std::sync::{Mutex, PoisonError};
 
@@ -169,7 +170,7 @@ fn end_of(error: &RunError) -> RunEnd {
 }
 
 fn done(summary: &Summary) -> String {
-    let stop = summary.stop.map_or("ended", RunStop::name);
+    let stop = summary.stop.map_or("ended", RunStop::word);
     format!("{stop} at step {}, {:.1} s", summary.steps, summary.wall_s)
 }
 
@@ -192,7 +193,7 @@ pub fn study_plan(study: &Study, options: Vec<String>) -> StudyPlan {
     StudyPlan {
         version: VERSION.to_owned(),
         title: study.title.clone(),
-        combine: study.combine.name().to_owned(),
+        combine: study.combine.word().to_owned(),
         axes: study.axes.iter().map(axis).collect(),
         colour_axis: study.colour_axis,
         options,

@@ -6,6 +6,7 @@ mod engine;
 mod error;
 mod face_mesh;
 mod fields;
+mod thin_flap;
 
 pub use cracked::{BodyTimes, CrackedBody, FieldSolver};
 pub(crate) use elements::{FaceElement, FacePiece, discretise};
@@ -13,3 +14,4 @@ pub use engine::BodyEngine;
 pub use error::BodyError;
 pub use face_mesh::{FaceMesh, FacePoint, FaceSample};
 pub use fields::{BodyFields, Face, FieldGrid, FieldLine, FieldLoad, PointField};
+pub(crate) use thin_flap::thin_flaps;

@@ -1,6 +1,7 @@
 //! Boundary conditions of the meshed rail.
 
 use crate::mesh::QuadMesh;
+use crate::words::{Choice, Word};
 
 /// The support of the bottom of a block.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -12,6 +13,13 @@ pub enum BottomSupport {
     Rollers,
 }
 
+impl Choice for BottomSupport {
+    const WORDS: &'static [(Self, Word)] = &[
+        (Self::Clamped, Word::now("clamped", "no displacement")),
+        (Self::Rollers, Word::now("rollers", "no vertical displacement, one point held along x")),
+    ];
+}
+
 /// The support of the left and right sides of a block.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum SideSupport {
@@ -21,6 +29,14 @@ pub enum SideSupport {
     Rollers,
     /// No displacement.
     Clamped,
+}
+
+impl Choice for SideSupport {
+    const WORDS: &'static [(Self, Word)] = &[
+        (Self::Free, Word::now("free", "no traction")),
+        (Self::Rollers, Word::now("rollers", "no horizontal displacement")),
+        (Self::Clamped, Word::now("clamped", "no displacement")),
+    ];
 }
 
 /// The boundary of the meshed rail; its top is always free.
@@ -36,6 +52,40 @@ pub enum Boundary {
         sides: SideSupport,
     },
 }
+
+const fn block(bottom: BottomSupport, sides: SideSupport) -> Boundary {
+    Boundary::Block { bottom, sides }
+}
+
+/// With the supports of a block.
+impl Choice for Boundary {
+    const WORDS: &'static [(Self, Word)] = {
+        use {BottomSupport as Bottom, SideSupport as Sides};
+        &[
+            (Self::HalfPlane, Word::now("half-plane", "no boundary but the running surface")),
+            (block(Bottom::Clamped, Sides::Free), Word::now("block, bottom clamped, sides free", BLOCK)),
+            (
+                block(Bottom::Clamped, Sides::Rollers),
+                Word::now("block, bottom clamped, sides rollers", BLOCK),
+            ),
+            (
+                block(Bottom::Clamped, Sides::Clamped),
+                Word::now("block, bottom clamped, sides clamped", BLOCK),
+            ),
+            (block(Bottom::Rollers, Sides::Free), Word::now("block, bottom rollers, sides free", BLOCK)),
+            (
+                block(Bottom::Rollers, Sides::Rollers),
+                Word::now("block, bottom rollers, sides rollers", BLOCK),
+            ),
+            (
+                block(Bottom::Rollers, Sides::Clamped),
+                Word::now("block, bottom rollers, sides clamped", BLOCK),
+            ),
+        ]
+    };
+}
+
+const BLOCK: &str = "a rectangle on supports";
 
 /// Whether a displacement component is free.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,5 +1,6 @@
 //! Contact conditions on the crack faces: status and state of a face point.
 
+use crate::words::{Choice, Word};
 use serde::{Deserialize, Serialize};
 
 /// Contact status of a face point.
@@ -11,6 +12,14 @@ pub enum FaceStatus {
     Stick,
     /// In contact, |s12| = μ |s22|.
     Slip,
+}
+
+impl Choice for FaceStatus {
+    const WORDS: &'static [(Self, Word)] = &[
+        (Self::Open, Word::now("open", "not in contact")),
+        (Self::Stick, Word::now("stick", "in contact, no slip")),
+        (Self::Slip, Word::now("slip", "in contact, at the limit of friction")),
+    ];
 }
 
 /// The state of a face point.

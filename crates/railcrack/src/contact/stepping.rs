@@ -5,6 +5,7 @@ use super::{
     ContactSolver, FaceProblem, FaceResponse, FaceScale, FaceSolution, LoadStep, NotConverged, PointStatus,
     StepSolver,
 };
+use crate::words::{Choice, Word};
 use thiserror::Error;
 
 /// The load of a path: nodal forces as a function of one coordinate.
@@ -24,6 +25,19 @@ pub enum StepControl {
     /// sticks within a step is held at the slip it had at the start of the step. The error in
     /// locked slip is of first order in the step.
     Fixed,
+}
+
+impl Choice for StepControl {
+    const WORDS: &'static [(Self, Word)] = &[
+        (
+            Self::Adaptive,
+            Word::now(
+                "adaptive",
+                "changes of contact status are resolved in their order, and load steps are refined by step_tolerance",
+            ),
+        ),
+        (Self::Fixed, Word::now("fixed", "one load step from output position to output position")),
+    ];
 }
 
 /// A path that could not be followed.

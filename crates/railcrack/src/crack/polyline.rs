@@ -1,6 +1,7 @@
 //! One crack: a polyline from its mouth to its tip, or between two buried tips.
 
 use crate::math::{Vec2, segments_touch};
+use crate::words::{Choice, Word};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
@@ -71,6 +72,13 @@ pub enum End {
     First,
     /// The last point.
     Last,
+}
+
+impl Choice for End {
+    const WORDS: &'static [(Self, Word)] = &[
+        (Self::First, Word::now("first", "the first point")),
+        (Self::Last, Word::now("last", "the last point")),
+    ];
 }
 
 /// A crack: points from the mouth (y = 0) to the tip, or between two tips when the first point is

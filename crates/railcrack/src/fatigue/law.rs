@@ -1,6 +1,7 @@
 //! Paris' law and the criteria of direction.
 
 use crate::math::MPA_SQRT_MM;
+use crate::words::{Choice, Word};
 use std::ops::RangeInclusive;
 
 /// Paris' law da/dN = C ΔK_eq^m with ΔK_eq² = ΔK_I² + w ΔK_II² (Trollé et al. 2014, eqs 30 and 31).
@@ -56,6 +57,18 @@ pub enum DirectionCriterion {
     MaxDeltaK1,
     /// The largest k1.
     MaxK1,
+}
+
+impl Choice for DirectionCriterion {
+    const WORDS: &'static [(Self, Word)] = &[
+        (Self::MaxRate, Word::now("max-rate", "the largest growth rate of the kink (Hourlier-Pineau)")),
+        (
+            Self::MaxRateUnclipped,
+            Word::now("max-rate-unclipped", "the same, with negative k1 kept where max-rate takes zero"),
+        ),
+        (Self::MaxDeltaK1, Word::now("max-delta-k1", "the largest range of k1")),
+        (Self::MaxK1, Word::now("max-k1", "the largest k1")),
+    ];
 }
 
 /// Range of kink angles that is searched, radians: the kink functions are accurate to about ±110°.

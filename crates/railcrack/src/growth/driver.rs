@@ -4,7 +4,7 @@ use super::face_load::FaceLoad;
 use super::passage::passages_under;
 use super::{
     FieldRecord, FieldSettings, GrowthSettings, GrowthState, Observer, PassageError, PassageSettings,
-    PhaseTimes, RailBox, RailLoad, StabilisedPassage, StepRecord, StepState, TipDrive, TipRecord, Warning,
+    PhaseTimes, RailLoad, StabilisedPassage, StepRecord, StepState, TipDrive, TipRecord, Warning,
     WarningKind, advance, fields,
 };
 use crate::body::{BodyEngine, BodyError, CrackedBody};
@@ -12,7 +12,7 @@ use crate::contact::{ContactSolver, CrackFrictionError, FaceProblem, Latin, Newt
 use crate::crack::{CrackNetwork, CrackTip, NetworkError};
 use crate::fatigue::{HourlierPineau, Kink, LargestK1, SifRanges};
 use crate::field::{EndField, EndsError, RailEnds, StressField, Wheel};
-use crate::math::OutOfRange;
+use crate::math::{OutOfRange, RailBox};
 use std::sync::Arc;
 use std::time::Instant;
 

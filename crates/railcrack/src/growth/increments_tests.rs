@@ -3,6 +3,7 @@
 use super::*;
 use crate::crack::{CrackTip, End};
 use crate::growth::fixtures::{self, SETTINGS, crack as polyline};
+use crate::words::Choice;
 
 /// Round-off of a few operations.
 const ROUNDING: f64 = 1e-13;
@@ -158,7 +159,7 @@ fn the_rail_breaks_where_k1_reaches_the_toughness() {
     assert_eq!(next.stop, Some(RunStop::Fracture));
     assert_eq!([next.tips[0].stop, next.tips[1].stop], [None, Some(TipStop::Fracture)]);
     assert_eq!(
-        (next.cycles, &next.cracks[..], next.stop.map(RunStop::name)),
+        (next.cycles, &next.cracks[..], next.stop.map(RunStop::word)),
         (0.0, &cracks[..], Some("fracture"))
     );
     assert_eq!(advance(&state(&cracks, &tips(899.0, 899.0)), &settings).stop, None);

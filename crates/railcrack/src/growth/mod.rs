@@ -37,6 +37,6 @@ pub use rail_load::RailLoad;
 pub use record::{PhaseTimes, StepRecord, TipRecord};
 pub use settings::{GrowthSettings, PassageSettings};
 pub use state::GrowthState;
-pub use step_state::{RailBox, StepState, TipDrive};
+pub use step_state::{StepState, TipDrive};
 pub use stop::{BreakOut, RunStop, TipStop};
 pub use warning::{Warning, WarningKind};

@@ -1,6 +1,7 @@
 //! Pieces of the rail that cracks, or cracks and the running surface, enclose.
 
 use crate::math::Vec2;
+use crate::words::{Choice, Word};
 use serde::{Deserialize, Serialize};
 
 /// Kinds of pieces.
@@ -13,14 +14,11 @@ pub enum PieceKind {
     Detached,
 }
 
-impl PieceKind {
-    /// The name in output files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Spall => "spall",
-            Self::Detached => "detached",
-        }
-    }
+impl Choice for PieceKind {
+    const WORDS: &'static [(Self, Word)] = &[
+        (Self::Spall, Word::now("spall", "above a crack that broke out at the running surface")),
+        (Self::Detached, Word::now("detached", "wholly cut off")),
+    ];
 }
 
 /// A piece of the rail that is enclosed.

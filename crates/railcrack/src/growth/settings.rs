@@ -65,23 +65,26 @@ pub struct GrowthSettings {
     pub toughness: Option<f64>,
 }
 
-/// As a case file that says nothing: the reference values of the paper.
+/// [`GrowthSettings::REFERENCE`].
 impl Default for GrowthSettings {
     fn default() -> Self {
-        Self {
-            steps: 25,
-            increment: 0.04,
-            law: ParisLaw::RAIL_STEEL,
-            arrest_rate: 1e-9,
-            criterion: DirectionCriterion::MaxRate,
-            critical_length: None,
-            stop_after_cycles: None,
-            toughness: None,
-        }
+        Self::REFERENCE
     }
 }
 
 impl GrowthSettings {
+    /// As a case file that says nothing: the reference values of the paper.
+    pub const REFERENCE: Self = Self {
+        steps: 25,
+        increment: 0.04,
+        law: ParisLaw::RAIL_STEEL,
+        arrest_rate: 1e-9,
+        criterion: DirectionCriterion::MaxRate,
+        critical_length: None,
+        stop_after_cycles: None,
+        toughness: None,
+    };
+
     /// Refuses an increment that is none, and limits that are not numbers.
     pub fn check(&self) -> Result<(), OutOfRange> {
         let fraction = self.increment > 0.0 && self.increment.is_finite();

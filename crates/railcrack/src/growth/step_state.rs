@@ -2,25 +2,7 @@
 
 use super::{BreakOut, DeferredGrowth, TipStop};
 use crate::crack::{Crack, CrackTip, Junction};
-use crate::math::Vec2;
-
-/// The rail as a rectangle below y = 0.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RailBox {
-    /// Width, mm.
-    pub width: f64,
-    /// Depth, mm.
-    pub depth: f64,
-    /// Abscissa of its middle, mm.
-    pub centre: f64,
-}
-
-/// The rail of the paper: 300 mm by 172 mm around x = 0.
-impl Default for RailBox {
-    fn default() -> Self {
-        Self { width: 300.0, depth: 172.0, centre: 0.0 }
-    }
-}
+use crate::math::{RailBox, Vec2};
 
 /// Direction and rate of growth of one tip, with its state.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -2,6 +2,7 @@
 
 use crate::crack::CrackEnd;
 use crate::math::Vec2;
+use crate::words::{Choice, Word};
 use serde::{Deserialize, Serialize};
 
 /// A tip that broke out, and where its ligament ends on the running surface.
@@ -30,17 +31,20 @@ pub enum TipStop {
     Fracture,
 }
 
-impl TipStop {
-    /// The name in output files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Arrest => "arrest",
-            Self::BreakOut => "break-out",
-            Self::Coalescence => "meets-crack",
-            Self::LeavesRail => "leaves-rail",
-            Self::Fracture => "fracture",
-        }
-    }
+const ARREST: Word = Word::now("arrest", "at or below the threshold or the arrest rate");
+const BREAK_OUT: Word = Word::now("break-out", "at the running surface");
+const COALESCENCE: Word = Word::now("meets-crack", "coalescence");
+const LEAVES_RAIL: Word = Word::now("leaves-rail", "the next increment would leave the rail");
+const FRACTURE: Word = Word::now("fracture", "the largest k1 reaches the toughness");
+
+impl Choice for TipStop {
+    const WORDS: &'static [(Self, Word)] = &[
+        (Self::Arrest, ARREST),
+        (Self::BreakOut, BREAK_OUT),
+        (Self::Coalescence, COALESCENCE),
+        (Self::LeavesRail, LEAVES_RAIL),
+        (Self::Fracture, FRACTURE),
+    ];
 }
 
 /// Why the run ended.
@@ -61,16 +65,37 @@ pub enum RunStop {
     Fracture,
 }
 
-impl RunStop {
-    /// The name in output files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::StepsDone => "steps-done",
-            Self::Cycles => "cycles",
-            Self::CriticalLength => "critical-length",
-            Self::Detached => "detached",
-            Self::NoTipGrows(stop) => stop.name(),
-            Self::Fracture => "fracture",
+/// Where no tip grows, the word of the last one that stopped.
+impl Choice for RunStop {
+    const WORDS: &'static [(Self, Word)] = &[
+        (Self::StepsDone, Word::now("steps-done", "all increments done")),
+        (Self::Cycles, Word::now("cycles", "the number of load cycles asked for")),
+        (Self::CriticalLength, Word::now("critical-length", "a crack is as long as asked for")),
+        (Self::Detached, Word::now("detached", "a piece of the rail is wholly cut off")),
+        (Self::Fracture, FRACTURE),
+        (Self::NoTipGrows(TipStop::Arrest), ARREST),
+        (Self::NoTipGrows(TipStop::BreakOut), BREAK_OUT),
+        (Self::NoTipGrows(TipStop::Coalescence), COALESCENCE),
+        (Self::NoTipGrows(TipStop::LeavesRail), LEAVES_RAIL),
+        (Self::NoTipGrows(TipStop::Fracture), FRACTURE),
+    ];
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_stop_reads_back() {
+        for (stop, word) in TipStop::WORDS {
+            assert_eq!((stop.word(), TipStop::of_word(word.name)), (word.name, Some(*stop)));
         }
+        for (stop, word) in RunStop::WORDS {
+            assert_eq!(
+                (stop.word(), RunStop::of_word(word.name).map(Choice::word)),
+                (word.name, Some(word.name))
+            );
+        }
+        assert_eq!(RunStop::of_word("fracture"), Some(RunStop::Fracture));
     }
 }

@@ -1,8 +1,9 @@
 //! Conditions under which a tip or the run stops.
 
-use super::step_state::{RailBox, Step, StepState, TipDrive};
+use super::step_state::{Step, StepState, TipDrive};
 use super::{GrowthSettings, RunStop, TipStop};
 use crate::crack::Crack;
+use crate::math::RailBox;
 
 /// A ligament shorter than this many resolved lengths is used up: fewer cannot resolve the gradient
 /// across it.

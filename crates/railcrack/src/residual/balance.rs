@@ -3,7 +3,7 @@
 use super::plastic::PlasticField;
 use crate::bulk::{BulkError, BulkRail, gauss_lines};
 use crate::field::StressField;
-use crate::math::{Stress, Vec2, gauss_legendre};
+use crate::math::{RailBox, Stress, Vec2, gauss_legendre};
 use crate::mesh::{Element, NODES, shape_functions};
 use rayon::prelude::*;
 
@@ -133,8 +133,8 @@ fn generalised_forces(rail: &BulkRail, nodal: &[Stress]) -> Vec<f64> {
 }
 
 /// The part of `plastic` lost by interpolation on the mesh of `rail`, over the elements whose
-/// centre lies within `half_width` of `centre` and above `depth` (mm).
-pub fn projection_loss(rail: &BulkRail, plastic: &PlasticField, part: RailPart) -> ProjectionLoss {
+/// centre lies in `part`.
+pub fn projection_loss(rail: &BulkRail, plastic: &PlasticField, part: RailBox) -> ProjectionLoss {
     let mesh = rail.mesh();
     let nodal = at_nodes(rail, |point| plastic.plastic_stress(point));
     let rule = gauss_legendre(RULE);
@@ -143,7 +143,7 @@ pub fn projection_loss(rail: &BulkRail, plastic: &PlasticField, part: RailPart) 
         let element = mesh.element(e);
         let [lower, _, upper, _] = element.corners();
         let middle = (lower + upper) * 0.5;
-        if (middle.x - part.centre).abs() > part.half_width || middle.y < -part.depth {
+        if (middle.x - part.centre).abs() > 0.5 * part.width || middle.y < -part.depth {
             continue;
         }
         let size = element.size();
@@ -160,17 +160,6 @@ pub fn projection_loss(rail: &BulkRail, plastic: &PlasticField, part: RailPart) 
     let norm: f64 = f64::sqrt(given);
     let over = |square: f64| if norm > 0.0 { square.sqrt() / norm } else { 0.0 };
     ProjectionLoss { norm, norm_ratio: over(projected), difference: over(difference) }
-}
-
-/// A part of the rail, mm.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RailPart {
-    /// Abscissa of its centre.
-    pub centre: f64,
-    /// Half its width.
-    pub half_width: f64,
-    /// Its depth.
-    pub depth: f64,
 }
 
 /// The interval of `lines` that contains `x`, or the nearest one, and the local coordinate.

@@ -1,8 +1,8 @@
-use super::{BalancedStress, PlasticField, RailPart, projection_loss};
+use super::{BalancedStress, PlasticField, projection_loss};
 use crate::bulk::{BottomSupport, Boundary, BulkRail, SideSupport};
 use crate::field::{DepthProfile, StressField};
 use crate::material::IsotropicElastic;
-use crate::math::{Stress, Vec2};
+use crate::math::{RailBox, Stress, Vec2};
 use crate::mesh::QuadMesh;
 use crate::mesh::{Array, CellBlock, CellShape, UnstructuredGrid};
 
@@ -125,7 +125,7 @@ fn losses_vanish_for_linear_fields() {
         cell_data: vec![],
     };
     let plastic = PlasticField::from_grid(&grid).unwrap();
-    let part = RailPart { centre: 0.0, half_width: 15.0, depth: 20.0 };
+    let part = RailBox { width: 30.0, depth: 20.0, centre: 0.0 };
     let loss = projection_loss(&rail(HELD_ALONG_X), &plastic, part);
     assert!(loss.norm > 0.0 && (loss.norm_ratio - 1.0).abs() < 1e-12 && loss.difference < 1e-7, "{loss:?}"); // reference coordinates to 1e-12
 }

@@ -11,7 +11,7 @@ mod plastic;
 mod recover;
 mod shape;
 
-pub use balance::{BalancedStress, ProjectionLoss, RailPart, projection_loss};
+pub use balance::{BalancedStress, ProjectionLoss, projection_loss};
 pub use error::PlasticFieldError;
 pub use plastic::{PLASTIC_STRESS_ARRAY, PlasticField, RecoveryLoss};
 

@@ -5,6 +5,7 @@ use super::rail::RolledRail;
 use super::strain::PlasticStrain;
 use crate::field::HertzField;
 use crate::math::{Stress, Vec2};
+use crate::words::{Choice, Word};
 
 /// The asymptotic response to repeated passages.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -19,16 +20,16 @@ pub enum RailState {
     NotStabilised,
 }
 
-impl RailState {
-    /// The name in results.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Elastic => "elastic",
-            Self::ElasticShakedown => "elastic shakedown",
-            Self::PlasticShakedown => "plastic shakedown",
-            Self::NotStabilised => "not stabilised",
-        }
-    }
+impl Choice for RailState {
+    const WORDS: &'static [(Self, Word)] = &[
+        (Self::Elastic, Word::now("elastic", "never yields")),
+        (Self::ElasticShakedown, Word::now("elastic shakedown", "yields in the first passages only")),
+        (
+            Self::PlasticShakedown,
+            Word::now("plastic shakedown", "plastic strain alternates in every passage"),
+        ),
+        (Self::NotStabilised, Word::now("not stabilised", "the last passage still changed the rail")),
+    ];
 }
 
 /// Method for the stabilised plastic state.
@@ -41,14 +42,20 @@ pub enum Method {
     Direct,
 }
 
-impl Method {
-    /// The name in case files and results.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::PassByPass => "pass-by-pass",
-            Self::Direct => "direct",
-        }
-    }
+impl Choice for Method {
+    const WORDS: &'static [(Self, Word)] = &[
+        (
+            Self::PassByPass,
+            Word::now("pass-by-pass", "each passage starts from the state left by the one before"),
+        ),
+        (
+            Self::Direct,
+            Word::now(
+                "direct",
+                "the state downstream becomes that upstream in every iteration: cheaper, and another admissible state",
+            ),
+        ),
+    ];
 }
 
 /// One passage, or the single computation of [`Method::Direct`].

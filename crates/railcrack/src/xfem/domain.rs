@@ -3,7 +3,7 @@
 use super::cuts::{Cuts, SHARP_KINK};
 use super::settings::XfemSettings;
 use super::sif::SifDomain;
-use crate::crack::{Crack, CrackNetwork, point_to_segment};
+use crate::crack::point_to_segment;
 use crate::math::Vec2;
 
 /// Smallest ratio of the outer to the inner radius of a domain: with an inner radius of 1.5
@@ -78,26 +78,6 @@ pub(super) fn short_part(cuts: &Cuts, tip: usize, size: f64) -> Option<String> {
         turn.to_degrees(),
         length / size
     ))
-}
-
-/// Depth of a surface-breaking crack over its length below which the flap above it is too thin to
-/// be resolved: that of 1.5°. K is 2.0 % off at 1° and 0.6 % at 2°, against other elements.
-const THIN: f64 = 0.026;
-
-/// Remarks on cracks below flaps that the elements do not resolve.
-pub(super) fn thin_flaps(network: &CrackNetwork) -> Vec<String> {
-    let cracks = network.cracks().iter().enumerate();
-    let thin = cracks.filter(|(_, c)| c.is_surface_breaking() && c.depth() < THIN * c.length());
-    let remark = |(i, crack): (usize, &Crack)| {
-        format!(
-            "crack {}: over its length of {:.3} mm it is nowhere deeper than {:.3} mm; the thin flap above it bends, and its K is known to 2 % \
-             of the peak at 1°, less well below; smaller elements (element_size_mm) resolve it",
-            i + 1,
-            crack.length(),
-            crack.depth()
-        )
-    };
-    thin.map(remark).collect()
 }
 
 /// Distance (mm) from a tip to the nearest other crack or the surface.

@@ -4,11 +4,12 @@ use super::body::{Discretisation, cracked_body_with};
 use super::columns::ColumnStore;
 use super::error::XfemError;
 use super::settings::XfemSettings;
-use super::window::{Layers, MeshSettings, Outline, Window};
+use super::window::{Layers, MeshSettings, Window};
 use crate::body::{BodyEngine, BodyError, CrackedBody};
 use crate::bulk::{BottomSupport, Boundary, BulkRail, SideSupport};
 use crate::crack::CrackNetwork;
 use crate::material::IsotropicElastic;
+use crate::math::RailBox;
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -22,8 +23,8 @@ pub enum RailEnd {
     },
     /// A block on supports.
     Block {
-        /// The block.
-        outline: Outline,
+        /// Its extent.
+        extent: RailBox,
         /// Support of the bottom.
         bottom: BottomSupport,
         /// Support of the sides.
@@ -38,14 +39,14 @@ const FAR: f64 = 150.0;
 const ENLARGEMENTS: usize = 20;
 
 impl RailEnd {
-    fn outline(&self, window: &Window) -> Outline {
+    fn extent(&self, window: &Window) -> RailBox {
         match self {
             Self::HalfPlane { centre } => {
                 let size = window.upper - window.lower;
                 let reach = FAR * size.x.max(size.y);
-                Outline { left: centre - reach, right: centre + reach, depth: reach }
+                RailBox { width: 2.0 * reach, depth: reach, centre: *centre }
             }
-            Self::Block { outline, .. } => *outline,
+            Self::Block { extent, .. } => *extent,
         }
     }
 
@@ -130,9 +131,9 @@ impl XfemEngine {
     /// All that mesh and factor of the rail depend on for the initial cracks, in words; two rails
     /// with the same words are the same bits.
     pub fn rail_in_words(&self) -> String {
-        let (outline, boundary) = (self.end.outline(&self.initial), self.end.boundary());
+        let (extent, boundary) = (self.end.extent(&self.initial), self.end.boundary());
         // The shortest decimals that read back to the same bits.
-        format!("{:?} {outline:?} {boundary:?} {:?}", self.steel, self.initial)
+        format!("{:?} {extent:?} {boundary:?} {:?}", self.steel, self.initial)
     }
 
     /// Takes over mesh, factor and columns of `other`, where this engine has none yet and would
@@ -151,12 +152,12 @@ impl XfemEngine {
     /// Displacement unknowns of the mesh for the initial cracks, computed without making it;
     /// infinite where no number holds them.
     pub fn mesh_unknowns(&self) -> f64 {
-        self.initial.mesh_unknowns(self.end.outline(&self.initial))
+        self.initial.mesh_unknowns(self.end.extent(&self.initial))
     }
 
     /// Size of the system of `network`, without factoring it.
     pub fn size(&self, network: &CrackNetwork) -> Result<XfemSize, XfemError> {
-        let mesh = self.window.mesh(self.end.outline(&self.window))?;
+        let mesh = self.window.mesh(self.end.extent(&self.window))?;
         // All but a few of the unknowns on the boundary are free.
         let mesh_unknowns = 2 * mesh.node_count();
         let Discretisation { space, interface, .. } = Discretisation::new(&mesh, network, &self.settings)?;
@@ -187,7 +188,7 @@ impl XfemEngine {
     pub fn background(&mut self, network: &CrackNetwork) -> Result<&Arc<BulkRail>, XfemError> {
         let (window, _) = self.window_for(network);
         if window != self.window || self.background.is_none() {
-            let mesh = window.mesh(self.end.outline(&window))?;
+            let mesh = window.mesh(self.end.extent(&window))?;
             self.background = Some(Arc::new(BulkRail::new(mesh, &self.steel, self.end.boundary())?));
             self.columns = ColumnStore::default();
             self.window = window;

@@ -30,7 +30,7 @@ pub use engine::{RailEnd, XfemEngine, XfemSize};
 pub use error::XfemError;
 pub use settings::{EnrichmentRadius, XfemSettings};
 pub use sif::SifDomain;
-pub use window::{Layers, MOST_MESH_UNKNOWNS, MeshSettings, Outline, Window, default_element_sizes};
+pub use window::{Layers, MOST_MESH_UNKNOWNS, MeshSettings, Window, default_element_sizes};
 
 #[cfg(test)]
 mod patch_tests;

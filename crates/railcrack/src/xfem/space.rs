@@ -212,7 +212,8 @@ fn own_part(mesh: &QuadMesh, cuts: &Cuts, node: usize, members: &[(usize, usize)
 mod tests {
     use super::*;
     use crate::crack::{Crack, CrackNetwork};
-    use crate::xfem::window::{MeshSettings, Outline, Window};
+    use crate::math::RailBox;
+    use crate::xfem::window::{MeshSettings, Window};
 
     #[test]
     fn supports_cut_in_two_have_one_other_part() {
@@ -220,7 +221,7 @@ mod tests {
             let network: CrackNetwork =
                 Crack::surface_breaking(0.0, 6.0, degrees.to_radians()).unwrap().into();
             let window = Window::new(&network, MeshSettings { element_size: 0.2, expected_growth: 2.67 });
-            let mesh = window.mesh(Outline { left: -3000.0, right: 3000.0, depth: 3000.0 }).unwrap();
+            let mesh = window.mesh(RailBox { width: 6000.0, depth: 3000.0, centre: 0.0 }).unwrap();
             let mut cuts = Cuts::new(&mesh, &network);
             let held: Vec<usize> =
                 cuts.elements.iter().filter(|(_, c)| c.regions > 1).map(|(e, _)| *e).collect();

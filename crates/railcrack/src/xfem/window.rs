@@ -1,7 +1,7 @@
 //! The fine window of the mesh, and its grading.
 
 use crate::crack::{Crack, CrackNetwork, CrackTip, End};
-use crate::math::Vec2;
+use crate::math::{RailBox, Vec2};
 use crate::mesh::{MeshError, QuadMesh};
 
 /// Fineness of the mesh, and the expected growth of the cracks.
@@ -58,17 +58,6 @@ fn tip_part(crack: &Crack, end: End) -> f64 {
     let straight = |pair: &[Vec2]| pair[0].cross(pair[1]).atan2(pair[0].dot(pair[1])).abs() <= TURN;
     let turns = along.windows(2).take_while(|pair| straight(pair)).count();
     along[..=turns].iter().map(|part| part.length()).sum()
-}
-
-/// The rail that the mesh fills.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Outline {
-    /// Abscissa of the left side, mm.
-    pub left: f64,
-    /// Abscissa of the right side, mm.
-    pub right: f64,
-    /// Depth of the bottom, mm.
-    pub depth: f64,
 }
 
 /// Layers of the rail that elements must resolve along its whole length: those with plastic stress.
@@ -227,11 +216,11 @@ impl Window {
             .map_or(fine, |layers| fine.min(layers.height + OUTER_GRADING * (-y - layers.depth).max(0.0)))
     }
 
-    /// The mesh of `outline` that is fine in this window.
+    /// The mesh of `extent` that is fine in this window.
     ///
     /// Errors: more than [`MOST_MESH_UNKNOWNS`]; grid lines that round-off lets coincide.
-    pub fn mesh(&self, outline: Outline) -> Result<QuadMesh, MeshError> {
-        let (x, y) = self.gradings(outline);
+    pub fn mesh(&self, extent: RailBox) -> Result<QuadMesh, MeshError> {
+        let (x, y) = self.gradings(extent);
         let unknowns = mesh_unknowns(&x, &y);
         if unknowns.is_nan() || unknowns > MOST_MESH_UNKNOWNS {
             return Err(MeshError::TooManyUnknowns { unknowns, most: MOST_MESH_UNKNOWNS });
@@ -239,17 +228,18 @@ impl Window {
         QuadMesh::new(x.lines(), y.lines())
     }
 
-    /// Displacement unknowns of the mesh of `outline`, computed without making it; infinite where
+    /// Displacement unknowns of the mesh of `extent`, computed without making it; infinite where
     /// no number holds them.
-    pub fn mesh_unknowns(&self, outline: Outline) -> f64 {
-        let (x, y) = self.gradings(outline);
+    pub fn mesh_unknowns(&self, extent: RailBox) -> f64 {
+        let (x, y) = self.gradings(extent);
         mesh_unknowns(&x, &y)
     }
 
-    fn gradings(&self, outline: Outline) -> (Grading, Grading) {
+    fn gradings(&self, extent: RailBox) -> (Grading, Grading) {
+        let (left, right) = extent.ends();
         (
-            Grading::new(outline.left, outline.right, self.breaks(true), |x| self.size_x(x)),
-            Grading::new(-outline.depth, 0.0, self.breaks(false), |y| self.size_y(y)),
+            Grading::new(left, right, self.breaks(true), |x| self.size_x(x)),
+            Grading::new(-extent.depth, 0.0, self.breaks(false), |y| self.size_y(y)),
         )
     }
 
@@ -371,7 +361,7 @@ mod tests {
     #[test]
     fn a_mesh_that_no_machine_holds_is_refused_before_it_is_made() {
         let network = CrackNetwork::from(Crack::surface_breaking(0.0, 1.0, 0.5).unwrap());
-        let outline = Outline { left: -150.0, right: 150.0, depth: 150.0 };
+        let outline = RailBox { depth: 150.0, ..RailBox::default() };
         for element_size in [1e-300, 1e-12, 1e-9, 1e-5] {
             let window = Window::new(&network, MeshSettings { element_size, expected_growth: 1.0 });
             assert!(window.mesh_unknowns(outline) > MOST_MESH_UNKNOWNS);

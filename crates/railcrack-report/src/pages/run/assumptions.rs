@@ -4,6 +4,7 @@ use super::stored::RunFolder;
 use crate::numbers::{fixed, grouped, rounded, significant};
 use railcrack::contact::StepControl;
 use railcrack::fatigue::DirectionCriterion;
+use railcrack::words::Choice;
 use railcrack_case::{Case, ContactSolver, Engine};
 
 /// A sentence or two each.
@@ -26,9 +27,11 @@ pub(super) fn assumptions(run: &RunFolder) -> Vec<String> {
 
 fn rail(case: &Case) -> String {
     let (young, poisson) = (case.steel.young(), case.steel.poisson());
-    let name = railcrack_case::boundary_name(case.rail.boundary);
+    let name = case.rail.boundary.word();
     let boundary = match name.strip_prefix("block") {
-        Some(supports) => format!("block of {} × {} mm{supports}", case.rail.width, case.rail.depth),
+        Some(supports) => {
+            format!("block of {} × {} mm{supports}", case.rail.extent.width, case.rail.extent.depth)
+        }
         None => format!("{name}, bounded by the running surface only"),
     };
     format!("Rail: linear elastic, plane strain, E = {} MPa, ν = {poisson}; {boundary}.", grouped(young))
@@ -104,7 +107,7 @@ fn residual(run: &RunFolder) -> String {
         (_, Some(rolled)) => text.push_str(&format!(
             " Its plastic part was computed from repeated passages of the same wheel over this rail ({}, {} passages, in {}) \
              and balanced on the mesh of the cracks.",
-            rolled.state.name(), rolled.passes, rolled.folder
+            rolled.state.word(), rolled.passes, rolled.folder
         )),
         (Some(source), None) => text.push_str(&format!(
             " Its plastic part is given ({}) and was balanced on the mesh of the cracks.",

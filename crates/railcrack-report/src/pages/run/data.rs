@@ -4,6 +4,7 @@ use super::stored::RunFolder;
 use crate::numbers::{number, numbers};
 use crate::shown::{Deflated, ShownRun};
 use railcrack::growth::{RunStop, TipStop};
+use railcrack::words::Choice;
 use railcrack_run::csv::TipRow;
 use railcrack_run::histories::History;
 use serde_json::{Value, json};
@@ -67,7 +68,7 @@ fn polylines(run: &RunFolder, step: usize) -> Value {
 fn pieces(run: &RunFolder) -> Value {
     let piece = |piece: &railcrack_run::PieceSummary| {
         json!({
-            "kind": piece.kind.name(),
+            "kind": piece.kind.word(),
             "crack": piece.crack,
             "step": piece.step + 1,
             "area": number(piece.area_mm2),

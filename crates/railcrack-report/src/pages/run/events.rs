@@ -5,7 +5,7 @@ use crate::numbers::{fixed, grouped, significant, tonnage};
 use crate::page::Fact;
 use crate::table::Table;
 use railcrack::growth::{PieceKind, RunStop, TipStop};
-use railcrack_run::Word;
+use railcrack::words::Choice;
 use railcrack_run::{JunctionSummary, PieceSummary};
 
 /// Sentences about events of a kind before the others are counted.

@@ -9,6 +9,7 @@ use crate::page::Fact;
 use crate::svg::round_step;
 use crate::table::{MISSING, Table};
 use railcrack::growth::{RunStop, TipStop};
+use railcrack::words::Choice;
 use railcrack_run::csv::TipRow;
 use railcrack_run::representative::{cycles_to, representative_tip as representative};
 use std::collections::BTreeSet;
@@ -74,7 +75,7 @@ pub(super) fn verdict(run: &RunFolder) -> String {
 /// Why the run ended, in a sentence.
 fn stop_sentence(run: &RunFolder) -> String {
     let steps = run.summary.steps;
-    match run.summary.stop.map(RunStop::name) {
+    match run.summary.stop.map(RunStop::word) {
         None => format!("The run has not ended: step {steps} is the last finished one."),
         Some("steps-done") if steps == 0 => "The case asks for the initial geometry only.".to_owned(),
         Some("steps-done") => {
@@ -130,7 +131,7 @@ pub(super) fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
         facts.push(fact("Direction", heading.course().word().to_owned(), heading.note()));
     }
     facts.extend(events::fact(run));
-    let stop = run.summary.stop.map_or("not ended", RunStop::name).replace('-', " ");
+    let stop = run.summary.stop.map_or("not ended", RunStop::word).replace('-', " ");
     facts.push(fact(
         "Ended by",
         stop,

@@ -7,6 +7,7 @@ use crate::page::Fact;
 use railcrack::bulk::Boundary;
 use railcrack::growth::WarningKind;
 use railcrack::growth::{RunStop, TipStop};
+use railcrack::words::Choice;
 use railcrack_run::representative::cycles_to;
 use railcrack_run::study::{RunState, StudyPlan};
 use std::collections::BTreeMap;
@@ -154,7 +155,7 @@ pub(super) fn facts(plan: &StudyPlan, all: &[StudyRun]) -> Vec<Fact> {
     }
     let mut stops: BTreeMap<String, usize> = BTreeMap::new();
     for summary in all.iter().filter_map(|run| run.row.summary.as_ref()) {
-        *stops.entry(summary.stop.map_or("not ended", RunStop::name).replace('-', " ")).or_default() += 1;
+        *stops.entry(summary.stop.map_or("not ended", RunStop::word).replace('-', " ")).or_default() += 1;
     }
     let stops: Vec<(&str, usize)> = stops.iter().map(|(stop, count)| (stop.as_str(), *count)).collect();
     facts.push(fact("Ended by", told(&stops), String::new()));

@@ -4,6 +4,7 @@ use crate::figures::StudyRun;
 use crate::numbers::{fixed, grouped, significant, tonnage};
 use crate::table::{Cell, MISSING, Table};
 use railcrack::growth::RunStop;
+use railcrack::words::Choice;
 use railcrack_run::study::{RunState, StudyPlan};
 
 /// Rows of the table; `summary.csv` has all.
@@ -60,7 +61,7 @@ fn cells(plan: &StudyPlan, run: &StudyRun, has_tonnes: bool) -> Vec<Cell> {
     cells.push(of_tip(&|tip| significant(tip.first.rate)));
     cells.push(run.heading().map_or_else(missing, |heading| heading.course().word().into()));
     cells.push(match &run.row.state {
-        RunState::Done => summary.and_then(|s| s.stop).map_or("", RunStop::name).replace('-', " ").into(),
+        RunState::Done => summary.and_then(|s| s.stop).map_or("", RunStop::word).replace('-', " ").into(),
         RunState::Failed { .. } => "failed".into(),
         state => state.name().replace('-', " ").into(),
     });

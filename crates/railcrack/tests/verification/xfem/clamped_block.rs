@@ -2,7 +2,8 @@
 
 use crate::common::{Meshed, Rolling, RollingEngine, measured, misfit, surface_crack, table_histories};
 use railcrack::bulk::{BottomSupport, SideSupport};
-use railcrack::xfem::{Outline, RailEnd};
+use railcrack::math::RailBox;
+use railcrack::xfem::RailEnd;
 
 /// Largest difference of K at any position, relative to its peak. The locked K_II of the reference
 /// is itself 0.5 % low.
@@ -12,7 +13,7 @@ const PROMISED: f64 = 0.015;
 fn table1() {
     let mut rolling = Rolling::over(vec![surface_crack(0.0, 6.0, 15.0)], 0.5, 0.025);
     let end = RailEnd::Block {
-        outline: Outline { left: -150.0, right: 150.0, depth: 172.0 },
+        extent: RailBox { width: 300.0, depth: 172.0, centre: 0.0 },
         bottom: BottomSupport::Clamped,
         sides: SideSupport::Free,
     };

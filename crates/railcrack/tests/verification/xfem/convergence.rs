@@ -5,16 +5,17 @@ use crate::common::{buried_crack, largest, measured_order, steel};
 use railcrack::body::CrackedBody;
 use railcrack::bulk::{Boundary, BulkRail};
 use railcrack::crack::CrackNetwork;
+use railcrack::math::RailBox;
 use railcrack::math::{Stress, Vec2};
 use railcrack::mesh::QuadMesh;
-use railcrack::xfem::{EnrichmentRadius, MeshSettings, Outline, Window, XfemSettings, cracked_body};
+use railcrack::xfem::{EnrichmentRadius, MeshSettings, Window, XfemSettings, cracked_body};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
 const HALF: f64 = 3.0;
 /// Surface and ends change K by about (half-length / distance)², 2e-8.
 const CENTRE: Vec2 = Vec2::new(0.0, -20_000.0);
-const OUTLINE: Outline = Outline { left: -20_000.0, right: 20_000.0, depth: 40_000.0 };
+const OUTLINE: RailBox = RailBox { width: 40000.0, depth: 40_000.0, centre: 0.0 };
 /// Elements along the crack on the coarsest mesh, so that the domain of the SIFs ends before the
 /// other tip; the default is 60.
 const COARSEST: f64 = 6.0;

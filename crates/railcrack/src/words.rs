@@ -1,4 +1,4 @@
-//! Words that stand for the variants of an enum.
+//! Words of enums: the variants as case files, tables and JSON files name them.
 
 /// An enum whose variants have words in files.
 pub trait Choice: Copy + PartialEq + Sized + 'static {
@@ -16,6 +16,15 @@ pub trait Choice: Copy + PartialEq + Sized + 'static {
     /// The variant with this word; none where no variant has it.
     fn of_word(name: &str) -> Option<Self> {
         Self::WORDS.iter().find(|(_, word)| word.name == name).map(|(value, _)| *value)
+    }
+
+    /// All words, for messages: `open, stick or slip`.
+    fn accepted() -> String {
+        let words: Vec<&str> = Self::WORDS.iter().map(|(_, word)| word.name).collect();
+        match words.split_last() {
+            Some((last, rest)) if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),
+            _ => words.concat(),
+        }
     }
 }
 
@@ -49,9 +58,4 @@ impl Word {
     pub const fn now(name: &'static str, doc: &'static str) -> Self {
         Self { name, doc, availability: Availability::Now }
     }
-}
-
-/// All words of a choice, those of later versions last.
-pub(super) fn words<T: Choice>() -> Vec<Word> {
-    T::WORDS.iter().map(|(_, word)| *word).chain(T::LATER.iter().copied()).collect()
 }
