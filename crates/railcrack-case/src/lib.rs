@@ -16,7 +16,7 @@ pub use case::{
     CarriedStress, CarriedStressError, Case, Overrides, PreparedRun, Projection, RailKey, Release, RunSize,
     SharedRail, SharedRailError,
 };
-pub use files::{CaseFile, Companion, FieldFile, ProfileFile};
+pub use files::{CaseFile, Companion, FieldFile, ProfileFile, RatesFile};
 pub use schema::{
     Availability, CaseError, CaseErrors, Choice, Form, Key, Kind, NumberRange, OnlyWith, Pair, Presence,
     Preset, RangeEnd, Section, SectionPresence, Value, Word,

@@ -4,7 +4,10 @@ pub use crate::body::{BodyEngine, CrackedBody};
 pub use crate::contact::{ContactSolver, FaceProblem, Latin, Newton, StepControl};
 pub use crate::crack::{Crack, CrackNetwork, End};
 pub use crate::dislocation::{DislocationEngine, FaceResolution};
-pub use crate::fatigue::{DirectionCriterion, HourlierPineau, Kink, KinkFunctions, ParisLaw, SifRanges};
+pub use crate::fatigue::{
+    DirectionCriterion, EquivalentRange, GrowthLaw, HourlierPineau, Kink, KinkFunctions, Paris, RateLaw,
+    SifRanges,
+};
 pub use crate::field::{
     BendingWheel, CarterWheel, DepthProfile, HertzWheel, StressField, TableWheel, Uniform, Wheel, Wheels,
 };

@@ -6,10 +6,10 @@ use super::limits::check_size;
 use crate::files::read_profile;
 use crate::schema::{Report, SectionValues, Sections, Value, Written};
 use crate::tables::{
-    AXLE_LOAD, CENTRE, CONTACT, CRACK, ENGINE, Engine, FROM, FieldOutput, GROWTH, MESH, MeshSettings, OUTPUT,
-    PASSAGE, PLASTIC_STRESS, PROFILE, PlasticSource, RAIL, RESIDUAL_STRESS, Rail, SHAKEDOWN, SOLVER,
-    SOLVER_CONTACT, ShakedownSettings, TITLE, TO, TOP, TRAFFIC, read_contact, read_growth, read_passage,
-    read_passages, read_steel,
+    AXLE_LOAD, CENTRE, CONTACT, CRACK, ENGINE, Engine, FROM, FieldOutput, GROWTH, LAW_KEYS, MESH,
+    MeshSettings, OUTPUT, PASSAGE, PLASTIC_STRESS, PROFILE, PlasticSource, RAIL, RESIDUAL_STRESS, Rail,
+    SHAKEDOWN, SOLVER, SOLVER_CONTACT, ShakedownSettings, TITLE, TO, TOP, TRAFFIC, read_contact, read_growth,
+    read_passage, read_passages, read_steel,
 };
 use railcrack::bulk::Boundary;
 use railcrack::load::{HertzianContact, Passage};
@@ -46,7 +46,10 @@ pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) 
         refuse_counting_twice(section, report);
     }
     let shakedown = sections.one(&SHAKEDOWN).and_then(|s| ShakedownSettings::read(s, folder, report));
-    let growth = sections.one(&GROWTH).and_then(|s| read_growth(s, report));
+    let growth = sections.one(&GROWTH).and_then(|s| read_growth(s, folder, report));
+    if growth.as_ref().is_some_and(|growth| growth.steel.is_some()) {
+        sections.leave_out(&GROWTH, LAW_KEYS);
+    }
     let (placed, rail) = (placed?, rail?);
     // A stored case says where the middle of the rail was.
     sections.settle(&RAIL, CENTRE, Value::Number(rail.extent.centre));
@@ -62,7 +65,9 @@ pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) 
         residual_stress,
         plastic_stress,
         shakedown: shakedown?,
-        growth: growth?,
+        growth: growth.as_ref()?.settings.clone(),
+        growth_steel: growth.as_ref()?.steel,
+        growth_rates: growth?.rates,
         mesh: MeshSettings::read(sections.one(&MESH)?),
         engine: solver.get(ENGINE)?,
         contact_solver: solver.get(SOLVER_CONTACT)?,

@@ -1,11 +1,12 @@
 //! Checked case: everything that a run computes, in the types of the mechanics.
 
-use crate::files::{Companion, ProfileFile};
+use crate::files::{Companion, ProfileFile, RatesFile};
 use crate::schema::{Value, Written};
 use crate::tables::{
     ContactSolver, Engine, FieldOutput, MeshSettings, PlasticSource, Rail, ShakedownSettings, TITLE, TOP,
 };
 use railcrack::crack::CrackNetwork;
+use railcrack::fatigue::RailSteel;
 use railcrack::growth::{GrowthSettings, PassageSettings};
 use railcrack::load::HertzianContact;
 use railcrack::material::IsotropicElastic;
@@ -38,6 +39,10 @@ pub struct Case {
     pub shakedown: ShakedownSettings,
     /// Rate and direction of growth, and the end of the run.
     pub growth: GrowthSettings,
+    /// The steel whose growth law it is, where it is one with a name.
+    pub growth_steel: Option<&'static RailSteel>,
+    /// The file of the growth law, where it is a table.
+    pub growth_rates: Option<RatesFile>,
     /// Discretisation.
     pub mesh: MeshSettings,
     /// Engine that computes the cracked rail.
@@ -99,6 +104,7 @@ impl Case {
         });
         let residual = self.residual_stress.as_ref().map(ProfileFile::companion);
         let initial = self.shakedown.initial_residual.as_ref().map(ProfileFile::companion);
-        residual.into_iter().chain(plastic).chain(initial).collect()
+        let rates = self.growth_rates.as_ref().map(RatesFile::companion);
+        residual.into_iter().chain(plastic).chain(initial).chain(rates).collect()
     }
 }

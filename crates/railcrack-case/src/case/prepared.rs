@@ -148,7 +148,7 @@ impl PreparedRun<'_> {
             residual: residual.field,
             passages: case.passages,
             fields: case.field_settings(),
-            growth: case.growth,
+            growth: case.growth.clone(),
             rail: case.rail.extent,
         };
         let state = state.unwrap_or_else(|| GrowthState::initial(&case.cracks));

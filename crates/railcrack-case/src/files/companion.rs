@@ -1,6 +1,7 @@
 //! Files that a case names, and how they are kept beside a stored case.
 
 use crate::schema::{Kind, Row};
+use railcrack::fatigue::RateTable;
 use railcrack::field::DepthProfile;
 use railcrack::residual::PlasticField;
 
@@ -25,6 +26,9 @@ pub struct CaseFile<T> {
 
 /// A plastic stress on a mesh, and its file reduced to the mesh and this one array.
 pub type FieldFile = CaseFile<PlasticField>;
+
+/// Growth rates by equivalent range, and the text they were read from.
+pub type RatesFile = CaseFile<RateTable>;
 
 /// A stress profile and the text it was read from.
 pub type ProfileFile = CaseFile<DepthProfile>;

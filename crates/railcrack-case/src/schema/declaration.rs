@@ -84,8 +84,26 @@ pub struct OnlyWith {
     pub key: &'static str,
     /// Its value.
     pub choice: &'static str,
+    /// Other values that do as well.
+    pub also: &'static [&'static str],
     /// Why the key means nothing with the other values; help, followed by what to do.
     pub otherwise: &'static str,
+}
+
+impl OnlyWith {
+    /// Whether `word` is such a choice.
+    #[must_use]
+    pub fn admits(&self, word: &str) -> bool {
+        self.choice == word || self.also.contains(&word)
+    }
+
+    /// The choices, each in quotes: `kind = "hertz" or "carter"`.
+    #[must_use]
+    pub fn shown(&self) -> String {
+        let words: Vec<String> =
+            std::iter::once(&self.choice).chain(self.also).map(|word| format!("\"{word}\"")).collect();
+        format!("{} = {}", self.key, words.join(" or "))
+    }
 }
 
 /// An integer key of the same section that is given with this one: above its default it needs this
@@ -327,7 +345,7 @@ impl Section {
     pub fn offers(&self, key: &Key) -> bool {
         let Some(with) = key.only_with else { return true };
         match self.key(with.key).map(|k| k.kind) {
-            Some(Kind::Choice(words)) => available(words).any(|word| word.name == with.choice),
+            Some(Kind::Choice(words)) => available(words).any(|word| with.admits(word.name)),
             _ => true,
         }
     }

@@ -43,7 +43,8 @@ pub(crate) fn section_schema(section: &Section) -> Value {
     for key in section.keys.iter().filter(|k| section.offers(k)) {
         properties.insert(key.name.into(), key_schema(key));
     }
-    let is_always_required = |key: &&Key| key.is_required() && !section.is_in_a_form(key);
+    let needed = |key: &&Key| key.is_required() && !section.is_in_a_form(key);
+    let is_always_required = |key: &&Key| needed(key) && key.only_with.is_none();
     let required: Vec<&str> = section.keys.iter().filter(is_always_required).map(|k| k.name).collect();
     let mut schema = json!({
         "description": section.doc,

@@ -47,7 +47,7 @@ fn row(section: &Section, key: &Key) -> String {
     };
     let mut meaning = key.doc.to_string();
     if let Some(with) = key.only_with {
-        meaning.push_str(&format!(" Only with `{} = \"{}\"`.", with.key, with.choice));
+        meaning.push_str(&format!(" Only with `{}`.", with.shown()));
     }
     if !section.offers(key) {
         meaning.push_str(" Refused for now.");

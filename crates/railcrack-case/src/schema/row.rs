@@ -49,7 +49,19 @@ impl<T> Row<T> {
 
     /// Only with the word `choice` of another key; `otherwise` says why.
     pub const fn only_with<U>(self, other: Row<U>, choice: &'static str, otherwise: &'static str) -> Self {
-        let only_with = OnlyWith { key: other.key.name, choice, otherwise };
+        self.only_with_any(other, choice, &[], otherwise)
+    }
+
+    /// Only with the word `choice` of another key, or one of the words `also`; `otherwise` says
+    /// why.
+    pub const fn only_with_any<U>(
+        self,
+        other: Row<U>,
+        choice: &'static str,
+        also: &'static [&'static str],
+        otherwise: &'static str,
+    ) -> Self {
+        let only_with = OnlyWith { key: other.key.name, choice, also, otherwise };
         self.with(Key { only_with: Some(only_with), ..self.key })
     }
 

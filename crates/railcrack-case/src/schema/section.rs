@@ -143,9 +143,9 @@ fn fill(read: &mut SectionValues, given: &[(&'static Key, Range<usize>)], report
         let dotted = read.dotted(key.name);
         if let Some((_, span)) = given.iter().find(|(k, _)| k.name == key.name) {
             if let Some(with) = key.only_with
-                && read.named(with.key).is_some_and(|other| !other.has_word(with.choice))
+                && read.named(with.key).is_some_and(|other| !other.is_admitted(&with))
             {
-                let message = format!("`{dotted}` needs {} = \"{}\"", with.key, with.choice);
+                let message = format!("`{dotted}` needs {}", with.shown());
                 let help = format!("{}: leave `{}` out", with.otherwise, key.name);
                 report.add(Fault::of(dotted, span.clone(), message).help(help));
             }
@@ -156,12 +156,12 @@ fn fill(read: &mut SectionValues, given: &[(&'static Key, Range<usize>)], report
         }
         let wanted = key
             .only_with
-            .is_none_or(|with| read.named(with.key).is_some_and(|other| other.has_word(with.choice)));
+            .is_none_or(|with| read.named(with.key).is_some_and(|other| other.is_admitted(&with)));
         match key.presence {
             Presence::Default(preset) if wanted => {
                 read.entries.push(Entry { key, value: preset.into(), span: None, parts: Vec::new() });
             }
-            Presence::Required(_) => {
+            Presence::Required(_) if wanted => {
                 let message = format!("`{dotted}` is missing: it must be {}", key.kind.accepted());
                 report.add(Fault::of(dotted, read.span.clone(), message).help(key.doc));
             }

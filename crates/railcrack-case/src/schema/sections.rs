@@ -1,6 +1,6 @@
 //! Accepted values of the sections of a file.
 
-use super::declaration::{Key, Kind, Section};
+use super::declaration::{Key, Kind, OnlyWith, Section};
 use super::error::Fault;
 use super::row::Row;
 use super::value::{FromValue, Value};
@@ -25,6 +25,13 @@ impl Sections {
     /// The section, which does not repeat.
     pub fn one(&self, section: &Section) -> Option<&SectionValues> {
         self.all(section).next()
+    }
+
+    /// Leaves out the values that keys `names` of a section have by default.
+    pub fn leave_out(&mut self, section: &Section, names: &[&str]) {
+        for read in self.0.iter_mut().filter(|read| read.section.name == section.name) {
+            read.entries.retain(|entry| entry.span.is_some() || !names.contains(&entry.key.name));
+        }
     }
 
     /// Gives `value` to a key that has none.
@@ -63,8 +70,8 @@ pub(crate) struct Entry {
 }
 
 impl Entry {
-    pub(super) fn has_word(&self, word: &str) -> bool {
-        matches!(&self.value, Value::Text(text) if text == word)
+    pub(super) fn is_admitted(&self, with: &OnlyWith) -> bool {
+        matches!(&self.value, Value::Text(text) if with.admits(text))
     }
 }
 
@@ -81,6 +88,16 @@ impl SectionValues {
 
     pub(super) fn named(&self, key: &str) -> Option<&Entry> {
         self.entries.iter().find(|e| e.key.name == key)
+    }
+
+    /// Whether the file gives this key a value.
+    pub fn is_given<T>(&self, row: Row<T>) -> bool {
+        self.is_given_name(row.key.name)
+    }
+
+    /// Whether the file gives the key `name` a value.
+    pub fn is_given_name(&self, name: &str) -> bool {
+        self.named(name).is_some_and(|entry| entry.span.is_some())
     }
 
     /// Whether a key was given a value that was not accepted: nothing more can be said about it.
@@ -104,9 +121,15 @@ impl SectionValues {
 
     /// A fault of the value of a key.
     pub fn fault<T>(&self, row: Row<T>, says: impl Display) -> Fault {
-        let dotted = self.dotted(row.key.name);
-        let value = self.entry(row).map_or(String::new(), |entry| format!(" = {}", entry.value));
-        Fault::of(dotted.clone(), self.span_of(row), format!("`{dotted}{value}`: {says}"))
+        self.fault_of_name(row.key.name, says)
+    }
+
+    /// A fault of the value of the key `name`.
+    pub fn fault_of_name(&self, name: &str, says: impl Display) -> Fault {
+        let (dotted, entry) = (self.dotted(name), self.named(name));
+        let value = entry.map_or(String::new(), |entry| format!(" = {}", entry.value));
+        let span = entry.and_then(|entry| entry.span.clone()).unwrap_or(self.span.clone());
+        Fault::of(dotted.clone(), span, format!("`{dotted}{value}`: {says}"))
     }
 
     /// A fault of the section as a whole.

@@ -99,7 +99,7 @@ fn means_nothing_alone(section: &Section, key: &Key) -> bool {
 fn goes_with_the_defaults(section: &Section, key: &Key) -> bool {
     let Some(with) = key.only_with else { return true };
     let default = section.key(with.key).map(|other| other.presence.preset());
-    matches!(default, Some(Preset::Text(chosen)) if chosen == with.choice)
+    matches!(default, Some(Preset::Text(chosen)) if with.admits(chosen))
 }
 
 /// A value of a declaration as TOML.

@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 use railcrack::dislocation::cracked_body;
-use railcrack::fatigue::ParisLaw;
+use railcrack::fatigue::{GrowthLaw, RateLaw};
 use railcrack::growth::{GrowthSettings, PassageSettings, StepRecord, Unobserved};
 use railcrack::math::RailBox;
 use railcrack_case::{Case, ContactSolver, Engine, Input, Overrides, init_text};
@@ -51,7 +51,7 @@ fn defaults_are_the_reference_case() {
     long.title = short.title.clone();
     assert_eq!(format!("{:?}", short.growth), format!("{:?}", long.growth));
     assert_eq!(short.growth, GrowthSettings::default());
-    assert_eq!(short.growth.law, ParisLaw::RAIL_STEEL);
+    assert_eq!(short.growth.law, GrowthLaw::RAIL_STEEL);
     assert_eq!((short.steel.young(), short.steel.poisson()), (210e3, 0.3));
     assert_eq!(short.passages, PassageSettings::default());
     assert_eq!(short.rail.extent, RailBox::default());
@@ -220,7 +220,8 @@ proptest! {
         let again = parse(&case.to_toml());
         prop_assert_eq!(&again, &case);
         prop_assert_eq!(again.to_toml(), case.to_toml());
-        prop_assert_eq!(case.growth.law.c.to_bits(), c.to_bits());
+        let RateLaw::Paris(law) = case.growth.law.rate else { panic!("the default is Paris' law") };
+        prop_assert_eq!(law.c.to_bits(), c.to_bits());
     }
 
     /// Whatever is written, it is read or refused: never a panic.
@@ -290,4 +291,30 @@ fn negative_k1_counts_where_the_case_says_so() {
     assert!(kink("").abs() < 5.0, "{}", kink(""));
     let unclipped = kink("[growth]\ndirection = \"max-rate-unclipped\"");
     assert!(unclipped.abs() > 50.0, "{unclipped}");
+}
+
+/// Laws with constants of their own, and back.
+#[test]
+fn growth_laws() {
+    let minimal = "[contact]\npeak_pressure_mpa = 845\nhalf_width_mm = 6.75\nfriction = 0.025\n\
+        [[crack]]\nmouth_mm = 0\nlength_mm = 6\nangle_deg = 15\nfriction = 0.5\n[growth]\n";
+    for (lines, law) in [
+        ("law = \"walker\"\nwalker_gamma = 0.4", "da/dN = 2e-9 [dK/(1-R)^0.6000]^3.33"),
+        ("law = \"bold\"", "da/dN = 5.07e-10 (dK^3.74 - 4^3.74)"),
+        ("law = \"paris-threshold\"\nthreshold_mpa_sqrt_m = 4", "da/dN = 2e-9 (dK^3.33 - 4^3.33)"),
+        ("law = \"forman\"\nequivalent = \"tanaka\"", "da/dN = 5e-8 dK^3/((1-R) 60 - dK)"),
+        (
+            "law = \"nasgro\"\nequivalent = \"richard\"",
+            "da/dN = 1e-9 [(1-f)/(1-R) dK]^3 (1 - 5/dK)^0.5/(1 - Kmax/40)^0.5",
+        ),
+        ("direction = \"mts\"", "da/dN = 2e-9 dK^3.33"),
+    ] {
+        let case = parse(&format!("{minimal}{lines}\n"));
+        assert_eq!(case.growth.law.rate.formula(), law);
+        assert_eq!(parse(&case.to_toml()), case, "{lines}");
+    }
+    let steel = parse(&format!("{minimal}steel = \"R260\"\n"));
+    assert_eq!(steel.growth_steel.map(|steel| steel.name), Some("R260"));
+    assert!((steel.growth.law.rate.rate(10.0, 0.0) / 17e-6 - 1.0).abs() < 1e-12);
+    assert_eq!(parse(&steel.to_toml()), steel);
 }

@@ -7,7 +7,7 @@ use crate::print;
 use clap::Args;
 use railcrack::contact::StepControl;
 use railcrack::crack::Crack;
-use railcrack::fatigue::DirectionCriterion;
+use railcrack::fatigue::{ACCEPTANCE_RANGES, DirectionCriterion, RAIL_STEELS, RateLaw};
 use railcrack::shakedown::{DepthBounds, bounds_by_depth, first_yield_ratio, shakedown_limit_ratio};
 use railcrack::words::Choice;
 use railcrack_case::{Case, Input, PlasticSource};
@@ -197,6 +197,9 @@ fn growth(case: &Case) -> Vec<Row> {
         DirectionCriterion::MaxRateUnclipped => "largest growth rate of the kink, negative k1 counted",
         DirectionCriterion::MaxDeltaK1 => "largest range of k1",
         DirectionCriterion::MaxK1 => "largest k1",
+        DirectionCriterion::Coplanar => "straight ahead",
+        DirectionCriterion::MaxTangentialStress => "largest tangential stress ahead of the tip",
+        DirectionCriterion::MaxDeltaCtd => "largest range of the displacement at the tip of the kink",
     };
     let steps = match growth.steps {
         0 => "0: the initial cracks only".into(),
@@ -204,14 +207,9 @@ fn growth(case: &Case) -> Vec<Row> {
     };
     let mut rows = vec![
         ("increments", steps),
-        (
-            "law",
-            format!(
-                "da/dN = {:e} dKeq^{} mm/cycle, dKeq^2 = dKI^2 + {} dKII^2, MPa sqrt(m)",
-                law.c, law.m, law.mode_2_weight
-            ),
-        ),
-        ("threshold", format!("{} MPa sqrt(m)", law.threshold)),
+        ("law", format!("{} mm/cycle, MPa sqrt(m)", law.rate.formula())),
+        ("range", law.equivalent.formula()),
+        ("EN 13674-1", acceptance(&law.rate)),
         ("arrest below", format!("{:e} mm/cycle", growth.arrest_rate)),
         ("direction", direction.into()),
     ];
@@ -225,6 +223,17 @@ fn growth(case: &Case) -> Vec<Row> {
         rows.push(("axle load", format!("{load} t")));
     }
     rows
+}
+
+/// Rates at R = 0.5 beside those that the standard accepts of a rail.
+fn acceptance(law: &RateLaw) -> String {
+    let accepted = RAIL_STEELS[0].accepted_growth;
+    let of = |(range, limit): (f64, f64)| {
+        // Metres in 1e9 cycles.
+        format!("{} of {limit} m/Gcycle at dK = {range}", number(1e6 * law.rate(range, 0.5)))
+    };
+    let [low, high] = ACCEPTANCE_RANGES;
+    format!("{}, {}, R = 0.5", of((low, accepted[0])), of((high, accepted[1])))
 }
 
 /// Summary of the stabilised plastic state that `railcrack shakedown` would compute.

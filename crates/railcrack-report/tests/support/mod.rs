@@ -156,6 +156,7 @@ pub fn step(size: Size, step: usize) -> (StepRecord, GrowthState) {
         cracks: cracks(size, if is_last { step } else { step + 1 }),
         junctions: Vec::new(),
         break_outs: Vec::new(),
+        interval: None,
         load_cycles: cycles(if is_last { step } else { step + 1 }),
         stopped: vec![vec![None]; size.cracks],
         deferred: vec![vec![DeferredGrowth::default()]; size.cracks],

@@ -16,7 +16,7 @@ table! {
         "K: MPa sqrt(m), ranges over the stabilised passage, K_I clipped at zero",
         "angles: degrees from straight ahead, counter-clockwise positive; empty: a tip that is not loaded, or no rival direction",
         "rival_ratio: growth rate in the rival direction over the chosen one",
-        "load_cycles: axles up to the start of the step (explicit Euler); stop: why the tip, or in the last step the run, stopped",
+        "load_cycles: axles up to the start of the step, by the trapezoidal rule in 1/rate of the fastest tip; stop: why the tip, or in the last step the run, stopped",
         "increments of a slow tip wait, and are put into its crack together: until then the tip stays where it is",
     ] {
         /// Which tip, when.
@@ -50,7 +50,8 @@ table! {
         increment: f64 = "increment_mm";
         /// Rate da/dN, mm per load cycle.
         rate: f64 = "rate_mm_per_cycle";
-        /// Load cycles up to the start of the step (explicit Euler).
+        /// Load cycles up to the start of the step: each increment of the fastest tip takes Δa/2
+        /// (1/r_start + 1/r_end).
         load_cycles: f64 = "load_cycles";
         /// Why the tip stopped; in the last step, for tips without a reason of their own, why the
         /// run ended; else empty.

@@ -1,19 +1,22 @@
 //! Direction of growth under a non-proportional passage.
 
 use super::hull::convex_hull;
-use super::{DirectionCriterion, KINK_ANGLES, KinkFunctions, ParisLaw};
+use super::kink_ranges::{KinkRanges, tangential, vector_range};
+use super::maxima::{Maximum, SAME_ANGLE, local_maxima, preferred};
+use super::{DirectionCriterion, GrowthLaw, KINK_ANGLES};
 use crate::fracture::{Sif, SifHistory};
 
 /// The criterion of Hourlier & Pineau: the crack kinks by the angle β that maximises the growth
 /// rate of the virtual kink over the passage, from the ranges of k1(β, t), clipped at zero (a
-/// closed kink does not open negatively), and k2(β, t).
+/// closed kink does not open negatively), and k2(β, t). The other criteria maximise other
+/// quantities in the same way.
 ///
 /// Source: Hourlier & Pineau 1982, Fatigue Eng. Mater. Struct. 5, 287–302; Trollé et al. 2014,
 /// section 4.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct HourlierPineau {
     /// The growth law that weights the two modes.
-    pub law: ParisLaw,
+    pub law: GrowthLaw,
     /// The quantity that is maximised.
     pub criterion: DirectionCriterion,
 }
@@ -23,11 +26,12 @@ pub struct HourlierPineau {
 pub struct Kink {
     /// β, radians, counter-clockwise positive from straight ahead.
     pub angle: f64,
-    /// Growth rate of the virtual kink, mm per cycle.
+    /// Growth rate of the virtual kink, mm per cycle; the mean over the axles of a mix.
     pub rate: f64,
-    /// Δk1 of the virtual kink, k1 clipped at zero, MPa √mm.
+    /// Δk1 of the virtual kink, k1 clipped at zero, MPa √mm; in a mix, of the wheel that does most
+    /// of the rate.
     pub delta_k1: f64,
-    /// Δk2 of the virtual kink, MPa √mm.
+    /// Δk2 of the virtual kink, MPa √mm; in a mix, of the same wheel.
     pub delta_k2: f64,
     /// The largest secondary maximum, if any.
     pub secondary: Option<SecondaryMaximum>,
@@ -39,27 +43,28 @@ pub struct Kink {
 pub struct SecondaryMaximum {
     /// β, radians.
     pub angle: f64,
-    /// Its value over the largest one: of the growth rate (without threshold) for
-    /// [`DirectionCriterion::MaxRate`], of Δk1 or of k1 for the others.
+    /// Its value over the largest one: of the growth rate (under one wheel without threshold) for
+    /// [`DirectionCriterion::MaxRate`], of the quantity itself for the others.
     pub ratio: f64,
 }
 
-/// Step of the coarse search, radians: the kink functions change by 2 % over it.
-const GRID_STEP: f64 = std::f64::consts::PI / 180.0;
+/// The history of a tip under one wheel of a mix.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WheelHistory<'a> {
+    /// Share of the axles.
+    pub share: f64,
+    /// K through the stabilised passage of this wheel.
+    pub history: &'a SifHistory,
+}
+
 /// Least distance of a secondary maximum from the chosen direction, radians.
 pub(crate) const SECONDARY_DISTANCE: f64 = 15.0 * std::f64::consts::PI / 180.0;
 /// Maxima whose criteria differ by less, relatively, are ties: round-off of the history must not
 /// decide between them.
 const TIE: f64 = 1e-9;
-/// Angles closer than this (radians) count as equally far from straight ahead: the resolution of a
-/// maximum in double precision.
-const SAME_ANGLE: f64 = 1e-6;
 
-#[derive(Debug, Clone, Copy)]
-struct Maximum {
-    angle: f64,
-    value: f64,
-}
+/// The corners of the histories under each wheel, with the shares of the axles.
+type Loads = [(f64, Vec<Sif>)];
 
 impl HourlierPineau {
     /// The kink for one passage of `history`. None where nothing drives a kink: no samples, all
@@ -71,11 +76,34 @@ impl HourlierPineau {
     /// gives exactly the opposite angle.
     #[must_use]
     pub fn kink(&self, history: &SifHistory) -> Option<Kink> {
-        if !history.samples.iter().all(|k| k.ki.is_finite() && k.kii.is_finite()) {
+        self.kink_of_mix(&[WheelHistory { share: 1.0, history }])
+    }
+
+    /// The kink under a mix of wheels: the direction maximises Σ s_i r_i(β), the sum of the rates
+    /// under each wheel by its share of the axles, each with its own threshold. Where no direction
+    /// grows, it is searched without thresholds. Ranges of k1 and of the displacement add like
+    /// rates; of the largest k1 and tangential stress the mix has the largest of all wheels.
+    ///
+    /// A single wheel is [`HourlierPineau::kink`].
+    #[must_use]
+    pub fn kink_of_mix(&self, wheels: &[WheelHistory]) -> Option<Kink> {
+        let samples = || wheels.iter().flat_map(|wheel| &wheel.history.samples);
+        if !samples().all(|k| k.ki.is_finite() && k.kii.is_finite()) {
             return None;
         }
-        let extremes = convex_hull(&history.samples);
-        let maxima = self.local_maxima(&extremes);
+        let loads: Vec<(f64, Vec<Sif>)> =
+            wheels.iter().map(|wheel| (wheel.share, convex_hull(&wheel.history.samples))).collect();
+        let (maxima, quantity) = match &loads[..] {
+            [_] => (self.maxima(&loads, Quantity::Drive), Quantity::Drive),
+            _ => {
+                let with_thresholds = self.maxima(&loads, Quantity::Rate);
+                if with_thresholds.iter().any(|m| m.value > 0.0) {
+                    (with_thresholds, Quantity::Rate)
+                } else {
+                    (self.maxima(&loads, Quantity::Drive), Quantity::Drive)
+                }
+            }
+        };
         let top = maxima.iter().fold(0.0_f64, |top, m| top.max(m.value));
         if top <= 0.0 {
             return None;
@@ -87,144 +115,73 @@ impl HourlierPineau {
             .filter(|m| m.angle.abs() < KINK_ANGLES.end() - SAME_ANGLE)
             .copied()
             .reduce(|a, b| if b.value > a.value * (1.0 + TIE) { b } else { a })
-            .map(|m| SecondaryMaximum { angle: m.angle, ratio: self.ratio(m.value, best.value) });
-        let ranges = KinkRanges::of(&extremes, best.angle);
+            .map(|m| SecondaryMaximum { angle: m.angle, ratio: self.ratio(quantity, m.value, best.value) });
+        let of = |(share, extremes): &(f64, Vec<Sif>)| {
+            let ranges = KinkRanges::of(extremes, best.angle);
+            (share * self.law.rate(ranges.clipped()), ranges)
+        };
+        let each: Vec<(f64, KinkRanges)> = loads.iter().map(of).collect();
+        let (_, most) = each.iter().copied().reduce(|a, b| if b.0 > a.0 { b } else { a })?;
         Some(Kink {
             angle: best.angle,
-            rate: self.law.rate(ranges.delta_k1, ranges.delta_k2),
-            delta_k1: ranges.delta_k1,
-            delta_k2: ranges.delta_k2,
+            rate: each.iter().map(|(rate, _)| rate).sum(),
+            delta_k1: most.delta_k1,
+            delta_k2: most.delta_k2,
             secondary,
         })
     }
 
-    /// The criterion at `angle`. The rate is represented by ΔK_eq, with which it grows: no
-    /// threshold flattens the search.
-    fn value(&self, extremes: &[Sif], angle: f64) -> f64 {
-        let ranges = KinkRanges::of(extremes, angle);
+    fn maxima(&self, loads: &Loads, quantity: Quantity) -> Vec<Maximum> {
+        if self.criterion == DirectionCriterion::Coplanar {
+            return vec![Maximum { angle: 0.0, value: self.value(loads, Quantity::Drive, 0.0) }];
+        }
+        local_maxima(|angle| self.value(loads, quantity, angle))
+    }
+
+    /// The criterion at `angle`. Under one wheel the rate is represented by ΔK_eq, with which it
+    /// grows: no threshold flattens the search.
+    fn value(&self, loads: &Loads, quantity: Quantity, angle: f64) -> f64 {
+        let sum = |of: &dyn Fn(&[Sif]) -> f64| match loads {
+            [(_, only)] => of(only),
+            _ => loads.iter().map(|(share, extremes)| share * of(extremes)).sum(),
+        };
+        let largest = |of: &dyn Fn(&[Sif]) -> f64| loads.iter().map(|(_, e)| of(e)).fold(0.0, f64::max);
+        let driven = |range| match quantity {
+            Quantity::Drive => self.law.drive(range),
+            Quantity::Rate => self.law.rate(range),
+        };
         match self.criterion {
-            DirectionCriterion::MaxRate => self.law.equivalent_range(ranges.delta_k1, ranges.delta_k2),
+            DirectionCriterion::MaxRate | DirectionCriterion::Coplanar => {
+                sum(&|extremes| driven(KinkRanges::of(extremes, angle).clipped()))
+            }
             DirectionCriterion::MaxRateUnclipped => {
-                self.law.equivalent_range(ranges.delta_k1_unclipped, ranges.delta_k2)
+                sum(&|extremes| driven(KinkRanges::of(extremes, angle).unclipped()))
             }
-            DirectionCriterion::MaxDeltaK1 => ranges.delta_k1,
-            DirectionCriterion::MaxK1 => ranges.k1_max,
+            DirectionCriterion::MaxDeltaK1 => sum(&|extremes| KinkRanges::of(extremes, angle).delta_k1),
+            DirectionCriterion::MaxK1 => largest(&|extremes| KinkRanges::of(extremes, angle).k1_max),
+            DirectionCriterion::MaxTangentialStress => largest(&|extremes| tangential(extremes, angle)),
+            DirectionCriterion::MaxDeltaCtd => sum(&|extremes| vector_range(extremes, angle)),
         }
     }
 
-    fn ratio(&self, value: f64, best: f64) -> f64 {
-        match self.criterion {
-            DirectionCriterion::MaxRate | DirectionCriterion::MaxRateUnclipped => {
-                (value / best).powf(self.law.m)
+    fn ratio(&self, quantity: Quantity, value: f64, best: f64) -> f64 {
+        match (self.criterion, quantity) {
+            (DirectionCriterion::MaxRate | DirectionCriterion::MaxRateUnclipped, Quantity::Drive) => {
+                self.law.rate.ratio(value, best)
             }
-            DirectionCriterion::MaxDeltaK1 | DirectionCriterion::MaxK1 => value / best,
+            _ if value.is_finite() => value / best,
+            _ => 1.0,
         }
-    }
-
-    fn local_maxima(&self, extremes: &[Sif]) -> Vec<Maximum> {
-        let half = (KINK_ANGLES.end() / GRID_STEP).round() as i32;
-        let angle = |i: i32| f64::from(i) * GRID_STEP;
-        let values: Vec<f64> = (-half..=half).map(|i| self.value(extremes, angle(i))).collect();
-        let last = values.len() - 1;
-        let mut maxima = Vec::new();
-        for (i, here) in (-half..=half).enumerate() {
-            let not_below = |j: usize| values[i] >= values[j];
-            if (i > 0 && !not_below(i - 1)) || (i < last && !not_below(i + 1)) {
-                continue;
-            }
-            let (from, to) = (angle((here - 1).max(-half)), angle((here + 1).min(half)));
-            let refined =
-                vertex(golden_section(from, to, |beta| self.value(extremes, beta)), (from, to), |beta| {
-                    self.value(extremes, beta)
-                });
-            // At an end of the range the grid point itself may be the maximum, as on a plateau.
-            let on_grid = Maximum { angle: angle(here), value: values[i] };
-            maxima.push(if refined.value > on_grid.value { refined } else { on_grid });
-        }
-        maxima
     }
 }
 
-/// The preferred one of two tied maxima.
-fn preferred(a: Maximum, b: Maximum) -> Maximum {
-    let difference = a.angle.abs() - b.angle.abs();
-    if difference.abs() > SAME_ANGLE {
-        return if difference < 0.0 { a } else { b };
-    }
-    if a.angle > b.angle { a } else { b }
-}
-
-/// The maximum of a unimodal function in [from, to]. Symmetric: the mirrored function gives the
-/// mirrored angle to the last bit.
-fn golden_section(mut from: f64, mut to: f64, value: impl Fn(f64) -> f64) -> Maximum {
-    const GOLDEN: f64 = 0.618_033_988_749_894_9;
-    // 2° · 0.618^36 = 1e-9 rad: below it the top of a smooth maximum is flat in double precision.
-    const STEPS: usize = 36;
-    for _ in 0..STEPS {
-        let width = GOLDEN * (to - from);
-        let (left, right) = (to - width, from + width);
-        let (at_left, at_right) = (value(left), value(right));
-        if at_left >= at_right {
-            to = right;
-        }
-        if at_left <= at_right {
-            from = left;
-        }
-    }
-    let angle = 0.5 * (from + to);
-    Maximum { angle, value: value(angle) }
-}
-
-/// The maximum at `rough`, refined where the function is smooth there: the vertex of the parabola
-/// through three points. Comparing values leaves an angle uncertain by the square root of
-/// round-off, about 1e-8; the parabola by about 1e-11, so that histories that differ by round-off
-/// give angles that differ by little more.
-fn vertex(rough: Maximum, (from, to): (f64, f64), value: impl Fn(f64) -> f64) -> Maximum {
-    const SPACING: f64 = 2e-4;
-    let at = |step: f64| value(rough.angle + step * SPACING);
-    let curvature = |left: f64, middle: f64, right: f64| left - 2.0 * middle + right;
-    let [far_left, left, middle, right, far_right] = [-2.0, -1.0, 0.0, 1.0, 2.0].map(at);
-    let (near, wide) = (curvature(left, middle, right), 0.25 * curvature(far_left, middle, far_right));
-    // At a corner of the function the second difference is the jump of the slope: it halves with
-    // twice the spacing.
-    let smooth = near < 0.0 && (wide - near).abs() < 0.2 * near.abs();
-    let angle = rough.angle + 0.5 * SPACING * (left - right) / near;
-    if !smooth || (angle - rough.angle).abs() > SPACING || angle < from || angle > to {
-        return rough;
-    }
-    Maximum { angle, value: value(angle).max(rough.value) }
-}
-
-/// Ranges of k1 and k2 at one angle over the passage. They follow from the extremes of linear
-/// functions of (K_I, K_II), so the corners of the convex hull of the samples suffice.
-#[derive(Debug, Clone, Copy)]
-struct KinkRanges {
-    k1_max: f64,
-    delta_k1: f64,
-    delta_k1_unclipped: f64,
-    delta_k2: f64,
-}
-
-impl KinkRanges {
-    fn of(extremes: &[Sif], angle: f64) -> Self {
-        let functions = KinkFunctions::at(angle);
-        let (mut k1_low, mut k1_top) = (f64::INFINITY, f64::NEG_INFINITY);
-        let (mut k2_low, mut k2_high) = (f64::INFINITY, f64::NEG_INFINITY);
-        for k in extremes.iter().map(|&k| functions.kinked(k)) {
-            (k1_low, k1_top) = (k1_low.min(k.k1), k1_top.max(k.k1));
-            (k2_low, k2_high) = (k2_low.min(k.k2), k2_high.max(k.k2));
-        }
-        if extremes.is_empty() {
-            return Self { k1_max: 0.0, delta_k1: 0.0, delta_k1_unclipped: 0.0, delta_k2: 0.0 };
-        }
-        let k1_high = k1_top.max(0.0);
-        Self {
-            k1_max: k1_high,
-            delta_k1: k1_high - k1_low.max(0.0).min(k1_high),
-            delta_k1_unclipped: k1_top - k1_low,
-            delta_k2: k2_high - k2_low,
-        }
-    }
+/// The quantity by which a rate is represented.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Quantity {
+    /// One that no threshold flattens.
+    Drive,
+    /// The rate itself, as rates under several wheels add.
+    Rate,
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! Kink angles known from theory, ties, mirrored histories, and the reduction to hull corners.
 
 use super::*;
+use crate::fatigue::{EquivalentRange, Paris, RateLaw};
 
 const ALL: [DirectionCriterion; 4] = [
     DirectionCriterion::MaxRate,
@@ -10,7 +11,15 @@ const ALL: [DirectionCriterion; 4] = [
 ];
 
 fn with(criterion: DirectionCriterion) -> HourlierPineau {
-    HourlierPineau { law: ParisLaw::RAIL_STEEL, criterion }
+    HourlierPineau { law: GrowthLaw::RAIL_STEEL, criterion }
+}
+
+fn weighted(mode_2_weight: f64) -> GrowthLaw {
+    GrowthLaw { equivalent: EquivalentRange::HourlierPineau { mode_2_weight }, ..GrowthLaw::RAIL_STEEL }
+}
+
+fn value_of(rule: &HourlierPineau, samples: &[Sif], beta: f64) -> f64 {
+    rule.value(&[(1.0, samples.to_vec())], Quantity::Drive, beta)
 }
 
 fn history(samples: impl IntoIterator<Item = (f64, f64)>) -> SifHistory {
@@ -72,7 +81,7 @@ fn counting_negative_k1_makes_alternating_mode_two_branch() {
     // Without the weight of mode II the kink is where k1 is largest; with it slightly off.
     let alternating = history([(0.0, 100.0), (0.0, -100.0)]);
     let rule = with(DirectionCriterion::MaxRateUnclipped);
-    let mode_1 = HourlierPineau { law: ParisLaw { mode_2_weight: 0.0, ..rule.law }, ..rule };
+    let mode_1 = HourlierPineau { law: weighted(0.0), ..rule.clone() };
     let kink = mode_1.kink(&alternating).unwrap();
     assert!((kink.angle.to_degrees() - 76.6).abs() < 0.05, "{kink:?}");
     let kink = rule.kink(&alternating).unwrap();
@@ -88,13 +97,13 @@ fn chosen_angle_is_the_best_of_a_fine_scan() {
         let history = passage(2000);
         let kink = rule.kink(&history).unwrap();
         // All samples, no hull: the reduction to corners must not change the result.
-        let value = |beta: f64| rule.value(&history.samples, beta);
+        let value = |beta: f64| value_of(&rule, &history.samples, beta);
         let scan = (-11000..=11000).map(|i| (0.01 * f64::from(i)).to_radians());
         let best = scan.max_by(|a, b| value(*a).total_cmp(&value(*b))).unwrap();
         assert!((best - kink.angle).abs() < 0.01_f64.to_radians(), "{criterion:?}: {best} {kink:?}");
         assert!(value(kink.angle) >= value(best));
         let corners = convex_hull(&history.samples);
-        assert_eq!(value(kink.angle), rule.value(&corners, kink.angle));
+        assert_eq!(value(kink.angle), value_of(&rule, &corners, kink.angle));
     }
 }
 
@@ -107,12 +116,12 @@ fn the_secondary_maximum_is_another_local_maximum() {
     let secondary = kink.secondary.unwrap();
     assert!((secondary.angle - kink.angle).abs() >= SECONDARY_DISTANCE);
     assert!(secondary.ratio > 0.0 && secondary.ratio < 1.0, "{kink:?}");
-    let value = |beta: f64| rule.value(&samples, beta);
+    let value = |beta: f64| value_of(&rule, &samples, beta);
     assert!(
         value(secondary.angle) >= value(secondary.angle - 0.01)
             && value(secondary.angle) >= value(secondary.angle + 0.01)
     );
-    let ratio = (value(secondary.angle) / value(kink.angle)).powf(rule.law.m);
+    let ratio = (value(secondary.angle) / value(kink.angle)).powf(3.33);
     assert!((ratio - secondary.ratio).abs() < 1e-12); // same formula, other summation order
 }
 
@@ -122,7 +131,7 @@ fn an_end_of_the_searched_range_is_no_secondary_maximum() {
     let rising = history([(0.0, 0.0), (60.0, 100.0), (0.0, -50.0)]);
     let rule = with(DirectionCriterion::MaxRate);
     let end = *KINK_ANGLES.end();
-    assert!(rule.value(&rising.samples, end) > rule.value(&rising.samples, end - 0.01));
+    assert!(value_of(&rule, &rising.samples, end) > value_of(&rule, &rising.samples, end - 0.01));
     assert_eq!(rule.kink(&rising).unwrap().secondary, None);
 }
 
@@ -151,4 +160,63 @@ fn histories_without_driving_force_give_no_kink() {
         let broken = [(0.0, 0.0), (9.0, 1.0), (5.0, f64::NAN), (8.0, -7.0), (2.0, 3.0)];
         assert_eq!(with(criterion).kink(&history(broken)), None);
     }
+}
+
+#[test]
+fn one_wheel_twice_is_the_wheel_itself() {
+    let (history, rule) = (passage(400), with(DirectionCriterion::MaxRate));
+    let one = rule.kink(&history).unwrap();
+    let half = WheelHistory { share: 0.5, history: &history };
+    let two = rule.kink_of_mix(&[half, half]).unwrap();
+    // The parabola finds the angle to about 1e-11, whichever quantity it goes through.
+    assert!((one.angle - two.angle).abs() < 1e-9, "{one:?} {two:?}");
+    assert!((one.rate / two.rate - 1.0).abs() < 1e-12, "{one:?} {two:?}");
+}
+
+#[test]
+fn the_direction_of_a_mix_flips_where_the_rates_are_equal() {
+    // Two wheels under which the crack kinks to opposite sides, the second one the stronger.
+    let right = history([(0.0, 0.0), (0.0, 100.0)]);
+    let left = history([(0.0, 0.0), (0.0, -130.0)]);
+    let rule = HourlierPineau { law: weighted(0.1), criterion: DirectionCriterion::MaxRate };
+    let angle = |share: f64| {
+        let wheel = |share, history| WheelHistory { share, history };
+        rule.kink_of_mix(&[wheel(1.0 - share, &right), wheel(share, &left)]).unwrap().angle
+    };
+    // By symmetry where share · 1.3^3.33 = 1 − share.
+    let flips = 1.0 / (1.0 + 1.3_f64.powf(3.33));
+    assert!(angle(flips - 1e-6) < -1.0 && angle(flips + 1e-6) > 1.0, "{} {}", angle(0.2), angle(0.4));
+}
+
+#[test]
+fn thresholds_count_wheel_by_wheel() {
+    // Each of the wheels is below the threshold, where their sum would not be.
+    let paris = Paris { threshold: 5.0, ..Paris::RAIL_STEEL };
+    let law = GrowthLaw { rate: RateLaw::Paris(paris), ..GrowthLaw::RAIL_STEEL };
+    let rule = HourlierPineau { law, criterion: DirectionCriterion::MaxRate };
+    let weak = history([(0.0, 0.0), (100.0, 0.0)]);
+    let strong = history([(0.0, 0.0), (0.0, 300.0)]);
+    let wheel = |share, history| WheelHistory { share, history };
+    let below = rule.kink_of_mix(&[wheel(0.5, &weak), wheel(0.5, &weak)]).unwrap();
+    assert!(below.rate == 0.0 && below.angle.abs() < 1e-6, "{below:?}");
+    // The weak wheel has no say.
+    let alone = rule.kink(&strong).unwrap();
+    let mixed = rule.kink_of_mix(&[wheel(0.99, &weak), wheel(0.01, &strong)]).unwrap();
+    assert!((alone.angle - mixed.angle).abs() < 1e-9, "{alone:?} {mixed:?}");
+    assert!((mixed.rate / (0.01 * alone.rate) - 1.0).abs() < 1e-9, "{alone:?} {mixed:?}");
+}
+
+#[test]
+fn other_directions() {
+    let proportional = history([(0.0, 0.0), (0.0, 100.0)]);
+    let angle = |criterion| with(criterion).kink(&proportional).unwrap().angle.to_degrees();
+    // Erdogan & Sih 1963: −70.5° in mode II, from tan(θ/2) = −√2/2 exactly.
+    let exact = -2.0 * 0.5_f64.sqrt().atan().to_degrees();
+    assert!((angle(DirectionCriterion::MaxTangentialStress) - exact).abs() < 1e-4);
+    assert_eq!(angle(DirectionCriterion::Coplanar), 0.0);
+    let opened = history([(0.0, 0.0), (100.0, 0.0)]);
+    let kink = with(DirectionCriterion::MaxDeltaCtd).kink(&opened).unwrap();
+    assert!(kink.angle.abs() < 1e-6, "{kink:?}");
+    assert_eq!(with(DirectionCriterion::Coplanar).kink(&history([(0.0, 0.0)])), None);
+    assert_eq!(with(DirectionCriterion::MaxTangentialStress).kink(&history([(-1.0, 0.0)])), None);
 }

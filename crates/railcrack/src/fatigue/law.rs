@@ -1,101 +1,76 @@
-//! Paris' law and the criteria of direction.
+//! Growth laws: an equivalent range of two modes, and the rate under it.
 
+use super::{EquivalentRange, Paris, RateLaw};
 use crate::math::MPA_SQRT_MM;
-use crate::words::{Choice, Word};
-use std::ops::RangeInclusive;
 
-/// Paris' law da/dN = C ΔK_eq^m with ΔK_eq² = ΔK_I² + w ΔK_II² (Trollé et al. 2014, eqs 30 and 31).
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ParisLaw {
-    /// C, mm per cycle with ΔK_eq in MPa√m.
-    pub c: f64,
-    /// m.
-    pub m: f64,
-    /// w, weight of mode II.
-    pub mode_2_weight: f64,
-    /// Threshold ΔK_eq (MPa√m), at or below which no crack grows.
-    pub threshold: f64,
+/// Growth rate of a crack in mixed mode: da/dN of ΔK_eq(ΔK_I, ΔK_II) and, where the law wants it,
+/// the ratio R.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GrowthLaw {
+    /// The rate under an equivalent range.
+    pub rate: RateLaw,
+    /// The equivalent range.
+    pub equivalent: EquivalentRange,
 }
 
-/// [`ParisLaw::RAIL_STEEL`].
-impl Default for ParisLaw {
+/// [`GrowthLaw::RAIL_STEEL`].
+impl Default for GrowthLaw {
     fn default() -> Self {
         Self::RAIL_STEEL
     }
 }
 
-impl ParisLaw {
-    /// Rail steel as in Trollé et al. 2014, eqs 30 and 31, read in mm per cycle.
-    pub const RAIL_STEEL: Self = Self { c: 2e-9, m: 3.33, mode_2_weight: 0.772, threshold: 0.0 };
+/// Ranges of a passage, of the actual tip or of a virtual kink.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct LoadRange {
+    /// ΔK_I, K_I clipped at zero, MPa √mm.
+    pub delta_ki: f64,
+    /// ΔK_II, MPa √mm.
+    pub delta_kii: f64,
+    /// R, the smallest over the largest K_I, both clipped at zero; 0 for a tip that never opens.
+    pub ratio: f64,
+}
 
-    /// ΔK_eq = √(ΔK_I² + w ΔK_II²) of the ranges `delta_ki` and `delta_kii`, in their unit
-    /// (eq. 31).
+impl LoadRange {
+    /// Of `delta_ki` and `delta_kii` (MPa √mm), with R = 1 − ΔK_I/K_I,max.
+    #[must_use]
+    pub fn new(delta_ki: f64, delta_kii: f64, ki_max: f64) -> Self {
+        let ratio = if ki_max > 0.0 { 1.0 - delta_ki / ki_max } else { 0.0 };
+        Self { delta_ki, delta_kii, ratio }
+    }
+}
+
+impl GrowthLaw {
+    /// Paris' law of rail steel as in Trollé et al. 2014, eqs 30 and 31, read in mm per cycle.
+    pub const RAIL_STEEL: Self =
+        Self { rate: RateLaw::Paris(Paris::RAIL_STEEL), equivalent: EquivalentRange::RAIL_STEEL };
+
+    /// ΔK_eq of the ranges `delta_ki` and `delta_kii`, all MPa √mm.
     #[must_use]
     pub fn equivalent_range(&self, delta_ki: f64, delta_kii: f64) -> f64 {
-        (delta_ki * delta_ki + self.mode_2_weight * delta_kii * delta_kii).sqrt()
+        self.equivalent.of(delta_ki, delta_kii)
     }
 
-    /// da/dN in mm per cycle for the ranges `delta_ki` and `delta_kii` in MPa √mm (eq. 30); zero at
-    /// or below the threshold.
+    /// da/dN in mm per cycle under `range`: zero where nothing grows, infinite where the crack runs
+    /// away.
     #[must_use]
-    pub fn rate(&self, delta_ki: f64, delta_kii: f64) -> f64 {
-        let range = self.equivalent_range(delta_ki, delta_kii) / MPA_SQRT_MM;
-        if range > self.threshold { self.c * range.powf(self.m) } else { 0.0 }
+    pub fn rate(&self, range: LoadRange) -> f64 {
+        let delta = self.equivalent_range(range.delta_ki, range.delta_kii) / MPA_SQRT_MM;
+        self.rate.rate(delta, range.ratio)
+    }
+
+    /// A quantity that grows with the rate and that no threshold flattens: ΔK_eq (MPa √mm) for laws
+    /// without a ratio.
+    pub(super) fn drive(&self, range: LoadRange) -> f64 {
+        let delta = self.equivalent_range(range.delta_ki, range.delta_kii);
+        match &self.rate {
+            // The law is in MPa√m; these know no unit but that of the range.
+            RateLaw::Paris(_) | RateLaw::ParisThreshold(_) | RateLaw::Bold(_) | RateLaw::Table(_) => delta,
+            rate => rate.drive(delta / MPA_SQRT_MM, range.ratio),
+        }
     }
 }
-
-/// The quantity that the direction of growth maximises over the kink angle.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum DirectionCriterion {
-    /// The growth rate of the virtual kink, from the ranges of k1 and k2 (Hourlier & Pineau).
-    #[default]
-    MaxRate,
-    /// The same with negative k1 counted as if a closed kink opened negatively: for comparison,
-    /// since not every description of the criterion says that k1 is clipped.
-    MaxRateUnclipped,
-    /// The range of k1.
-    MaxDeltaK1,
-    /// The largest k1.
-    MaxK1,
-}
-
-impl Choice for DirectionCriterion {
-    const WORDS: &'static [(Self, Word)] = &[
-        (Self::MaxRate, Word::now("max-rate", "the largest growth rate of the kink (Hourlier-Pineau)")),
-        (
-            Self::MaxRateUnclipped,
-            Word::now("max-rate-unclipped", "the same, with negative k1 kept where max-rate takes zero"),
-        ),
-        (Self::MaxDeltaK1, Word::now("max-delta-k1", "the largest range of k1")),
-        (Self::MaxK1, Word::now("max-k1", "the largest k1")),
-    ];
-}
-
-/// Range of kink angles that is searched, radians: the kink functions are accurate to about ±110°.
-pub const KINK_ANGLES: RangeInclusive<f64> =
-    -110.0 * std::f64::consts::PI / 180.0..=110.0 * std::f64::consts::PI / 180.0;
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn rate_of_ten_mpa_sqrt_m() {
-        // 2e-9 · 10^3.33 mm per cycle; the law takes MPa √mm.
-        let ten = 10.0 * 1000_f64.sqrt();
-        let want = 2e-9 * 10_f64.powf(3.33);
-        let law = ParisLaw::RAIL_STEEL;
-        assert!((law.rate(ten, 0.0) / want - 1.0).abs() < 1e-14); // round-off
-        assert!((law.rate(0.0, ten / 0.772_f64.sqrt()) / want - 1.0).abs() < 1e-14);
-        assert_eq!(law.equivalent_range(3.0, 0.0), 3.0);
-    }
-
-    #[test]
-    fn nothing_grows_at_or_below_the_threshold() {
-        let law = ParisLaw { threshold: 4.0, ..ParisLaw::RAIL_STEEL };
-        let unit = MPA_SQRT_MM;
-        assert_eq!(law.rate(4.0 * unit, 0.0), 0.0);
-        assert!(law.rate(4.001 * unit, 0.0) > 0.0);
-        assert_eq!(ParisLaw::RAIL_STEEL.rate(0.0, 0.0), 0.0);
-    }
-}
+#[path = "law_tests.rs"]
+mod tests;

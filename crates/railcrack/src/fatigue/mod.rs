@@ -1,22 +1,32 @@
 //! Fatigue criteria on histories: crack initiation, and rate and direction of growth under
 //! non-proportional mixed mode.
 
+mod criterion;
 mod dang_van;
+mod equivalent;
 mod hourlier_pineau;
 mod hull;
 mod initiation;
 mod kink;
+mod kink_ranges;
 mod largest_k1;
 mod law;
+mod laws;
+mod maxima;
 mod ranges;
 mod toughness;
 
+pub use criterion::{DirectionCriterion, KINK_ANGLES};
 pub use dang_van::{DangVan, DangVanValue};
+pub use equivalent::EquivalentRange;
 pub(crate) use hourlier_pineau::SECONDARY_DISTANCE;
-pub use hourlier_pineau::{HourlierPineau, Kink, SecondaryMaximum};
+pub use hourlier_pineau::{HourlierPineau, Kink, SecondaryMaximum, WheelHistory};
 pub use initiation::{DepthValue, Initiation};
 pub use kink::{KinkFunctions, KinkSif};
 pub use largest_k1::LargestK1;
-pub use law::{DirectionCriterion, KINK_ANGLES, ParisLaw};
+pub use law::{GrowthLaw, LoadRange};
+pub use laws::{
+    Bold, Forman, Nasgro, Paris, ParisThreshold, RUNAWAY, RateLaw, RateTable, RateTableError, Walker,
+};
 pub use ranges::SifRanges;
-pub use toughness::{RAIL_STEELS, RailSteel, Toughness, ToughnessError};
+pub use toughness::{ACCEPTANCE_RANGES, RAIL_STEELS, RailSteel, Toughness, ToughnessError};

@@ -1,5 +1,6 @@
 //! Ranges of the stress intensity factors of the actual tip.
 
+use super::LoadRange;
 use crate::fracture::SifHistory;
 
 /// SIF ranges of the actual tip over one passage, MPa √mm.
@@ -24,6 +25,12 @@ impl SifRanges {
             (low.kii, high.kii) = (low.kii.min(k.kii), high.kii.max(k.kii));
         }
         Self { ki_max: high.ki, delta_ki: high.ki.max(0.0) - low.ki.max(0.0), delta_kii: high.kii - low.kii }
+    }
+
+    /// The range under which a growth law is taken, with its ratio R of K_I.
+    #[must_use]
+    pub fn load(&self) -> LoadRange {
+        LoadRange::new(self.delta_ki, self.delta_kii, self.ki_max)
     }
 }
 

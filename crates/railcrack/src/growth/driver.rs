@@ -10,7 +10,7 @@ use super::{
 use crate::body::{BodyEngine, BodyError, CrackedBody};
 use crate::contact::{ContactSolver, CrackFrictionError, FaceProblem, Latin, Newton};
 use crate::crack::{CrackNetwork, CrackTip, NetworkError};
-use crate::fatigue::{HourlierPineau, Kink, LargestK1, SifRanges};
+use crate::fatigue::{HourlierPineau, Kink, LargestK1, RUNAWAY, SifRanges};
 use crate::field::{EndField, EndsError, RailEnds, StressField, Wheel};
 use crate::math::{OutOfRange, RailBox};
 use std::sync::Arc;
@@ -176,6 +176,9 @@ impl Growth {
         warnings.extend(self.unrepeated(&passage));
         warnings.extend(self.overlap(&tips, &passage));
         let drives: Vec<TipDrive> = tips.iter().map(|tip| self.drive(tip)).collect();
+        let slowest = self.problem.growth.arrest_rate;
+        let passed = self.state.interval.map_or(0.0, |interval| interval.cycles_until(&drives, slowest));
+        let load_cycles = self.state.load_cycles + passed;
         let way = advance(
             &StepState {
                 step,
@@ -183,7 +186,7 @@ impl Growth {
                 junctions: &self.state.junctions,
                 break_outs: &self.state.break_outs,
                 tips: &drives,
-                load_cycles: self.state.load_cycles,
+                load_cycles,
                 rail: self.problem.rail,
                 resolution: self.problem.engine.resolution(&network),
             },
@@ -200,7 +203,7 @@ impl Growth {
             passages: passage.passages,
             faces: passage.faces,
             fields,
-            load_cycles: self.state.load_cycles,
+            load_cycles,
             dofs: body.dofs,
             counts: passage.counts,
             times: PhaseTimes {
@@ -222,7 +225,8 @@ impl Growth {
         self.state.cracks = way.cracks;
         self.state.junctions = way.junctions;
         self.state.break_outs = way.break_outs;
-        self.state.load_cycles += way.cycles;
+        self.state.load_cycles = load_cycles;
+        self.state.interval = way.interval;
         self.state.ended = way.stop;
         Ok(Some(record))
     }
@@ -293,8 +297,8 @@ impl Growth {
 
     /// The state and the demand of every tip, without increments.
     fn tip_records(&self, network: &CrackNetwork, passage: &StabilisedPassage) -> Vec<TipRecord> {
-        let law = self.problem.growth.law;
-        let direction = HourlierPineau { law, criterion: self.problem.growth.criterion };
+        let law = &self.problem.growth.law;
+        let direction = HourlierPineau { law: law.clone(), criterion: self.problem.growth.criterion };
         let tips = network.tips().into_iter().zip(&passage.histories);
         tips.map(|(tip, history)| {
             let crack = &network.cracks()[tip.crack];
@@ -317,7 +321,7 @@ impl Growth {
                 secondary: secondary.map(|secondary| secondary.angle),
                 secondary_ratio: secondary.map(|secondary| secondary.ratio),
                 increment: 0.0,
-                rate: law.rate(ranges.delta_ki, ranges.delta_kii),
+                rate: law.rate(ranges.load()).min(RUNAWAY),
                 stop: None,
             }
         })

@@ -1,12 +1,13 @@
 //! Increments, load cycles and the longer cracks, from the growth rates of the tips.
 
 use super::coalescence::{Coalescence, coalescences};
+use super::cycles::Interval;
 use super::deferred::{DeferredGrowth, KEEPS_PACE};
 use super::joining::{Outcome, grow, spall};
 use super::step_state::{Step, StepState, TipDrive};
 use super::stops::{breaks, run_stop, spent_ligament, stop_of_one};
 use super::{BreakOut, GrowthSettings, Piece, RunStop, TipStop};
-use crate::crack::{Crack, Junction, point_to_segment};
+use crate::crack::{Crack, CrackTip, Junction, point_to_segment};
 use crate::math::Vec2;
 
 /// The advance of one tip.
@@ -34,8 +35,11 @@ pub struct Advance {
     pub break_outs: Vec<BreakOut>,
     /// Pieces that this step encloses.
     pub pieces: Vec<Piece>,
-    /// Load cycles until then.
+    /// Load cycles until then, by the rate at the start of the step: what the tips are grown by.
     pub cycles: f64,
+    /// The increment that set the pace, from which the cycles follow once the rate at its end is
+    /// known; none where no cycles pass.
+    pub interval: Option<Interval>,
     /// Why the run ends with this step, if it does; the cracks are then unchanged and no cycles
     /// pass.
     pub stop: Option<RunStop>,
@@ -43,9 +47,10 @@ pub struct Advance {
 
 /// The increments from one step to the next.
 ///
-/// Δa_i = Δa_max rate_i / rate_max with Δa_max = increment × length of the fastest tip's crack, and
-/// ΔN = Δa_max / rate_max (explicit Euler: the rate at the start of the step holds through it). A
-/// step that would exceed the cycles to stop after is shortened to end on them.
+/// Δa_i = Δa_max rate_i / rate_max with Δa_max = increment × length of the fastest tip's crack, by
+/// the rates at the start of the step. The load cycles follow from the rates of the fastest tip at
+/// both ends ([`Interval`]). A step that would exceed the cycles to stop after, at the rate of its
+/// start, is shortened to end on them.
 ///
 /// The growth of a much slower tip is deferred until it amounts to a whole increment
 /// ([`DeferredGrowth`]). Deferred growth counts in the length of the crack, and where the tip
@@ -64,7 +69,7 @@ pub struct Advance {
 #[must_use]
 pub fn advance(state: &StepState<'_>, settings: &GrowthSettings) -> Advance {
     let mut stops: Vec<Option<TipStop>> =
-        state.tips.iter().map(|tip| tip.stopped.or_else(|| arrest(tip, settings))).collect();
+        state.tips.iter().map(|tip| tip.stopped.or_else(|| standstill(tip, settings))).collect();
     let mut break_outs = state.break_outs.to_vec();
     let mut pieces = Vec::new();
     // Every round stops at least one tip, or is the last.
@@ -112,6 +117,7 @@ pub fn advance(state: &StepState<'_>, settings: &GrowthSettings) -> Advance {
         break_outs,
         pieces,
         cycles: 0.0,
+        interval: None,
         stop,
     };
     match (stop, outcome) {
@@ -120,7 +126,7 @@ pub fn advance(state: &StepState<'_>, settings: &GrowthSettings) -> Advance {
         }
         (None, Outcome::Grown { cracks, junctions }) => {
             let tips = growing_tips(&standing.tips, &ways, &met);
-            Advance { tips, cracks, junctions, cycles: pace.cycles, ..standing }
+            Advance { tips, cracks, junctions, cycles: pace.cycles, interval: pace.interval(), ..standing }
         }
         _ => standing,
     }
@@ -182,8 +188,11 @@ fn way_out(step: &Step) -> Vec2 {
     Vec2::new(step.from.x + (step.to.x - step.from.x) * share, 0.0)
 }
 
-/// A tip that does not load, or is slower than the arrest rate.
-fn arrest(tip: &TipDrive, settings: &GrowthSettings) -> Option<TipStop> {
+/// A tip that does not load, or is slower than the arrest rate; or one that runs away.
+fn standstill(tip: &TipDrive, settings: &GrowthSettings) -> Option<TipStop> {
+    if tip.runs_away() {
+        return Some(TipStop::Fracture);
+    }
     let grows = tip.kink.is_some() && tip.rate > 0.0 && tip.rate >= settings.arrest_rate;
     (!grows).then_some(TipStop::Arrest)
 }
@@ -191,11 +200,15 @@ fn arrest(tip: &TipDrive, settings: &GrowthSettings) -> Option<TipStop> {
 /// The fastest growing tip sets the pace of a step.
 #[derive(Debug, Clone, Copy)]
 struct Pace {
+    /// Which tip; none where none grows.
+    tip: Option<CrackTip>,
     rate: f64,
     increment: f64,
     /// The increment over the length of its crack.
     share: f64,
     cycles: f64,
+    /// Whether it is shortened to end on the cycles asked for.
+    is_settled: bool,
 }
 
 impl Pace {
@@ -205,18 +218,25 @@ impl Pace {
         let length = |tip: &TipDrive| state.length(tip.tip.crack);
         let faster = |a: &TipDrive, b: &TipDrive| (b.rate, length(b)) > (a.rate, length(a));
         let Some(fastest) = growing.reduce(|a, b| if faster(a, b) { b } else { a }) else {
-            return Self { rate: 1.0, increment: 0.0, share: 0.0, cycles: 0.0 };
+            return Self { tip: None, rate: 1.0, increment: 0.0, share: 0.0, cycles: 0.0, is_settled: false };
         };
         let increment = settings.increment * length(fastest);
         let left = settings.stop_after_cycles.unwrap_or(f64::INFINITY) - state.load_cycles;
         let cycles = increment / fastest.rate;
         let share = settings.increment;
+        let (tip, rate) = (Some(fastest.tip), fastest.rate);
         if cycles <= left {
-            return Self { rate: fastest.rate, increment, share, cycles };
+            return Self { tip, rate, increment, share, cycles, is_settled: false };
         }
         let left = left.max(0.0);
-        let increment = left * fastest.rate;
-        Self { rate: fastest.rate, increment, share: increment / length(fastest), cycles: left }
+        let increment = left * rate;
+        let share = increment / length(fastest);
+        Self { tip, rate, increment, share, cycles: left, is_settled: true }
+    }
+
+    fn interval(&self) -> Option<Interval> {
+        let Self { rate, cycles, is_settled, .. } = *self;
+        self.tip.map(|tip| Interval { tip, rate, cycles, is_settled })
     }
 
     /// The increment (mm) of a tip that grows at `rate`.

@@ -2,6 +2,7 @@
 //! and stops.
 
 mod coalescence;
+mod cycles;
 mod deferred;
 mod driver;
 mod face_load;
@@ -25,6 +26,7 @@ mod stops;
 mod tip_sifs;
 mod warning;
 
+pub use cycles::Interval;
 pub use deferred::DeferredGrowth;
 pub use driver::{Growth, GrowthError, GrowthProblem, NEAR_TIE};
 pub use fields::{FieldRecord, FieldSettings, FieldSnapshot};

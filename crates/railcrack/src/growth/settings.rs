@@ -1,7 +1,7 @@
 //! Settings of passages and growth; the defaults are the reference values of the paper.
 
 use crate::contact::StepControl;
-use crate::fatigue::{DirectionCriterion, ParisLaw};
+use crate::fatigue::{DirectionCriterion, GrowthLaw};
 use crate::load::Passage;
 use crate::math::OutOfRange;
 
@@ -45,14 +45,14 @@ impl PassageSettings {
 }
 
 /// How cracks grow and when a run ends.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct GrowthSettings {
     /// Number of increments; 0 computes the initial cracks only.
     pub steps: usize,
     /// Increment of the fastest tip as a fraction of its crack's current length.
     pub increment: f64,
     /// Rate.
-    pub law: ParisLaw,
+    pub law: GrowthLaw,
     /// Rate (mm per cycle) below which a tip is arrested.
     pub arrest_rate: f64,
     /// Direction.
@@ -77,7 +77,7 @@ impl GrowthSettings {
     pub const REFERENCE: Self = Self {
         steps: 25,
         increment: 0.04,
-        law: ParisLaw::RAIL_STEEL,
+        law: GrowthLaw::RAIL_STEEL,
         arrest_rate: 1e-9,
         criterion: DirectionCriterion::MaxRate,
         critical_length: None,
@@ -115,7 +115,7 @@ mod tests {
         assert!(PassageSettings { max_passages: 0, ..passages }.check().is_err());
         assert!(PassageSettings { passage_tolerance: 0.0, ..passages }.check().is_err());
         assert!(PassageSettings { step_tolerance: f64::NAN, ..passages }.check().is_err());
-        assert!(GrowthSettings { increment: 0.0, ..growth }.check().is_err());
+        assert!(GrowthSettings { increment: 0.0, ..growth.clone() }.check().is_err());
         assert!(GrowthSettings { critical_length: Some(f64::NAN), ..growth }.check().is_err());
     }
 }

@@ -1,6 +1,6 @@
 //! The state of a run between two steps.
 
-use super::{BreakOut, DeferredGrowth, RunStop, TipStop};
+use super::{BreakOut, DeferredGrowth, Interval, RunStop, TipStop};
 use crate::crack::{Crack, CrackNetwork, Junction};
 use serde::{Deserialize, Serialize};
 
@@ -15,8 +15,10 @@ pub struct GrowthState {
     pub junctions: Vec<Junction>,
     /// Tips that have broken out.
     pub break_outs: Vec<BreakOut>,
-    /// Load cycles at its start.
+    /// Load cycles at the start of the step before it.
     pub load_cycles: f64,
+    /// The increment from there on, whose cycles its rate decides.
+    pub interval: Option<Interval>,
     /// `stopped[crack][tip]`: why a tip no longer grows; the tips of a crack are its ends below the
     /// surface, joined ones counted.
     pub stopped: Vec<Vec<Option<TipStop>>>,
@@ -37,6 +39,7 @@ impl GrowthState {
             junctions: cracks.junctions().to_vec(),
             break_outs: Vec::new(),
             load_cycles: 0.0,
+            interval: None,
             stopped: tips().map(|tips| vec![None; tips]).collect(),
             deferred: tips().map(|tips| vec![DeferredGrowth::default(); tips]).collect(),
             ended: None,

@@ -2,6 +2,7 @@
 
 use super::{BreakOut, DeferredGrowth, TipStop};
 use crate::crack::{Crack, CrackTip, Junction};
+use crate::fatigue::RUNAWAY;
 use crate::math::{RailBox, Vec2};
 
 /// Direction and rate of growth of one tip, with its state.
@@ -19,6 +20,13 @@ pub struct TipDrive {
     pub deferred: DeferredGrowth,
     /// Why it stopped in an earlier step, if it did.
     pub stopped: Option<TipStop>,
+}
+
+impl TipDrive {
+    /// Whether the growth law has no finite rate for it.
+    pub(super) fn runs_away(&self) -> bool {
+        self.rate >= RUNAWAY
+    }
 }
 
 /// The state of a run at the start of a step.

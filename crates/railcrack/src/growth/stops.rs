@@ -34,11 +34,12 @@ pub(super) fn stop_of_one(step: &Step, crack: &Crack, rail: RailBox, resolution:
     (!inside).then_some(TipStop::LeavesRail)
 }
 
-/// Whether a tip breaks the rail: its largest k1 reaches the toughness. K of a tip behind a spent
-/// ligament, or that has joined a crack, is that of no crack any more.
+/// Whether a tip breaks the rail: its largest k1 reaches the toughness, or K that of its growth law.
+/// K of a tip behind a spent ligament, or that has joined a crack, is that of no crack any more.
 pub(super) fn breaks(settings: &GrowthSettings, tip: &TipDrive) -> bool {
     let is_tip = !matches!(tip.stopped, Some(TipStop::BreakOut | TipStop::Coalescence));
-    is_tip && settings.toughness.is_some_and(|toughness| tip.largest_k1 >= toughness)
+    let reaches = settings.toughness.is_some_and(|toughness| tip.largest_k1 >= toughness);
+    is_tip && (reaches || tip.runs_away())
 }
 
 /// Why the run ends at the start of this step, before any increment: fracture first, then the

@@ -126,14 +126,14 @@ fn residual(run: &RunFolder) -> String {
 
 fn rate(case: &Case) -> String {
     let law = &case.growth.law;
-    let threshold = if law.threshold > 0.0 {
-        format!("no growth up to ΔK_{{eq}} = {} MPa√m", law.threshold)
-    } else {
-        "no threshold".to_owned()
+    let shown = |formula: String| {
+        let formula = formula.replace("dKII", "ΔK_{II}").replace("dKI", "ΔK_{I}");
+        formula.replace("dK", "ΔK_{eq}").replace("Kmax", "K_{max}")
     };
     format!(
-        "Growth rate: da/dN = {:e} ΔK_{{eq}}^{{{}}} mm per load cycle with ΔK_{{eq}} in MPa√m, weight of mode II {}, {threshold}.",
-        law.c, law.m, law.mode_2_weight
+        "Growth rate: {}, mm per load cycle and MPa√m, with {}.",
+        shown(law.rate.formula()),
+        shown(law.equivalent.formula())
     )
 }
 
@@ -145,10 +145,13 @@ fn direction(case: &Case) -> String {
         }
         DirectionCriterion::MaxDeltaK1 => "the range of k_{1}",
         DirectionCriterion::MaxK1 => "k_{1}",
+        DirectionCriterion::Coplanar => "nothing (straight ahead)",
+        DirectionCriterion::MaxTangentialStress => "the tangential stress ahead of the tip",
+        DirectionCriterion::MaxDeltaCtd => "the range of the displacement vector at its tip",
     };
     format!(
         "Direction: the kink that maximises {criterion} over the passage. The increment of the fastest tip is {} % of the \
-         length of its crack; the rate at the start of a growth step holds through it (explicit Euler).",
+         length of its crack; its load cycles are those of the mean of the inverse rates at its two ends.",
         rounded(100.0 * case.growth.increment, 6)
     )
 }

@@ -146,8 +146,7 @@ pub(super) fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
 }
 
 /// Load cycles (and tonnage) until every crack has each of some round lengths; none without growth.
-/// Between two steps the rate is constant (explicit Euler), so that cycles are linear in the
-/// length.
+/// Between two steps cycles are taken as linear in the length.
 pub(super) fn lengths(run: &RunFolder) -> Option<Table> {
     let tips: Vec<(usize, usize)> =
         run.tips().into_iter().filter(|&(_, tip)| tip == 1).take(LENGTH_CRACKS).collect();
