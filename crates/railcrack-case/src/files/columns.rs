@@ -7,7 +7,7 @@ use std::ops::Range;
 pub(super) struct Columns {
     /// Those that must be there, in the order in which they are returned.
     pub needed: &'static [&'static str],
-    /// What the file is, with its header and rows: help.
+    /// Description of the file, with its header and rows: help.
     pub help: &'static str,
 }
 

@@ -18,11 +18,13 @@ pub enum DirectionCriterion {
     MaxK1,
     /// None: the crack grows straight ahead.
     Coplanar,
-    /// The largest tangential stress ahead of the actual tip over the passage. Source: Erdogan & Sih
-    /// 1963, J. Basic Eng. 85, 519–525.
+    /// The largest tangential stress ahead of the actual tip over the passage. Source: Erdogan &
+    /// Sih 1963, J. Basic Eng. 85, 519–525.
     MaxTangentialStress,
-    /// The range of the displacement vector of the faces at the tip of the virtual kink: the largest
-    /// distance between two of its values (k1, k2) through the passage, k1 clipped at zero. After Li
+    /// The range of the displacement vector of the faces at the tip of the virtual kink: the
+    /// largest
+    /// distance between two of its values (k1, k2) through the passage, k1 clipped at zero. After
+    /// Li
     /// 1989, Fatigue Fract. Eng. Mater. Struct. 12, 59–65, and Salahi Nezhad et al. 2024, with the
     /// elastic displacement of a kink.
     MaxDeltaCtd,

@@ -5,8 +5,8 @@
 //! tip is therefore deferred: it accumulates until it amounts to a whole increment, the one that
 //! the tip would make if it were the fastest, and is then added to the crack as one segment. All
 //! tips thus advance by about the same fraction of their cracks, the slow ones less often. The
-//! crack lags by less than one increment, which is within the error of the path of straight increments,
-//! does not depend on the engine, and vanishes with the increment.
+//! crack lags by less than one increment, which is within the error of the path of straight
+//! increments, does not depend on the engine, and vanishes with the increment.
 
 use crate::fatigue::SECONDARY_DISTANCE;
 use crate::math::Vec2;

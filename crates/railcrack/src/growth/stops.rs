@@ -34,7 +34,8 @@ pub(super) fn stop_of_one(step: &Step, crack: &Crack, rail: RailBox, resolution:
     (!inside).then_some(TipStop::LeavesRail)
 }
 
-/// Whether a tip breaks the rail: its largest k1 reaches the toughness, or K that of its growth law.
+/// Whether a tip breaks the rail: its largest k1 reaches the toughness, or K that of its growth
+/// law.
 /// K of a tip behind a spent ligament, or that has joined a crack, is that of no crack any more.
 pub(super) fn breaks(settings: &GrowthSettings, tip: &TipDrive) -> bool {
     let is_tip = !matches!(tip.stopped, Some(TipStop::BreakOut | TipStop::Coalescence));
