@@ -13,16 +13,16 @@ mod study;
 mod tables;
 
 pub use case::{
-    CarriedStress, CarriedStressError, Case, Overrides, PreparedRun, Projection, RailKey, Release, RunSize,
-    SharedRail, SharedRailError,
+    CarriedStress, CarriedStressError, Case, Overrides, PreparedRun, Projection, RailKey, Release,
+    RolledRailError, RunSize, SharedRail, SharedRailError,
 };
-pub use files::{CaseFile, Companion, FieldFile, ProfileFile, RatesFile};
+pub use files::{CaseFile, Companion, ContactFile, FieldFile, ProfileFile, RatesFile, ToughnessFile};
 pub use schema::{
     Availability, CaseError, CaseErrors, Choice, Form, Key, Kind, NumberRange, OnlyWith, Pair, Presence,
     Preset, RangeEnd, Section, SectionPresence, Value, Word,
 };
 pub use study::{Axis, Input, Study, StudyRun, Variation, study_schema};
 pub use tables::{
-    Combine, ContactSolver, Engine, FieldOutput, MeshSettings, PlasticSource, Rail, SECTIONS, STUDY,
-    ShakedownSettings, init_text, json_schema, markdown,
+    Combine, ContactOrigin, ContactSolver, Engine, FieldOutput, Fracture, GivenWheel, MeshSettings,
+    PlasticSource, Rail, SECTIONS, STUDY, ShakedownSettings, init_text, json_schema, markdown,
 };

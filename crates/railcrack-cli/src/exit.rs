@@ -143,7 +143,7 @@ fn exit_of_run(error: &RunError) -> Exit {
             | OutputError::Io { .. } => Exit::CannotReadOrWrite,
         },
         RunError::Rolled(_) | RunError::System { .. } => Exit::CannotReadOrWrite,
-        RunError::Residual(CarriedStressError::Field(_)) => Exit::BadInput,
+        RunError::Contact(_) | RunError::Residual(CarriedStressError::Field(_)) => Exit::BadInput,
         RunError::Residual(_)
         | RunError::Growth(_)
         | RunError::NoLayers

@@ -121,7 +121,7 @@ fn initial(case: &Case, record: &StepRecord) -> Vec<CrackGrowth> {
     let passage = &case.passages.passage;
     let travel = (passage.to - passage.from).signum();
     let Some(stabilised) = record.passages.last() else { return Vec::new() };
-    let position: Vec<f64> = stabilised.xc.iter().map(|xc| travel * xc / case.contact.half_width).collect();
+    let position: Vec<f64> = stabilised.xc.iter().map(|xc| travel * xc / case.half_width()).collect();
     let sticks = |crack: usize| -> Vec<bool> {
         let mine: Vec<usize> =
             (0..record.faces.points.len()).filter(|&p| record.faces.points[p].crack == crack).collect();

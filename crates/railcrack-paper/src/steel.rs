@@ -47,7 +47,11 @@ impl Steel {
         let rail = RolledRail {
             steel: case.steel,
             hardening: KinematicHardening::new(self.yield_stress, self.modulus)?,
-            contact: HertzianContact { friction: self.wheel_friction, ..case.contact },
+            contact: HertzianContact {
+                peak_pressure: case.wheel.contact().peak_pressure(),
+                half_width: case.half_width(),
+                friction: self.wheel_friction,
+            },
             travel: Travel::Forward,
             initial: None,
         };

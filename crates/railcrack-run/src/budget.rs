@@ -23,7 +23,7 @@ impl Needs {
     pub fn of(case: &Case) -> Self {
         let size = case.size();
         let count = |n: usize| u64::try_from(n).unwrap_or(u64::MAX);
-        let positions = count(case.passages.passage.positions);
+        let positions = count(case.positions().len());
         let steps = count(case.growth.steps).saturating_add(1);
         let rows = |each: u64, size: u64| each.saturating_mul(positions).saturating_mul(size);
         let step =

@@ -36,6 +36,7 @@ mod stored_name;
 pub mod study;
 mod summary;
 mod tables;
+pub mod validity;
 mod verify;
 mod words;
 
@@ -53,7 +54,9 @@ pub use run_folder::{FieldFile, RunFolder, field_files};
 pub use run_info::RunInfo;
 pub use shakedown::{ShakedownFolder, ShakedownSummary};
 pub use study::StudyFolder;
-pub use summary::{CrackSummary, JunctionSummary, PhaseSeconds, PieceSummary, Summary, TipSummary};
+pub use summary::{
+    CrackSummary, FractureSummary, JunctionSummary, PhaseSeconds, PieceSummary, Summary, TipSummary,
+};
 pub use tables::table_descriptions;
 pub use verify::{Verification, verify};
 

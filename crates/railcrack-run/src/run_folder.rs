@@ -27,7 +27,7 @@ use std::path::{Path, PathBuf};
 ///
 /// let run = RunFolder::open(&folder)?;
 /// assert_eq!(run.summary.steps, 1);
-/// assert_eq!(run.case()?.contact.half_width, 6.75);
+/// assert_eq!(run.case()?.half_width(), 6.75);
 /// for tip in run.growth()? {
 ///     println!("step {}: {:.3} mm, {:.2} MPa√m", tip.step, tip.length, tip.delta_keq);
 /// }

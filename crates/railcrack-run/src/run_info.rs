@@ -17,6 +17,12 @@ pub struct RunInfo {
     pub boundary: Boundary,
     /// Half-width a of the wheel contact, mm: the unit of `xc_over_a`.
     pub half_width: f64,
+    /// First and last position of `[passage]`, mm: a rail that bends has output positions beyond.
+    pub passage: [f64; 2],
+    /// Whether the rail bends on its track.
+    pub bends: bool,
+    /// K_Ic, MPa √m, where the case gives it.
+    pub toughness: Option<f64>,
     /// Axle load in tonnes, for million gross tonnes.
     pub axle_load: Option<f64>,
     /// Warnings that follow from the case, before any step.

@@ -4,6 +4,8 @@ use super::checksum::Seal;
 use super::field_files::FieldFileEntry;
 use super::residual::ResidualSummary;
 use railcrack::crack::{Crack, Junction};
+use railcrack::fatigue::LargestK1;
+use railcrack::fracture::SifHistory;
 use railcrack::growth::{PhaseTimes, Piece, RunStop, SolverCounts, StepRecord, TipRecord, Warning};
 use serde::{Deserialize, Serialize};
 
@@ -13,6 +15,8 @@ pub(crate) struct StepDigest {
     pub step: usize,
     pub load_cycles: f64,
     pub tips: Vec<TipRecord>,
+    /// x_c (mm) of the output position at which k1 of the step is largest.
+    pub largest_k1_at: Option<f64>,
     pub dofs: usize,
     pub face_points: usize,
     pub counts: SolverCounts,
@@ -45,6 +49,16 @@ pub(crate) struct Present {
     pub peak_memory_mb: Option<f64>,
 }
 
+/// Of the tip with the largest k1, the output position of the stabilised passage nearest to it: k1
+/// itself counts every load step.
+fn largest_k1_at(record: &StepRecord) -> Option<f64> {
+    let k1 = |tip: &TipRecord| tip.largest_k1.map_or(0.0, |largest| largest.k1);
+    let (tip, _) = record.tips.iter().enumerate().max_by(|a, b| k1(a.1).total_cmp(&k1(b.1)))?;
+    let passage = record.passages.last()?;
+    let samples = passage.sifs.get(tip)?.clone();
+    passage.xc.get(LargestK1::of(&SifHistory { samples })?.sample).copied()
+}
+
 /// All finished growth steps.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct RunLog {
@@ -64,6 +78,7 @@ impl RunLog {
             step: record.step,
             load_cycles: record.load_cycles,
             tips: record.tips.clone(),
+            largest_k1_at: largest_k1_at(record),
             dofs: record.dofs,
             face_points: record.faces.points.len(),
             counts: record.counts,

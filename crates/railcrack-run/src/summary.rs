@@ -4,6 +4,7 @@ use super::VERSION;
 use super::residual::ResidualSummary;
 use super::run_info::RunInfo;
 use super::run_log::{RunLog, StepDigest};
+use super::validity;
 use crate::words;
 use railcrack::bulk::Boundary;
 use railcrack::crack::{CrackEnd, End, Junction};
@@ -101,6 +102,33 @@ pub struct JunctionSummary {
     pub y_mm: f64,
 }
 
+/// How far the run is from brittle fracture: the largest k1 of its stabilised passages, over all
+/// kink angles.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct FractureSummary {
+    /// k1, MPa √m.
+    pub largest_k1_mpa_sqrt_m: f64,
+    /// The step in which it is reached.
+    pub step: usize,
+    /// Number of the crack, from 1.
+    pub crack: usize,
+    /// Number of the tip within its crack, from 1.
+    pub tip: usize,
+    /// Abscissa of the tip, mm.
+    pub x_mm: f64,
+    /// Ordinate of the tip, mm.
+    pub y_mm: f64,
+    /// x_c of the output position at which it is largest, mm; null where it is between two
+    /// passages.
+    pub xc_mm: Option<f64>,
+    /// Angle of the kink from straight ahead, degrees, counter-clockwise positive.
+    pub kink_deg: f64,
+    /// K_Ic of [fracture], MPa √m; null where the case has none.
+    pub toughness_mpa_sqrt_m: Option<f64>,
+    /// k1 over K_Ic; at 1 the rail breaks.
+    pub of_toughness: Option<f64>,
+}
+
 /// `summary.json`: its keys are the names of the fields.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Summary {
@@ -119,6 +147,10 @@ pub struct Summary {
     pub boundary: Boundary,
     /// Half-width a of the wheel contact, mm.
     pub half_width_mm: f64,
+    /// First and last wheel position of `[passage]`, mm; a rail that bends has output positions
+    /// beyond.
+    #[serde(default)]
+    pub passage_mm: Option<[f64; 2]>,
     /// Whether the run has ended; otherwise `--resume` goes on.
     pub complete: bool,
     /// Why the run ended; null while it is not complete.
@@ -158,6 +190,9 @@ pub struct Summary {
     pub passages_per_step: Vec<usize>,
     /// The residual stress of the rail; null where it carries none.
     pub residual_stress: Option<ResidualSummary>,
+    /// The largest k1, and how far it is from the toughness; null where no tip ever opened.
+    #[serde(default)]
+    pub fracture: Option<FractureSummary>,
     /// Warnings, in order.
     pub warnings: Vec<Warning>,
     /// Tips in the last finished step.
@@ -193,6 +228,7 @@ impl Summary {
             contact: info.contact,
             boundary: info.boundary,
             half_width_mm: info.half_width,
+            passage_mm: Some(info.passage),
             complete: stop.is_some(),
             stop,
             steps: last.map_or(0, |step| step.step),
@@ -228,8 +264,10 @@ impl Summary {
                 .iter()
                 .cloned()
                 .chain(of_residual(log))
+                .chain(validity::of_steps(info, log))
                 .chain(log.warnings().cloned())
                 .collect(),
+            fracture: fracture(info, log),
             tips: last.map_or_else(Vec::new, |step| step.tips.iter().map(tip_summary).collect()),
             cracks: (log.now.initial_cracks.iter().zip(&log.now.cracks))
                 .map(|(initial, now)| CrackSummary {
@@ -242,6 +280,26 @@ impl Summary {
             checksums: BTreeMap::new(),
         }
     }
+}
+
+/// The largest k1 of all steps and tips.
+fn fracture(info: &RunInfo, log: &RunLog) -> Option<FractureSummary> {
+    let tips = log.steps.iter().flat_map(|step| step.tips.iter().map(move |tip| (step, tip)));
+    let opened = tips.filter_map(|(step, tip)| Some((step, tip, tip.largest_k1?)));
+    let (step, tip, largest) = opened.reduce(|most, next| if next.2.k1 > most.2.k1 { next } else { most })?;
+    let k1 = largest.k1_mpa_sqrt_m();
+    Some(FractureSummary {
+        largest_k1_mpa_sqrt_m: k1,
+        step: step.step,
+        crack: tip.tip.crack + 1,
+        tip: tip.tip.tip + 1,
+        x_mm: tip.x,
+        y_mm: tip.y,
+        xc_mm: step.largest_k1_at,
+        kink_deg: largest.angle.to_degrees(),
+        toughness_mpa_sqrt_m: info.toughness,
+        of_toughness: info.toughness.map(|toughness| k1 / toughness),
+    })
 }
 
 /// Notes on the residual stress, as warnings before the first step.

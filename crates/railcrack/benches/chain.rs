@@ -5,7 +5,6 @@ use divan::{Bencher, black_box};
 use railcrack::body::CrackedBody;
 use railcrack::contact::{ContactSolver, FaceProblem, Latin, Newton};
 use railcrack::dislocation;
-use railcrack::field::HertzWheel;
 use railcrack::growth::{Growth, RailLoad, StabilisedPassage, StepRecord, Unobserved, stabilised_passage};
 use railcrack_case::{Case, Overrides};
 use std::path::{Path, PathBuf};
@@ -41,7 +40,8 @@ fn passages(bencher: Bencher, solver: &dyn ContactSolver) {
     let case = read(REFERENCE);
     let body = body(&case);
     let problem = FaceProblem::new(&body, &case.crack_friction).unwrap();
-    let load = RailLoad { wheel: &HertzWheel::new(&case.contact, &case.steel).unwrap(), residual: None };
+    let wheel = case.wheel.field(&case.steel).unwrap();
+    let load = RailLoad { wheel: wheel.as_ref(), residual: None };
     bencher.bench_local(|| -> StabilisedPassage {
         stabilised_passage(&problem, solver, load, &case.passages, &Unobserved).unwrap()
     });

@@ -1,8 +1,8 @@
 //! Whether the model still describes a case: checks that make a warning, not an error.
 
-use crate::load::{HertzianContact, TableContact};
+use crate::load::{Contact, Track};
 use crate::math::MPA_SQRT_MM;
-use crate::shakedown::{first_yield_ratio, shakedown_limit_ratio};
+use crate::shakedown::ContactBounds;
 use thiserror::Error;
 
 /// A case, or a result, outside of what the model describes.
@@ -11,23 +11,23 @@ use thiserror::Error;
 pub enum ValidityWarning {
     /// Pressure beyond first yield, and no residual stress is given.
     #[error(
-        "the peak pressure of {peak_pressure:.0} MPa is beyond first yield at {limit:.0} MPa (friction {friction:.3}, \
-         yield stress {yield_stress:.0} MPa), and no residual stress is given: the rail shakes down to a state with one"
+        "the peak pressure of {peak_pressure:.0} MPa is beyond first yield at {limit:.0} MPa (Q/P {adhesion:.3}, \
+         yield stress {yield_stress:.0} MPa of [shakedown]), and no residual stress is given: the rail shakes down to a state with one"
     )]
     BeyondFirstYield {
         /// p0, MPa.
         peak_pressure: f64,
         /// p0 at first yield, MPa.
         limit: f64,
-        /// Wheel–rail friction.
-        friction: f64,
+        /// Q/P.
+        adhesion: f64,
         /// σ_y, MPa.
         yield_stress: f64,
     },
     /// Pressure beyond elastic shakedown.
     #[error(
         "the peak pressure of {peak_pressure:.0} MPa is beyond the limit of elastic shakedown at {limit:.0} MPa \
-         (friction {friction:.3}, yield stress {yield_stress:.0} MPa): the rail yields in every passage, and K of an elastic \
+         (Q/P {adhesion:.3}, yield stress {yield_stress:.0} MPa of [shakedown]): the rail yields in every passage, and K of an elastic \
          rail does not describe it"
     )]
     BeyondShakedown {
@@ -35,8 +35,8 @@ pub enum ValidityWarning {
         peak_pressure: f64,
         /// p0 at the limit, MPa.
         limit: f64,
-        /// Wheel–rail friction.
-        friction: f64,
+        /// Q/P.
+        adhesion: f64,
         /// σ_y, MPa.
         yield_stress: f64,
     },
@@ -48,15 +48,31 @@ pub enum ValidityWarning {
         /// μ that is allowed.
         friction: f64,
     },
-    /// k1 beyond the toughness.
+    /// k1 beyond a toughness that the case does not give.
     #[error(
-        "k1 reaches {k1:.1} MPa√m, {:.2} of the toughness of {toughness:.1} MPa√m: the rail breaks before it tires", k1 / toughness
+        "k1 reaches {k1:.1} MPa\u{221a}m, beyond the toughness of {toughness:.0} MPa\u{221a}m of the rail steel {steel}: such a \
+         rail breaks; [fracture] gives the toughness of this one"
     )]
     BeyondToughness {
         /// The largest k1, MPa√m.
         k1: f64,
         /// K_Ic, MPa√m.
         toughness: f64,
+        /// The steel that has it.
+        steel: &'static str,
+    },
+    /// Ranges of K that no test of the law had.
+    #[error(
+        "Delta K_eq of {delta_k:.1} MPa\u{221a}m is {where_} the {least} to {most} MPa\u{221a}m in which the growth of rail steel is measured: \
+         the rate is an extrapolation", where_ = if delta_k < least { "below" } else { "above" }
+    )]
+    OutsideLaw {
+        /// ΔK_eq, MPa√m.
+        delta_k: f64,
+        /// The least with data, MPa√m.
+        least: f64,
+        /// The most with data, MPa√m.
+        most: f64,
     },
     /// A deep crack under bending.
     #[error(
@@ -70,11 +86,16 @@ pub enum ValidityWarning {
         limit: f64,
     },
     /// A length that looks like metres.
-    #[error("the half-width of the contact is {half_width} mm: if {half_width} m is meant, write {} mm", 1e3 * half_width)]
+    #[error("{quantity} is {value} mm: if {value} m is meant, write {} mm", 1e3 * value)]
     LengthInMetres {
-        /// a, mm.
-        half_width: f64,
+        /// Which length.
+        quantity: &'static str,
+        /// Its value, mm.
+        value: f64,
     },
+    /// No axle of the train is over the contact.
+    #[error("no axle of [track] is at 0, that of this wheel: the rail bends under other axles only")]
+    NoAxleHere,
 }
 
 impl ValidityWarning {
@@ -85,8 +106,10 @@ impl ValidityWarning {
             Self::BeyondShakedown { .. } => "beyond-shakedown",
             Self::ShearBeyondFriction { .. } => "shear-beyond-friction",
             Self::BeyondToughness { .. } => "beyond-toughness",
+            Self::OutsideLaw { .. } => "outside-law",
             Self::DeepCrackInBending { .. } => "deep-crack-in-bending",
             Self::LengthInMetres { .. } => "length-in-metres",
+            Self::NoAxleHere => "no-axle-here",
         }
     }
 }
@@ -105,37 +128,57 @@ pub enum ResidualStress {
 pub const BENDING_DEPTH: f64 = 20.0;
 /// Half-widths (mm) below which metres are likely: a wheel of 1 kN on a rail has more.
 pub const SHORTEST_HALF_WIDTH: f64 = 0.1;
+/// Crack lengths (mm) below which metres are likely: a grain of rail steel is as large.
+pub const SHORTEST_CRACK: f64 = 0.05;
+/// |q|/p that dry steel on steel does not exceed.
+pub const DRY_FRICTION: f64 = 0.6;
+/// ΔK_eq (MPa√m) between the threshold of rail steel and the end of stable growth: tests of da/dN
+/// lie within.
+pub const MEASURED_GROWTH: (f64, f64) = (4.0, 50.0);
 
-/// Pressure against first yield and the limit of elastic shakedown of the same contact in full
-/// sliding; ν = `poisson`, σ_y = `yield_stress` (MPa). With a residual stress only the latter
-/// counts.
+/// The largest pressure of `contact` against first yield and the limit of elastic shakedown, which
+/// `bounds` of it give; σ_y = `yield_stress` (MPa). With a residual stress only the latter counts.
 pub fn pressure(
-    contact: &HertzianContact,
-    poisson: f64,
+    contact: &Contact,
+    bounds: &ContactBounds,
     yield_stress: f64,
     residual: ResidualStress,
 ) -> Option<ValidityWarning> {
-    let HertzianContact { peak_pressure, friction, .. } = *contact;
+    let (peak_pressure, adhesion) = (contact.peak_pressure(), contact.adhesion());
     let shear_yield = yield_stress / 3f64.sqrt();
-    let limit = shear_yield * shakedown_limit_ratio(friction, poisson).ratio;
-    if peak_pressure > limit {
-        return Some(ValidityWarning::BeyondShakedown { peak_pressure, limit, friction, yield_stress });
+    let limit = shear_yield * bounds.first_yield().ratio;
+    if peak_pressure <= limit {
+        return None;
     }
-    let limit = shear_yield * first_yield_ratio(friction, poisson).ratio;
-    (peak_pressure > limit && residual == ResidualStress::Absent)
-        .then_some(ValidityWarning::BeyondFirstYield { peak_pressure, limit, friction, yield_stress })
+    let beyond = ValidityWarning::BeyondFirstYield { peak_pressure, limit, adhesion, yield_stress };
+    let limit = shear_yield * bounds.shakedown_limit().ratio;
+    if peak_pressure > limit {
+        return Some(ValidityWarning::BeyondShakedown { peak_pressure, limit, adhesion, yield_stress });
+    }
+    (residual == ResidualStress::Absent).then_some(beyond)
 }
 
-/// Shear of a table against `friction`.
-pub fn shear(table: &TableContact, friction: f64) -> Option<ValidityWarning> {
-    let ratio = table.largest_friction();
-    (ratio > friction).then_some(ValidityWarning::ShearBeyondFriction { ratio, friction })
+/// The shear of `contact` against [`DRY_FRICTION`].
+pub fn shear(contact: &Contact) -> Option<ValidityWarning> {
+    let ratio = match contact {
+        Contact::Hertz(contact) => contact.friction.abs(),
+        Contact::Carter(contact) if contact.traction == 0.0 => 0.0,
+        Contact::Carter(contact) => contact.friction,
+        Contact::Table(table) => table.largest_friction(),
+    };
+    (ratio > DRY_FRICTION).then_some(ValidityWarning::ShearBeyondFriction { ratio, friction: DRY_FRICTION })
 }
 
-/// The largest `k1` against the `toughness`, both MPa √mm.
-pub fn toughness(k1: f64, toughness: f64) -> Option<ValidityWarning> {
+/// The largest `k1` against the `toughness` of `steel`, both MPa √mm.
+pub fn toughness(k1: f64, toughness: f64, steel: &'static str) -> Option<ValidityWarning> {
     let [k1, toughness] = [k1, toughness].map(|k| k / MPA_SQRT_MM);
-    (k1 > toughness).then_some(ValidityWarning::BeyondToughness { k1, toughness })
+    (k1 > toughness).then_some(ValidityWarning::BeyondToughness { k1, toughness, steel })
+}
+
+/// ΔK_eq (MPa√m) = `delta_k` of a tip that grows against [`MEASURED_GROWTH`].
+pub fn growth(delta_k: f64) -> Option<ValidityWarning> {
+    let (least, most) = MEASURED_GROWTH;
+    (delta_k < least || delta_k > most).then_some(ValidityWarning::OutsideLaw { delta_k, least, most })
 }
 
 /// The `depth` (mm) of the deepest tip of a rail that bends.
@@ -144,47 +187,58 @@ pub fn depth_in_bending(depth: f64) -> Option<ValidityWarning> {
 }
 
 /// The half-width of the contact (mm) against metres.
-pub fn half_width(half_width: f64) -> Option<ValidityWarning> {
-    (half_width < SHORTEST_HALF_WIDTH).then_some(ValidityWarning::LengthInMetres { half_width })
+pub fn half_width(value: f64) -> Option<ValidityWarning> {
+    let quantity = "the half-width of the contact";
+    (value < SHORTEST_HALF_WIDTH).then_some(ValidityWarning::LengthInMetres { quantity, value })
+}
+
+/// The length of a crack (mm) against metres.
+pub fn crack_length(value: f64) -> Option<ValidityWarning> {
+    (value < SHORTEST_CRACK)
+        .then_some(ValidityWarning::LengthInMetres { quantity: "the length of a crack", value })
+}
+
+/// The axles of `track` against the wheel at 0.
+pub fn axles(track: &Track) -> Option<ValidityWarning> {
+    track.axles.iter().all(|axle| axle.at != 0.0).then_some(ValidityWarning::NoAxleHere)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::field::wheel_under;
+    use crate::load::{HertzianContact, WheelLoad};
+    use crate::material::IsotropicElastic;
 
-    const HERTZ: HertzianContact = HertzianContact { peak_pressure: 845.0, half_width: 6.75, friction: 0.1 };
+    fn warned(peak_pressure: f64, friction: f64, residual: ResidualStress) -> Option<ValidityWarning> {
+        let contact = Contact::Hertz(HertzianContact { peak_pressure, half_width: 6.75, friction });
+        let load = WheelLoad { contact: contact.clone(), track: None, temperature: None };
+        let wheel = wheel_under(&load, &IsotropicElastic::new(210e3, 0.3).unwrap()).unwrap();
+        pressure(&contact, &ContactBounds::new(&contact, wheel.as_ref()), 500.0, residual)
+    }
 
     #[test]
     fn pressures_are_compared_with_both_limits() {
-        let of = |peak_pressure, residual| {
-            pressure(&HertzianContact { peak_pressure, ..HERTZ }, 0.3, 500.0, residual)
-                .map(|warning| warning.name())
-        };
+        let of = |peak, residual| warned(peak, 0.1, residual).map(|warning| warning.name());
         // p0/k = 3.063 and 3.987 at friction 0.1: 884 and 1151 MPa.
         assert_eq!(of(880.0, ResidualStress::Absent), None);
         assert_eq!(of(890.0, ResidualStress::Absent), Some("beyond-first-yield"));
         assert_eq!(of(890.0, ResidualStress::Given), None);
         assert_eq!(of(1160.0, ResidualStress::Given), Some("beyond-shakedown"));
-        let text = pressure(
-            &HertzianContact { peak_pressure: 1600.0, friction: 0.4, ..HERTZ },
-            0.3,
-            500.0,
-            ResidualStress::Absent,
-        );
-        assert!(
-            text.unwrap()
-                .to_string()
-                .starts_with("the peak pressure of 1600 MPa is beyond the limit of elastic")
-        );
+        let text = warned(1600.0, 0.4, ResidualStress::Absent).unwrap().to_string();
+        assert!(text.starts_with("the peak pressure of 1600 MPa is beyond the limit of elastic"), "{text}");
     }
 
     #[test]
     fn other_limits_are_exact() {
-        assert_eq!(toughness(29.0 * MPA_SQRT_MM, 29.0 * MPA_SQRT_MM), None);
-        assert!(toughness(920.0, 917.0).is_some());
-        assert_eq!((depth_in_bending(20.0), half_width(0.1)), (None, None));
+        assert_eq!(toughness(29.0 * MPA_SQRT_MM, 29.0 * MPA_SQRT_MM, "R260"), None);
+        assert!(toughness(920.0, 917.0, "R260").is_some());
+        assert_eq!((depth_in_bending(20.0), half_width(0.1), crack_length(0.05)), (None, None, None));
         assert_eq!(depth_in_bending(25.0).unwrap().name(), "deep-crack-in-bending");
         let metres = half_width(0.006).unwrap().to_string();
         assert_eq!(metres, "the half-width of the contact is 0.006 mm: if 0.006 m is meant, write 6 mm");
+        assert_eq!((growth(4.0), growth(50.0)), (None, None));
+        let below = growth(2.0).unwrap().to_string();
+        assert!(below.contains("of 2.0 MPa\u{221a}m is below the 4 to 50 MPa"), "{below}");
     }
 }

@@ -6,13 +6,17 @@ use super::limits::check_size;
 use crate::files::read_profile;
 use crate::schema::{Report, SectionValues, Sections, Value, Written};
 use crate::tables::{
-    AXLE_LOAD, CENTRE, CONTACT, CRACK, ENGINE, Engine, FROM, FieldOutput, GROWTH, LAW_KEYS, MESH,
-    MeshSettings, OUTPUT, PASSAGE, PLASTIC_STRESS, PROFILE, PlasticSource, RAIL, RESIDUAL_STRESS, Rail,
-    SHAKEDOWN, SOLVER, SOLVER_CONTACT, ShakedownSettings, TITLE, TO, TOP, TRAFFIC, read_contact, read_growth,
-    read_passage, read_passages, read_steel,
+    AXLE_LOAD, CENTRE, CONTACT, CRACK, ENGINE, Engine, FOUNDATION, FRACTURE, FROM, FieldOutput, Fracture,
+    GROWTH, GivenWheel, KIND, LAW_KEYS, MESH, MeshSettings, OUTPUT, PASSAGE, PLASTIC_STRESS, PROFILE,
+    PlasticSource, RAIL, RAIL_TEMPERATURE, RESIDUAL_STRESS, Rail, SHAKEDOWN, SOLVER, SOLVER_CONTACT,
+    ShakedownSettings, TEMPERATURE, TITLE, TO, TOP, TRACK, TRAFFIC, WheelSections, read_growth, read_passage,
+    read_passages, read_steel, read_travel,
 };
 use railcrack::bulk::Boundary;
-use railcrack::load::{HertzianContact, Passage};
+use railcrack::growth::GrowthSettings;
+use railcrack::load::{Contact, Passage, Temperature};
+use railcrack::material::IsotropicElastic;
+use railcrack::math::MPA_SQRT_MM;
 use std::path::Path;
 
 /// The case that `sections` describe; none where something is wrong or missing, which `report` then
@@ -22,8 +26,7 @@ use std::path::Path;
 pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) -> Option<Case> {
     let rail_section = sections.one(&RAIL);
     let steel = rail_section.and_then(|s| read_steel(s, report));
-    let contact =
-        sections.one(&CONTACT).zip(steel.as_ref()).and_then(|(s, steel)| read_contact(s, steel, report));
+    let wheel = read_wheel(&sections, steel.as_ref(), folder, report);
     let crack_sections: Vec<&SectionValues> = sections.all(&CRACK).collect();
     let placed = place_cracks(&crack_sections, report);
     let network = placed.as_ref().map(|placed| &placed.network);
@@ -32,9 +35,11 @@ pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) 
     if let (Some(rail), Some(placed)) = (&rail, &placed) {
         check_fit(placed, rail, &crack_sections, report);
     }
-    let passage = sections.one(&PASSAGE).and_then(|s| read_passage(s, contact.as_ref(), network, report));
+    let passage = sections
+        .one(&PASSAGE)
+        .and_then(|s| read_passage(s, wheel.as_ref().map(GivenWheel::half_width), network, report));
     if let Some(rail) = rail.filter(|rail| rail.boundary != Boundary::HalfPlane) {
-        check_block(&rail, &sections, contact.as_ref().zip(passage.as_ref()), report);
+        check_block(&rail, &sections, wheel.as_ref().zip(passage.as_ref()), report);
     }
     let residual_section = sections.one(&RESIDUAL_STRESS);
     let residual_stress = residual_section.and_then(|s| read_profile(s, PROFILE, folder, report));
@@ -45,11 +50,18 @@ pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) 
     {
         refuse_counting_twice(section, report);
     }
+    if let (Some(PlasticSource::Rolled), Some(wheel), Some(section)) =
+        (&plastic_stress, &wheel, sections.one(&CONTACT))
+    {
+        check_rolled(wheel, section, report);
+    }
     let shakedown = sections.one(&SHAKEDOWN).and_then(|s| ShakedownSettings::read(s, folder, report));
     let growth = sections.one(&GROWTH).and_then(|s| read_growth(s, folder, report));
     if growth.as_ref().is_some_and(|growth| growth.steel.is_some()) {
         sections.leave_out(&GROWTH, LAW_KEYS);
     }
+    let temperature = wheel.as_ref().and_then(|wheel| wheel.load.temperature);
+    let fracture = read_fracture(&sections, temperature, folder, report);
     let (placed, rail) = (placed?, rail?);
     // A stored case says where the middle of the rail was.
     sections.settle(&RAIL, CENTRE, Value::Number(rail.extent.centre));
@@ -58,16 +70,20 @@ pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) 
         title: sections.one(&TOP)?.get(TITLE)?,
         steel: steel?,
         rail,
-        contact: contact?,
+        wheel: wheel?,
         passages: read_passages(sections.one(&PASSAGE)?, passage?)?,
         cracks: placed.network,
         crack_friction: placed.friction,
         residual_stress,
         plastic_stress,
         shakedown: shakedown?,
-        growth: growth.as_ref()?.settings.clone(),
+        growth: GrowthSettings {
+            toughness: fracture.as_ref()?.as_ref().map(|fracture| MPA_SQRT_MM * fracture.at_rail),
+            ..growth.as_ref()?.settings.clone()
+        },
         growth_steel: growth.as_ref()?.steel,
         growth_rates: growth?.rates,
+        fracture: fracture?,
         mesh: MeshSettings::read(sections.one(&MESH)?),
         engine: solver.get(ENGINE)?,
         contact_solver: solver.get(SOLVER_CONTACT)?,
@@ -78,6 +94,49 @@ pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) 
     check_size(&case, &sections, report).then_some(case)
 }
 
+/// The one wheel of the case.
+fn read_wheel(
+    sections: &Sections,
+    steel: Option<&IsotropicElastic>,
+    folder: &Path,
+    report: &mut Report,
+) -> Option<GivenWheel> {
+    let of_wheel = WheelSections {
+        contact: sections.one(&CONTACT)?,
+        track: sections.one(&TRACK),
+        temperature: sections.one(&TEMPERATURE),
+    };
+    let travel = sections.one(&PASSAGE).and_then(read_travel)?;
+    GivenWheel::read(of_wheel, steel?, travel, folder, report)
+}
+
+/// Fracture where it is given; none where it cannot be read.
+#[expect(clippy::option_option, reason = "a case without it, and a section with errors")]
+fn read_fracture(
+    sections: &Sections,
+    temperature: Option<Temperature>,
+    folder: &Path,
+    report: &mut Report,
+) -> Option<Option<Fracture>> {
+    if sections.one(&TEMPERATURE).is_some() && temperature.is_none() {
+        return None;
+    }
+    match sections.one(&FRACTURE) {
+        Some(section) => Fracture::read(section, temperature.as_ref(), folder, report).map(Some),
+        None => Some(None),
+    }
+}
+
+/// The plastic state is computed under one kind of contact.
+fn check_rolled(wheel: &GivenWheel, contact: &SectionValues, report: &mut Report) {
+    if matches!(wheel.contact(), Contact::Hertz(_)) {
+        return;
+    }
+    let says = "the plastic state that [plastic_stress] wants is computed under \"hertz\" only";
+    let help = "a field or profile in [plastic_stress], or kind = \"hertz\" with the traction as friction";
+    report.add(contact.fault(KIND, says).help(help));
+}
+
 /// Smallest gap between the contact and the side of a block, over the half-width: closer, the sides
 /// bear a part of the contact.
 const SIDE_GAP: f64 = 1.0;
@@ -86,7 +145,7 @@ const SIDE_GAP: f64 = 1.0;
 fn check_block(
     rail: &Rail,
     sections: &Sections,
-    wheel: Option<(&HertzianContact, &Passage)>,
+    wheel: Option<(&GivenWheel, &Passage)>,
     report: &mut Report,
 ) {
     if let Some(solver) = sections.one(&SOLVER)
@@ -96,8 +155,19 @@ fn check_block(
         let help = "engine = \"xfem\" computes a block; boundary = \"half-plane\" suits both engines";
         report.add(solver.fault(ENGINE, says).help(help));
     }
-    let (Some((contact, passage)), Some(section)) = (wheel, sections.one(&PASSAGE)) else { return };
-    let reach = 0.5 * rail.extent.width - (1.0 + SIDE_GAP) * contact.half_width;
+    if let Some(track) = sections.one(&TRACK) {
+        let says = "bends a rail of some metres, and a block of rail.width_mm bends on its own supports";
+        let help = "rail.boundary = \"half-plane\", or no [track]";
+        report.add(track.fault(FOUNDATION, says).help(help));
+    }
+    if let Some(temperature) = sections.one(&TEMPERATURE) {
+        let says = "is that of a long rail that cannot lengthen, and the sides of a block would move";
+        let help = "rail.boundary = \"half-plane\", or no [temperature]";
+        report.add(temperature.fault(RAIL_TEMPERATURE, says).help(help));
+    }
+    let (Some((wheel, passage)), Some(section)) = (wheel, sections.one(&PASSAGE)) else { return };
+    let contact = wheel.contact();
+    let reach = 0.5 * rail.extent.width - contact.reach() - SIDE_GAP * contact.half_width();
     let (left, right) = (rail.extent.centre - reach, rail.extent.centre + reach);
     for (key, at) in [(FROM, passage.from), (TO, passage.to)] {
         if (at - rail.extent.centre).abs() > reach {

@@ -1,16 +1,19 @@
 //! Checked case: everything that a run computes, in the types of the mechanics.
 
-use crate::files::{Companion, ProfileFile, RatesFile};
+use crate::files::{Companion, ProfileFile, RatesFile, ToughnessFile};
 use crate::schema::{Value, Written};
 use crate::tables::{
-    ContactSolver, Engine, FieldOutput, MeshSettings, PlasticSource, Rail, ShakedownSettings, TITLE, TOP,
+    ContactSolver, Engine, FieldOutput, Fracture, GivenWheel, MeshSettings, PlasticSource, Rail,
+    ShakedownSettings, TITLE, TOP,
 };
 use railcrack::crack::CrackNetwork;
 use railcrack::fatigue::RailSteel;
+use railcrack::field::wheel_under;
 use railcrack::growth::{GrowthSettings, PassageSettings};
-use railcrack::load::HertzianContact;
+use railcrack::load::{Contact, WheelLoad};
 use railcrack::material::IsotropicElastic;
-use railcrack::shakedown::{RolledRail, Stabilisation, Travel};
+use railcrack::shakedown::{ContactBounds, RolledRail, Stabilisation};
+use thiserror::Error;
 
 /// Everything in a case file, checked, in the types of the mechanics. Two are equal when their
 /// values and the contents of their files are.
@@ -22,8 +25,8 @@ pub struct Case {
     pub steel: IsotropicElastic,
     /// Extent and boundary of the rail.
     pub rail: Rail,
-    /// Wheel on rail.
-    pub contact: HertzianContact,
+    /// The load of the wheel: contact, bending, temperature.
+    pub wheel: GivenWheel,
     /// Output positions; repetition and resolution of the passages.
     pub passages: PassageSettings,
     /// The cracks, copies written out: in the order of the file, the copies of each from left to
@@ -43,6 +46,8 @@ pub struct Case {
     pub growth_steel: Option<&'static RailSteel>,
     /// The file of the growth law, where it is a table.
     pub growth_rates: Option<RatesFile>,
+    /// Brittle fracture, where it is given.
+    pub fracture: Option<Fracture>,
     /// Discretisation.
     pub mesh: MeshSettings,
     /// Engine that computes the cracked rail.
@@ -57,18 +62,62 @@ pub struct Case {
     pub(super) written: Written,
 }
 
+/// A wheel under which no plastic state is computed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+#[error(
+    "contact.kind = \"{kind}\": the plastic state is computed under kind = \"hertz\" only, a pressure with a shear in \
+     proportion; its friction may be the traction of this contact"
+)]
+pub struct RolledRailError {
+    /// The word of its contact.
+    pub kind: &'static str,
+}
+
 impl Case {
-    /// The rail without its cracks under the repeated passage of the wheel.
-    #[must_use]
-    pub fn rolled_rail(&self) -> RolledRail {
-        let passage = &self.passages.passage;
-        RolledRail {
+    /// The rail without its cracks under the repeated passage of the wheel. Bending and temperature
+    /// are no part of it.
+    ///
+    /// Errors: a contact that is not Hertzian and fully sliding.
+    pub fn rolled_rail(&self) -> Result<RolledRail, RolledRailError> {
+        let contact = match self.wheel.contact() {
+            Contact::Hertz(contact) => *contact,
+            Contact::Carter(_) => return Err(RolledRailError { kind: "carter" }),
+            Contact::Table(_) => return Err(RolledRailError { kind: "table" }),
+        };
+        Ok(RolledRail {
             steel: self.steel,
             hardening: self.shakedown.hardening,
-            contact: self.contact,
-            travel: if passage.from < passage.to { Travel::Forward } else { Travel::Backward },
+            contact,
+            travel: self.passages.passage.travel(),
             initial: self.shakedown.initial_residual.as_ref().map(|file| file.content().clone()),
+        })
+    }
+
+    /// First yield and shakedown under the contact alone, as `of` asks for them.
+    #[must_use]
+    pub fn contact_bounds<T>(&self, of: impl FnOnce(&ContactBounds) -> T) -> Option<T> {
+        let contact = self.wheel.contact();
+        let load = WheelLoad { contact: contact.clone(), track: None, temperature: None };
+        let wheel = wheel_under(&load, &self.steel).ok()?;
+        Some(of(&ContactBounds::new(contact, wheel.as_ref())))
+    }
+
+    /// a, mm: the unit of `[passage]` positions.
+    #[must_use]
+    pub fn half_width(&self) -> f64 {
+        self.wheel.half_width()
+    }
+
+    /// The wheel positions of a passage that are written, in the order of travel, mm: those of
+    /// `[passage]`, and where the rail bends those far away. Of the cracks at the beginning.
+    #[must_use]
+    pub fn positions(&self) -> Vec<f64> {
+        let points = || self.cracks.cracks().iter().flat_map(|crack| crack.points());
+        let mut places: Vec<f64> = points().filter(|point| point.y == 0.0).map(|point| point.x).collect();
+        if places.is_empty() {
+            places.extend(points().next().map(|point| point.x));
         }
+        self.wheel.positions(&self.passages.passage, &places, &self.steel)
     }
 
     /// Settings of the way to its stabilised state.
@@ -104,7 +153,11 @@ impl Case {
         });
         let residual = self.residual_stress.as_ref().map(ProfileFile::companion);
         let initial = self.shakedown.initial_residual.as_ref().map(ProfileFile::companion);
+        let toughness = self.fracture.as_ref().and_then(|fracture| fracture.file.as_ref());
+        let toughness = toughness.map(ToughnessFile::companion);
         let rates = self.growth_rates.as_ref().map(RatesFile::companion);
-        residual.into_iter().chain(plastic).chain(initial).chain(rates).collect()
+        let contact = self.wheel.companion();
+        let stresses = residual.into_iter().chain(plastic).chain(initial);
+        contact.into_iter().chain(stresses).chain(toughness).chain(rates).collect()
     }
 }

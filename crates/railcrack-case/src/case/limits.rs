@@ -47,7 +47,7 @@ pub(super) fn check_size(case: &Case, sections: &Sections, report: &mut Report) 
         report.add(fault.help(help));
         return false;
     }
-    let rows = case.passages.passage.positions as f64 * (case.growth.steps as f64 + 1.0) * points;
+    let rows = case.positions().len() as f64 * (case.growth.steps as f64 + 1.0) * points;
     if rows > MOST_ROWS {
         let says =
             format!("with [growth] steps, up to {rows:.2e} rows of results; there can be {MOST_ROWS:e}");

@@ -13,7 +13,7 @@ mod shared;
 mod size;
 
 pub use carried::{CarriedStress, CarriedStressError, Projection, Release};
-pub use case::Case;
+pub use case::{Case, RolledRailError};
 pub use overrides::Overrides;
 pub use prepared::PreparedRun;
 pub use shared::{RailKey, SharedRail, SharedRailError};

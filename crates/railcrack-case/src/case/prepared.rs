@@ -8,7 +8,7 @@ use railcrack::body::BodyEngine;
 use railcrack::bulk::Boundary;
 use railcrack::contact::{self, Latin, Newton};
 use railcrack::dislocation::{DislocationEngine, FaceResolution};
-use railcrack::field::HertzWheel;
+use railcrack::field::{StressField, Sum};
 use railcrack::growth::{FieldSettings, Growth, GrowthProblem, GrowthState};
 use railcrack::residual::PlasticField;
 use railcrack::xfem::{
@@ -72,7 +72,7 @@ impl Case {
         let every = NonZeroUsize::new(self.fields.every)?;
         let mouth = self.cracks.cracks().first()?.points()[0].x;
         let positions: Vec<f64> =
-            self.fields.over_a.iter().map(|over_a| mouth + over_a * self.contact.half_width).collect();
+            self.fields.over_a.iter().map(|over_a| mouth + over_a * self.half_width()).collect();
         (!positions.is_empty()).then_some(FieldSettings { positions, every })
     }
 
@@ -116,6 +116,16 @@ impl Case {
     }
 }
 
+/// The stress that stays between passages: `residual` and that of temperature.
+fn with_temperature(case: &Case, residual: Option<Box<dyn StressField>>) -> Option<Box<dyn StressField>> {
+    let thermal = case.wheel.thermal_stress(&case.steel);
+    match (residual, thermal) {
+        (residual, None) => residual,
+        (None, Some(thermal)) => Some(Box::new(thermal)),
+        (Some(residual), Some(thermal)) => Some(Box::new(Sum(vec![residual, Box::new(thermal)]))),
+    }
+}
+
 /// A run before its first step.
 pub struct PreparedRun<'a> {
     case: &'a Case,
@@ -144,8 +154,8 @@ impl PreparedRun<'_> {
             solver,
             fallback,
             crack_friction: case.crack_friction.clone(),
-            wheel: Box::new(HertzWheel::new(&case.contact, &case.steel).expect("the case is checked")),
-            residual: residual.field,
+            wheel: case.wheel.field(&case.steel).expect("the case is checked"),
+            residual: with_temperature(case, residual.field),
             passages: case.passages,
             fields: case.field_settings(),
             growth: case.growth.clone(),

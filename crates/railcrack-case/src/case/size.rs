@@ -54,7 +54,7 @@ impl Case {
         let number = size_of::<f64>();
         let matrices = MATRICES * unknowns * unknowns + 2 * tips * unknowns;
         // Face record of one passage: four numbers and a status per position and point.
-        let records = self.passages.passage.positions * (5 * face_points + 2 * tips);
+        let records = self.positions().len() * (5 * face_points + 2 * tips);
         let memory_bytes = BASE + number * (matrices + records + 2 * factor);
         RunSize { face_points, tips, displacements, unknowns, memory_bytes }
     }

@@ -1,8 +1,9 @@
 //! Files that a case names, and how they are kept beside a stored case.
 
 use crate::schema::{Kind, Row};
-use railcrack::fatigue::RateTable;
+use railcrack::fatigue::{RateTable, Toughness};
 use railcrack::field::DepthProfile;
+use railcrack::load::TableContact;
 use railcrack::residual::PlasticField;
 
 /// A file that belongs beside the text of [`Case::to_toml`](crate::Case::to_toml), under the name
@@ -29,6 +30,12 @@ pub type FieldFile = CaseFile<PlasticField>;
 
 /// Growth rates by equivalent range, and the text they were read from.
 pub type RatesFile = CaseFile<RateTable>;
+
+/// A contact of wheel and rail and the text it was read from.
+pub type ContactFile = CaseFile<TableContact>;
+
+/// A toughness over temperature and the text it was read from.
+pub type ToughnessFile = CaseFile<Toughness>;
 
 /// A stress profile and the text it was read from.
 pub type ProfileFile = CaseFile<DepthProfile>;

@@ -2,12 +2,17 @@
 
 mod columns;
 mod companion;
+mod contact_mat;
+mod contact_table;
 mod field;
 mod profile;
 mod rates;
+mod toughness;
 
-pub use companion::{CaseFile, Companion, FieldFile, ProfileFile, RatesFile};
+pub use companion::{CaseFile, Companion, ContactFile, FieldFile, ProfileFile, RatesFile, ToughnessFile};
 
+pub(crate) use contact_table::{ContactReading, read_contact_table};
 pub(crate) use field::read_field;
 pub(crate) use profile::read_profile;
 pub(crate) use rates::read_rates;
+pub(crate) use toughness::read_toughness;

@@ -71,6 +71,8 @@ pub struct Key {
     pub doc: &'static str,
     /// The choice of another key without which this one means nothing.
     pub only_with: Option<OnlyWith>,
+    /// The choice of another key with which this one, otherwise required, need not be given.
+    pub excused: Option<OnlyWith>,
     /// The other key of the same section that goes with this one.
     pub pair: Option<Pair>,
     /// The value in the first file of a user, where it is not the default.

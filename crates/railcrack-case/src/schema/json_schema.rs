@@ -1,7 +1,8 @@
 //! JSON Schema of a declared file, for editors.
 
 use super::declaration::{
-    FileSchema, Form, Key, Kind, NumberRange, Presence, Preset, RangeEnd, Section, SectionPresence, available,
+    FileSchema, Form, Key, Kind, NumberRange, OnlyWith, Presence, Preset, RangeEnd, Section, SectionPresence,
+    available,
 };
 use serde_json::{Map, Value, json};
 
@@ -44,7 +45,7 @@ pub(crate) fn section_schema(section: &Section) -> Value {
         properties.insert(key.name.into(), key_schema(key));
     }
     let needed = |key: &&Key| key.is_required() && !section.is_in_a_form(key);
-    let is_always_required = |key: &&Key| needed(key) && key.only_with.is_none();
+    let is_always_required = |key: &&Key| needed(key) && key.only_with.is_none() && key.excused.is_none();
     let required: Vec<&str> = section.keys.iter().filter(is_always_required).map(|k| k.name).collect();
     let mut schema = json!({
         "description": section.doc,
@@ -58,6 +59,10 @@ pub(crate) fn section_schema(section: &Section) -> Value {
             let forms: Vec<Value> = section.forms.iter().map(|f| form_schema(section, f)).collect();
             schema.insert("oneOf".into(), forms.into());
         }
+        let at_times: Vec<Value> = section.keys.iter().filter(needed).filter_map(required_at_times).collect();
+        if !at_times.is_empty() {
+            schema.insert("allOf".into(), at_times.into());
+        }
         for (key, pair) in section.keys.iter().filter_map(|key| Some((key.name, key.pair?))) {
             let default = section.key(pair.key).map(|other| other.presence.preset());
             let Some(Preset::Integer(default)) = default else { continue };
@@ -68,6 +73,20 @@ pub(crate) fn section_schema(section: &Section) -> Value {
         }
     }
     schema
+}
+
+/// A key that is required with some choices of another one only.
+fn required_at_times(key: &Key) -> Option<Value> {
+    let chosen = |with: &OnlyWith| {
+        let words: Vec<&str> = std::iter::once(&with.choice).chain(with.also).copied().collect();
+        json!({ "properties": { with.key: { "enum": words } }, "required": [with.key] })
+    };
+    let required = json!({ "required": [key.name] });
+    match (&key.only_with, &key.excused) {
+        (Some(with), _) => Some(json!({ "if": chosen(with), "then": required })),
+        (None, Some(with)) => Some(json!({ "if": chosen(with), "else": required })),
+        (None, None) => None,
+    }
 }
 
 /// All keys of this form that have no default, and none of the keys of another.

@@ -45,6 +45,10 @@ fn row(section: &Section, key: &Key) -> String {
         Presence::Optional(_) => "none".into(),
         Presence::Required(_) => "required".into(),
     };
+    let default = match key.excused {
+        Some(with) => format!("{default}, but with `{}`", with.shown()),
+        None => default,
+    };
     let mut meaning = key.doc.to_string();
     if let Some(with) = key.only_with {
         meaning.push_str(&format!(" Only with `{}`.", with.shown()));

@@ -22,7 +22,8 @@ impl<T> Copy for Row<T> {}
 impl<T> Row<T> {
     const fn new(name: &'static str, kind: Kind, preset: Preset, doc: &'static str) -> Self {
         let presence = Presence::Default(preset);
-        let key = Key { name, kind, presence, doc, only_with: None, pair: None, reference: None };
+        let key =
+            Key { name, kind, presence, doc, only_with: None, excused: None, pair: None, reference: None };
         Self { key, values: PhantomData }
     }
 
@@ -63,6 +64,19 @@ impl<T> Row<T> {
     ) -> Self {
         let only_with = OnlyWith { key: other.key.name, choice, also, otherwise };
         self.with(Key { only_with: Some(only_with), ..self.key })
+    }
+
+    /// Without a default, and required but with the word `choice` of another key; `because` says
+    /// why not there.
+    pub const fn required_but_with<U>(
+        self,
+        other: Row<U>,
+        choice: &'static str,
+        because: &'static str,
+    ) -> Self {
+        let excused = OnlyWith { key: other.key.name, choice, also: &[], otherwise: because };
+        let row = self.required();
+        row.with(Key { excused: Some(excused), ..row.key })
     }
 
     /// Given together with an integer above its default, [`Pair`].

@@ -1,7 +1,7 @@
 //! Reading of one section against its declaration.
 
 use super::accept::Raw;
-use super::declaration::{Key, Presence, Section, SectionPresence};
+use super::declaration::{Key, OnlyWith, Presence, Section, SectionPresence};
 use super::error::{Fault, Report};
 use super::forms::{check_pairs, choose_form};
 use super::reading::Reading;
@@ -154,14 +154,14 @@ fn fill(read: &mut SectionValues, given: &[(&'static Key, Range<usize>)], report
         if section.is_in_a_form(key) && !form.is_some_and(|f| f.keys.contains(&key.name)) {
             continue;
         }
-        let wanted = key
-            .only_with
-            .is_none_or(|with| read.named(with.key).is_some_and(|other| other.is_admitted(&with)));
+        let has = |with: &OnlyWith| read.named(with.key).is_some_and(|other| other.is_admitted(with));
+        let wanted = key.only_with.is_none_or(|with| has(&with));
+        let excused = key.excused.is_some_and(|with| has(&with));
         match key.presence {
             Presence::Default(preset) if wanted => {
                 read.entries.push(Entry { key, value: preset.into(), span: None, parts: Vec::new() });
             }
-            Presence::Required(_) if wanted => {
+            Presence::Required(_) if wanted && !excused => {
                 let message = format!("`{dotted}` is missing: it must be {}", key.kind.accepted());
                 report.add(Fault::of(dotted, read.span.clone(), message).help(key.doc));
             }

@@ -1,28 +1,69 @@
 //! `[contact]`: wheel on rail.
 
+use crate::files::{ContactFile, ContactReading, read_contact_table};
 use crate::schema::{
-    Availability, Choice, Kind, Report, Row, SectionValues, Word, choice, closed, number, positive,
-    read_by_word, section,
+    Choice, Kind, NumberRange, RangeEnd, Report, Row, SectionValues, Word, choice, closed, file, number,
+    positive, read_by_word, section, within,
 };
-use railcrack::load::HertzianContact;
+use railcrack::load::{CarterContact, Contact, HertzEllipse, HertzianContact, Travel, WheelOnRail};
 use railcrack::material::IsotropicElastic;
+use std::path::Path;
+
+/// Curvatures across the rail: straight, or a radius of either sign.
+const PROFILE_RADII: NumberRange =
+    NumberRange { min: RangeEnd::Closed(-1e6), max: RangeEnd::Closed(f64::INFINITY) };
+
+const TABLE: &str = "table";
+const HERTZIAN: &str = "a table has its own pressure and extent";
 
 section! {
-    CONTACT "contact", Required, "Wheel on rail: fully sliding line contact; one passage is one axle.",
-        forms [[PEAK_PRESSURE, HALF_WIDTH], [LINE_LOAD, WHEEL_RADIUS, RAIL_RADIUS]];
+    CONTACT "contact", Required, "Wheel on rail: one passage is one axle.",
+        forms [[PEAK_PRESSURE, HALF_WIDTH], [LINE_LOAD, WHEEL_RADIUS, RAIL_RADIUS],
+            [WHEEL_LOAD, WHEEL_RADIUS, RAIL_HEAD_RADIUS, WHEEL_PROFILE_RADIUS, LATERAL],
+            [CONTACT_PROFILE, SCALE, STRIP]];
     KIND: ContactKind = choice("kind", "Description of the contact.");
-    PEAK_PRESSURE: f64 = number("peak_pressure_mpa", "MPa", closed(1e-3, 1e4), 845.0, "Peak pressure p0.").required();
+    PEAK_PRESSURE: f64 = number("peak_pressure_mpa", "MPa", closed(1e-3, 1e4), 845.0, "Peak pressure p0.")
+        .required().only_with_any(KIND, "hertz", &["carter"], HERTZIAN);
     HALF_WIDTH: f64 =
         number("half_width_mm", "mm", closed(0.01, 100.0), 6.75,
-            "Half-width a of the contact; below 0.01 mm it is smaller than the roughness of a rail.").required();
+            "Half-width a of the contact; below 0.01 mm it is smaller than the roughness of a rail.")
+        .required().only_with_any(KIND, "hertz", &["carter"], HERTZIAN);
     LINE_LOAD: f64 =
-        number("line_load_n_per_mm", "N/mm", closed(1e-5, 1e7), 8959.4, "Wheel load per width.").required();
-    WHEEL_RADIUS: f64 = number("wheel_radius_mm", "mm", closed(1e-2, 1e5), 460.9, "Radius of the wheel.").required();
+        number("line_load_n_per_mm", "N/mm", closed(1e-5, 1e7), 8959.4, "Wheel load per width.")
+        .required().only_with_any(KIND, "hertz", &["carter"], HERTZIAN);
+    WHEEL_RADIUS: f64 = number("wheel_radius_mm", "mm", closed(1e-2, 1e5), 460.9, "Radius of the wheel.")
+        .required().only_with_any(KIND, "hertz", &["carter"], HERTZIAN);
     RAIL_RADIUS: f64 = number("rail_radius_mm", "mm", positive(f64::INFINITY), f64::INFINITY,
-        "Radius of the rail in the plane of the model; inf is flat.");
+        "Radius of the rail in the plane of the model; inf is flat.")
+        .only_with_any(KIND, "hertz", &["carter"], HERTZIAN);
+    WHEEL_LOAD: f64 = number("wheel_load_kn", "kN", closed(1e-3, 1e4), 100.0,
+        "Load of the wheel: with the radii it gives the Hertz ellipse, of which the model takes a strip along the rail.")
+        .required().only_with_any(KIND, "hertz", &["carter"], HERTZIAN);
+    RAIL_HEAD_RADIUS: f64 = number("rail_head_radius_mm", "mm", positive(f64::INFINITY), 300.0,
+        "Radius of the rail head across the rail; inf is flat.")
+        .required().only_with_any(KIND, "hertz", &["carter"], HERTZIAN);
+    WHEEL_PROFILE_RADIUS: f64 = number("wheel_profile_radius_mm", "mm", PROFILE_RADII, f64::INFINITY,
+        "Radius of the wheel's profile across the rail; inf is straight, negative is concave.")
+        .only_with_any(KIND, "hertz", &["carter"], HERTZIAN);
+    LATERAL: f64 = number("lateral_mm", "mm", within(100.0), 0.0, "Lateral offset of the strip from the middle of the ellipse.")
+        .only_with_any(KIND, "hertz", &["carter"], HERTZIAN);
+    CONTACT_PROFILE: String = file("profile", "inputs/contact-table", "contact.csv",
+        "CSV read by header, u_mm,p_mpa,q_mpa: u from the wheel's centre along +x, linear between rows, zero outside; or a .mat \
+         file of the rolling-contact program CONTACT.")
+        .required().only_with(KIND, TABLE, "pressure and shear are computed");
+    SCALE: f64 = number("scale", "", positive(1e6), 1.0, "Factor of pressure and shear of the table.")
+        .only_with(KIND, TABLE, "pressure and shear are computed");
+    STRIP: f64 = number("strip_mm", "mm", within(1e3), 0.0,
+        "Lateral position of the strip along the rail that is taken from a .mat file of CONTACT, in its own frame.")
+        .only_with(KIND, TABLE, "lateral_mm is the strip of an ellipse").optional();
     FRICTION: f64 = number("friction", "", closed(-1.0, 1.0), 0.025,
-        "Wheel-rail friction coefficient; > 0 drags the rail along +x (a braking wheel running towards +x).")
-        .required();
+        "Wheel-rail friction coefficient. hertz: signed, > 0 drags the rail along +x (a braking wheel running towards +x); \
+         carter: of the slip zone, not negative; table: optional, then |q| <= friction p is required.")
+        .required_but_with(KIND, TABLE, "a table has its own shear");
+    TRACTION: f64 = number("traction", "", closed(-1.0, 1.0), -0.5,
+        "Traction Q/(friction P), signed as the shear on the rail along +x: < 0 drives a wheel that runs towards +x; 1 and \
+         -1 are full sliding.")
+        .required().only_with(KIND, "carter", "full sliding has the whole friction, and a table its own shear");
 }
 
 read_by_word!(ContactKind);
@@ -31,34 +72,135 @@ read_by_word!(ContactKind);
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum ContactKind {
     Hertz,
+    Carter,
+    Table,
 }
 
 impl Choice for ContactKind {
-    const WORDS: &'static [(Self, Word)] = &[(
-        Self::Hertz,
-        Word::now("hertz", "pressure p0 sqrt(1 - (x - xc)^2 / a^2) and a shear proportional to it"),
-    )];
-
-    const LATER: &'static [Word] = &[Word {
-        name: "table",
-        doc: "measured pressure and shear",
-        availability: Availability::Later {
-            reason: "measured contact tables are not part of this version",
-            instead: "describe the contact with kind = \"hertz\"",
-        },
-    }];
+    const WORDS: &'static [(Self, Word)] = &[
+        (
+            Self::Hertz,
+            Word::now(
+                "hertz",
+                "pressure p0 sqrt(1 - (x - xc)^2 / a^2) and a shear proportional to it: full sliding",
+            ),
+        ),
+        (
+            Self::Carter,
+            Word::now(
+                "carter",
+                "the same pressure and a shear that sticks behind the leading edge: partial slip",
+            ),
+        ),
+        (Self::Table, Word::now(TABLE, "pressure and shear of a table, measured or computed")),
+    ];
 }
 
-/// The contact, of peak pressure and half-width, or of a line load and radii on a rail of `steel`.
+/// Origin of the numbers of a contact.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ContactOrigin {
+    /// Peak pressure and half-width are given.
+    Given,
+    /// A line load on cylinders.
+    LineLoad {
+        /// R of 1/R = 1/R_wheel + 1/R_rail, mm.
+        radius: f64,
+    },
+    /// A strip of the Hertz ellipse.
+    Ellipse {
+        /// Wheel and rail.
+        wheel: WheelOnRail,
+        /// Their ellipse.
+        ellipse: HertzEllipse,
+        /// Offset of the strip from its middle, mm.
+        lateral: f64,
+    },
+    /// A table.
+    Table(ContactFile),
+}
+
+impl ContactOrigin {
+    /// R of 1/R = 1/R_wheel + 1/R_rail in the plane of the model, mm, where it is known.
+    #[must_use]
+    pub fn radius(&self) -> Option<f64> {
+        match self {
+            Self::LineLoad { radius } => Some(*radius),
+            Self::Ellipse { wheel, .. } => Some(wheel.wheel_radius),
+            Self::Given | Self::Table(_) => None,
+        }
+    }
+}
+
+/// The contact on a rail of `steel` of a wheel that runs towards `travel`; files are relative to
+/// `folder`.
 pub(crate) fn read_contact(
     section: &SectionValues,
     steel: &IsotropicElastic,
+    travel: Travel,
+    folder: &Path,
     report: &mut Report,
-) -> Option<HertzianContact> {
-    let ContactKind::Hertz = section.get(KIND)?;
+) -> Option<(Contact, ContactOrigin)> {
+    let kind = section.get(KIND)?;
+    if kind == ContactKind::Table {
+        return read_table(section, travel, folder, report);
+    }
     let friction = section.get(FRICTION)?;
+    if kind == ContactKind::Carter && friction < 0.0 {
+        let help = "the friction of the slip zone; the sign of the shear is that of traction";
+        report.add(section.fault(FRICTION, "must be a number in [0, 1]").help(help));
+        return None;
+    }
+    let (contact, origin) = read_hertz(section, steel, friction, report)?;
+    let contact = match kind {
+        ContactKind::Carter => Contact::Carter(CarterContact {
+            peak_pressure: contact.peak_pressure,
+            half_width: contact.half_width,
+            friction,
+            traction: section.get(TRACTION)?,
+            travel,
+        }),
+        _ => Contact::Hertz(contact),
+    };
+    Some((contact, origin))
+}
+
+fn read_table(
+    section: &SectionValues,
+    travel: Travel,
+    folder: &Path,
+    report: &mut Report,
+) -> Option<(Contact, ContactOrigin)> {
+    let friction = section.get(FRICTION);
+    if friction.is_some_and(|friction| friction < 0.0) {
+        let help = "with a table, the most that |q|/p may be";
+        report.add(section.fault(FRICTION, "must be a number in [0, 1]").help(help));
+        return None;
+    }
+    let reading = ContactReading { friction, lateral: section.get(STRIP), travel };
+    let file = read_contact_table(section, CONTACT_PROFILE, reading, folder, report)?;
+    let scaled = file.content().scaled(section.get(SCALE)?);
+    let table = scaled.map_err(|error| report.add(section.fault(SCALE, error))).ok()?;
+    let refusal = out_of_range(HALF_WIDTH, table.half_width())
+        .or_else(|| out_of_range(PEAK_PRESSURE, table.peak_pressure()));
+    if let Some(says) = refusal {
+        report.add(section.fault(CONTACT_PROFILE, says).help("u in mm, p and q in MPa, times scale"));
+        return None;
+    }
+    Some((Contact::Table(table), ContactOrigin::Table(file)))
+}
+
+/// The Hertzian contact in full sliding, of whatever gives its size.
+fn read_hertz(
+    section: &SectionValues,
+    steel: &IsotropicElastic,
+    friction: f64,
+    report: &mut Report,
+) -> Option<(HertzianContact, ContactOrigin)> {
     if let (Some(peak_pressure), Some(half_width)) = (section.get(PEAK_PRESSURE), section.get(HALF_WIDTH)) {
-        return Some(HertzianContact { peak_pressure, half_width, friction });
+        return Some((HertzianContact { peak_pressure, half_width, friction }, ContactOrigin::Given));
+    }
+    if section.get(WHEEL_LOAD).is_some() {
+        return read_ellipse(section, steel, friction, report);
     }
     let line_load = section.get(LINE_LOAD)?;
     let (wheel, rail) = (section.get(WHEEL_RADIUS)?, section.get(RAIL_RADIUS)?);
@@ -73,7 +215,42 @@ pub(crate) fn read_contact(
         report.add(section.fault(LINE_LOAD, says).help(help));
         return None;
     }
-    contact.ok()
+    let radius = 1.0 / (1.0 / wheel + 1.0 / rail);
+    Some((contact.ok()?, ContactOrigin::LineLoad { radius }))
+}
+
+fn read_ellipse(
+    section: &SectionValues,
+    steel: &IsotropicElastic,
+    friction: f64,
+    report: &mut Report,
+) -> Option<(HertzianContact, ContactOrigin)> {
+    let wheel = WheelOnRail {
+        wheel_load: 1e3 * section.get(WHEEL_LOAD)?,
+        wheel_radius: section.get(WHEEL_RADIUS)?,
+        rail_head_radius: section.get(RAIL_HEAD_RADIUS)?,
+        wheel_profile_radius: section.get(WHEEL_PROFILE_RADIUS)?,
+    };
+    let lateral = section.get(LATERAL)?;
+    let ellipse = HertzEllipse::new(&wheel, steel)
+        .map_err(|error| report.add(section.fault(WHEEL_PROFILE_RADIUS, error)))
+        .ok()?;
+    let contact = ellipse
+        .strip(lateral, friction)
+        .map_err(|_| {
+            let across = ellipse.across;
+            let says = format!("is outside of the contact, which reaches {across:.3} mm to either side");
+            report.add(section.fault(LATERAL, says).help("a strip within the ellipse"));
+        })
+        .ok()?;
+    let refusal = out_of_range(PEAK_PRESSURE, contact.peak_pressure)
+        .or_else(|| out_of_range(HALF_WIDTH, contact.half_width));
+    if let Some(says) = refusal {
+        let help = "wheel load and radii together give the ellipse, and lateral_mm its strip";
+        report.add(section.fault(WHEEL_LOAD, says).help(help));
+        return None;
+    }
+    Some((contact, ContactOrigin::Ellipse { wheel, ellipse, lateral }))
 }
 
 /// Why a value that follows from others is not one that could have been given.

@@ -2,6 +2,7 @@
 
 use super::contact::CONTACT;
 use super::crack::CRACK;
+use super::fracture::FRACTURE;
 use super::growth::GROWTH;
 use super::mesh::MESH;
 use super::output::OUTPUT;
@@ -12,6 +13,7 @@ use super::solver::SOLVER;
 use super::stress::{PLASTIC_STRESS, RESIDUAL_STRESS};
 use super::study::STUDY;
 use super::title::TOP;
+use super::track::{TEMPERATURE, TRACK};
 use super::traffic::TRAFFIC;
 use crate::schema::{FileSchema, Section, file_schema, first_file, page};
 
@@ -20,12 +22,15 @@ pub const SECTIONS: &[Section] = &[
     TOP,
     RAIL,
     CONTACT,
+    TRACK,
+    TEMPERATURE,
     PASSAGE,
     CRACK,
     RESIDUAL_STRESS,
     PLASTIC_STRESS,
     SHAKEDOWN,
     GROWTH,
+    FRACTURE,
     MESH,
     SOLVER,
     TRAFFIC,

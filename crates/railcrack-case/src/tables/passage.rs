@@ -4,7 +4,7 @@ use crate::schema::{Report, SectionValues, choice, closed, integer, number, read
 use railcrack::contact::StepControl;
 use railcrack::crack::CrackNetwork;
 use railcrack::growth::PassageSettings;
-use railcrack::load::{HertzianContact, Passage};
+use railcrack::load::{Passage, Travel};
 
 section! {
     PASSAGE "passage", Defaulted,
@@ -25,10 +25,15 @@ section! {
 
 read_by_word!(StepControl);
 
-/// The positions of the wheel, from the mouths of `cracks`.
+/// Which way the wheel runs.
+pub(crate) fn read_travel(section: &SectionValues) -> Option<Travel> {
+    Some(if section.get(TO)? < section.get(FROM)? { Travel::Backward } else { Travel::Forward })
+}
+
+/// The positions of a wheel with the half-width a = `half_width` (mm), from the mouths of `cracks`.
 pub(crate) fn read_passage(
     section: &SectionValues,
-    contact: Option<&HertzianContact>,
+    half_width: Option<f64>,
     cracks: Option<&CrackNetwork>,
     report: &mut Report,
 ) -> Option<Passage> {
@@ -39,7 +44,7 @@ pub(crate) fn read_passage(
         report.add(section.fault(TO, says).help(help));
         return None;
     }
-    let (contact, cracks) = (contact?, cracks?);
+    let (half_width, cracks) = (half_width?, cracks?);
     // The wheel meets the cracks one after the other: it starts before the first mouth on its way
     // and ends behind the last one.
     let (first, last) = if from < to {
@@ -48,8 +53,8 @@ pub(crate) fn read_passage(
         (cracks.rightmost_mouth(), cracks.leftmost_mouth())
     };
     Some(Passage {
-        from: first + from * contact.half_width,
-        to: last + to * contact.half_width,
+        from: first + from * half_width,
+        to: last + to * half_width,
         positions: section.get(POSITIONS)?,
     })
 }

@@ -50,6 +50,16 @@ fn case_with(section: &Section, key: &Key, value: &str) -> String {
             }
             let in_form = !written.is_in_a_form(other) || form.contains(&other.name);
             let with = key.only_with.filter(|OnlyWith { key, .. }| is_own && *key == other.name);
+            // A key of another choice than that of the key in question means nothing.
+            let chosen = |wanted: &OnlyWith| match (key.only_with, written.key(wanted.key)?.presence) {
+                (Some(own), _) if is_own && own.key == wanted.key => Some(own.choice),
+                (_, Presence::Default(Preset::Text(word))) => Some(word),
+                _ => None,
+            };
+            if other.only_with.is_some_and(|wanted| chosen(&wanted).is_some_and(|word| !wanted.admits(word)))
+            {
+                continue;
+            }
             let paired = is_own
                 && (key.pair.is_some_and(|pair| pair.key == other.name)
                     || other.pair.is_some_and(|pair| pair.key == key.name));

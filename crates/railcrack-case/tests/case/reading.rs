@@ -116,8 +116,8 @@ fn contact_from_line_load() {
         "[contact]\nline_load_n_per_mm = 8959.4\nwheel_radius_mm = 460.9\nrail_radius_mm = inf\nfriction = 0\n\
          [[crack]]\npoints_mm = [[0, -1], [5, -2]]\nfriction = 0\n",
     );
-    assert!((case.contact.peak_pressure - 845.0).abs() < 0.05);
-    assert!((case.contact.half_width - 6.75).abs() < 5e-4);
+    assert!((case.wheel.contact().peak_pressure() - 845.0).abs() < 0.05);
+    assert!((case.half_width() - 6.75).abs() < 5e-4);
     assert_eq!(case.cracks.cracks()[0].tips().len(), 2);
     assert!(case.to_toml().contains("rail_radius_mm = inf\n"));
 }

@@ -40,7 +40,7 @@ fn values(study: &Study) -> Vec<[f64; 3]> {
     let of = |case: &Case| {
         let crack = &case.cracks.cracks()[0];
         let (first, next) = crack.segment(0);
-        [case.contact.friction, crack.length(), -(next - first).angle().to_degrees()]
+        [case.wheel.contact().adhesion(), crack.length(), -(next - first).angle().to_degrees()]
             .map(|value| (value * 1e9).round() / 1e9)
     };
     study.runs.iter().map(|run| of(&run.case)).collect()

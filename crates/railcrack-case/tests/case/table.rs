@@ -1,7 +1,9 @@
 //! Pages, schemas and files derived from the table of keys.
 
 use railcrack_case::Choice;
-use railcrack_case::{Availability, Engine, Kind, Presence, SECTIONS, Section, json_schema, markdown};
+use railcrack_case::{
+    Availability, Engine, Kind, Presence, Preset, SECTIONS, Section, json_schema, markdown,
+};
 use serde_json::json;
 
 #[test]
@@ -30,9 +32,16 @@ fn names_are_unique_and_forms_name_keys() {
         }
         for with in section.keys.iter().filter_map(|key| key.only_with) {
             let Some(Kind::Choice(words)) = section.key(with.key).map(|k| k.kind) else { panic!("{with:?}") };
-            assert!(words().iter().any(|word| word.name == with.choice), "{with:?}");
+            for choice in std::iter::once(&with.choice).chain(with.also) {
+                assert!(words().iter().any(|word| word.name == *choice), "{with:?}");
+            }
         }
     }
+}
+
+/// JSON has no infinity.
+fn infinite(preset: Preset) -> bool {
+    matches!(preset, Preset::Number(value) if value.is_infinite())
 }
 
 #[test]
@@ -55,7 +64,8 @@ fn the_schema_has_every_key() {
         for key in section.keys.iter().filter(|k| section.offers(k)) {
             let found = &keys_of(section)[key.name];
             assert_eq!(found["description"], json!(key.doc), "{}.{}", section.name, key.name);
-            let has_default = matches!(key.presence, Presence::Default(_)) && key.name != "rail_radius_mm";
+            let has_default =
+                !infinite(key.presence.preset()) && matches!(key.presence, Presence::Default(_));
             assert_eq!(found.get("default").is_some(), has_default, "{}", key.name);
         }
     }
@@ -75,7 +85,10 @@ fn the_schema_says_what_the_reader_accepts() {
     assert_eq!(key("rail", "bottom")["enum"], json!(["clamped", "rollers"]));
     assert_eq!(schema["properties"]["plastic_stress"]["required"], json!([]));
     let contact = &schema["properties"]["contact"];
-    assert_eq!(contact["required"], json!(["friction"]));
+    assert_eq!(contact["required"], json!([]));
+    let kind = |word: &str| json!({ "properties": { "kind": { "enum": [word] } }, "required": ["kind"] });
+    assert_eq!(contact["allOf"][0], json!({ "if": kind("table"), "else": { "required": ["friction"] } }));
+    assert_eq!(contact["allOf"][1], json!({ "if": kind("carter"), "then": { "required": ["traction"] } }));
     assert_eq!(contact["oneOf"][1]["required"], json!(["line_load_n_per_mm", "wheel_radius_mm"]));
 }
 

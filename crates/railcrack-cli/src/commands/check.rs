@@ -8,9 +8,10 @@ use clap::Args;
 use railcrack::contact::StepControl;
 use railcrack::crack::Crack;
 use railcrack::fatigue::{ACCEPTANCE_RANGES, DirectionCriterion, RAIL_STEELS, RateLaw};
-use railcrack::shakedown::{DepthBounds, bounds_by_depth, first_yield_ratio, shakedown_limit_ratio};
+use railcrack::load::Contact;
+use railcrack::shakedown::DepthBounds;
 use railcrack::words::Choice;
-use railcrack_case::{Case, Input, PlasticSource};
+use railcrack_case::{Case, ContactOrigin, Input, PlasticSource};
 use railcrack_run::budget::{Budget, Needs, mb};
 use railcrack_run::simulation::plastic_stress_left_out;
 use std::path::{Path, PathBuf};
@@ -45,6 +46,8 @@ fn summary(case: &Case, folder: &Path) -> String {
     for (heading, rows) in [
         ("rail", rail(case)),
         ("contact", contact(case)),
+        ("track", track(case)),
+        ("temperature", temperature(case)),
         ("passage", passage(case)),
         ("cracks", cracks(case)),
         ("residual stress", residual_stress(case)),
@@ -80,19 +83,120 @@ fn rail(case: &Case) -> Vec<Row> {
 }
 
 fn contact(case: &Case) -> Vec<Row> {
-    let contact = &case.contact;
-    vec![
-        ("peak pressure p0", format!("{} MPa", number(contact.peak_pressure))),
-        ("half width a", format!("{} mm", number(contact.half_width))),
+    let contact = case.wheel.contact();
+    let mut rows = origin(case);
+    rows.extend([
+        ("peak pressure p0", format!("{} MPa", number(contact.peak_pressure()))),
+        ("half width a", format!("{} mm", number(contact.half_width()))),
         ("line load", format!("{} N/mm", number(contact.line_load()))),
-        ("friction", format!("{}", contact.friction)),
+    ]);
+    match contact {
+        Contact::Hertz(contact) => rows.push(("friction", contact.friction.to_string())),
+        Contact::Carter(carter) => {
+            let stick = carter.stick_half_width();
+            rows.push(("friction", format!("{} where it slips", carter.friction)));
+            rows.push((
+                "traction Q/(mu P)",
+                format!(
+                    "{}: sticks over {} mm behind the leading edge",
+                    carter.traction,
+                    number(2.0 * stick)
+                ),
+            ));
+            if let Some(radius) = case.wheel.origin.radius() {
+                rows.push(("creepage", format!("{} %", number(100.0 * carter.creepage(radius)))));
+            }
+        }
+        Contact::Table(table) => {
+            let last = table.rows().len() - 1;
+            let (from, to) = (table.rows()[0].u, table.rows()[last].u);
+            rows.push(("extent", format!("u = {} to {} mm, {} rows", number(from), number(to), last + 1)));
+            rows.push(("largest |q| / p", number(table.largest_friction())));
+        }
+    }
+    if !matches!(contact, Contact::Hertz(_)) {
+        rows.push(("shear Q/P", number(contact.adhesion())));
+    }
+    rows
+}
+
+/// Where the numbers of the contact come from.
+fn origin(case: &Case) -> Vec<Row> {
+    match &case.wheel.origin {
+        ContactOrigin::Given | ContactOrigin::LineLoad { .. } => Vec::new(),
+        ContactOrigin::Ellipse { wheel, ellipse, lateral } => vec![
+            ("wheel load", format!("{} kN", number(1e-3 * wheel.wheel_load))),
+            (
+                "Hertz ellipse",
+                format!(
+                    "a = {} mm along, b = {} mm across, p0 = {} MPa",
+                    number(ellipse.along),
+                    number(ellipse.across),
+                    number(ellipse.peak_pressure)
+                ),
+            ),
+            ("strip", format!("{} mm beside its middle", number(*lateral))),
+        ],
+        ContactOrigin::Table(file) => vec![("table", file.given_name().into())],
+    }
+}
+
+fn track(case: &Case) -> Vec<Row> {
+    let (Some(track), Some(bending)) = (&case.wheel.load.track, case.wheel.bending(&case.steel)) else {
+        return Vec::new();
+    };
+    let axles: Vec<String> = track
+        .axles
+        .iter()
+        .map(|axle| format!("{} kN at {} mm", number(1e-3 * axle.wheel_load), axle.at))
+        .collect();
+    let length = bending.length();
+    let positions = case.positions();
+    let (first, last) = (positions.first().copied().unwrap_or(0.0), positions.last().copied().unwrap_or(0.0));
+    vec![
+        ("axles", axles.join(", ")),
+        (
+            "section",
+            format!(
+                "I = {} mm^4, neutral axis {} mm deep",
+                number(track.section.second_moment),
+                track.section.neutral_axis_depth
+            ),
+        ),
+        ("foundation", format!("{} MPa", track.foundation)),
+        ("length 1 / beta", format!("{} mm", number(length))),
+        (
+            "under this wheel",
+            format!(
+                "M = {} kN m, sigma_xx = {} MPa at the surface",
+                number(1e-6 * bending.moment(0.0)),
+                number(bending.stress(0.0, 0.0))
+            ),
+        ),
+        (
+            "passage of the beam",
+            format!(
+                "x = {} to {} m, {} output positions in all",
+                number(1e-3 * first),
+                number(1e-3 * last),
+                positions.len()
+            ),
+        ),
+    ]
+}
+
+fn temperature(case: &Case) -> Vec<Row> {
+    let Some(temperature) = case.wheel.load.temperature else { return Vec::new() };
+    vec![
+        ("rail, neutral", format!("{} and {} degrees C", temperature.rail, temperature.neutral)),
+        ("sigma_xx", format!("{} MPa", number(temperature.stress(&case.steel)))),
     ]
 }
 
 fn passage(case: &Case) -> Vec<Row> {
     let (passage, settings) = (&case.passages.passage, &case.passages);
     let first_mouth = case.cracks.cracks().first().map_or(0.0, |c| c.points()[0].x);
-    let over_a = |x: f64| number((x - first_mouth) / case.contact.half_width);
+    let over_a = |x: f64| number((x - first_mouth) / case.half_width());
     let towards = if passage.from < passage.to { "+x" } else { "-x" };
     vec![
         ("wheel runs towards", towards.into()),
@@ -219,6 +323,10 @@ fn growth(case: &Case) -> Vec<Row> {
     if let Some(cycles) = growth.stop_after_cycles {
         rows.push(("stops after", format!("{cycles:e} cycles")));
     }
+    if let Some(fracture) = &case.fracture {
+        let steel = fracture.steel.map_or(String::new(), |steel| format!(" ({steel})"));
+        rows.push(("breaks at k1", format!("{} MPa sqrt(m){steel}", number(fracture.at_rail))));
+    }
     if let Some(load) = case.axle_load {
         rows.push(("axle load", format!("{load} t")));
     }
@@ -271,9 +379,11 @@ const BOUND_DEPTHS: [f64; 8] = [0.0, 0.125, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0];
 /// How the pressure compares with the yield stress.
 fn bounds(case: &Case) -> Vec<Row> {
     let shear_yield = case.shakedown.hardening.shear_yield_stress();
-    let ratio = case.contact.peak_pressure / shear_yield;
-    let first_yield = first_yield_ratio(case.contact.friction, case.steel.poisson());
-    let shakedown = shakedown_limit_ratio(case.contact.friction, case.steel.poisson());
+    let ratio = case.wheel.contact().peak_pressure() / shear_yield;
+    let all = case.contact_bounds(|bounds| {
+        (bounds.first_yield(), bounds.shakedown_limit(), bounds.by_depth(&BOUND_DEPTHS))
+    });
+    let Some((first_yield, shakedown, by_depth)) = all else { return Vec::new() };
     let state = if ratio <= first_yield.ratio {
         "the virgin rail stays elastic"
     } else if ratio <= shakedown.ratio {
@@ -281,8 +391,7 @@ fn bounds(case: &Case) -> Vec<Row> {
     } else {
         "beyond elastic shakedown: every passage yields"
     };
-    let a = case.contact.half_width;
-    let by_depth = bounds_by_depth(case.contact.friction, case.steel.poisson(), &BOUND_DEPTHS);
+    let a = case.half_width();
     let verdict = |bounds: &DepthBounds| {
         let verdict = if ratio <= bounds.first_yield {
             "elastic"
@@ -299,7 +408,7 @@ fn bounds(case: &Case) -> Vec<Row> {
         );
         ("", line)
     };
-    let at = |depth_over_a: f64| format!("depth {} mm", number(depth_over_a * case.contact.half_width));
+    let at = |depth_over_a: f64| format!("depth {} mm", number(depth_over_a * a));
     let mut rows = vec![
         ("shear yield stress k", format!("{} MPa", number(shear_yield))),
         ("p0 / k", format!("{}: {state}", number(ratio))),

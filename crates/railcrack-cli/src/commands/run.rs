@@ -9,6 +9,7 @@ use clap::Args;
 use railcrack::words::Choice;
 use railcrack_case::{Case, Overrides};
 use railcrack_report::Pages;
+use railcrack_run::Summary;
 use railcrack_run::budget::{Budget, Needs};
 use railcrack_run::simulation::{Ending, Finished, RunEntry, RunError, Simulation};
 use std::num::NonZeroUsize;
@@ -186,12 +187,41 @@ pub fn result_text(finished: &Finished) -> String {
             piece.area_mm2
         ));
     }
-    match summary.warnings.len() {
-        0 => {}
-        1 => text.push_str("1 warning, see summary.json\n"),
-        count => text.push_str(&format!("{count} warnings, see summary.json\n")),
+    if let Some(fracture) = &summary.fracture
+        && let Some(share) = fracture.of_toughness
+    {
+        let at =
+            fracture.xc_mm.map_or_else(String::new, |xc| format!(" with the wheel at {:.2} m", 1e-3 * xc));
+        text.push_str(&format!(
+            "largest k1 {:.1} MPa\u{221a}m in step {}{at}, {:.0} % of the toughness\n",
+            fracture.largest_k1_mpa_sqrt_m,
+            fracture.step,
+            100.0 * share
+        ));
     }
+    text.push_str(&warnings(summary));
     text.push_str(&where_and_on(finished));
+    text
+}
+
+/// Warnings that are told; summary.json has all.
+const WARNINGS: usize = 8;
+
+/// A line for each warning, those that say the same once.
+fn warnings(summary: &Summary) -> String {
+    let mut texts: Vec<String> = Vec::new();
+    for warning in &summary.warnings {
+        let text = format!("warning, step {}: {}\n", warning.step, warning.text);
+        if !texts.contains(&text) {
+            texts.push(text);
+        }
+    }
+    let more = texts.len().saturating_sub(WARNINGS);
+    texts.truncate(WARNINGS);
+    let mut text = texts.concat();
+    if more > 0 {
+        text.push_str(&format!("and {more} more, see summary.json\n"));
+    }
     text
 }
 

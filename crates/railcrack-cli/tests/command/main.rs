@@ -5,6 +5,7 @@ mod case;
 mod common;
 mod compare;
 mod documents;
+mod loads;
 mod paper;
 mod plastic_stress;
 mod reliability;

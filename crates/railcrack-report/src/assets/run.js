@@ -7,6 +7,10 @@
   const data = JSON.parse(find("run-data").textContent);
   const a = data.half_width;
   const positions = data.xc_over_a;
+  // The passage of the contact; a rail that bends has positions far beyond, of which the far charts have K.
+  const [nearFirst, nearLast] = data.near;
+  const nearDomain = d3.extent([positions[nearFirst], positions[nearLast]]);
+  const isNear = (position) => position >= nearFirst && position <= nearLast;
   const shown = data.steps;
   const faceStride = data.face_stride;
   // Beyond seven tips colours would repeat: then the chosen crack has one, and the others are quiet.
@@ -248,7 +252,7 @@
         colour: several ? tipColour(tip) : colour,
         dashed,
         tip,
-        points: Array.from(histories[index][i][mode], (k, p) => ({ x: positions[p], k, at: p })),
+        points: Array.from(histories[index][i][mode], (k, p) => ({ x: positions[p], k, at: p })).slice(nearFirst, nearLast + 1),
       }));
     const kept = state.kept.filter((index) => index !== state.step);
     const curves = [
@@ -283,7 +287,7 @@
     const all = curves.flatMap(({ points, name }) => points.map((point) => ({ ...point, name })));
     const svg = Plot.plot({
       width, height: 300, marginLeft: 56, marginBottom: 44, marginTop: 10,
-      x: { ...scale({ title: "Wheel position x_{c}/a", scale: "linear" }), domain: d3.extent(positions) },
+      x: { ...scale({ title: "Wheel position x_{c}/a", scale: "linear" }), domain: nearDomain },
       y: { ...scale({ title: `${name} (MPa\u221am)`, scale: "linear" }), domain: extents[mode] },
       ariaLabel: `${mode === "ki" ? "K I" : "K II"} against the wheel position`, style,
       marks: [
@@ -309,12 +313,16 @@
     if (!chart) return;
     const [x, y] = ["x", "y"].map((name) => chart.svg.scale(name));
     const at = x.apply(positions[state.position]);
+    if (!isNear(state.position)) {
+      d3.select(chart.svg).selectAll("g.marks").remove();
+      return;
+    }
     const group = d3.select(chart.svg).selectAll("g.marks").data([0]).join("g").attr("class", "marks").attr("pointer-events", "none");
     group.selectAll("line").data([at]).join("line").attr("x1", at).attr("x2", at)
       .attr("y1", y.range[0]).attr("y2", y.range[1]).attr("stroke", "var(--c1)").attr("stroke-dasharray", "3 3");
     group.selectAll("circle").data(chart.curves).join("circle").attr("cx", at)
-      .attr("cy", (curve) => y.apply(curve.points[state.position]?.k ?? 0))
-      .attr("data-x", positions[state.position]).attr("data-y", (curve) => curve.points[state.position]?.k)
+      .attr("cy", (curve) => y.apply(curve.points[state.position - nearFirst]?.k ?? 0))
+      .attr("data-x", positions[state.position]).attr("data-y", (curve) => curve.points[state.position - nearFirst]?.k)
       .attr("r", 5).attr("fill", "var(--ground)").attr("stroke", (curve) => curve.colour).attr("stroke-width", 2.5);
   }
 
@@ -401,22 +409,27 @@
   /** An image of the faces: a pixel for each stored position, rows even in arc length. */
   function mapImage(faces, length, colour) {
     const rows = 240;
+    const [from, to] = nearColumns(faces);
+    const across = to - from + 1;
     const canvas = document.createElement("canvas");
-    [canvas.width, canvas.height] = [faces.row, rows];
+    [canvas.width, canvas.height] = [across, rows];
     const context = canvas.getContext("2d");
-    const image = context.createImageData(faces.row, rows);
+    const image = context.createImageData(across, rows);
     const backwards = positions[0] > positions[positions.length - 1];
     for (let j = 0; j < rows; j++) {
       // The top row is the largest arc length.
       const point = nearestPoint(faces, length * (rows - 0.5 - j) / rows);
-      for (let i = 0; i < faces.row; i++) {
-        const { r, g, b } = colour(point * faces.row + (backwards ? faces.row - 1 - i : i));
-        image.data.set([r, g, b, 255], 4 * (j * faces.row + i));
+      for (let i = 0; i < across; i++) {
+        const { r, g, b } = colour(point * faces.row + (backwards ? to - i : from + i));
+        image.data.set([r, g, b, 255], 4 * (j * across + i));
       }
     }
     context.putImageData(image, 0, 0);
     return canvas.toDataURL("image/png");
   }
+
+  /** The first and the last column of the faces within the passage of the contact. */
+  const nearColumns = (faces) => [Math.ceil(nearFirst / faceStride), faceColumn(faces, nearLast)];
 
   const nearestPoint = (faces, s) => {
     const right = Math.min(d3.bisectLeft(faces.s, s), faces.s.length - 1);
@@ -430,13 +443,13 @@
     const length = d3.sum(d3.pairs(polyline(faces.crack, state.step), (p, q) => Math.hypot(q[0] - p[0], q[1] - p[1])));
     const url = mapImage(faces, length, colour);
     const image = (index, { x, y }) => {
-      const [left, right] = d3.extent([x(positions[0]), x(positions[positions.length - 1])]);
+      const [left, right] = nearDomain.map(x);
       return d3.create("svg:image").attr("href", url).attr("x", left).attr("y", y(length)).attr("width", right - left)
         .attr("height", y(0) - y(length)).attr("preserveAspectRatio", "none").attr("style", "image-rendering: pixelated").node();
     };
     const svg = Plot.plot({
       width, height: 250, marginLeft: 56, marginBottom: 44, marginTop: 8,
-      x: { ...scale({ title: "Wheel position x_{c}/a", scale: "linear" }), domain: d3.extent(positions), grid: false },
+      x: { ...scale({ title: "Wheel position x_{c}/a", scale: "linear" }), domain: nearDomain, grid: false },
       y: { ...scale({ title: "Arc length s (mm)", scale: "linear" }), domain: [0, length], grid: false },
       ariaLabel, style, marks: [image, Plot.frame({ stroke: "var(--line)" })],
     });
@@ -473,7 +486,7 @@
     if (!map) return;
     const [x, y] = ["x", "y"].map((name) => map.svg.scale(name));
     const at = x.apply(positions[state.position]);
-    d3.select(map.svg).selectAll("line.here").data([at]).join("line").attr("class", "here").attr("pointer-events", "none")
+    d3.select(map.svg).selectAll("line.here").data(isNear(state.position) ? [at] : []).join("line").attr("class", "here").attr("pointer-events", "none")
       .attr("x1", at).attr("x2", at).attr("y1", y.range[0]).attr("y2", y.range[1])
       .attr("data-x", positions[state.position]).attr("stroke", "#d55e00").attr("stroke-width", 2);
   }

@@ -8,6 +8,7 @@ use crate::svg::{
     quantity, round_step, text,
 };
 use railcrack::contact::FaceStatus;
+use std::ops::Range;
 
 /// The most cracks on one picture.
 const SHOWN_CRACKS: usize = 9;
@@ -20,6 +21,8 @@ pub(super) struct FaceMap<'a> {
     pub step: usize,
     /// x_c/a by position.
     pub xc_over_a: &'a [f64],
+    /// The positions that are drawn.
+    pub near: Range<usize>,
     pub cracks: Vec<CrackMap<'a>>,
 }
 
@@ -49,7 +52,7 @@ pub(super) fn face_map(title: &str, model: &str, map: &FaceMap) -> String {
     let subtitle = format!("Crack faces, step {}{some} · {model}", map.step);
     draw_heading(&mut svg, left, width - left, title, &subtitle);
     let cells = borders(map.xc_over_a, None);
-    let (first, last) = match (cells.first(), cells.last()) {
+    let (first, last) = match (cells.get(map.near.start), cells.get(map.near.end)) {
         (Some(&a), Some(&b)) => (a.min(b), a.max(b)),
         _ => (0.0, 0.0),
     };
@@ -64,7 +67,7 @@ pub(super) fn face_map(title: &str, model: &str, map: &FaceMap) -> String {
                 x: Axis::exact(first, last, 8),
                 y: Axis::exact(0.0, crack.length.max(f64::MIN_POSITIVE), y_ticks),
             };
-            draw_cells(&mut svg, &axes, &cells, crack, column, step);
+            draw_cells(&mut svg, &axes, &cells, crack, &map.near, column, step);
             let x_title = quantity(if row + 1 == shown.len() { "Wheel position x_{c}/a" } else { "" });
             axes.draw_frame(&mut svg, &x_title, &[]);
             if row == 0 {
@@ -116,12 +119,20 @@ fn colour(class: usize, column: Column) -> String {
     }
 }
 
-fn draw_cells(svg: &mut Svg, axes: &Axes, cells: &[f64], crack: &CrackMap, column: Column, step: f64) {
+fn draw_cells(
+    svg: &mut Svg,
+    axes: &Axes,
+    cells: &[f64],
+    crack: &CrackMap,
+    near: &Range<usize>,
+    column: Column,
+    step: f64,
+) {
     let faces = crack.faces;
     let map = CellMap {
         axes,
         columns: cells,
-        shown: 0..faces.positions().min(cells.len().saturating_sub(1)),
+        shown: near.start..faces.positions().min(cells.len().saturating_sub(1)).min(near.end),
         rows: &borders(&faces.s, Some((0.0, crack.length))),
         classes: LEVELS + 1,
     };

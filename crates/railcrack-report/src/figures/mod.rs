@@ -4,6 +4,7 @@ mod cells;
 mod compare;
 mod cycles;
 mod faces;
+mod near;
 mod paths;
 mod plot;
 mod rolled_field;
@@ -13,7 +14,9 @@ mod sif;
 mod study;
 
 pub(crate) use compare::{comparison_plots, lengths_of_both, steps_of_both};
+pub(crate) use near::{near, origin};
 pub(crate) use plot::{Plot, chart};
 pub(crate) use run::run_plots;
 pub(crate) use shakedown::shakedown_plots;
+pub(crate) use sif::far_chart;
 pub(crate) use study::{STUDY_PLOTS, StudyRun, Styles, study_charts, study_plots, values};

@@ -1,6 +1,7 @@
 //! The plots of a run.
 
 use super::faces::{CrackMap, FaceMap, face_map};
+use super::near::near;
 use super::plot::Plot;
 use super::sif::Mode;
 use super::{cycles, paths, sif};
@@ -29,11 +30,14 @@ pub(crate) fn run_plots(summary: &Summary, growth: &[TipRow], shown: &ShownRun) 
     let steps = chosen_steps(&shown.steps(), shown.histories(0).len());
     let histories: Vec<&History> = steps.into_iter().flat_map(|step| shown.histories(step)).collect();
     let mut plots: Vec<Plot> =
-        Mode::BOTH.iter().map(|&mode| sif::plot(&summary.title, &model, &histories, mode)).collect();
+        Mode::BOTH.iter().map(|&mode| sif::plot(summary, &model, &histories, mode)).collect();
     plots.push(paths::plot(summary, &model));
     plots.push(cycles::plot(summary, growth, &model));
     for (file, (step, faces)) in ["faces.svg", "faces-last.svg"].into_iter().zip(shown.end_faces()) {
-        plots.push(Plot::picture(file, face_map(&summary.title, &model, &map(step, faces, growth, shown))));
+        plots.push(Plot::picture(
+            file,
+            face_map(&summary.title, &model, &map(summary, step, faces, growth, shown)),
+        ));
     }
     plots
 }
@@ -49,7 +53,13 @@ fn chosen_steps(shown: &[usize], tips: usize) -> Vec<usize> {
 }
 
 /// The `faces` in `step`, whose positions and lengths are those of `shown` and `growth`.
-fn map<'a>(step: usize, faces: &'a StepFaces, growth: &[TipRow], shown: &'a ShownRun) -> FaceMap<'a> {
+fn map<'a>(
+    summary: &Summary,
+    step: usize,
+    faces: &'a StepFaces,
+    growth: &[TipRow],
+    shown: &'a ShownRun,
+) -> FaceMap<'a> {
     let of_crack = |faces: &'a CrackFaces| {
         let rows = || growth.iter().filter(|row| row.step == step && row.crack == faces.crack);
         let deferred: f64 = rows().map(|row| deferred_growth(growth, row)).sum();
@@ -58,9 +68,11 @@ fn map<'a>(step: usize, faces: &'a StepFaces, growth: &[TipRow], shown: &'a Show
         let last = || faces.s.last().copied().unwrap_or(0.0);
         CrackMap { length: rows().next().map_or_else(last, |row| row.length - deferred), faces }
     };
+    let xc_over_a: &[f64] = shown.histories(step).first().map_or(&[], |history| &history.xc_over_a);
     FaceMap {
         step,
-        xc_over_a: shown.histories(step).first().map_or(&[], |history| &history.xc_over_a),
+        xc_over_a,
+        near: near(summary, xc_over_a),
         cracks: faces.cracks.iter().map(of_crack).collect(),
     }
 }

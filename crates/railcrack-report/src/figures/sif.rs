@@ -1,9 +1,11 @@
 //! K_I and K_II against the wheel position.
 
+use super::near::{near, origin};
 use super::plot::Plot;
 use crate::chart::{
     Chart, ChartAxis, ChartRange, ChartSheet, Curve, CurveColour, CurveLook, LegendEntry, SheetLegend,
 };
+use railcrack_run::Summary;
 use railcrack_run::histories::History;
 
 /// A mode of fracture.
@@ -53,6 +55,12 @@ impl Mode {
     pub(super) fn points(self, history: &History) -> Vec<[f64; 2]> {
         history.xc_over_a.iter().zip(self.of(history)).map(|(&x, &k)| [x, k]).collect()
     }
+
+    /// K over the wheel position in metres.
+    pub(super) fn points_in_metres(self, history: &History, summary: &Summary) -> Vec<[f64; 2]> {
+        let metres = |over_a: f64| 1e-3 * (origin(summary) + over_a * summary.half_width_mm);
+        self.points(history).into_iter().map(|[x, k]| [metres(x), k]).collect()
+    }
 }
 
 /// `curves` of a quantity in MPa√m over the wheel positions.
@@ -67,9 +75,19 @@ pub(super) fn chart(id: &str, quantity: &str, caption: String, curves: Vec<Curve
     }
 }
 
-/// The plot of one mode for the run called `title` on the model `model`: of a single tip one colour
-/// per step, of several tips one colour per tip, the last step dashed.
-pub(super) fn plot(title: &str, model: &str, histories: &[&History], mode: Mode) -> Plot {
+/// [`chart`] over the wheel position in metres, where the rail bends.
+pub(crate) fn far_chart(id: &str, quantity: &str, caption: String, curves: Vec<Curve>) -> Chart {
+    Chart {
+        x: ChartAxis::linear("Wheel position x_{c}", "m").over(ChartRange::Tight),
+        ..chart(id, quantity, caption, curves)
+    }
+}
+
+/// The plot of one mode for the run with this `summary` on the model `model`: of a single tip one
+/// colour per step, of several tips one colour per tip, the last step dashed. A rail that bends has
+/// a second chart over the whole passage in metres.
+pub(super) fn plot(summary: &Summary, model: &str, histories: &[&History], mode: Mode) -> Plot {
+    let title = &summary.title;
     let initial: Vec<(usize, usize)> =
         histories.iter().filter(|h| h.step == 0).map(|h| (h.crack, h.tip)).collect();
     let has_two_tips = histories.iter().any(|h| h.tip > 1);
@@ -78,9 +96,8 @@ pub(super) fn plot(title: &str, model: &str, histories: &[&History], mode: Mode)
     let name = |crack: usize, tip: usize| {
         if has_two_tips { format!("crack {crack}, tip {tip}") } else { format!("crack {crack}") }
     };
-    let curve = |history: &&History| {
+    let curve = |history: &&History, points: Vec<[f64; 2]>| {
         let History { step, crack, tip, .. } = **history;
-        let points = mode.points(history);
         if initial.len() <= 1 {
             let place = steps.iter().position(|&s| s == step).unwrap_or(0) as f64;
             let words = if step == 0 { "initial crack".to_owned() } else { format!("step {step}") };
@@ -91,10 +108,19 @@ pub(super) fn plot(title: &str, model: &str, histories: &[&History], mode: Mode)
         let curve = Curve::line(&name(crack, tip), points).with_colour(CurveColour::of(place, initial.len()));
         if step == 0 { curve } else { curve.with_look(CurveLook::Dashed) }
     };
-    let curves: Vec<Curve> = histories.iter().map(curve).collect();
+    let close = |history: &&History| mode.points(history)[near(summary, &history.xc_over_a)].to_vec();
+    let curves: Vec<Curve> = histories.iter().map(|history| curve(history, close(history))).collect();
+    let is_far = histories.iter().any(|h| near(summary, &h.xc_over_a).len() < h.xc_over_a.len());
     let words = format!("{} over the stabilised passage", mode.symbol());
     let chart = chart(mode.id(), mode.symbol(), format!("{words}."), curves);
     let mut sheet = ChartSheet::of(title, &format!("{words} · {model}"), chart);
+    if is_far {
+        let whole = |history: &&History| curve(history, mode.points_in_metres(history, summary));
+        let curves = histories.iter().map(whole).collect();
+        let id = format!("{}-far", mode.id());
+        let caption = format!("{words}, the whole passage.");
+        sheet.rows.push(vec![far_chart(&id, mode.symbol(), caption, curves)]);
+    }
     if let (true, [_, .., last]) = (initial.len() > 1, &steps[..]) {
         let last = format!("step {last}");
         sheet.legend = SheetLegend::Names(LegendEntry::solid_and_dashed(["initial cracks", &last]).into());

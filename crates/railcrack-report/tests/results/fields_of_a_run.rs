@@ -33,7 +33,10 @@ fn meshio_reads_the_fields_of_a_run() {
         engine: case.engine,
         contact: case.contact_solver,
         boundary: case.rail.boundary,
-        half_width: case.contact.half_width,
+        half_width: case.half_width(),
+        passage: [-1e9, 1e9],
+        bends: false,
+        toughness: None,
         axle_load: None,
         warnings: Vec::new(),
     };

@@ -61,6 +61,9 @@ pub fn info() -> RunInfo {
         contact: ContactSolver::Newton,
         boundary: Boundary::HalfPlane,
         half_width: HALF_WIDTH,
+        passage: [-1e9, 1e9],
+        bends: false,
+        toughness: None,
         axle_load: Some(17.0),
         warnings: Vec::new(),
     }

@@ -3,7 +3,7 @@
 use crate::OutputError;
 use railcrack::growth::GrowthError;
 use railcrack::shakedown::ShakedownError;
-use railcrack_case::CarriedStressError;
+use railcrack_case::{CarriedStressError, RolledRailError};
 use thiserror::Error;
 
 /// Why a run failed. What was computed is kept.
@@ -18,6 +18,9 @@ pub enum RunError {
     /// The plastic state.
     #[error(transparent)]
     Shakedown(#[from] ShakedownError),
+    /// A contact under which no plastic state is computed.
+    #[error(transparent)]
+    Contact(#[from] RolledRailError),
     /// The residual stress.
     #[error(transparent)]
     Residual(#[from] CarriedStressError),

@@ -1,7 +1,7 @@
 //! A run before its first step: its case, and what it starts from.
 
 use super::observer::RunObserver;
-use crate::{CaseFiles, Presentation, RunInfo};
+use crate::{CaseFiles, Presentation, RunInfo, validity};
 use railcrack::growth::GrowthState;
 use railcrack_case::{Case, SharedRail};
 use std::path::Path;
@@ -39,9 +39,12 @@ impl Job {
                 engine: case.engine,
                 contact: case.contact_solver,
                 boundary: case.rail.boundary,
-                half_width: case.contact.half_width,
+                half_width: case.half_width(),
+                passage: [case.passages.passage.from, case.passages.passage.to],
+                bends: case.wheel.load.track.is_some(),
+                toughness: case.fracture.as_ref().map(|fracture| fracture.at_rail),
                 axle_load: case.axle_load,
-                warnings: Vec::new(),
+                warnings: validity::of_case(case),
             },
         }
     }

@@ -12,7 +12,7 @@ use crate::{
 };
 use railcrack::math::Vec2;
 use railcrack::residual::PlasticField;
-use railcrack::shakedown::{RailState, first_yield_ratio};
+use railcrack::shakedown::RailState;
 use railcrack_case::{CarriedStress, Case, PlasticSource, PreparedRun, Projection, Release};
 use railcrack_vtu::read_vtu;
 use std::path::Path;
@@ -180,8 +180,8 @@ pub fn plastic_stress_left_out(case: &Case) -> Option<String> {
     if case.plastic_stress.is_some() || case.residual_stress.is_some() {
         return None;
     }
-    let ratio = case.contact.peak_pressure / case.shakedown.hardening.shear_yield_stress();
-    let first = first_yield_ratio(case.contact.friction, case.steel.poisson()).ratio;
+    let ratio = case.wheel.contact().peak_pressure() / case.shakedown.hardening.shear_yield_stress();
+    let first = case.contact_bounds(|bounds| bounds.first_yield())?.ratio;
     (ratio > first).then(|| {
         format!(
             "p0 / k = {ratio:.3} is beyond first yield at {first:.3}, and the run leaves the plastic stress out: an empty \

@@ -31,7 +31,7 @@ pub fn roll(
     presentation: &dyn Presentation,
     mut observe: impl FnMut(&PassRecord),
 ) -> Result<ShakedownSummary, RunError> {
-    let (rail, settings) = (case.rolled_rail(), case.stabilisation());
+    let (rail, settings) = (case.rolled_rail()?, case.stabilisation());
     check_rail(&rail)?;
     let started = Instant::now();
     if !folder.exists() {

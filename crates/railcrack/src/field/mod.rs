@@ -10,6 +10,7 @@ mod hertz_half_plane;
 mod table;
 mod table_potential;
 mod wheel;
+mod wheel_under;
 mod wheels;
 
 pub use bending::BendingWheel;
@@ -19,6 +20,7 @@ pub use hertz_displacement::HertzDisplacement;
 pub use hertz_half_plane::HertzField;
 pub use table::TableWheel;
 pub use wheel::{EndField, EndsError, HertzWheel, RailEnds, StressesUnderWheel, Wheel};
+pub use wheel_under::wheel_under;
 pub use wheels::{PlacedWheel, Wheels, WheelsError};
 
 use crate::math::{Stress, Vec2};

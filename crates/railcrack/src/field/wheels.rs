@@ -51,12 +51,17 @@ impl Wheels {
         if let Some(beside) = bending().find(|part| part.at != 0.0) {
             return Err(WheelsError::BendingBeside { at: beside.at });
         }
+        Ok(Self::of_one_beam(parts))
+    }
+
+    /// The sum of `parts`, of which one at most bends the rail, at x_c.
+    pub(super) fn of_one_beam(parts: Vec<PlacedWheel>) -> Self {
         let of =
             |part: &PlacedWheel| part.wheel.edges().iter().map(|edge| edge + part.at).collect::<Vec<_>>();
         let mut edges: Vec<f64> = parts.iter().flat_map(of).collect();
         edges.sort_by(f64::total_cmp);
         edges.dedup();
-        Ok(Self { parts, edges })
+        Self { parts, edges }
     }
 
     /// A contact and the bending of the rail under its train.

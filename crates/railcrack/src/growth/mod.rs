@@ -35,6 +35,7 @@ pub use observer::{Observer, Unobserved};
 pub use passage::{PassageError, StabilisedPassage, stabilised_passage};
 pub use passage_record::{FaceRecord, PassageRecord, SolverCounts};
 pub use pieces::{Piece, PieceKind};
+pub use positions::output_positions;
 pub use rail_load::RailLoad;
 pub use record::{PhaseTimes, StepRecord, TipRecord};
 pub use settings::{GrowthSettings, PassageSettings};

@@ -19,7 +19,7 @@ const CLOSE: f64 = 0.3;
 ///
 /// Bending adds the positions in which it is resolved, to 2π/β before and behind every axle, and
 /// those in which each axle, and the largest tension beside it (βs = π/2), is over a place.
-pub(super) fn output_positions(passage: &Passage, bending: Option<&Bending>, places: &[f64]) -> Vec<f64> {
+pub fn output_positions(passage: &Passage, bending: Option<&Bending>, places: &[f64]) -> Vec<f64> {
     let near = passage.abscissae();
     let Some(bending) = bending else { return near };
     let (low, high) = (passage.from.min(passage.to), passage.from.max(passage.to));

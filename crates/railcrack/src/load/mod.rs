@@ -1,6 +1,7 @@
 //! The load: wheel–rail contact, the wheel's passage, bending on the track, temperature.
 
 mod carter;
+mod contact;
 mod ellipse;
 mod hertz;
 mod passage;
@@ -10,6 +11,7 @@ mod temperature;
 mod track;
 
 pub use carter::CarterContact;
+pub use contact::{Contact, WheelLoad};
 pub use ellipse::{HertzEllipse, WheelOnRail};
 pub use hertz::HertzianContact;
 pub use passage::{Passage, Travel};

@@ -1,7 +1,7 @@
 //! First yield and shakedown limits of the rail under the wheel.
 
-use crate::field::HertzField;
-use crate::load::HertzianContact;
+use crate::field::{HertzField, Wheel};
+use crate::load::{Contact, HertzianContact};
 use crate::math::{Stress, Vec2, smallest_ball};
 
 /// First yield under a Hertzian contact in full sliding.
@@ -55,14 +55,7 @@ const PATH_END: f64 = 3.0;
 /// Tresca).
 pub fn first_yield_ratio(friction: f64, poisson: f64) -> FirstYield {
     let field = unit_contact(friction, poisson);
-    let path = path_abscissae();
-    let at_depth = |depth: f64| {
-        let path = path.iter().map(|&x| (x, shear_intensity(&field, x, depth)));
-        path.fold((0.0, 0.0), |best, here| if here.1 > best.1 { here } else { best })
-    };
-    let (depth_over_a, _) = maximum_over_depth(|depth| at_depth(depth).1);
-    let (x, top) = at_depth(depth_over_a);
-    FirstYield { ratio: 1.0 / top, x_over_a: x, depth_over_a }
+    first_yield(&|x, depth| field.stress(Vec2::new(x, -depth), 0.0))
 }
 
 /// p0/k at the limit of elastic shakedown for kinematic hardening: at every depth the deviatoric
@@ -75,19 +68,81 @@ pub fn first_yield_ratio(friction: f64, poisson: f64) -> FirstYield {
 /// Solids 33, 339–362.
 pub fn shakedown_limit_ratio(friction: f64, poisson: f64) -> ShakedownLimit {
     let field = unit_contact(friction, poisson);
-    let path = path_abscissae();
-    let radius = |depth: f64| smallest_ball(&deviators(&field, &path, depth)).radius;
-    let (depth_over_a, largest) = maximum_over_depth(radius);
-    ShakedownLimit { ratio: std::f64::consts::SQRT_2 / largest, depth_over_a }
+    shakedown_limit(&|x, depth| field.stress(Vec2::new(x, -depth), 0.0))
 }
 
 /// First yield and limit of elastic shakedown at each of `depths_over_a`, as [`first_yield_ratio`]
 /// and [`shakedown_limit_ratio`] find them at the critical depth.
 pub fn bounds_by_depth(friction: f64, poisson: f64, depths_over_a: &[f64]) -> Vec<DepthBounds> {
     let field = unit_contact(friction, poisson);
+    bounds_at(&|x, depth| field.stress(Vec2::new(x, -depth), 0.0), depths_over_a)
+}
+
+/// First yield and limit of elastic shakedown under any contact: ratios are p0/k with its largest
+/// pressure p0, lengths over its half-width a.
+pub struct ContactBounds<'a> {
+    wheel: &'a dyn Wheel,
+    peak_pressure: f64,
+    half_width: f64,
+    middle: f64,
+}
+
+impl<'a> ContactBounds<'a> {
+    /// Of `contact`, whose field is `wheel`.
+    pub fn new(contact: &Contact, wheel: &'a dyn Wheel) -> Self {
+        let middle = match contact {
+            Contact::Table(table) => table.middle(),
+            _ => 0.0,
+        };
+        Self { wheel, peak_pressure: contact.peak_pressure(), half_width: contact.half_width(), middle }
+    }
+
+    /// As [`first_yield_ratio`].
+    pub fn first_yield(&self) -> FirstYield {
+        first_yield(&|x, depth| self.stress(x, depth))
+    }
+
+    /// As [`shakedown_limit_ratio`].
+    pub fn shakedown_limit(&self) -> ShakedownLimit {
+        shakedown_limit(&|x, depth| self.stress(x, depth))
+    }
+
+    /// As [`bounds_by_depth`].
+    pub fn by_depth(&self, depths_over_a: &[f64]) -> Vec<DepthBounds> {
+        bounds_at(&|x, depth| self.stress(x, depth), depths_over_a)
+    }
+
+    fn stress(&self, x: f64, depth: f64) -> Stress {
+        let point = Vec2::new(self.middle + x * self.half_width, -depth * self.half_width);
+        self.wheel.stress(point, 0.0) * (1.0 / self.peak_pressure)
+    }
+}
+
+/// σ/p0 at x/a and depth/a.
+type UnitField<'a> = &'a dyn Fn(f64, f64) -> Stress;
+
+fn first_yield(field: UnitField) -> FirstYield {
+    let path = path_abscissae();
+    let at_depth = |depth: f64| {
+        let path = path.iter().map(|&x| (x, shear_intensity(field, x, depth)));
+        path.fold((0.0, 0.0), |best, here| if here.1 > best.1 { here } else { best })
+    };
+    let (depth_over_a, _) = maximum_over_depth(|depth| at_depth(depth).1);
+    let (x, top) = at_depth(depth_over_a);
+    FirstYield { ratio: 1.0 / top, x_over_a: x, depth_over_a }
+}
+
+fn shakedown_limit(field: UnitField) -> ShakedownLimit {
+    let path = path_abscissae();
+    let radius = |depth: f64| smallest_ball(&deviators(field, &path, depth)).radius;
+    let (depth_over_a, largest) = maximum_over_depth(radius);
+    ShakedownLimit { ratio: std::f64::consts::SQRT_2 / largest, depth_over_a }
+}
+
+fn bounds_at(field: UnitField, depths_over_a: &[f64]) -> Vec<DepthBounds> {
     let path = path_abscissae();
     let at = |&depth_over_a: &f64| {
-        let deviators = deviators(&field, &path, depth_over_a);
+        let deviators = deviators(field, &path, depth_over_a);
         let largest = deviators.iter().map(|s| s.iter().map(|c| c * c).sum::<f64>()).fold(0.0, f64::max);
         DepthBounds {
             depth_over_a,
@@ -146,9 +201,8 @@ pub(super) fn utilisation(
 }
 
 /// The deviators of the elastic passage at a depth, the unloaded state included.
-fn deviators(field: &HertzField, path: &[f64], depth: f64) -> Vec<[f64; 3]> {
-    let mut deviators: Vec<[f64; 3]> =
-        path.iter().map(|&x| field.stress(Vec2::new(x, -depth), 0.0).deviator()).collect();
+fn deviators(field: UnitField, path: &[f64], depth: f64) -> Vec<[f64; 3]> {
+    let mut deviators: Vec<[f64; 3]> = path.iter().map(|&x| field(x, depth).deviator()).collect();
     deviators.push(Stress::ZERO.deviator());
     deviators
 }
@@ -159,8 +213,8 @@ fn unit_contact(friction: f64, poisson: f64) -> HertzField {
 }
 
 /// √J2 = |s| / √2.
-fn shear_intensity(field: &HertzField, x: f64, depth: f64) -> f64 {
-    let [a, b, c] = field.stress(Vec2::new(x, -depth), 0.0).deviator();
+fn shear_intensity(field: UnitField, x: f64, depth: f64) -> f64 {
+    let [a, b, c] = field(x, depth).deviator();
     (0.5 * (a * a + b * b + c * c)).sqrt()
 }
 

@@ -17,7 +17,7 @@ mod streamline;
 mod wave;
 
 pub use bounds::{
-    DepthBounds, FirstYield, MapPoint, ShakedownLimit, bounds_by_depth, first_yield_ratio,
+    ContactBounds, DepthBounds, FirstYield, MapPoint, ShakedownLimit, bounds_by_depth, first_yield_ratio,
     shakedown_limit_ratio, shakedown_map,
 };
 pub use error::ShakedownError;

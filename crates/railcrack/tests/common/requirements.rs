@@ -442,6 +442,11 @@ pub const REQUIREMENTS: &[Requirement] = &[
         "Bending: the largest K_I, and where the wheel then is, agree with those of a prototype.",
     ),
     requirement(
+        "loads::six_half_widths_away_the_shear_of_the_contact_decides",
+        "",
+        "Bending: six half-widths from the wheel, K_I of an open crack is linear in the shear of the contact.",
+    ),
+    requirement(
         "loads::ranges_count_from_the_state_between_passages",
         "",
         "Temperature: K_I between passages is that of the edge crack in tension.",

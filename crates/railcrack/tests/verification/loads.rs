@@ -199,6 +199,33 @@ fn the_largest_opening_is_far_from_the_wheel() {
     assert!(most(true).1 < 0.25 * most(false).1, "near the wheel the rail is compressed: {:?}", most(true));
 }
 
+/// At the ends of the passage of the contact, 6 a from the wheel, K_I is that of bending and cold
+/// less the pressure, and plus or minus the shear, of the contact: while the crack is open it is
+/// linear in Q/P. A prototype quotes 2.8 there without its Q/P, which must have been −0.094. The
+/// largest K_I, 1.3 m away, does not see the contact.
+#[test]
+fn six_half_widths_away_the_shear_of_the_contact_decides() {
+    let crack = dislocations(surface_crack(0.0, 10.0, 60.0));
+    let at_the_end = |contact: &HertzianContact| {
+        let contact = HertzWheel::new(contact, &steel()).unwrap();
+        let wheel = Wheels::on_track(contact, track()).unwrap();
+        let history = history(&over(&crack, 0.1, &wheel, Some(&winter()), Travel::Forward));
+        let largest = history.iter().map(|k| k.1).fold(0.0, f64::max);
+        close(largest, 13.9, Absolute(0.1), "an independent prototype, three digits, whatever the shear");
+        let end = history.iter().find(|k| (k.0 + 6.0 * HALF_WIDTH).abs() < 1e-9).unwrap();
+        end.1
+    };
+    let sliding =
+        |friction| HertzianContact { peak_pressure: PEAK_PRESSURE, half_width: HALF_WIDTH, friction };
+    let alone = at_the_end(&HertzianContact { peak_pressure: 1e-3, ..sliding(0.0) });
+    let [pulled, pressed, pushed] = [-0.15, 0.0, 0.025].map(|friction| at_the_end(&sliding(friction)));
+    println!("alone {alone}, Q/P -0.15 {pulled}, 0 {pressed}, 0.025 {pushed}");
+    assert!(pressed < 0.4 * alone, "the pressure of the contact closes: {pressed} of {alone}");
+    let per_shear = (pulled - pressed) / -0.15;
+    close(pushed, pressed + 0.025 * per_shear, Of(1e-3, alone), "an open crack is linear in the shear");
+    close((2.8 - pressed) / per_shear, -0.094, Absolute(0.002), "Q/P that gives the 2.8 of the prototype");
+}
+
 #[test]
 fn ranges_count_from_the_state_between_passages() {
     let crack = dislocations(surface_crack(0.0, 15.0, 90.0));

@@ -4,8 +4,9 @@ use super::stored::RunFolder;
 use crate::numbers::{fixed, grouped, rounded, significant};
 use railcrack::contact::StepControl;
 use railcrack::fatigue::DirectionCriterion;
+use railcrack::load::Contact;
 use railcrack::words::Choice;
-use railcrack_case::{Case, ContactSolver, Engine};
+use railcrack_case::{Case, ContactOrigin, ContactSolver, Engine};
 
 /// A sentence or two each.
 pub(super) fn assumptions(run: &RunFolder) -> Vec<String> {
@@ -38,21 +39,76 @@ fn rail(case: &Case) -> String {
 }
 
 fn wheel(case: &Case) -> String {
-    let contact = &case.contact;
-    let drags = match contact.friction {
+    let contact = case.wheel.contact();
+    let drags = match contact.adhesion() {
         0.0 => "no friction",
         f if f > 0.0 => "drags the rail along +x",
         _ => "drags the rail along −x",
     };
     let passage = &case.passages.passage;
     let travel = if passage.from > passage.to { "−x" } else { "+x" };
+    let (pressure, shear) = match contact {
+        Contact::Hertz(contact) => (
+            "Hertzian line contact in full sliding",
+            format!("wheel–rail friction {} ({drags})", signed(contact.friction)),
+        ),
+        Contact::Carter(carter) => (
+            "Hertzian line contact in partial slip (Carter)",
+            format!(
+                "wheel–rail friction {} where it slips, traction Q/(μP) = {} ({drags})",
+                carter.friction,
+                signed(carter.traction)
+            ),
+        ),
+        Contact::Table(_) => {
+            ("contact from a table", format!("Q/P = {} ({drags})", signed(rounded(contact.adhesion(), 4))))
+        }
+    };
+    let strip = match &case.wheel.origin {
+        ContactOrigin::Ellipse { wheel, ellipse, lateral } => format!(
+            " It is the strip {} mm beside the middle of the Hertz ellipse of {} kN, semi-axes {} mm along and {} mm \
+             across the rail.",
+            signed(*lateral),
+            fixed(1e-3 * wheel.wheel_load, 1),
+            fixed(ellipse.along, 2),
+            fixed(ellipse.across, 2)
+        ),
+        _ => String::new(),
+    };
     format!(
-        "Wheel: Hertzian line contact in full sliding, p_{{0}} = {} MPa, half-width a = {} mm, wheel–rail friction {} \
-         ({drags}), rolling towards {travel}. The contact is not affected by the cracks and is the same in every load cycle.",
-        fixed(contact.peak_pressure, 0),
-        fixed(contact.half_width, 2),
-        signed(contact.friction)
+        "Wheel: {pressure}, p_{{0}} = {} MPa, half-width a = {} mm, {shear}, rolling towards {travel}.{strip} The contact is \
+         not affected by the cracks and is the same in every load cycle.{}",
+        fixed(contact.peak_pressure(), 0),
+        fixed(contact.half_width(), 2),
+        long_rail(case)
     )
+}
+
+/// Bending and temperature of the rail.
+fn long_rail(case: &Case) -> String {
+    let mut text = String::new();
+    if let (Some(track), Some(bending)) = (&case.wheel.load.track, case.wheel.bending(&case.steel)) {
+        let axles = match track.axles.len() {
+            1 => "the axle".to_owned(),
+            count => format!("{count} axles"),
+        };
+        text.push_str(&format!(
+            " The rail bends under {axles} as a beam on a foundation of {} MPa, σ_{{xx}} = {} MPa at the surface under the wheel; \
+             1/β = {} mm.",
+            track.foundation,
+            signed(rounded(bending.stress(0.0, 0.0), 3)),
+            fixed(bending.length(), 0)
+        ));
+    }
+    if let Some(temperature) = case.wheel.load.temperature {
+        text.push_str(&format!(
+            " The rail is at {} °C, neutral at {} °C: σ_{{xx}} = {} MPa at all times.",
+            signed(temperature.rail),
+            signed(temperature.neutral),
+            signed(rounded(temperature.stress(&case.steel), 4))
+        ));
+    }
+    text
 }
 
 fn signed(value: f64) -> String {
@@ -71,7 +127,9 @@ fn passage(run: &RunFolder) -> String {
     format!(
         "Passage: {} output positions, {steps}. The passage is repeated on fixed cracks until K repeats, which took \
          {} of at most {} passages.",
-        settings.passage.positions, run.summary.passages, settings.max_passages
+        run.case.positions().len(),
+        run.summary.passages,
+        settings.max_passages
     )
 }
 

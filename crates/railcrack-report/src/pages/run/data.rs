@@ -1,6 +1,7 @@
 //! Data of the passage explorer.
 
 use super::stored::RunFolder;
+use crate::figures::near;
 use crate::numbers::{number, numbers};
 use crate::shown::{Deflated, ShownRun};
 use railcrack::growth::{RunStop, TipStop};
@@ -25,12 +26,14 @@ pub(super) fn explorer(run: &RunFolder, shown: &ShownRun) -> Value {
         })
         .collect();
     let xc_over_a: &[f64] = shown.histories(0).first().map_or(&[], |history| &history.xc_over_a);
+    let near = near(summary, xc_over_a);
     json!({
         "half_width": summary.half_width_mm,
         "origin": summary.cracks.first().and_then(|crack| crack.initial_points_mm.first()).map_or(0.0, |p| p[0]),
-        "peak_pressure": number(run.case.contact.peak_pressure),
-        "friction": run.case.contact.friction,
+        "peak_pressure": number(run.case.wheel.contact().peak_pressure()),
+        "friction": run.case.wheel.contact().adhesion(),
         "axle_load": run.case.axle_load,
+        "near": [near.start, near.end.saturating_sub(1)],
         "xc_over_a": numbers(xc_over_a.iter().copied()),
         "face_stride": shown.face_stride(),
         "last_step": summary.steps_recorded.saturating_sub(1),

@@ -94,6 +94,9 @@ fn stop_sentence(run: &RunFolder) -> String {
             "The run ended with a break-out: the ligament to the running surface is lost, and a spall forms."
                 .to_owned()
         }
+        Some("fracture") => "The run ended with brittle fracture: the largest k_{1} of a passage reaches the toughness, and the \
+             rail breaks."
+            .to_owned(),
         Some("meets-crack") => "The run ended because the last growing tip reached another crack.".to_owned(),
         Some("leaves-rail") => "The run ended because the last growing tip would leave the rail.".to_owned(),
         Some(other) => format!("The run ended: {}.", other.replace('-', " ")),
@@ -131,6 +134,7 @@ pub(super) fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
         facts.push(fact("Direction", heading.course().word().to_owned(), heading.note()));
     }
     facts.extend(events::fact(run));
+    facts.extend(fracture(run));
     let stop = run.summary.stop.map_or("not ended", RunStop::word).replace('-', " ");
     facts.push(fact(
         "Ended by",
@@ -143,6 +147,27 @@ pub(super) fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
         if warnings == 0 { String::new() } else { "below".to_owned() },
     ));
     facts
+}
+
+/// How far the passages are from breaking the rail, where its toughness is given.
+fn fracture(run: &RunFolder) -> Option<Fact> {
+    let fracture = run.summary.fracture?;
+    let (toughness, share) = fracture.toughness_mpa_sqrt_m.zip(fracture.of_toughness)?;
+    let at = match fracture.xc_mm {
+        Some(xc) if xc.abs() >= 1e3 => format!(", wheel {} m away", fixed(1e-3 * xc.abs(), 2)),
+        Some(xc) => format!(", wheel at x = {} mm", fixed(xc, 0)),
+        None => String::new(),
+    };
+    Some(Fact {
+        name: "Of the toughness".to_owned(),
+        value: format!("{} %", fixed(100.0 * share, 0)),
+        note: format!(
+            "largest k_{{1}} = {} of {} MPa√m, in step {}{at}",
+            fixed(fracture.largest_k1_mpa_sqrt_m, 1),
+            fixed(toughness, 1),
+            fracture.step
+        ),
+    })
 }
 
 /// Load cycles (and tonnage) until every crack has each of some round lengths; none without growth.

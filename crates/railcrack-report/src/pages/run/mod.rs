@@ -4,6 +4,7 @@ mod assumptions;
 mod data;
 mod events;
 mod facts;
+mod far;
 mod stored;
 mod warnings;
 
@@ -58,6 +59,7 @@ pub(crate) fn run_page(run: &RunFolder, shown: &ShownRun, plots: &[Plot]) -> Pag
     page.lead.push(Block::List(assumptions::assumptions(run)));
     if run.summary.steps_recorded > 0 {
         page.sections.push(explorer(data::explorer(run, shown), plots));
+        page.sections.extend(far::section(run, plots));
         page.sections.extend(around(&shown.fields));
         page.sections.push(growth(run, warnings::remarks(run, shown)));
         page.sections.push(steps(run));

@@ -1,0 +1,113 @@
+//! Measured or computed contact of wheel and rail: CSV files, and the output of CONTACT.
+
+use super::columns::Columns;
+use super::companion::{ContactFile, RELATIVE};
+use super::contact_mat::{is_contact_output, strip};
+use crate::schema::{Fault, Report, Row, SectionValues, Source, read_text};
+use railcrack::load::{ContactRow, ContactTableError, TableContact, Travel};
+use std::path::Path;
+
+const COLUMNS: Columns = Columns {
+    needed: &["u_mm", "p_mpa", "q_mpa"],
+    help: "a contact begins with the header u_mm,p_mpa,q_mpa and has a row per place from -x to +x, u from the wheel's \
+           centre, pressure and shear zero in the first and the last",
+};
+
+/// How a contact is taken from its file.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ContactReading {
+    /// |q| ≤ μ p is required where μ is given.
+    pub friction: Option<f64>,
+    /// Which strip of a file with many is wanted, mm from the middle of the contact; none where the
+    /// case does not say.
+    pub lateral: Option<f64>,
+    /// Which way the wheel runs: the x of such a file is the direction of rolling.
+    pub travel: Travel,
+}
+
+/// The contact in the file that a key names, relative to `folder`; none where it names none or it
+/// cannot be read, which `report` then says.
+pub(crate) fn read_contact_table(
+    section: &SectionValues,
+    row: Row<String>,
+    reading: ContactReading,
+    folder: &Path,
+    report: &mut Report,
+) -> Option<ContactFile> {
+    let given = section.get(row)?;
+    let path = folder.join(&given);
+    let key = || Some(section.dotted(row.key.name));
+    match read_text(&path, &path.display().to_string()) {
+        Ok(source) => match parse(&source, reading) {
+            Ok(table) => {
+                let text = source.text.to_string();
+                return Some(ContactFile::new(row, given, text, table));
+            }
+            Err(fault) => report.add_to(&source, Fault { key: key(), ..*fault }),
+        },
+        Err(unreadable) => match *unreadable {
+            (source, fault) if fault.span.is_some() => report.add_to(&source, Fault { key: key(), ..fault }),
+            (_, fault) => report.add(section.fault(row, fault.message).help(RELATIVE)),
+        },
+    }
+    None
+}
+
+fn parse(source: &Source, reading: ContactReading) -> Result<TableContact, Box<Fault>> {
+    let ContactReading { friction, lateral, travel } = reading;
+    if is_contact_output(&source.text) {
+        let rows = strip(source, lateral.unwrap_or(0.0), travel)?;
+        return TableContact::new(rows, friction).map_err(|error| {
+            Box::new(Fault { span: Some(0..0), ..Fault::new(format!("the strip is no contact: {error}")) })
+        });
+    }
+    if let Some(lateral) = lateral {
+        let message = format!(
+            "a CSV file is one strip, and strip_mm = {lateral} chooses among those of a .mat file of CONTACT"
+        );
+        return Err(COLUMNS.fault(message, &(0..0)));
+    }
+    let read = COLUMNS.read(source)?;
+    let rows =
+        read.rows.iter().map(|row| ContactRow { u: row[0], pressure: row[1], shear: row[2] }).collect();
+    TableContact::new(rows, friction).map_err(|error| {
+        let (row, message) = match error {
+            ContactTableError::Row { row, reason } => (row, reason.to_string()),
+            other => (0, other.to_string()),
+        };
+        COLUMNS.fault(message, read.span_of(row))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn parsed(text: &str, friction: Option<f64>) -> Result<TableContact, String> {
+        let reading = ContactReading { friction, lateral: None, travel: Travel::Forward };
+        parse(&Source { name: "c.csv".into(), text: text.into() }, reading).map_err(|fault| fault.message)
+    }
+
+    #[test]
+    fn columns_are_found_by_name() {
+        let table = parsed("# measured\nq_mpa,u_mm,p_mpa\n0,-5,0\n-20, 0.5, 800\r\n\n0,5,0\n", None).unwrap();
+        assert_eq!(table.rows()[1], ContactRow { u: 0.5, pressure: 800.0, shear: -20.0 });
+        assert_eq!(table.half_width(), 5.0);
+    }
+
+    #[test]
+    fn refused_with_row_and_value() {
+        let refused = |text: &str| parsed(text, Some(0.3)).unwrap_err();
+        assert!(
+            refused("u_mm,p_mpa,q_mpa\n0,0,0\n1,-5,0\n2,0,0\n").starts_with("p_mpa = -5: must be zero or")
+        );
+        assert!(refused("u_mm,p_mpa,q_mpa\n0,0,0\n0,5,0\n2,0,0\n").starts_with("u_mm = 0: must be greater"));
+        assert!(refused("u_mm,p_mpa,q_mpa\n0,0,0\n1,5,2\n2,0,0\n").contains("at most the given friction"));
+        assert!(refused("u_mm,p_mpa,q_mpa\n0,0,0\n").starts_with("rows = 1"));
+        assert!(refused("u_mm,p_mpa\n0,0\n").contains("`q_mpa` is missing"));
+        assert!(refused("u_mm,p_mpa,q\n0,0,0\n").contains("nearest known column: `q_mpa`"));
+        assert!(refused("u_mm,p_mpa,q_mpa\n0,0\n").contains("2 values in a row of 3"));
+        assert!(refused("u_mm,p_mpa,q_mpa\n0,nan,0\n").contains("`p_mpa = nan`: must be a number"));
+        assert!(refused("").contains("empty"));
+    }
+}

@@ -1,0 +1,69 @@
+//! Fracture toughness over temperature in CSV files.
+
+use super::columns::Columns;
+use super::companion::{RELATIVE, ToughnessFile};
+use crate::schema::{Fault, Report, Row, SectionValues, Source, read_text};
+use railcrack::fatigue::{Toughness, ToughnessError};
+use std::path::Path;
+
+const COLUMNS: Columns = Columns {
+    needed: &["temperature_c", "toughness_mpa_sqrt_m"],
+    help: "a toughness begins with the header temperature_c,toughness_mpa_sqrt_m and has a row per temperature, the \
+           coldest first: linear between rows, constant beyond",
+};
+
+/// The toughness in the file that a key names, relative to `folder`; none where it names none or it
+/// cannot be read, which `report` then says.
+pub(crate) fn read_toughness(
+    section: &SectionValues,
+    row: Row<String>,
+    folder: &Path,
+    report: &mut Report,
+) -> Option<ToughnessFile> {
+    let given = section.get(row)?;
+    let path = folder.join(&given);
+    let key = || Some(section.dotted(row.key.name));
+    match read_text(&path, &path.display().to_string()) {
+        Ok(source) => match parse(&source) {
+            Ok(toughness) => {
+                let text = source.text.to_string();
+                return Some(ToughnessFile::new(row, given, text, toughness));
+            }
+            Err(fault) => report.add_to(&source, Fault { key: key(), ..*fault }),
+        },
+        Err(unreadable) => match *unreadable {
+            (source, fault) if fault.span.is_some() => report.add_to(&source, Fault { key: key(), ..fault }),
+            (_, fault) => report.add(section.fault(row, fault.message).help(RELATIVE)),
+        },
+    }
+    None
+}
+
+fn parse(source: &Source) -> Result<Toughness, Box<Fault>> {
+    let read = COLUMNS.read(source)?;
+    let rows = read.rows.iter().map(|row| (row[0], row[1])).collect();
+    Toughness::by_temperature(rows).map_err(|error| {
+        let (row, message) = match error {
+            ToughnessError::Row { row, reason } => (row, reason.to_string()),
+            other => (0, other.to_string()),
+        };
+        COLUMNS.fault(message, read.span_of(row))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_by_temperature() {
+        let parsed = |text: &str| parse(&Source { name: "k.csv".into(), text: text.into() });
+        let table = parsed("temperature_c,toughness_mpa_sqrt_m\n-40,26\n20,38\n").unwrap();
+        assert_eq!(table.at(-10.0), 32.0);
+        let refused = |text| parsed(text).unwrap_err().message;
+        assert!(
+            refused("temperature_c,toughness_mpa_sqrt_m\n20,38\n-40,26\n").contains("temperature_c = -40")
+        );
+        assert!(refused("temperature_c,toughness_mpa_sqrt_m\n20,0\n").contains("toughness_mpa_sqrt_m = 0"));
+    }
+}

@@ -1,0 +1,81 @@
+//! `[fracture]`: brittle fracture of the rail.
+
+use crate::files::{ToughnessFile, read_toughness};
+use crate::schema::{
+    Choice, Report, SectionValues, Word, choice, closed, file, number, read_by_word, section,
+};
+use railcrack::fatigue::{RailSteel, Toughness};
+use railcrack::load::Temperature;
+use std::path::Path;
+
+section! {
+    FRACTURE "fracture", Optional,
+        "Brittle fracture: the run ends where the largest k1 of a passage, over all kink angles, reaches the toughness.",
+        forms [[TOUGHNESS], [FRACTURE_STEEL], [FRACTURE_PROFILE]];
+    TOUGHNESS: f64 = number("toughness_mpa_sqrt_m", "MPa sqrt(m)", closed(0.1, 1e3), 29.0, "Toughness K_Ic.").required();
+    FRACTURE_STEEL: SteelName = choice("steel", "Rail steel: the mean toughness at -20 degrees C that EN 13674-1 demands.")
+        .required();
+    FRACTURE_PROFILE: String = file("profile", "inputs/toughness.csv", "toughness.csv",
+        "CSV read by header, temperature_c,toughness_mpa_sqrt_m: linear between rows; at [temperature] rail_c.").required();
+}
+
+read_by_word!(SteelName);
+
+/// The steels that are known by name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum SteelName {
+    R260,
+    R350Ht,
+}
+
+impl Choice for SteelName {
+    const WORDS: &'static [(Self, Word)] = &[
+        (Self::R260, Word::now("R260", "29 MPa sqrt(m)")),
+        (Self::R350Ht, Word::now("R350HT", "32 MPa sqrt(m)")),
+    ];
+}
+
+/// Brittle fracture of the rail.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Fracture {
+    /// The toughness over temperature.
+    pub toughness: Toughness,
+    /// K_Ic at the temperature of the rail, MPa√m.
+    pub at_rail: f64,
+    /// The name of the steel where it is one with a name.
+    pub steel: Option<&'static str>,
+    /// The file where it comes from one.
+    pub file: Option<ToughnessFile>,
+}
+
+impl Fracture {
+    /// Files are relative to `folder`; `temperature` is that of the rail, where it is given.
+    pub(crate) fn read(
+        section: &SectionValues,
+        temperature: Option<&Temperature>,
+        folder: &Path,
+        report: &mut Report,
+    ) -> Option<Self> {
+        let of = |toughness: Toughness, steel, file| {
+            let at_rail = toughness.at(temperature.map_or(20.0, |temperature| temperature.rail));
+            Some(Self { toughness, at_rail, steel, file })
+        };
+        if let Some(toughness) = section.get(TOUGHNESS) {
+            let toughness = Toughness::constant(toughness);
+            let toughness = toughness.map_err(|error| report.add(section.fault(TOUGHNESS, error))).ok()?;
+            return of(toughness, None, None);
+        }
+        if let Some(steel) = section.get(FRACTURE_STEEL) {
+            let steel = RailSteel::of(steel.word())?;
+            return of(steel.toughness(), Some(steel.name), None);
+        }
+        let file = read_toughness(section, FRACTURE_PROFILE, folder, report)?;
+        if temperature.is_none() {
+            let says = "is a toughness over temperature, and no [temperature] says that of the rail";
+            let help = "a [temperature] section, with rail_c = neutral_c for a rail without thermal stress";
+            report.add(section.fault(FRACTURE_PROFILE, says).help(help));
+            return None;
+        }
+        of(file.content().clone(), None, Some(file))
+    }
+}

@@ -1,0 +1,134 @@
+//! Contact of wheel on rail, however it is described.
+
+use super::{CarterContact, HertzianContact, TableContact, Temperature, Track};
+use crate::math::OutOfRange;
+
+/// Contact of wheel on rail.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Contact {
+    /// Hertzian pressure, and the shear of full sliding.
+    Hertz(HertzianContact),
+    /// Hertzian pressure, and the shear of partial slip.
+    Carter(CarterContact),
+    /// Pressure and shear of a table.
+    Table(TableContact),
+}
+
+impl Contact {
+    /// Refuses a contact without pressure or extent, and shear beyond friction.
+    pub fn check(&self) -> Result<(), OutOfRange> {
+        match self {
+            Self::Hertz(contact) => contact.check(),
+            Self::Carter(contact) => contact.check(),
+            // A table is checked where it is made.
+            Self::Table(_) => Ok(()),
+        }
+    }
+
+    /// a, mm: half of the extent along the rail.
+    pub fn half_width(&self) -> f64 {
+        match self {
+            Self::Hertz(contact) => contact.half_width,
+            Self::Carter(contact) => contact.half_width,
+            Self::Table(contact) => contact.half_width(),
+        }
+    }
+
+    /// The largest distance of the contact from x_c, mm.
+    pub fn reach(&self) -> f64 {
+        match self {
+            Self::Table(contact) => contact.half_width() + contact.middle().abs(),
+            _ => self.half_width(),
+        }
+    }
+
+    /// The largest pressure, MPa.
+    pub fn peak_pressure(&self) -> f64 {
+        match self {
+            Self::Hertz(contact) => contact.peak_pressure,
+            Self::Carter(contact) => contact.peak_pressure,
+            Self::Table(contact) => contact.peak_pressure(),
+        }
+    }
+
+    /// P′ = ∫ p du, N/mm.
+    pub fn line_load(&self) -> f64 {
+        match self {
+            Self::Hertz(contact) => contact.line_load(),
+            Self::Carter(contact) => contact.line_load(),
+            Self::Table(contact) => contact.line_load(),
+        }
+    }
+
+    /// Q′ = ∫ q du, N/mm along +x on the rail.
+    pub fn shear_load(&self) -> f64 {
+        match self {
+            Self::Hertz(contact) => contact.friction * contact.line_load(),
+            Self::Carter(contact) => contact.shear_load(),
+            Self::Table(contact) => contact.shear_load(),
+        }
+    }
+
+    /// Q′/P′, positive where the wheel drags the rail along +x.
+    pub fn adhesion(&self) -> f64 {
+        match self {
+            Self::Hertz(contact) => contact.friction,
+            Self::Carter(contact) => contact.traction * contact.friction,
+            Self::Table(contact) => contact.shear_load() / contact.line_load(),
+        }
+    }
+
+    /// The contact in Hertzian line contact and full sliding, where it is one.
+    pub fn sliding(&self) -> Option<&HertzianContact> {
+        match self {
+            Self::Hertz(contact) => Some(contact),
+            _ => None,
+        }
+    }
+}
+
+/// The load of one wheel: its contact, the bending of the rail under the axles of its train, and
+/// the temperature of the rail.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WheelLoad {
+    /// Wheel on rail.
+    pub contact: Contact,
+    /// The track on which the rail bends; none for a rail that does not.
+    pub track: Option<Track>,
+    /// The temperature of a rail that cannot lengthen; none for one at its neutral temperature.
+    pub temperature: Option<Temperature>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{ContactRow, Travel};
+    use super::*;
+
+    #[test]
+    fn three_descriptions_of_one_contact_agree() {
+        let hertz = HertzianContact { peak_pressure: 800.0, half_width: 6.0, friction: -0.15 };
+        let carter = CarterContact {
+            peak_pressure: 800.0,
+            half_width: 6.0,
+            friction: 0.3,
+            traction: -0.5,
+            travel: Travel::Forward,
+        };
+        let row = |i: i32| {
+            let u = 6.0 * f64::from(i) / 1000.0;
+            let pressure = if i.abs() == 1000 { 0.0 } else { 800.0 * (1.0 - (u / 6.0).powi(2)).sqrt() };
+            ContactRow { u, pressure, shear: -0.15 * pressure }
+        };
+        let table = TableContact::new((-1000..=1000).map(row).collect(), None).unwrap();
+        let all = [Contact::Hertz(hertz), Contact::Carter(carter), Contact::Table(table)];
+        for contact in &all {
+            assert_eq!((contact.half_width(), contact.reach(), contact.peak_pressure()), (6.0, 6.0, 800.0));
+            // The chords of an ellipse enclose less: (step)^(3/2).
+            assert!((contact.line_load() / hertz.line_load() - 1.0).abs() < 2e-5, "{contact:?}");
+            assert!((contact.adhesion() + 0.15).abs() < 1e-12);
+            assert!((contact.shear_load() / contact.line_load() + 0.15).abs() < 1e-12);
+            assert!(contact.check().is_ok());
+        }
+        assert_eq!(all.iter().filter_map(Contact::sliding).count(), 1);
+    }
+}
