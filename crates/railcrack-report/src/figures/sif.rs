@@ -78,7 +78,7 @@ pub(super) fn chart(id: &str, quantity: &str, caption: String, curves: Vec<Curve
 /// [`chart`] over the wheel position in metres, where the rail bends.
 pub(crate) fn far_chart(id: &str, quantity: &str, caption: String, curves: Vec<Curve>) -> Chart {
     Chart {
-        x: ChartAxis::linear("Wheel position x_{c}", "m").over(ChartRange::Tight),
+        x: ChartAxis::linear("Wheel position x_{c}", "metres").over(ChartRange::Tight),
         ..chart(id, quantity, caption, curves)
     }
 }
