@@ -13,8 +13,8 @@ mod study;
 mod tables;
 
 pub use case::{
-    CarriedStress, CarriedStressError, Case, Overrides, PreparedRun, Projection, RailKey, Release,
-    RolledRailError, RunSize, SharedRail, SharedRailError,
+    CarriedStress, CarriedStressError, Case, MixedWheel, Overrides, PreparedRun, Projection, RailKey,
+    Release, RolledRailError, RunSize, SharedRail, SharedRailError,
 };
 pub use files::{CaseFile, Companion, ContactFile, FieldFile, ProfileFile, RatesFile, ToughnessFile};
 pub use schema::{
@@ -23,6 +23,7 @@ pub use schema::{
 };
 pub use study::{Axis, Input, Study, StudyRun, Variation, study_schema};
 pub use tables::{
-    Combine, ContactOrigin, ContactSolver, Engine, FieldOutput, Fracture, GivenWheel, MeshSettings,
-    PlasticSource, Rail, SECTIONS, STUDY, ShakedownSettings, init_text, json_schema, markdown,
+    Combine, ContactOrigin, ContactSolver, Engine, FieldOutput, Fracture, GivenWheel, Inspection,
+    MeshSettings, PlasticSource, Rail, SECTIONS, STUDY, Scatter, ShakedownSettings, init_text, json_schema,
+    markdown,
 };

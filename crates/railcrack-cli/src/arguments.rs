@@ -1,7 +1,7 @@
 //! Command line: options and commands.
 
 use crate::commands::{
-    check::CheckArguments, compare::CompareArguments, init::InitArguments, paper::PaperArguments,
+    calibrate::CalibrateArguments, check::CheckArguments, compare::CompareArguments, init::InitArguments, paper::PaperArguments,
     report::ReportArguments, run::RunArguments, schema::SchemaArguments, shakedown::ShakedownArguments,
     sweep::SweepArguments, verify::VerifyArguments,
 };
@@ -21,6 +21,7 @@ Start:
   railcrack run case.toml      compute it
   railcrack compare A B        what differs between two runs
   railcrack sweep study.toml   many cases: a case file with lists in place of values
+  railcrack calibrate case.toml --measured depths.csv   the growth law fitted to a rail
   railcrack report DIR         plots and HTML report again, from the folder alone
   railcrack verify DIR         whether its files hold what was written
   railcrack shakedown case.toml   the stabilised plastic state under the same wheel
@@ -46,6 +47,7 @@ pub enum Command {
     Run(RunArguments),
     Compare(CompareArguments),
     Sweep(SweepArguments),
+    Calibrate(CalibrateArguments),
     Report(ReportArguments),
     Shakedown(ShakedownArguments),
     Verify(VerifyArguments),

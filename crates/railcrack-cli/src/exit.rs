@@ -68,6 +68,12 @@ pub enum Failure {
         /// The case file.
         path: PathBuf,
     },
+    /// Measurements, or a case that cannot be calibrated.
+    #[error("{reason}")]
+    Calibration {
+        /// What is wrong, where.
+        reason: String,
+    },
     /// A build without PNG files.
     #[cfg(not(feature = "png"))]
     #[error(
@@ -101,7 +107,7 @@ impl Failure {
     /// The exit code of this failure.
     pub fn exit(&self) -> Exit {
         match self {
-            Self::Case(_) | Self::Figure(_) | Self::OverBudget(_) | Self::CaseInRunFolder { .. } => {
+            Self::Case(_) | Self::Calibration { .. } | Self::Figure(_) | Self::OverBudget(_) | Self::CaseInRunFolder { .. } => {
                 Exit::BadInput
             }
             Self::Paper(error) => match error {

@@ -31,6 +31,10 @@ impl History {
         let mut passage = 0;
         for row in rows {
             let row = row?;
+            // Those of the first wheel of a mix, which stand first.
+            if row.wheel.is_some_and(|wheel| wheel > 1) {
+                break;
+            }
             // The last passage of a step is the stabilised one: a later passage takes the place of
             // an earlier one.
             if row.passage != passage {

@@ -5,11 +5,13 @@
 //! made by someone above this crate ([`Presentation`]).
 
 pub mod budget;
+pub mod calibration;
 mod case_files;
 mod checkpoint;
 mod checksum;
 pub mod compare;
 pub mod csv;
+pub mod decision;
 mod disk;
 mod error;
 #[cfg(test)]
@@ -51,7 +53,7 @@ pub use presentation::{Presentation, RunPresentation, TablesOnly};
 pub use recorder::Recorder;
 pub use residual::{PlasticOrigin, ProjectionSummary, ReleaseSummary, ResidualSummary, RolledSummary};
 pub use run_folder::{FieldFile, RunFolder, field_files};
-pub use run_info::RunInfo;
+pub use run_info::{MixInfo, RunInfo};
 pub use shakedown::{ShakedownFolder, ShakedownSummary};
 pub use study::StudyFolder;
 pub use summary::{

@@ -87,6 +87,7 @@ impl Recorder {
         same_case(folder, &stored, &case)?;
         folder::restore_case(folder, &case)?;
         let seals = checkpoint.seals;
+        let sections = info.sections();
         let counted = Instant::now();
         let recorder = Self {
             sif: CsvFile::cut_back(&folder.join(SifRow::FILE), seals.sif)?,
@@ -100,7 +101,7 @@ impl Recorder {
             log,
             counted,
             synced: Instant::now(),
-            rows: Rows::default(),
+            rows: Rows::with_sections(&sections),
         };
         Ok((recorder, Some(checkpoint.state)))
     }
@@ -111,17 +112,18 @@ impl Recorder {
         info: RunInfo,
         presentation: &dyn Presentation,
     ) -> Result<Self, OutputError> {
+        let sections = info.sections();
         Ok(Self {
-            sif: new_table::<SifRow>(folder)?,
-            growth: new_table::<TipRow>(folder)?,
-            faces: new_table::<FaceRow>(folder)?,
+            sif: new_table::<SifRow>(folder, &sections)?,
+            growth: new_table::<TipRow>(folder, &sections)?,
+            faces: new_table::<FaceRow>(folder, &sections)?,
             log_file: LogFile::create(folder, case)?,
             folder: folder.to_path_buf(),
             info,
             log: RunLog::default(),
             counted: Instant::now(),
             synced: Instant::now(),
-            rows: Rows::default(),
+            rows: Rows::with_sections(&sections),
             shown: presentation.run(),
         })
     }
@@ -213,8 +215,9 @@ impl Recorder {
     }
 
     fn append_rows(&mut self, record: &StepRecord, scale: SifScale) -> Result<(), OutputError> {
-        append_to(&mut self.sif, &mut self.rows, SifRow::of_step(record, scale))?;
-        append_to(&mut self.growth, &mut self.rows, TipRow::of_step(record))?;
+        let half_widths: Vec<f64> = self.info.mix.iter().map(|wheel| wheel.half_width).collect();
+        append_to(&mut self.sif, &mut self.rows, SifRow::of_mix(record, scale, &half_widths))?;
+        append_to(&mut self.growth, &mut self.rows, TipRow::of_step(record, self.info.axle_load))?;
         append_to(&mut self.faces, &mut self.rows, FaceRow::of_step(record))
     }
 
@@ -256,8 +259,8 @@ impl Recorder {
     }
 }
 
-fn new_table<T: Table>(folder: &Path) -> Result<CsvFile, OutputError> {
-    CsvFile::create(&folder.join(T::FILE), &header::<T>(&[]))
+fn new_table<T: Table>(folder: &Path, sections: &[&str]) -> Result<CsvFile, OutputError> {
+    CsvFile::create(&folder.join(T::FILE), &header::<T>(sections))
 }
 
 /// Appends `content` to `file` in pieces, by way of `rows`.

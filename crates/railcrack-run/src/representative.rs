@@ -90,6 +90,9 @@ mod tests {
             rate: 0.0,
             load_cycles: 100.0 * step as f64,
             stop: None,
+            depth: None,
+            mgt: None,
+            shares: Default::default(),
         }
     }
 

@@ -32,8 +32,8 @@ use std::path::{Path, PathBuf};
 ///     println!("step {}: {:.3} mm, {:.2} MPa√m", tip.step, tip.length, tip.delta_keq);
 /// }
 /// for step in run.faces()? {
-///     let open = step?.rows().filter(|point| point.as_ref().is_ok_and(|point| point.opening > 0.0)).count();
-///     assert!(open > 0);
+///     let open = step?.rows().filter(|point| point.as_ref().is_ok_and(|point| point.opening >
+/// 0.0)).count();     assert!(open > 0);
 /// }
 /// # std::fs::remove_dir_all(&folder)?;
 /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -2,7 +2,18 @@
 
 use railcrack::bulk::Boundary;
 use railcrack::growth::Warning;
-use railcrack_case::{ContactSolver, Engine};
+use railcrack_case::{ContactSolver, Engine, Inspection, Scatter};
+
+/// A wheel of a mix.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MixInfo {
+    /// Its name.
+    pub name: String,
+    /// Share of the axles.
+    pub share: f64,
+    /// Half-width of its contact, mm.
+    pub half_width: f64,
+}
 
 /// Facts of the case that stand in the files of a run.
 #[derive(Debug, Clone, PartialEq)]
@@ -23,8 +34,25 @@ pub struct RunInfo {
     pub bends: bool,
     /// K_Ic, MPa √m, where the case gives it.
     pub toughness: Option<f64>,
-    /// Axle load in tonnes, for million gross tonnes.
+    /// Mean axle load in tonnes, for million gross tonnes.
     pub axle_load: Option<f64>,
+    /// The wheels of a mix; empty for one wheel.
+    pub mix: Vec<MixInfo>,
+    /// The inspection, where the case has one.
+    pub inspection: Option<Inspection>,
+    /// The scatter, where the case gives it.
+    pub scatter: Option<Scatter>,
+    /// The length that ends the run, mm.
+    pub critical_length: Option<f64>,
     /// Warnings that follow from the case, before any step.
     pub warnings: Vec<Warning>,
+}
+
+impl RunInfo {
+    /// The sections of the case that bring columns of their own: `wheel` once for each wheel of a
+    /// mix.
+    pub fn sections(&self) -> Vec<&'static str> {
+        let traffic = self.axle_load.map(|_| "traffic");
+        traffic.into_iter().chain(self.mix.iter().map(|_| "wheel")).collect()
+    }
 }

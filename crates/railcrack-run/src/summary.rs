@@ -1,6 +1,7 @@
 //! `summary.json`: a run in numbers.
 
 use super::VERSION;
+use super::decision::Decision;
 use super::residual::ResidualSummary;
 use super::run_info::RunInfo;
 use super::run_log::{RunLog, StepDigest};
@@ -164,6 +165,9 @@ pub struct Summary {
     pub load_cycles: f64,
     /// The same in million gross tonnes, where the case gives the axle load.
     pub million_gross_tonnes: Option<f64>,
+    /// From growth to a decision; null without axle loads.
+    #[serde(default)]
+    pub decision: Option<Decision>,
     /// Wall time of the run and its resumptions, seconds.
     pub wall_s: f64,
     /// Wall time by phase.
@@ -235,6 +239,7 @@ impl Summary {
             steps_recorded: steps.len(),
             load_cycles,
             million_gross_tonnes: info.axle_load.map(|tonnes| load_cycles * tonnes / 1e6),
+            decision: Decision::of(info, log),
             wall_s: log.now.wall_s,
             phases_s: PhaseSeconds {
                 residual: log.now.residual.as_ref().map_or(0.0, |residual| residual.wall_s),

@@ -3,16 +3,18 @@
 use super::case::Case;
 use super::cracks::{check_fit, place_cracks};
 use super::limits::check_size;
+use super::mix::{MixedWheel, ReadWheel, read_mix};
 use crate::files::read_profile;
 use crate::schema::{Report, SectionValues, Sections, Value, Written};
 use crate::tables::{
     AXLE_LOAD, CENTRE, CONTACT, CRACK, ENGINE, Engine, FOUNDATION, FRACTURE, FROM, FieldOutput, Fracture,
-    GROWTH, GivenWheel, KIND, LAW_KEYS, MESH, MeshSettings, OUTPUT, PASSAGE, PLASTIC_STRESS, PROFILE,
-    PlasticSource, RAIL, RAIL_TEMPERATURE, RESIDUAL_STRESS, Rail, SHAKEDOWN, SOLVER, SOLVER_CONTACT,
-    ShakedownSettings, TEMPERATURE, TITLE, TO, TOP, TRACK, TRAFFIC, WheelSections, read_growth, read_passage,
-    read_passages, read_steel, read_travel,
+    GROWTH, GivenWheel, INSPECTION, KIND, LAW_KEYS, MESH, MeshSettings, OUTPUT, PASSAGE, PLASTIC_STRESS,
+    PROFILE, PlasticSource, RAIL, RAIL_TEMPERATURE, RESIDUAL_STRESS, Rail, SCATTER, SHAKEDOWN, SOLVER,
+    SOLVER_CONTACT, ShakedownSettings, TEMPERATURE, TITLE, TO, TOP, TRACK, TRAFFIC, WHEEL, WheelSections,
+    read_growth, read_inspection, read_passage, read_passages, read_scatter, read_steel, read_travel,
 };
 use railcrack::bulk::Boundary;
+use railcrack::crack::CrackNetwork;
 use railcrack::growth::GrowthSettings;
 use railcrack::load::{Contact, Passage, Temperature};
 use railcrack::material::IsotropicElastic;
@@ -26,7 +28,16 @@ use std::path::Path;
 pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) -> Option<Case> {
     let rail_section = sections.one(&RAIL);
     let steel = rail_section.and_then(|s| read_steel(s, report));
-    let wheel = read_wheel(&sections, steel.as_ref(), folder, report);
+    let mix = if sections.all(&WHEEL).next().is_some() {
+        read_mix(&sections, steel.as_ref(), folder, report).map(Some)
+    } else {
+        Some(None)
+    };
+    let wheel = match &mix {
+        Some(Some(mix)) => mix.first().map(|first| first.wheel.clone()),
+        Some(None) => read_wheel(&sections, steel.as_ref(), folder, report),
+        None => None,
+    };
     let crack_sections: Vec<&SectionValues> = sections.all(&CRACK).collect();
     let placed = place_cracks(&crack_sections, report);
     let network = placed.as_ref().map(|placed| &placed.network);
@@ -40,6 +51,15 @@ pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) 
         .and_then(|s| read_passage(s, wheel.as_ref().map(GivenWheel::half_width), network, report));
     if let Some(rail) = rail.filter(|rail| rail.boundary != Boundary::HalfPlane) {
         check_block(&rail, &sections, wheel.as_ref().zip(passage.as_ref()), report);
+    }
+    let mix = mix.and_then(|mix| {
+        let place = |read: ReadWheel| place_wheel(read, &sections, network, report);
+        mix.unwrap_or_default().into_iter().map(place).collect::<Option<Vec<MixedWheel>>>()
+    });
+    if let (Some(mix), Some(rail)) = (&mix, rail.filter(|rail| rail.boundary != Boundary::HalfPlane)) {
+        for other in mix.iter().skip(1) {
+            check_block(&rail, &sections, Some((&other.wheel, &other.passages.passage)), report);
+        }
     }
     let residual_section = sections.one(&RESIDUAL_STRESS);
     let residual_stress = residual_section.and_then(|s| read_profile(s, PROFILE, folder, report));
@@ -55,6 +75,12 @@ pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) 
     {
         check_rolled(wheel, section, report);
     }
+    if let (Some(PlasticSource::Rolled), Some(section), true) =
+        (&plastic_stress, plastic_section, mix.as_ref().is_some_and(|mix| !mix.is_empty()))
+    {
+        let says = "without a field, this is the stress left by rolling under one wheel, and [[wheel]] gives several";
+        report.add(section.fault_of_all(says).help("a field or profile in [plastic_stress]"));
+    }
     let shakedown = sections.one(&SHAKEDOWN).and_then(|s| ShakedownSettings::read(s, folder, report));
     let growth = sections.one(&GROWTH).and_then(|s| read_growth(s, folder, report));
     if growth.as_ref().is_some_and(|growth| growth.steel.is_some()) {
@@ -62,6 +88,17 @@ pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) 
     }
     let temperature = wheel.as_ref().and_then(|wheel| wheel.load.temperature);
     let fracture = read_fracture(&sections, temperature, folder, report);
+    let traffic = sections.one(&TRAFFIC).and_then(|s| s.get(AXLE_LOAD));
+    let mean = |mix: &Vec<MixedWheel>| -> Option<f64> {
+        mix.iter().map(|wheel| Some(wheel.share * wheel.axle_load?)).sum()
+    };
+    let axle_load = mix.as_ref().and_then(|mix| if mix.is_empty() { traffic } else { mean(mix) });
+    let inspection = sections.one(&INSPECTION);
+    let inspection = inspection.map(|s| read_inspection(s, axle_load.is_some(), report));
+    let toughness = fracture.as_ref().and_then(|fracture| Some(fracture.as_ref()?.at_rail));
+    let steel_of_law = growth.as_ref().and_then(|growth| growth.steel);
+    let scatter = sections.one(&SCATTER);
+    let scatter = scatter.map(|s| read_scatter(s, (toughness, steel_of_law), axle_load.is_some(), report));
     let (placed, rail) = (placed?, rail?);
     // A stored case says where the middle of the rail was.
     sections.settle(&RAIL, CENTRE, Value::Number(rail.extent.centre));
@@ -88,10 +125,33 @@ pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) 
         engine: solver.get(ENGINE)?,
         contact_solver: solver.get(SOLVER_CONTACT)?,
         fields: FieldOutput::read(sections.one(&OUTPUT)?)?,
-        axle_load: sections.one(&TRAFFIC).and_then(|s| s.get(AXLE_LOAD)),
+        axle_load,
+        mix: mix?,
+        inspection: match inspection {
+            Some(read) => Some(read?),
+            None => None,
+        },
+        scatter: match scatter {
+            Some(read) => Some(read?),
+            None => None,
+        },
         written: Written::of(&sections),
     };
     check_size(&case, &sections, report).then_some(case)
+}
+
+/// A wheel of a mix with its passage, in its own half-width.
+fn place_wheel(
+    read: ReadWheel,
+    sections: &Sections,
+    network: Option<&CrackNetwork>,
+    report: &mut Report,
+) -> Option<MixedWheel> {
+    let section = sections.one(&PASSAGE)?;
+    let passage = read_passage(section, Some(read.wheel.half_width()), network, report)?;
+    let passages = read_passages(section, passage)?;
+    let ReadWheel { name, share, axle_load, wheel } = read;
+    Some(MixedWheel { name, share, axle_load, wheel, passages })
 }
 
 /// The one wheel of the case.

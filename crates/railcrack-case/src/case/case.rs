@@ -1,10 +1,11 @@
 //! Checked case: everything that a run computes, in the types of the mechanics.
 
+use super::mix::MixedWheel;
 use crate::files::{Companion, ProfileFile, RatesFile, ToughnessFile};
 use crate::schema::{Value, Written};
 use crate::tables::{
-    ContactSolver, Engine, FieldOutput, Fracture, GivenWheel, MeshSettings, PlasticSource, Rail,
-    ShakedownSettings, TITLE, TOP,
+    ContactSolver, Engine, FieldOutput, Fracture, GivenWheel, Inspection, MeshSettings, PlasticSource, Rail,
+    Scatter, ShakedownSettings, TITLE, TOP,
 };
 use railcrack::crack::CrackNetwork;
 use railcrack::fatigue::RailSteel;
@@ -56,8 +57,14 @@ pub struct Case {
     pub contact_solver: ContactSolver,
     /// Fields that are written.
     pub fields: FieldOutput,
-    /// Load of one axle (t) where traffic is given: one passage is one axle.
+    /// Mean load of an axle (t) where traffic is given: one passage is one axle.
     pub axle_load: Option<f64>,
+    /// The wheels of a mix, the first of which is `wheel`; empty for one wheel.
+    pub mix: Vec<MixedWheel>,
+    /// The inspection, where it is given.
+    pub inspection: Option<Inspection>,
+    /// The scatter, where it is given.
+    pub scatter: Option<Scatter>,
     /// Sections and values as written, defaults filled in.
     pub(super) written: Written,
 }
@@ -156,7 +163,9 @@ impl Case {
         let toughness = self.fracture.as_ref().and_then(|fracture| fracture.file.as_ref());
         let toughness = toughness.map(ToughnessFile::companion);
         let rates = self.growth_rates.as_ref().map(RatesFile::companion);
-        let contact = self.wheel.companion();
+        // The tables of a mix are one file.
+        let of_mix = || self.mix.iter().find_map(|wheel| wheel.wheel.companion());
+        let contact = self.wheel.companion().or_else(of_mix);
         let stresses = residual.into_iter().chain(plastic).chain(initial);
         contact.into_iter().chain(stresses).chain(toughness).chain(rates).collect()
     }

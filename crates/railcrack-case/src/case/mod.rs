@@ -6,6 +6,7 @@ mod carried;
 mod case;
 mod cracks;
 mod limits;
+mod mix;
 mod overrides;
 mod prepared;
 mod read;
@@ -14,6 +15,7 @@ mod size;
 
 pub use carried::{CarriedStress, CarriedStressError, Projection, Release};
 pub use case::{Case, RolledRailError};
+pub use mix::MixedWheel;
 pub use overrides::Overrides;
 pub use prepared::PreparedRun;
 pub use shared::{RailKey, SharedRail, SharedRailError};

@@ -2,19 +2,22 @@
 
 use super::carried::{CarriedStress, CarriedStressError};
 use super::case::Case;
+use super::mix::MixedWheel;
 use super::shared::SharedRail;
-use crate::tables::{ContactSolver, Engine};
+use crate::tables::{ContactSolver, Engine, GivenWheel};
 use railcrack::body::BodyEngine;
 use railcrack::bulk::Boundary;
 use railcrack::contact::{self, Latin, Newton};
 use railcrack::dislocation::{DislocationEngine, FaceResolution};
 use railcrack::field::{StressField, Sum};
-use railcrack::growth::{FieldSettings, Growth, GrowthProblem, GrowthState};
+use railcrack::growth::{self, FieldSettings, Growth, GrowthProblem, GrowthState};
+use railcrack::math::MPA_SQRT_MM;
 use railcrack::residual::PlasticField;
 use railcrack::xfem::{
     EnrichmentRadius, Layers, RailEnd, Window, XfemEngine, XfemSettings, default_element_sizes,
 };
 use std::num::NonZeroUsize;
+use std::sync::Arc;
 
 /// Growth of the length that the window makes room for, at most: a crack that grows on has it
 /// enlarged.
@@ -116,15 +119,34 @@ impl Case {
     }
 }
 
-/// The stress that stays between passages: `residual` and that of temperature.
-fn with_temperature(case: &Case, residual: Option<Box<dyn StressField>>) -> Option<Box<dyn StressField>> {
-    let thermal = case.wheel.thermal_stress(&case.steel);
-    match (residual, thermal) {
+/// The stress that stays between passages of `wheel`: `residual` and that of temperature.
+fn with_temperature(
+    case: &Case,
+    wheel: &GivenWheel,
+    residual: Option<&Arc<dyn StressField>>,
+) -> Option<Box<dyn StressField>> {
+    let residual = residual.map(|field| Box::new(Arc::clone(field)) as Box<dyn StressField>);
+    match (residual, wheel.thermal_stress(&case.steel)) {
         (residual, None) => residual,
         (None, Some(thermal)) => Some(Box::new(thermal)),
         (Some(residual), Some(thermal)) => Some(Box::new(Sum(vec![residual, Box::new(thermal)]))),
     }
 }
+
+/// A wheel of a mix beside the first one.
+fn beside(case: &Case, other: &MixedWheel, residual: Option<&Arc<dyn StressField>>) -> growth::MixedWheel {
+    let rail = other.wheel.load.temperature.map_or(ROOM_TEMPERATURE, |temperature| temperature.rail);
+    growth::MixedWheel {
+        wheel: other.wheel.field(&case.steel).expect("the case is checked"),
+        share: other.share,
+        residual: with_temperature(case, &other.wheel, residual),
+        passages: other.passages,
+        toughness: case.fracture.as_ref().map(|fracture| MPA_SQRT_MM * fracture.toughness.at(rail)),
+    }
+}
+
+/// Temperature (°C) of a rail of which none is given.
+const ROOM_TEMPERATURE: f64 = 20.0;
 
 /// A run before its first step.
 pub struct PreparedRun<'a> {
@@ -149,13 +171,17 @@ impl PreparedRun<'_> {
             ContactSolver::Newton => (newton, latin),
             ContactSolver::Latin => (latin, newton),
         };
+        let shared: Option<Arc<dyn StressField>> = residual.field.map(Arc::from);
+        let others = case.mix.iter().skip(1);
         let problem = GrowthProblem {
             engine,
             solver,
             fallback,
             crack_friction: case.crack_friction.clone(),
             wheel: case.wheel.field(&case.steel).expect("the case is checked"),
-            residual: with_temperature(case, residual.field),
+            share: case.mix.first().map_or(1.0, |first| first.share),
+            others: others.map(|other| beside(case, other, shared.as_ref())).collect(),
+            residual: with_temperature(case, &case.wheel, shared.as_ref()),
             passages: case.passages,
             fields: case.field_settings(),
             growth: case.growth.clone(),

@@ -35,6 +35,10 @@ pub struct Section {
     /// Ways of saying the same thing, of which exactly one is chosen; empty where there is only
     /// one.
     pub forms: &'static [Form],
+    /// Sections within this one, named with it: `outer.inner`.
+    pub parts: &'static [Section],
+    /// The section that may stand in its place.
+    pub instead: Option<&'static str>,
 }
 
 /// How often a section is written.
@@ -48,6 +52,8 @@ pub enum SectionPresence {
     Required,
     /// At least once, as `[[name]]`.
     Repeated,
+    /// As `[[name]]`, or not at all.
+    Several,
 }
 
 /// One of several ways of saying the same thing. Those of its keys that have no default must all be
@@ -325,9 +331,21 @@ impl Section {
     pub fn header(&self) -> String {
         match (self.name, self.presence) {
             ("", _) => String::new(),
-            (name, SectionPresence::Repeated) => format!("[[{name}]]"),
+            (name, SectionPresence::Repeated | SectionPresence::Several) => format!("[[{name}]]"),
             (name, _) => format!("[{name}]"),
         }
+    }
+
+    /// Whether it is written as `[[name]]`.
+    #[must_use]
+    pub fn repeats(&self) -> bool {
+        matches!(self.presence, SectionPresence::Repeated | SectionPresence::Several)
+    }
+
+    /// The last part of its name: `inner` of `outer.inner`.
+    #[must_use]
+    pub fn own_name(&self) -> &'static str {
+        self.name.rsplit('.').next().unwrap_or_default()
     }
 
     /// Whether this section must be written.

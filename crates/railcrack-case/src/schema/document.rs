@@ -4,7 +4,7 @@ use super::declaration::{Section, SectionPresence};
 use super::error::{CaseErrors, Fault, Report, Source};
 use super::reading::Reading;
 use super::section::read_section;
-use super::sections::Sections;
+use super::sections::{SectionValues, Sections};
 use std::io::Read;
 use std::ops::Range;
 use std::path::Path;
@@ -103,7 +103,8 @@ pub(crate) fn read_sections(root: &DeTable, reading: Reading, report: &mut Repor
                 tables
             }
         };
-        if tables.is_empty() && section.must_be_written() {
+        let replaced = section.instead.is_some_and(|other| root.get_key_value(other).is_some());
+        if tables.is_empty() && section.must_be_written() && !replaced {
             let message = format!("`{}` is missing: it has no default", section.header());
             let help = format!("{} {}", section.doc, reading.file.start);
             report.add(Fault::of(section.name, end..end, message).help(help));
@@ -112,10 +113,44 @@ pub(crate) fn read_sections(root: &DeTable, reading: Reading, report: &mut Repor
             sections.push(read_section(section, 1, None, reading, report));
         }
         for (i, table) in tables.into_iter().enumerate() {
+            let parts = table.0;
             sections.push(read_section(section, i + 1, Some(table), reading, report));
+            for part in section.parts {
+                sections.extend(read_part(part, i + 1, parts, reading, report));
+            }
         }
     }
     Sections(sections)
+}
+
+/// The section `part` within a table, `number` from 1.
+fn read_part(
+    part: &'static Section,
+    number: usize,
+    table: &DeTable,
+    reading: Reading,
+    report: &mut Report,
+) -> Option<SectionValues> {
+    let own = part.own_name();
+    let outer = part.name.strip_suffix(own).unwrap_or_default().trim_end_matches('.');
+    let path = format!("{outer}[{number}].{own}");
+    match table.get_key_value(own).map(|(name, value)| (name.span(), value.get_ref())) {
+        Some((span, DeValue::Table(given))) => {
+            Some(read_section(part, number, Some((given, span)), reading, report))
+        }
+        Some((span, _)) => {
+            let message = format!("`{path}` must be a section `[{}]`", part.name);
+            report.add(Fault::of(path, span, message).help(part.doc));
+            None
+        }
+        None if part.must_be_written() => {
+            let end = report.source.text.len();
+            let message = format!("`{path}` is missing: it has no default");
+            report.add(Fault::of(path, end..end, message).help(part.doc));
+            None
+        }
+        None => None,
+    }
 }
 
 /// A refusal of TOML itself; a key given twice is named.
@@ -140,7 +175,7 @@ pub(crate) fn tables<'d, 'i>(
     value: &'d Spanned<DeValue<'i>>,
     report: &mut Report,
 ) -> Option<Vec<(&'d DeTable<'i>, Range<usize>)>> {
-    let repeated = section.presence == SectionPresence::Repeated;
+    let repeated = section.repeats();
     let found = match value.get_ref() {
         DeValue::Table(table) if !repeated => Some(vec![(table, name.clone())]),
         DeValue::Array(items) if repeated => items

@@ -10,6 +10,7 @@ use serde_json::{Map, Value, json};
 pub(crate) fn file_schema(file: &FileSchema) -> Value {
     let mut properties = Map::new();
     let mut required = Vec::new();
+    let mut alternatives = Vec::new();
     for section in file.sections {
         if section.name.is_empty() {
             for key in section.keys {
@@ -18,24 +19,35 @@ pub(crate) fn file_schema(file: &FileSchema) -> Value {
             continue;
         }
         let schema = match section.presence {
+            SectionPresence::Several => {
+                json!({ "description": section.doc, "type": "array", "minItems": 1, "items": section_schema(section) })
+            }
             SectionPresence::Repeated => {
                 json!({ "description": section.doc, "type": "array", "minItems": 1, "items": section_schema(section) })
             }
             _ => section_schema(section),
         };
         properties.insert(section.name.into(), schema);
-        if section.must_be_written() {
-            required.push(section.name);
+        match section.instead {
+            Some(other) if section.must_be_written() => alternatives.push(json!({
+                "oneOf": [{ "required": [section.name] }, { "required": [other] }]
+            })),
+            _ if section.must_be_written() => required.push(section.name),
+            _ => {}
         }
     }
-    json!({
+    let mut schema = json!({
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": file.title,
         "type": "object",
         "properties": properties,
         "required": required,
         "additionalProperties": false,
-    })
+    });
+    if let (false, Some(schema)) = (alternatives.is_empty(), schema.as_object_mut()) {
+        schema.insert("allOf".into(), alternatives.into());
+    }
+    schema
 }
 
 /// The JSON Schema of one table of a section.
@@ -44,9 +56,14 @@ pub(crate) fn section_schema(section: &Section) -> Value {
     for key in section.keys.iter().filter(|k| section.offers(k)) {
         properties.insert(key.name.into(), key_schema(key));
     }
+    for part in section.parts {
+        properties.insert(part.own_name().into(), section_schema(part));
+    }
     let needed = |key: &&Key| key.is_required() && !section.is_in_a_form(key);
     let is_always_required = |key: &&Key| needed(key) && key.only_with.is_none() && key.excused.is_none();
-    let required: Vec<&str> = section.keys.iter().filter(is_always_required).map(|k| k.name).collect();
+    let parts = section.parts.iter().filter(|part| part.must_be_written()).map(Section::own_name);
+    let required: Vec<&str> =
+        section.keys.iter().filter(is_always_required).map(|k| k.name).chain(parts).collect();
     let mut schema = json!({
         "description": section.doc,
         "type": "object",

@@ -16,11 +16,19 @@ pub(crate) fn page(file: &FileSchema) -> String {
             SectionPresence::Optional => " Optional.\n",
             SectionPresence::Required => " Required.\n",
             SectionPresence::Repeated => " At least one is required.\n",
+            SectionPresence::Several => " Optional, several.\n",
         });
         page.push_str(&forms(section));
         page.push_str("\n| key | accepted | default | meaning |\n|---|---|---|---|\n");
         for key in section.keys {
             page.push_str(&row(section, key));
+        }
+        let parts: Vec<String> = section.parts.iter().map(|part| format!("`[{}]`", part.name)).collect();
+        if !parts.is_empty() {
+            page.push_str(&format!(
+                "\nWithin each: {}, with the keys of the section of that name.\n",
+                parts.join(", ")
+            ));
         }
     }
     page

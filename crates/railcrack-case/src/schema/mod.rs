@@ -36,7 +36,8 @@ pub(crate) use json_schema::{file_schema, section_schema};
 pub(crate) use markdown::page;
 pub(crate) use reading::{Chosen, Override, Reading};
 pub(crate) use row::{
-    Row, choice, closed, file, groups, integer, number, numbers, points, positive, section, text, within,
+    Row, choice, closed, file, given, groups, integer, number, numbers, points, positive, section, text,
+    within,
 };
 pub(crate) use section::read_section;
 pub(crate) use sections::{SectionValues, Sections};

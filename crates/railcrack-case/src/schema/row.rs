@@ -180,10 +180,12 @@ pub(crate) const fn groups(
 
 /// Declares a section: a constant for each row, and the [`Section`](super::Section) of all of them.
 ///
-/// `NAME "name", Presence, "Sentence." [, forms [[ROW, …], …]]; ROW: Type = row; …`
+/// `NAME "name", Presence, "Sentence." [, forms [[ROW, …], …]] [, parts [SECTION, …]] [, instead
+/// "name"]; ROW: Type = row; …`
 macro_rules! section {
     (
-        $SECTION:ident $name:literal, $presence:ident, $doc:literal $(, forms [$([$($OF:ident),+]),+])?;
+        $SECTION:ident $name:literal, $presence:ident, $doc:literal $(, forms [$([$($OF:ident),+]),+])?
+            $(, parts [$($PART:expr),+])? $(, instead $instead:literal)?;
         $($ROW:ident: $Type:ty = $row:expr;)+
     ) => {
         $(pub(crate) const $ROW: $crate::schema::Row<$Type> = $row;)+
@@ -195,7 +197,20 @@ macro_rules! section {
             presence: $crate::schema::SectionPresence::$presence,
             keys: &[$($ROW.key),+],
             forms: &[$($($crate::schema::Form { keys: &[$($OF.key.name),+] }),+)?],
+            parts: &[$($($PART),+)?],
+            instead: $crate::schema::given!($($instead)?),
         };
     };
 }
 pub(crate) use section;
+
+/// The value that is written, or none.
+macro_rules! given {
+    () => {
+        None
+    };
+    ($value:expr) => {
+        Some($value)
+    };
+}
+pub(crate) use given;

@@ -1,7 +1,7 @@
 //! Reading of one section against its declaration.
 
 use super::accept::Raw;
-use super::declaration::{Key, OnlyWith, Presence, Section, SectionPresence};
+use super::declaration::{Key, OnlyWith, Presence, Section};
 use super::error::{Fault, Report};
 use super::forms::{check_pairs, choose_form};
 use super::reading::Reading;
@@ -20,9 +20,10 @@ pub(crate) fn read_section(
     report: &mut Report,
 ) -> SectionValues {
     let file = reading.file;
-    let path = match section.presence {
-        SectionPresence::Repeated => format!("{}[{number}]", section.name),
-        _ => section.name.to_string(),
+    let path = match section.name.split_once('.') {
+        Some((outer, own)) => format!("{outer}[{number}].{own}"),
+        None if section.repeats() => format!("{}[{number}]", section.name),
+        None => section.name.to_string(),
     };
     let span = table.as_ref().map_or(0..0, |(_, span)| span.clone());
     let mut read = SectionValues { section, path, span, entries: Vec::new(), refused: Vec::new() };
@@ -30,7 +31,8 @@ pub(crate) fn read_section(
     for (name, value) in table.iter().flat_map(|(table, _)| table.iter()) {
         let is_section =
             |s: &&Section| section.name.is_empty() && !s.name.is_empty() && s.name == name.get_ref();
-        if file.sections.iter().chain(file.beside).any(|s| is_section(&s)) {
+        let is_part = section.parts.iter().any(|part| part.own_name() == name.get_ref());
+        if is_part || file.sections.iter().chain(file.beside).any(|s| is_section(&s)) {
             continue;
         }
         match section.key(name.get_ref()) {

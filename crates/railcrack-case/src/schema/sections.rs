@@ -27,6 +27,12 @@ impl Sections {
         self.all(section).next()
     }
 
+    /// The section `part` within the table `of`.
+    pub fn part(&self, of: &SectionValues, part: &Section) -> Option<&SectionValues> {
+        let path = format!("{}.{}", of.path, part.own_name());
+        self.0.iter().find(|read| read.section.name == part.name && read.path == path)
+    }
+
     /// Leaves out the values that keys `names` of a section have by default.
     pub fn leave_out(&mut self, section: &Section, names: &[&str]) {
         for read in self.0.iter_mut().filter(|read| read.section.name == section.name) {

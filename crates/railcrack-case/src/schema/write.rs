@@ -45,7 +45,7 @@ pub(crate) fn first_file(file: &FileSchema) -> String {
     let mut text = String::from(file.preamble);
     for section in file.sections {
         if !section.name.is_empty() {
-            let comment = if section.presence == SectionPresence::Optional { "# " } else { "" };
+            let comment = if left_out(section) { "# " } else { "" };
             text.push_str(&format!("\n# {}\n{comment}{}\n", section.doc, section.header()));
         }
         for key in section.keys.iter().filter(|k| section.offers(k)) {
@@ -53,6 +53,11 @@ pub(crate) fn first_file(file: &FileSchema) -> String {
         }
     }
     text
+}
+
+/// Whether the first file of a user has it as a comment.
+fn left_out(section: &Section) -> bool {
+    matches!(section.presence, SectionPresence::Optional | SectionPresence::Several)
 }
 
 /// Column at which comments begin.
@@ -65,7 +70,7 @@ fn init_line(section: &Section, key: &Key) -> String {
     let preset = key.reference.unwrap_or(key.presence.preset());
     let other_form = section.forms.iter().skip(1).any(|f| f.keys.contains(&key.name));
     let inactive = other_form
-        || section.presence == SectionPresence::Optional
+        || left_out(section)
         || matches!(key.presence, Presence::Optional(_))
         || means_nothing_alone(section, key)
         || !goes_with_the_defaults(section, key);

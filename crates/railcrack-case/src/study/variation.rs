@@ -76,7 +76,7 @@ fn tables_of<'d, 'i>(section: &Section, root: &'d DeTable<'i>) -> Vec<(String, &
         return vec![(String::new(), root)];
     }
     match (section.presence, root.get(section.name).map(Spanned::get_ref)) {
-        (SectionPresence::Repeated, Some(DeValue::Array(items))) => {
+        (SectionPresence::Repeated | SectionPresence::Several, Some(DeValue::Array(items))) => {
             let table = |(i, item): (usize, &'d Spanned<DeValue<'i>>)| match item.get_ref() {
                 DeValue::Table(table) => Some((format!("{}[{}]", section.name, i + 1), table)),
                 _ => None,

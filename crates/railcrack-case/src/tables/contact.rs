@@ -20,7 +20,8 @@ section! {
     CONTACT "contact", Required, "Wheel on rail: one passage is one axle.",
         forms [[PEAK_PRESSURE, HALF_WIDTH], [LINE_LOAD, WHEEL_RADIUS, RAIL_RADIUS],
             [WHEEL_LOAD, WHEEL_RADIUS, RAIL_HEAD_RADIUS, WHEEL_PROFILE_RADIUS, LATERAL],
-            [CONTACT_PROFILE, SCALE, STRIP]];
+            [CONTACT_PROFILE, SCALE, STRIP]],
+        instead "wheel";
     KIND: ContactKind = choice("kind", "Description of the contact.");
     PEAK_PRESSURE: f64 = number("peak_pressure_mpa", "MPa", closed(1e-3, 1e4), 845.0, "Peak pressure p0.")
         .required().only_with_any(KIND, "hertz", &["carter"], HERTZIAN);

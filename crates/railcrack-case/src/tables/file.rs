@@ -4,6 +4,7 @@ use super::contact::CONTACT;
 use super::crack::CRACK;
 use super::fracture::FRACTURE;
 use super::growth::GROWTH;
+use super::inspection::{INSPECTION, SCATTER};
 use super::mesh::MESH;
 use super::output::OUTPUT;
 use super::passage::PASSAGE;
@@ -14,7 +15,7 @@ use super::stress::{PLASTIC_STRESS, RESIDUAL_STRESS};
 use super::study::STUDY;
 use super::title::TOP;
 use super::track::{TEMPERATURE, TRACK};
-use super::traffic::TRAFFIC;
+use super::traffic::{TRAFFIC, WHEEL};
 use crate::schema::{FileSchema, Section, file_schema, first_file, page};
 
 /// The sections of a case, in the order in which they are written.
@@ -24,6 +25,7 @@ pub const SECTIONS: &[Section] = &[
     CONTACT,
     TRACK,
     TEMPERATURE,
+    WHEEL,
     PASSAGE,
     CRACK,
     RESIDUAL_STRESS,
@@ -34,6 +36,8 @@ pub const SECTIONS: &[Section] = &[
     MESH,
     SOLVER,
     TRAFFIC,
+    INSPECTION,
+    SCATTER,
     OUTPUT,
 ];
 

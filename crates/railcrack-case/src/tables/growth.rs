@@ -1,13 +1,8 @@
 //! `[growth]`: rate and direction of crack growth, and the end of a run.
 
-use super::law::{EquivalentName, LawName, SteelName, read_law};
-use crate::files::RatesFile;
-use crate::schema::{
-    Report, SectionValues, choice, closed, file, integer, number, positive, read_by_word, section,
-};
-use railcrack::fatigue::{DirectionCriterion, RailSteel};
-use railcrack::growth::GrowthSettings;
-use std::path::Path;
+use super::law_names::{EquivalentName, LawName, SteelName};
+use crate::schema::{choice, closed, file, integer, number, positive, read_by_word, section};
+use railcrack::fatigue::DirectionCriterion;
 
 const OWN_CONSTANTS: &str = "every law has constants of its own";
 const OWN_THRESHOLD: &str = "the law has a threshold of its own";
@@ -81,29 +76,3 @@ pub(crate) const LAW_KEYS: &[&str] = &[
     MODE_2_WEIGHT.key.name,
     THRESHOLD.key.name,
 ];
-
-/// The growth of the cracks as a case gives it.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Growing {
-    pub settings: GrowthSettings,
-    /// The steel whose law it is.
-    pub steel: Option<&'static RailSteel>,
-    /// The table whose law it is.
-    pub rates: Option<RatesFile>,
-}
-
-/// The growth of the cracks; files are relative to `folder`.
-pub(crate) fn read_growth(section: &SectionValues, folder: &Path, report: &mut Report) -> Option<Growing> {
-    let given = read_law(section, folder, report)?;
-    let settings = GrowthSettings {
-        toughness: None,
-        steps: section.get(STEPS)?,
-        increment: section.get(INCREMENT)?,
-        law: given.law,
-        arrest_rate: section.get(ARREST_RATE)?,
-        criterion: section.get(DIRECTION)?,
-        critical_length: section.get(CRITICAL_LENGTH),
-        stop_after_cycles: section.get(STOP_AFTER_CYCLES),
-    };
-    Some(Growing { settings, steel: given.steel, rates: given.rates })
-}

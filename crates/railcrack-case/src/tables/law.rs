@@ -5,68 +5,14 @@ use super::growth::{
     NASGRO_ALPHA, NASGRO_C, NASGRO_KC, NASGRO_N, NASGRO_P, NASGRO_Q, NASGRO_S, NASGRO_THRESHOLD, PARIS_C,
     PARIS_M, TABLE_PROFILE, THRESHOLD, WALKER_C, WALKER_GAMMA, WALKER_M,
 };
+use super::law_names::{EquivalentName, LawName};
 use crate::files::{RatesFile, read_rates};
-use crate::schema::{Choice, Report, Row, SectionValues, Word, read_by_word};
+use crate::schema::{Report, Row, SectionValues};
 use railcrack::fatigue::{
     Bold, EquivalentRange, Forman, GrowthLaw, Nasgro, Paris, ParisThreshold, RailSteel, RateLaw, Walker,
 };
+use railcrack::words::Choice;
 use std::path::Path;
-
-/// Names of growth laws: a row for each.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum LawName {
-    Paris,
-    ParisThreshold,
-    Bold,
-    Walker,
-    Forman,
-    Nasgro,
-    Table,
-}
-
-impl Choice for LawName {
-    const WORDS: &'static [(Self, Word)] = &[
-        (Self::Paris, Word::now("paris", "C dKeq^m above the threshold")),
-        (Self::ParisThreshold, Word::now("paris-threshold", "C (dKeq^m - dKth^m)")),
-        (Self::Bold, Word::now("bold", "C (dKeq^3.74 - 4^3.74), Bold, Brown and Allen 1991")),
-        (Self::Walker, Word::now("walker", "C [dKeq / (1-R)^(1-gamma)]^m above the threshold")),
-        (Self::Forman, Word::now("forman", "C dKeq^m / ((1-R) Kc - dKeq) above the threshold")),
-        (Self::Nasgro, Word::now("nasgro", "with closure, threshold and toughness")),
-        (Self::Table, Word::now("table", "measured rates")),
-    ];
-}
-
-/// Names of equivalent ranges.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum EquivalentName {
-    HourlierPineau,
-    Tanaka,
-    Richard,
-}
-
-impl Choice for EquivalentName {
-    const WORDS: &'static [(Self, Word)] = &[
-        (Self::HourlierPineau, Word::now("hourlier-pineau", "sqrt(dKI^2 + w dKII^2)")),
-        (Self::Tanaka, Word::now("tanaka", "(dKI^4 + 8 dKII^4)^(1/4)")),
-        (Self::Richard, Word::now("richard", "dKI/2 + sqrt(dKI^2 + 4 (1.155 dKII)^2)/2")),
-    ];
-}
-
-/// The steels that have a growth law of their name.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum SteelName {
-    R260,
-    R350Ht,
-}
-
-impl Choice for SteelName {
-    const WORDS: &'static [(Self, Word)] = &[
-        (Self::R260, Word::now("R260", "the fastest growth that EN 13674-1 accepts")),
-        (Self::R350Ht, Word::now("R350HT", "the same")),
-    ];
-}
-
-read_by_word!(LawName, EquivalentName, SteelName);
 
 /// A growth law, and its origin where that has a name.
 pub(super) struct GivenLaw {

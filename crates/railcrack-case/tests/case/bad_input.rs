@@ -187,6 +187,53 @@ fn numbers() {
             "must be",
             "",
         ),
+        wrong(
+            Append(
+                "[[wheel]]\nshare = 1.0\ncontact = { peak_pressure_mpa = 845, half_width_mm = 6, friction = 0 }",
+            ),
+            1,
+            "contact",
+            "same thing as `[[wheel]]`",
+            "",
+        ),
+        wrong(
+            Append("[inspection]\ndetectable_depth_mm = 2.0"),
+            10,
+            "inspection",
+            "no axle load",
+            "axle_load_t",
+        ),
+        wrong(Append("[scatter]\nsamples = 1000"), 10, "scatter", "no axle load", "axle_load_t"),
+        wrong(
+            Append(
+                "[traffic]\naxle_load_t = 20\n[inspection]\ndetectable_depth_mm = 2.0\ncritical_depth_mm = 1.0",
+            ),
+            14,
+            "inspection.critical_depth_mm",
+            "must be more than",
+            "",
+        ),
+        wrong(
+            Append("[traffic]\naxle_load_t = 20\n[inspection]\nsafety_factor = 3.0"),
+            12,
+            "inspection",
+            "needs `detectable_depth_mm`",
+            "",
+        ),
+        wrong(
+            Append("[traffic]\naxle_load_t = 20\n[scatter]\ntoughness_std = 1.0"),
+            13,
+            "scatter.toughness_std",
+            "no [fracture]",
+            "",
+        ),
+        wrong(
+            Append("[traffic]\naxle_load_t = 20\n[scatter]\nsamples = 5"),
+            13,
+            "scatter.samples",
+            "must be",
+            "",
+        ),
         wrong(Append("[growth]\nlaw = \"parris\""), 11, "growth.law", "must be", "\"paris\""),
         wrong(Append("[growth]\nequivalent = \"bold\""), 11, "growth.equivalent", "must be", ""),
         wrong(
@@ -1047,4 +1094,31 @@ fn one_line_names_file_line_and_column() {
 fn the_good_case_is_good() {
     let case = Case::parse(GOOD, "case.toml", Path::new("")).unwrap();
     assert_eq!(case.cracks.cracks().len(), 1);
+}
+
+/// A mix of wheels, of which one thing is wrong.
+#[test]
+fn wheels_that_make_no_mix() {
+    let crack = "[[crack]]\nmouth_mm = 0\nlength_mm = 6\nangle_deg = 15\nfriction = 0.5\n";
+    let contact = "contact = { peak_pressure_mpa = 845, half_width_mm = 6.75, friction = 0.1 }";
+    let mix = |second: &str| {
+        format!("{crack}[[wheel]]\nshare = 0.5\naxle_load_t = 20\n{contact}\n[[wheel]]\n{second}\n")
+    };
+    for (second, key, says) in [
+        (format!("share = 0.4\naxle_load_t = 20\n{contact}"), "wheel[2].share", "add up to 0.9"),
+        (format!("share = 0.5\n{contact}"), "wheel[2].axle_load_t", "is missing"),
+        ("share = 0.5\naxle_load_t = 20".to_owned(), "wheel[2].contact", "is missing"),
+        (format!("axle_load_t = 20\n{contact}"), "wheel[2].share", "is missing"),
+        (
+            "share = 0.5\naxle_load_t = 20\n[wheel.contact]\npeak_pressure_mpa = 845\nhalf_width_mm = 6\nfriction = 2.0"
+                .to_owned(),
+            "wheel[2].contact.friction",
+            "must be",
+        ),
+        (format!("share = 0.5\naxle_load_t = 20\nspeed = 3\n{contact}"), "wheel[2].speed", "unknown key"),
+    ] {
+        let errors = Case::parse(&mix(&second), "case.toml", Path::new("")).unwrap_err();
+        let text = errors.to_string();
+        assert!(text.contains(key) && text.contains(says), "{second}\n{text}");
+    }
 }

@@ -318,3 +318,27 @@ fn growth_laws() {
     assert!((steel.growth.law.rate.rate(10.0, 0.0) / 17e-6 - 1.0).abs() < 1e-12);
     assert_eq!(parse(&steel.to_toml()), steel);
 }
+
+/// Wheels with contacts, loads and temperatures of their own.
+#[test]
+fn a_mix_of_wheels_is_read_and_written() {
+    let case = parse(
+        "[[crack]]\nmouth_mm = 0\nlength_mm = 6\nangle_deg = 15\nfriction = 0.5\n\
+         [temperature]\nrail_c = 5\nneutral_c = 25\n\
+         [[wheel]]\nname = \"freight\"\nshare = 0.7\naxle_load_t = 22.5\n\
+         contact = { peak_pressure_mpa = 1000, half_width_mm = 7, friction = 0.1 }\n\
+         [[wheel]]\nshare = 0.3\naxle_load_t = 15\n\
+         [wheel.contact]\nkind = \"carter\"\npeak_pressure_mpa = 800\nhalf_width_mm = 5\nfriction = 0.3\ntraction = 0.5\n\
+         [wheel.temperature]\nrail_c = -10\nneutral_c = 25\n\
+         [inspection]\ndetectable_depth_mm = 2.0\n[scatter]\nsamples = 1000\n",
+    );
+    assert_eq!((case.mix.len(), &case.mix[0].name[..], &case.mix[1].name[..]), (2, "freight", "wheel 2"));
+    assert_eq!(case.axle_load, Some(0.7 * 22.5 + 0.3 * 15.0));
+    // Positions count in the half-width of each wheel.
+    assert_eq!([0, 1].map(|i| case.mix[i].passages.passage.to), [42.0, 30.0]);
+    let rail = |i: usize| case.mix[i].wheel.load.temperature.unwrap().rail;
+    assert_eq!([rail(0), rail(1)], [5.0, -10.0]);
+    assert_eq!((case.half_width(), case.scatter.unwrap().c_log_std), (7.0, 0.3));
+    let again = parse(&case.to_toml());
+    assert_eq!(again, case, "{}", case.to_toml());
+}

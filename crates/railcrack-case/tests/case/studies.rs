@@ -352,5 +352,6 @@ fn the_schema_of_a_study_allows_lists() {
     assert_eq!(points[1]["items"]["minItems"], json!(2));
     assert_eq!(schema["properties"]["title"]["type"], json!("string"));
     assert_eq!(schema["properties"]["study"]["properties"]["combine"]["enum"], json!(["product", "zip"]));
-    assert_eq!(schema["required"], json!(["contact", "crack"]));
+    let alternatives = json!([{ "required": ["contact"] }, { "required": ["wheel"] }]);
+    assert_eq!((&schema["required"], &schema["allOf"][0]["oneOf"]), (&json!(["crack"]), &alternatives));
 }

@@ -11,7 +11,7 @@ use railcrack::fatigue::{ACCEPTANCE_RANGES, DirectionCriterion, RAIL_STEELS, Rat
 use railcrack::load::Contact;
 use railcrack::shakedown::DepthBounds;
 use railcrack::words::Choice;
-use railcrack_case::{Case, ContactOrigin, Input, PlasticSource};
+use railcrack_case::{Case, ContactOrigin, Input, MixedWheel, PlasticSource};
 use railcrack_run::budget::{Budget, Needs, mb};
 use railcrack_run::simulation::plastic_stress_left_out;
 use std::path::{Path, PathBuf};
@@ -46,6 +46,7 @@ fn summary(case: &Case, folder: &Path) -> String {
     for (heading, rows) in [
         ("rail", rail(case)),
         ("contact", contact(case)),
+        ("mix", mix(case)),
         ("track", track(case)),
         ("temperature", temperature(case)),
         ("passage", passage(case)),
@@ -139,6 +140,30 @@ fn origin(case: &Case) -> Vec<Row> {
         ],
         ContactOrigin::Table(file) => vec![("table", file.given_name().into())],
     }
+}
+
+/// The wheels of a mix; the sections around this one are about the first of them.
+fn mix(case: &Case) -> Vec<Row> {
+    let line = |wheel: &MixedWheel| {
+        let contact = wheel.wheel.contact();
+        let load = wheel.axle_load.map_or_else(String::new, |load| format!(", {load} t"));
+        format!(
+            "{}: {} % of the axles{load}, p0 = {} MPa, a = {} mm, shear Q/P = {}",
+            wheel.name,
+            number(100.0 * wheel.share),
+            number(contact.peak_pressure()),
+            number(contact.half_width()),
+            number(contact.adhesion())
+        )
+    };
+    let mut rows: Vec<Row> = case.mix.iter().map(|wheel| ("wheel", line(wheel))).collect();
+    if !rows.is_empty() {
+        rows.push((
+            "",
+            "run says which wheel does what share of the growth, and which turns the crack".into(),
+        ));
+    }
+    rows
 }
 
 fn track(case: &Case) -> Vec<Row> {
@@ -328,7 +353,18 @@ fn growth(case: &Case) -> Vec<Row> {
         rows.push(("breaks at k1", format!("{} MPa sqrt(m){steel}", number(fracture.at_rail))));
     }
     if let Some(load) = case.axle_load {
-        rows.push(("axle load", format!("{load} t")));
+        rows.push(("axle load", format!("{} t", number(load))));
+    }
+    if let Some(inspection) = &case.inspection {
+        let from = match (inspection.detectable_depth, inspection.detectable_length) {
+            (Some(depth), _) => format!("from a depth of {depth} mm"),
+            (None, Some(length)) => format!("from a length of {length} mm"),
+            (None, None) => "from the beginning".to_owned(),
+        };
+        rows.push(("inspection", format!("{from}, safety factor {}", inspection.safety_factor)));
+    }
+    if let Some(scatter) = &case.scatter {
+        rows.push(("scatter", format!("{} samples, ln C +- {}", scatter.samples, scatter.c_log_std)));
     }
     rows
 }

@@ -1,5 +1,6 @@
 //! The commands, one file each.
 
+pub mod calibrate;
 pub mod check;
 mod check_study;
 pub mod compare;
@@ -19,6 +20,7 @@ use crate::exit::{Exit, Failure};
 pub fn dispatch(command: Command) -> Result<Exit, Failure> {
     match command {
         Command::Init(arguments) => init::init(&arguments),
+        Command::Calibrate(arguments) => calibrate::calibrate(&arguments),
         Command::Check(arguments) => check::check(&arguments),
         Command::Run(arguments) => run::run(&arguments),
         Command::Compare(arguments) => compare::compare(&arguments),

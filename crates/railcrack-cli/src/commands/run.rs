@@ -146,6 +146,28 @@ pub fn is_same_file(one: &Path, other: &Path) -> bool {
     }
 }
 
+/// Wheels of a mix and the inspection interval, a line each.
+fn decision(summary: &Summary) -> String {
+    let Some(decision) = &summary.decision else { return String::new() };
+    let mut text = String::new();
+    for wheel in &decision.wheels {
+        let turns = match wheel.turns_in_steps {
+            0 => String::new(),
+            steps => format!(", turns the crack in {steps} of {} steps", summary.steps_recorded),
+        };
+        text.push_str(&format!(
+            "{}: {:.1} % of the axles, {:.1} % of the growth{turns}\n",
+            wheel.name,
+            100.0 * wheel.share_of_axles,
+            100.0 * wheel.share_of_growth
+        ));
+    }
+    if let Some(interval) = decision.inspection.and_then(|inspection| inspection.interval_mgt) {
+        text.push_str(&format!("inspection interval {interval:.3} million gross tonnes\n"));
+    }
+    text
+}
+
 /// The result as a few lines for standard output.
 pub fn result_text(finished: &Finished) -> String {
     let Finished { ending, summary, .. } = finished;
@@ -199,6 +221,7 @@ pub fn result_text(finished: &Finished) -> String {
             100.0 * share
         ));
     }
+    text.push_str(&decision(summary));
     text.push_str(&warnings(summary));
     text.push_str(&where_and_on(finished));
     text

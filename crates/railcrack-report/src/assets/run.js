@@ -527,7 +527,6 @@
     const tips = shown[state.step].tips;
     charts.get("length-cycles")?.mark(tips.map((tip) => ({ x: tip.cycles, y: tip.length })));
     charts.get("rate-length")?.mark(tips.map((tip) => ({ x: tip.length, y: tip.rate })));
-    charts.get("rate-delta-k")?.mark(tips.map((tip) => ({ x: tip.delta_keq, y: tip.rate })));
     positionChanged();
   }
 

@@ -38,6 +38,10 @@ fn meshio_reads_the_fields_of_a_run() {
         bends: false,
         toughness: None,
         axle_load: None,
+        mix: Vec::new(),
+        inspection: None,
+        scatter: None,
+        critical_length: None,
         warnings: Vec::new(),
     };
     let files = CaseFiles { toml: case.to_toml(), companions: Vec::new() };

@@ -86,6 +86,11 @@ fn columns_are_those_of_the_contract() {
             column_names::<FaceRow>(&[]).join(","),
             "step,passage,position,crack,segment,s_mm,opening_mm,slip_mm,s22_mpa,s12_mpa,status",
         ),
+        (
+            column_names::<TipRow>(&["traffic", "wheel", "wheel"])[17..].join(","),
+            "depth_mm,mgt,share_wheel_1,share_wheel_2",
+        ),
+        (column_names::<SifRow>(&["wheel", "wheel"])[9..].join(","), "wheel"),
         (column_names::<ResidualRow>(&[]).join(","), "depth_mm,sxx_mpa,syy_mpa,szz_mpa,sxy_mpa"),
     ];
     for (columns, contract) in wanted {
@@ -103,7 +108,7 @@ fn tables_hold_every_row_with_its_numbers() {
     assert_eq!(sif.len(), 1 + steps * 2 * SMALL.positions);
     assert!(sif[1].starts_with("0,1,1,1,1,-40.5,-6.0,"), "{}", sif[1]);
     let growth = table(scratch.path(), "growth.csv");
-    assert_eq!(growth[0], column_names::<TipRow>(&[]).join(","));
+    assert_eq!(growth[0], column_names::<TipRow>(&["traffic"]).join(","));
     assert_eq!(growth.len(), 1 + steps);
     let fields = |row: usize| growth[row].split(',').collect::<Vec<_>>();
     let (initial, second, last) = (fields(1), fields(2), fields(steps));

@@ -65,6 +65,10 @@ pub fn info() -> RunInfo {
         bends: false,
         toughness: None,
         axle_load: Some(17.0),
+        mix: Vec::new(),
+        inspection: None,
+        scatter: None,
+        critical_length: None,
         warnings: Vec::new(),
     }
 }
@@ -129,6 +133,7 @@ pub fn step(size: Size, step: usize) -> (StepRecord, GrowthState) {
     let record = StepRecord {
         step,
         tips,
+        beside: Vec::new(),
         passages: vec![passage(0), passage(1)],
         faces: faces(size, &now, &xc),
         fields: step.is_multiple_of(2).then(|| fields(step)),
@@ -220,6 +225,9 @@ fn tip_record(i: usize, crack: &Crack, step: usize, is_last: bool) -> TipRecord 
         increment: if is_last { 0.0 } else { 0.04 * crack.length() / (1.0 + i as f64) },
         rate: 4e-6 / (1.0 + i as f64),
         stop: None,
+        shares: Default::default(),
+        turned_by: None,
+        opened_by: 0,
     }
 }
 

@@ -1,7 +1,7 @@
 //! `growth.csv`: every tip at every step.
 
 use super::table;
-use railcrack::growth::{RunStop, StepRecord, TipRecord};
+use railcrack::growth::{RunStop, StepRecord, TipRecord, WheelShares};
 use railcrack::math::MPA_SQRT_MM;
 use railcrack::words::Choice;
 use serde::{Deserialize, Serialize};
@@ -13,7 +13,7 @@ table! {
         "One row per step and tip: the state at the start of the step, and the increment that follows it",
         "step: 0 is the initial geometry; crack: from 1; tip: from 1 within its crack",
         "lengths and coordinates: mm, y upwards, the rail is y <= 0; length_mm: of the whole crack, with what waits at its tips",
-        "K: MPa sqrt(m), ranges over the stabilised passage, K_I clipped at zero",
+        "K: MPa sqrt(m), ranges over the stabilised passage, K_I clipped at zero; in a mix the largest K_I of all wheels and the ranges of the wheel that does most of the growth",
         "angles: degrees from straight ahead, counter-clockwise positive; empty: a tip that is not loaded, or no rival direction",
         "rival_ratio: growth rate in the rival direction over the chosen one",
         "load_cycles: axles up to the start of the step, by the trapezoidal rule in 1/rate of the fastest tip; stop: why the tip, or in the last step the run, stopped",
@@ -56,14 +56,26 @@ table! {
         /// Why the tip stopped; in the last step, for tips without a reason of their own, why the
         /// run ended; else empty.
         stop: Option<RunStop> = "stop";
+        /// Depth of the tip below the running surface, mm, with its deferred growth. With
+        /// `[traffic]`, or a mix of wheels with axle loads.
+        depth: Option<f64> = "depth_mm", with "traffic";
+        /// Million gross tonnes up to the start of the step. With `[traffic]`, or a mix of wheels
+        /// with axle loads.
+        mgt: Option<f64> = "mgt", with "traffic";
+        /// Share of each wheel of a mix in the growth rate of the tip.
+        shares: WheelShares = "share_wheel_1" "share_wheel_2" "share_wheel_3" "share_wheel_4" "share_wheel_5"
+            "share_wheel_6" "share_wheel_7" "share_wheel_8" "share_wheel_9" "share_wheel_10" "share_wheel_11"
+            "share_wheel_12" "share_wheel_13" "share_wheel_14" "share_wheel_15" "share_wheel_16" "share_wheel_17"
+            "share_wheel_18" "share_wheel_19" "share_wheel_20", with "wheel";
     }
 }
 
 impl TipRow {
-    /// The rows of a step, tip by tip.
-    pub fn of_step(record: &StepRecord) -> impl Iterator<Item = Self> {
-        record.tips.iter().map(|tip| Self {
+    /// The rows of a step, tip by tip; `axle_load` (t) gives million gross tonnes.
+    pub fn of_step(record: &StepRecord, axle_load: Option<f64>) -> impl Iterator<Item = Self> {
+        record.tips.iter().map(move |tip| Self {
             stop: tip.stop.map(RunStop::NoTipGrows).or(record.stop),
+            mgt: axle_load.map(|tonnes| 1e-6 * tonnes * record.load_cycles),
             ..Self::of_tip(record.step, record.load_cycles, tip)
         })
     }
@@ -87,6 +99,9 @@ impl TipRow {
             rate: tip.rate,
             load_cycles,
             stop: tip.stop.map(RunStop::NoTipGrows),
+            depth: Some(-(tip.y + tip.deferred.direction.y * tip.deferred.length)),
+            mgt: None,
+            shares: tip.shares,
         }
     }
 
@@ -129,6 +144,9 @@ mod tests {
             rate: 0.0,
             load_cycles: 0.0,
             stop: None,
+            depth: None,
+            mgt: None,
+            shares: WheelShares::default(),
         }
     }
 

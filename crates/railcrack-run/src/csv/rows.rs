@@ -6,7 +6,7 @@ use crate::OutputError;
 #[derive(Debug, Default)]
 pub struct Rows {
     /// Sections of the case that bring columns of their own.
-    sections: &'static [&'static str],
+    sections: Vec<&'static str>,
     text: Vec<u8>,
     row_start: usize,
     not_finite: Option<(&'static str, f64, String)>,
@@ -14,8 +14,8 @@ pub struct Rows {
 
 impl Rows {
     /// Rows of a run whose case has `sections`.
-    pub fn with_sections(sections: &'static [&'static str]) -> Self {
-        Self { sections, ..Self::default() }
+    pub fn with_sections(sections: &[&'static str]) -> Self {
+        Self { sections: sections.to_vec(), ..Self::default() }
     }
 
     /// Whether the case has `section`, whose columns are then there.

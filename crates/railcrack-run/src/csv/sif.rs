@@ -1,7 +1,7 @@
 //! `sif.csv`: K_I and K_II of every tip at every wheel position.
 
 use super::table;
-use railcrack::growth::StepRecord;
+use railcrack::growth::{PassageRecord, StepRecord};
 
 table! {
     /// K of a tip at a wheel position, in the units of `sif.csv`.
@@ -32,6 +32,8 @@ table! {
         ki: f64 = "ki_mpa_sqrt_m";
         /// K_II, MPa√m.
         kii: f64 = "kii_mpa_sqrt_m";
+        /// Wheel of a mix, from 1: the last passage of each wheel is its stabilised one.
+        wheel: Option<usize> = "wheel", with "wheel";
     }
 }
 
@@ -40,7 +42,7 @@ table! {
 pub struct SifScale {
     /// Mouth of the first crack in the initial geometry (its first point if it is buried), mm.
     pub origin: f64,
-    /// Half-width a of the wheel contact, mm.
+    /// Half-width a of the wheel contact, mm; of the first one of a mix.
     pub half_width: f64,
 }
 
@@ -52,9 +54,33 @@ impl SifScale {
 }
 
 impl SifRow {
-    /// The rows of a step: passage by passage, tip by tip, position by position.
+    /// The rows of a step under the first wheel: passage by passage, tip by tip, position by
+    /// position.
     pub fn of_step(record: &StepRecord, scale: SifScale) -> impl Iterator<Item = Self> {
-        record.passages.iter().enumerate().flat_map(move |(p, passage)| {
+        Self::under(record, &record.passages, 1, scale)
+    }
+
+    /// The rows of a step under all wheels of a mix, wheel by wheel; `half_widths` (mm) are those
+    /// of the contacts.
+    pub fn of_mix<'a>(
+        record: &'a StepRecord,
+        scale: SifScale,
+        half_widths: &'a [f64],
+    ) -> impl Iterator<Item = Self> + 'a {
+        let all = std::iter::once(&record.passages).chain(&record.beside).enumerate();
+        all.flat_map(move |(i, passages)| {
+            let half_width = half_widths.get(i).copied().unwrap_or(scale.half_width);
+            Self::under(record, passages, i + 1, SifScale { half_width, ..scale })
+        })
+    }
+
+    fn under<'a>(
+        record: &'a StepRecord,
+        passages: &'a [PassageRecord],
+        wheel: usize,
+        scale: SifScale,
+    ) -> impl Iterator<Item = Self> + 'a {
+        passages.iter().enumerate().flat_map(move |(p, passage)| {
             record.tips.iter().zip(&passage.sifs).flat_map(move |(tip, history)| {
                 passage.xc.iter().zip(history).enumerate().map(move |(i, (&xc, sif))| Self {
                     step: record.step,
@@ -66,6 +92,7 @@ impl SifRow {
                     xc_over_a: scale.over_a(xc),
                     ki: sif.ki_mpa_sqrt_m(),
                     kii: sif.kii_mpa_sqrt_m(),
+                    wheel: Some(wheel),
                 })
             })
         })

@@ -5,7 +5,7 @@ use super::fields::Fields;
 use super::rows::Rows;
 use crate::{OutputError, VERSION};
 use railcrack::contact::FaceStatus;
-use railcrack::growth::RunStop;
+use railcrack::growth::{MOST_WHEELS, RunStop, WheelShares};
 use railcrack::math::Stress;
 use railcrack::shakedown::PlasticStrain;
 use railcrack::words::Choice;
@@ -31,8 +31,7 @@ pub trait Table: Sized {
 
 /// The columns of a table in a run whose case has `sections`.
 pub fn column_names<T: Table>(sections: &[&str]) -> Vec<&'static str> {
-    let there = |column: &&Column| column.section.is_none_or(|section| sections.contains(&section));
-    T::COLUMNS.iter().filter(there).map(|column| column.name).collect()
+    T::COLUMNS.iter().filter(|column| column.is_there(sections)).map(|column| column.name).collect()
 }
 
 /// Comment lines, then the column names.
@@ -67,7 +66,11 @@ pub(crate) fn markdown<T: Table>() -> String {
             None => lines.push((vec![name], meaning)),
         }
     }
-    let line = |(names, meaning): &(Vec<String>, String)| format!("| {} | {meaning} |\n", names.join(", "));
+    let shown = |names: &[String]| match names {
+        [first, second, .., _] if names.len() > 8 => format!("{first}, {second}, …"),
+        _ => names.join(", "),
+    };
+    let line = |(names, meaning): &(Vec<String>, String)| format!("| {} | {meaning} |\n", shown(names));
     lines.iter().map(line).fold("| column | meaning |\n|---|---|\n".to_owned(), |page, line| page + &line)
 }
 
@@ -177,6 +180,21 @@ impl Cell for PlasticStrain {
     fn take(fields: &mut Fields) -> Result<Self, OutputError> {
         let [xx, yy, zz, xy] = Cell::take(fields)?;
         Ok(Self { xx, yy, zz, xy })
+    }
+}
+
+/// As many fields as there are wheels.
+impl Cell for WheelShares {
+    fn put(&self, rows: &mut Rows, columns: &[&'static str]) {
+        for (value, column) in self.values().iter().zip(columns) {
+            rows.real(column, *value);
+        }
+    }
+
+    fn take(fields: &mut Fields) -> Result<Self, OutputError> {
+        let values: Result<Vec<Option<f64>>, OutputError> =
+            (0..MOST_WHEELS).map(|_| Cell::take(fields)).collect();
+        Ok(Self::from_values(&values?.into_iter().flatten().collect::<Vec<f64>>()))
     }
 }
 

@@ -1,9 +1,9 @@
 //! A run before its first step: its case, and what it starts from.
 
 use super::observer::RunObserver;
-use crate::{CaseFiles, Presentation, RunInfo, validity};
+use crate::{CaseFiles, MixInfo, Presentation, RunInfo, validity};
 use railcrack::growth::GrowthState;
-use railcrack_case::{Case, SharedRail};
+use railcrack_case::{Case, MixedWheel, SharedRail};
 use std::path::Path;
 
 /// The start of a run.
@@ -44,10 +44,18 @@ impl Job {
                 bends: case.wheel.load.track.is_some(),
                 toughness: case.fracture.as_ref().map(|fracture| fracture.at_rail),
                 axle_load: case.axle_load,
+                mix: case.mix.iter().map(of_wheel).collect(),
+                inspection: case.inspection,
+                scatter: case.scatter,
+                critical_length: case.growth.critical_length,
                 warnings: validity::of_case(case),
             },
         }
     }
+}
+
+fn of_wheel(wheel: &MixedWheel) -> MixInfo {
+    MixInfo { name: wheel.name.clone(), share: wheel.share, half_width: wheel.wheel.half_width() }
 }
 
 /// `case.toml` and the files that it names.

@@ -24,11 +24,19 @@ pub use wheel_under::wheel_under;
 pub use wheels::{PlacedWheel, Wheels, WheelsError};
 
 use crate::math::{Stress, Vec2};
+use std::sync::Arc;
 
 /// A stress field of the uncracked rail that does not depend on the wheel; fields add.
-pub trait StressField: Sync {
+pub trait StressField: Send + Sync {
     /// The stress (MPa) at `point` (mm).
     fn stress(&self, point: Vec2) -> Stress;
+}
+
+/// A field that several loads share.
+impl<T: StressField + ?Sized> StressField for Arc<T> {
+    fn stress(&self, point: Vec2) -> Stress {
+        self.as_ref().stress(point)
+    }
 }
 
 /// The sum of fields.

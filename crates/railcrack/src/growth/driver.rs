@@ -1,62 +1,22 @@
 //! Growth as an iterator of steps that can be stored and resumed.
 
 use super::face_load::FaceLoad;
-use super::passage::passages_under;
+use super::mix::{MixedTip, MixedWheel, histories_of, turned_by as turned_by_wheel};
+use super::solvers::Solvers;
 use super::{
-    FieldRecord, FieldSettings, GrowthSettings, GrowthState, Observer, PassageError, PassageSettings,
+    FieldRecord, FieldSettings, GrowthError, GrowthSettings, GrowthState, Observer, PassageSettings,
     PhaseTimes, RailLoad, StabilisedPassage, StepRecord, StepState, TipDrive, TipRecord, Warning,
     WarningKind, advance, fields,
 };
 use crate::body::{BodyEngine, BodyError, CrackedBody};
-use crate::contact::{ContactSolver, CrackFrictionError, FaceProblem, Latin, Newton};
-use crate::crack::{CrackNetwork, CrackTip, NetworkError};
-use crate::fatigue::{HourlierPineau, Kink, LargestK1, RUNAWAY, SifRanges};
+use crate::contact::{ContactSolver, FaceProblem, Latin, Newton};
+use crate::crack::{CrackNetwork, CrackTip};
+use crate::fatigue::{HourlierPineau, Kink};
 use crate::field::{EndField, EndsError, RailEnds, StressField, Wheel};
-use crate::math::{OutOfRange, RailBox};
+use crate::fracture::SifHistory;
+use crate::math::RailBox;
 use std::sync::Arc;
 use std::time::Instant;
-
-/// Why a step could not be computed.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum GrowthError {
-    /// Settings under which nothing can be computed.
-    #[error(transparent)]
-    Settings(#[from] OutOfRange),
-    /// Crack-face friction that does not fit the cracks.
-    #[error(transparent)]
-    Friction(#[from] CrackFrictionError),
-    /// The observer interrupted the step; the state before it is intact.
-    #[error("interrupted at step {step}")]
-    Interrupted {
-        /// The step that was given up.
-        step: usize,
-    },
-    /// The engine cannot represent the cracks.
-    #[error("step {step}: {source}")]
-    Body {
-        /// The step.
-        step: usize,
-        /// The error of the engine.
-        source: BodyError,
-    },
-    /// Contact did not converge.
-    #[error("step {step}: {source}")]
-    Passage {
-        /// The step.
-        step: usize,
-        /// Where and how.
-        source: PassageError,
-    },
-    /// The cracks have run into each other.
-    #[error("step {step}: {source}")]
-    Network {
-        /// The step.
-        step: usize,
-        /// Which of them.
-        source: NetworkError,
-    },
-}
 
 /// Everything that does not change in a run.
 pub struct GrowthProblem {
@@ -68,11 +28,16 @@ pub struct GrowthProblem {
     pub fallback: Box<dyn ContactSolver>,
     /// μ_c of each crack.
     pub crack_friction: Vec<f64>,
-    /// The wheel.
+    /// The wheel; the first one of a mix.
     pub wheel: Box<dyn Wheel>,
-    /// Balanced residual stress.
+    /// Its share of the axles: 1 without a mix.
+    pub share: f64,
+    /// The other wheels of a mix. Shares of all wheels add up to 1; faces and fields that are
+    /// recorded are those of the first wheel.
+    pub others: Vec<MixedWheel>,
+    /// Balanced residual stress, under the first wheel.
     pub residual: Option<Box<dyn StressField>>,
-    /// The passages.
+    /// The passages of the first wheel.
     pub passages: PassageSettings,
     /// Fields to record; none where there are none to.
     pub fields: Option<FieldSettings>,
@@ -96,6 +61,8 @@ impl GrowthProblem {
             fallback: Box::new(Latin::default()),
             crack_friction,
             wheel: Box::new(wheel),
+            share: 1.0,
+            others: Vec::new(),
             residual: None,
             passages: PassageSettings::default(),
             fields: None,
@@ -110,8 +77,8 @@ impl GrowthProblem {
 pub struct Growth {
     problem: GrowthProblem,
     state: GrowthState,
-    /// The ends of the rail of the last step, and what they add under the wheel.
-    ends: Option<(Arc<dyn RailEnds>, Arc<dyn EndField>)>,
+    /// The ends of the rail of the last step, and what they add under each wheel.
+    ends: Option<(Arc<dyn RailEnds>, Vec<Arc<dyn EndField>>)>,
 }
 
 /// K_I at a closed tip, below zero by this share of the largest |K|, that is worth a warning. At
@@ -142,7 +109,7 @@ impl Growth {
         if self.state.ended.is_some() {
             return Ok(None);
         }
-        self.problem.passages.check()?;
+        self.loads().iter().try_for_each(|(_, settings)| settings.check())?;
         self.problem.growth.check()?;
         let step = self.state.step;
         let started = Instant::now();
@@ -157,11 +124,25 @@ impl Growth {
         let started = Instant::now();
         let remark = |text: &String| Warning { step, kind: WarningKind::Engine, text: text.clone() };
         let mut warnings: Vec<Warning> = body.remarks.iter().map(remark).collect();
-        let ends = self.ends_under_wheel(&body)?;
+        let ends = self.ends_under_wheels(&body)?;
         let faces = FaceProblem::new(&body, &self.problem.crack_friction)?;
-        let face_load = FaceLoad::new(&faces, self.load(), ends.as_deref())
-            .map_err(|source| self.off_the_rail(source))?;
-        let passage = self.stabilise(&face_load, observer, &mut warnings)?;
+        let loads = self.loads();
+        let load_on = |wheel: usize| {
+            let end = ends.get(wheel).map(Arc::as_ref);
+            FaceLoad::new(&faces, loads[wheel].0, end).map_err(|source| self.off_the_rail(source))
+        };
+        let face_load = load_on(0)?;
+        let others: Vec<FaceLoad> = (1..loads.len()).map(load_on).collect::<Result<_, _>>()?;
+        let solvers =
+            Solvers { first: self.problem.solver.as_ref(), second: self.problem.fallback.as_ref(), step };
+        let (passage, beside) = if others.is_empty() {
+            (solvers.stabilise(&face_load, loads[0], observer, &mut warnings)?, Vec::new())
+        } else {
+            let all: Vec<&FaceLoad> = std::iter::once(&face_load).chain(&others).collect();
+            let mut passages = solvers.side_by_side(&all, &loads, observer, &mut warnings)?.into_iter();
+            let first = passages.next().ok_or(GrowthError::Interrupted { step })?;
+            (first, passages.collect())
+        };
         let contact_s = started.elapsed().as_secs_f64();
 
         let started = Instant::now();
@@ -169,12 +150,17 @@ impl Growth {
         let body_s = body_s + started.elapsed().as_secs_f64();
 
         let started = Instant::now();
-        let mut tips = self.tip_records(&network, &passage);
+        let all: Vec<&StabilisedPassage> = std::iter::once(&passage).chain(&beside).collect();
+        let mut tips = self.tip_records(&network, &all);
         for tip in &tips {
             warnings.extend(self.near_tie(tip));
         }
-        warnings.extend(self.unrepeated(&passage));
-        warnings.extend(self.overlap(&tips, &passage));
+        for (wheel, passage) in all.iter().enumerate() {
+            let of_wheel = |warning: Warning| self.of_wheel(wheel, warning);
+            warnings.extend(self.unrepeated(passage).map(of_wheel));
+            warnings.extend(self.overlap(&tips, passage).map(of_wheel));
+        }
+        let counts = beside.iter().fold(passage.counts, |sum, other| sum.and(other.counts));
         let drives: Vec<TipDrive> = tips.iter().map(|tip| self.drive(tip)).collect();
         let slowest = self.problem.growth.arrest_rate;
         let passed = self.state.interval.map_or(0.0, |interval| interval.cycles_until(&drives, slowest));
@@ -201,11 +187,12 @@ impl Growth {
             cracks: self.state.cracks.clone(),
             junctions: self.state.junctions.clone(),
             passages: passage.passages,
+            beside: beside.into_iter().map(|passage| passage.passages).collect(),
             faces: passage.faces,
             fields,
             load_cycles,
             dofs: body.dofs,
-            counts: passage.counts,
+            counts,
             times: PhaseTimes {
                 body_s,
                 parts: body.times,
@@ -231,19 +218,20 @@ impl Growth {
         Ok(Some(record))
     }
 
-    /// The field that the ends of the rail add under the wheel: kept for as long as the engine
-    /// keeps the rail.
-    fn ends_under_wheel(&mut self, body: &CrackedBody) -> Result<Option<Arc<dyn EndField>>, GrowthError> {
-        let Some(rail) = &body.ends else { return Ok(None) };
-        if let Some((known, field)) = &self.ends
+    /// The fields that the ends of the rail add under each wheel, none for a half-plane: kept for
+    /// as long as the engine keeps the rail.
+    fn ends_under_wheels(&mut self, body: &CrackedBody) -> Result<Vec<Arc<dyn EndField>>, GrowthError> {
+        let Some(rail) = &body.ends else { return Ok(Vec::new()) };
+        if let Some((known, fields)) = &self.ends
             && std::ptr::addr_eq(Arc::as_ptr(known), Arc::as_ptr(rail))
         {
-            return Ok(Some(Arc::clone(field)));
+            return Ok(fields.clone());
         }
-        let field = self.load().at_ends(rail, &self.problem.passages);
-        let field = field.map_err(|source| self.off_the_rail(source))?;
-        self.ends = Some((Arc::clone(rail), Arc::clone(&field)));
-        Ok(Some(field))
+        let fields: Result<Vec<_>, EndsError> =
+            self.loads().into_iter().map(|(load, settings)| load.at_ends(rail, settings)).collect();
+        let fields = fields.map_err(|source| self.off_the_rail(source))?;
+        self.ends = Some((Arc::clone(rail), fields.clone()));
+        Ok(fields)
     }
 
     fn off_the_rail(&self, source: EndsError) -> GrowthError {
@@ -252,6 +240,20 @@ impl Growth {
 
     fn load(&self) -> RailLoad<'_> {
         RailLoad { wheel: self.problem.wheel.as_ref(), residual: self.problem.residual.as_deref() }
+    }
+
+    /// The load and the passages of every wheel.
+    fn loads(&self) -> Vec<(RailLoad<'_>, &PassageSettings)> {
+        let others = self.problem.others.iter().map(|other| (other.load(), &other.passages));
+        std::iter::once((self.load(), &self.problem.passages)).chain(others).collect()
+    }
+
+    /// A warning that says which wheel of a mix it is about.
+    fn of_wheel(&self, wheel: usize, warning: Warning) -> Warning {
+        if self.problem.others.is_empty() {
+            return warning;
+        }
+        Warning { text: format!("wheel {}, {}", wheel + 1, warning.text), ..warning }
     }
 
     /// The fields of this step, where they are wanted.
@@ -267,45 +269,25 @@ impl Growth {
             .map_err(|source| GrowthError::Body { step, source })
     }
 
-    /// The passages, by the solver or, where it fails, by the other one.
-    fn stabilise(
-        &self,
-        face_load: &FaceLoad,
-        observer: &dyn Observer,
-        warnings: &mut Vec<Warning>,
-    ) -> Result<StabilisedPassage, GrowthError> {
-        let step = self.state.step;
-        let (load, settings) = (self.load(), &self.problem.passages);
-        let by = |solver: &dyn ContactSolver| passages_under(face_load, load, solver, settings, observer);
-        let first = by(self.problem.solver.as_ref());
-        let result = match first {
-            Err(PassageError::NotConverged { .. }) => {
-                let second = by(self.problem.fallback.as_ref());
-                if let (Err(failure), Ok(_)) = (&first, &second) {
-                    let text = format!("the other contact solver did this step, since: {failure}");
-                    warnings.push(Warning { step, kind: WarningKind::ContactFallback, text });
-                }
-                if matches!(second, Err(PassageError::NotConverged { .. })) { first } else { second }
-            }
-            other => other,
-        };
-        result.map_err(|source| match source {
-            PassageError::Interrupted => GrowthError::Interrupted { step },
-            source => GrowthError::Passage { step, source },
-        })
-    }
-
-    /// The state and the demand of every tip, without increments.
-    fn tip_records(&self, network: &CrackNetwork, passage: &StabilisedPassage) -> Vec<TipRecord> {
-        let law = &self.problem.growth.law;
-        let direction = HourlierPineau { law: law.clone(), criterion: self.problem.growth.criterion };
-        let tips = network.tips().into_iter().zip(&passage.histories);
-        tips.map(|(tip, history)| {
+    /// The state and the demand of every tip under all wheels, without increments.
+    fn tip_records(&self, network: &CrackNetwork, passages: &[&StabilisedPassage]) -> Vec<TipRecord> {
+        let growth = &self.problem.growth;
+        let direction = HourlierPineau { law: growth.law.clone(), criterion: growth.criterion };
+        let histories: Vec<&[SifHistory]> = passages.iter().map(|passage| &passage.histories[..]).collect();
+        let others = || self.problem.others.iter();
+        let shares: Vec<f64> = std::iter::once(self.problem.share).chain(others().map(|w| w.share)).collect();
+        let toughness: Vec<Option<f64>> =
+            std::iter::once(growth.toughness).chain(others().map(|wheel| wheel.toughness)).collect();
+        let tips = network.tips().into_iter().enumerate();
+        tips.map(|(i, tip)| {
             let crack = &network.cracks()[tip.crack];
-            let ranges = SifRanges::of(history);
-            let kink = direction.kink(history);
+            let wheels = histories_of(i, &shares, &histories);
+            let under = MixedTip::of(&direction, &wheels, &toughness);
+            let kink = direction.kink_of_mix(&wheels);
             let secondary = kink.as_ref().and_then(|kink: &Kink| kink.secondary);
+            let turned_by = kink.filter(|_| wheels.len() > 1);
             let at = crack.tip(tip.end);
+            let ranges = under.ranges;
             TipRecord {
                 tip,
                 x: at.x,
@@ -315,14 +297,17 @@ impl Growth {
                 ki_max: ranges.ki_max,
                 delta_ki: ranges.delta_ki,
                 delta_kii: ranges.delta_kii,
-                delta_keq: law.equivalent_range(ranges.delta_ki, ranges.delta_kii),
-                largest_k1: LargestK1::of(history),
+                delta_keq: growth.law.equivalent_range(ranges.delta_ki, ranges.delta_kii),
+                largest_k1: under.largest_k1,
                 kink: kink.map(|kink| kink.angle),
                 secondary: secondary.map(|secondary| secondary.angle),
                 secondary_ratio: secondary.map(|secondary| secondary.ratio),
                 increment: 0.0,
-                rate: law.rate(ranges.load()).min(RUNAWAY),
+                rate: under.rate,
                 stop: None,
+                shares: under.shares,
+                turned_by: turned_by.and_then(|kink| turned_by_wheel(&direction, &wheels, kink.angle)),
+                opened_by: under.opened_by,
             }
         })
         .collect()
@@ -331,7 +316,10 @@ impl Growth {
     fn drive(&self, tip: &TipRecord) -> TipDrive {
         let CrackTip { crack, tip: index, .. } = tip.tip;
         let (deferred, stopped) = (self.state.deferred[crack][index], self.state.stopped[crack][index]);
-        let largest_k1 = tip.largest_k1.map_or(0.0, |largest| largest.k1);
+        // In the measure of the first wheel's toughness, with which it is compared.
+        let own = tip.opened_by.checked_sub(1).and_then(|i| self.problem.others.get(i)?.toughness);
+        let scale = self.problem.growth.toughness.zip(own).map_or(1.0, |(first, own)| first / own);
+        let largest_k1 = tip.largest_k1.map_or(0.0, |largest| scale * largest.k1);
         TipDrive { tip: tip.tip, kink: tip.kink, rate: tip.rate, largest_k1, deferred, stopped }
     }
 

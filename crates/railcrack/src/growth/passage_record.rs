@@ -39,3 +39,17 @@ pub struct SolverCounts {
     /// Largest violation of the contact conditions, relative to the largest traction and jump.
     pub complementarity_max: f64,
 }
+
+impl SolverCounts {
+    /// This and the effort for another wheel on the same body.
+    pub(super) fn and(self, other: Self) -> Self {
+        Self {
+            passages: self.passages.max(other.passages),
+            substeps: self.substeps + other.substeps,
+            solves: self.solves + other.solves,
+            iterations: self.iterations + other.iterations,
+            iterations_max: self.iterations_max.max(other.iterations_max),
+            complementarity_max: self.complementarity_max.max(other.complementarity_max),
+        }
+    }
+}

@@ -2,6 +2,7 @@
 
 use super::{
     DeferredGrowth, FaceRecord, FieldRecord, PassageRecord, Piece, RunStop, SolverCounts, TipStop, Warning,
+    WheelShares,
 };
 use crate::body::BodyTimes;
 use crate::crack::{Crack, CrackTip, Junction};
@@ -21,7 +22,8 @@ pub struct TipRecord {
     pub length: f64,
     /// Its growth that is not in the crack yet.
     pub deferred: DeferredGrowth,
-    /// Largest K_I of the stabilised passage, MPa √mm.
+    /// Largest K_I of the stabilised passage, MPa √mm; in a mix, of all wheels. The ranges of a
+    /// mix are those of the wheel that does most of the growth.
     pub ki_max: f64,
     /// Range of K_I (clipped at zero), MPa √mm.
     pub delta_ki: f64,
@@ -44,6 +46,12 @@ pub struct TipRecord {
     pub rate: f64,
     /// Why this tip does not grow, if it does not.
     pub stop: Option<TipStop>,
+    /// Shares of the wheels of a mix in its rate.
+    pub shares: WheelShares,
+    /// The wheel of a mix (from 0) without which it would grow in the most different direction.
+    pub turned_by: Option<usize>,
+    /// The wheel (from 0) of its largest k1.
+    pub opened_by: usize,
 }
 
 /// Wall time of the phases of one step, seconds.
@@ -71,8 +79,10 @@ pub struct StepRecord {
     pub junctions: Vec<Junction>,
     /// All tips, in order of crack and tip; ends that have joined a crack are none.
     pub tips: Vec<TipRecord>,
-    /// All passages; the last one is the stabilised one.
+    /// All passages, in a mix of the first wheel; the last one is the stabilised one.
     pub passages: Vec<PassageRecord>,
+    /// All passages of each other wheel of a mix, the stabilised one last.
+    pub beside: Vec<Vec<PassageRecord>>,
     /// The faces during the stabilised passage.
     pub faces: FaceRecord,
     /// The fields around the cracks, where they are wanted and the engine has them.

@@ -553,4 +553,9 @@ pub const REQUIREMENTS: &[Requirement] = &[
         "",
         "Space: the middle of a wide crack at 15° has very roughly the K_II history of the 2D engine.",
     ),
+    requirement(
+        "cycles::of_second_order_along_a_straight_path",
+        "",
+        "Load cycles of a straight crack converge to second order in the increment.",
+    ),
 ];

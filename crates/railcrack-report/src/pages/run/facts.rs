@@ -189,7 +189,8 @@ pub(super) fn lengths(run: &RunFolder) -> Option<Table> {
         headings.push(if tips.len() == 1 {
             "Load cycles".to_owned()
         } else {
-            format!("Crack {crack} (load cycles)")
+            let tonnes = if load.is_some() { "; million gross tonnes" } else { "" };
+            format!("Crack {crack} (load cycles{tonnes})")
         });
     }
     if load.is_some() && tips.len() == 1 {
@@ -205,7 +206,11 @@ pub(super) fn lengths(run: &RunFolder) -> Option<Table> {
     for length in milestones {
         let cycles: Vec<Option<f64>> = histories.iter().map(|rows| cycles_to(rows, length)).collect();
         let mut cells = vec![fixed(length, 2)];
-        cells.extend(cycles.iter().map(|cycles| cycles.map_or_else(|| MISSING.to_owned(), grouped)));
+        let shown = |cycles: f64| match load {
+            Some(load) if tips.len() > 1 => format!("{}; {}", grouped(cycles), tonnage(1e-6 * load * cycles)),
+            _ => grouped(cycles),
+        };
+        cells.extend(cycles.iter().map(|cycles| cycles.map_or_else(|| MISSING.to_owned(), shown)));
         if let (Some(load), [cycles]) = (load, &cycles[..]) {
             cells.push(cycles.map_or_else(|| MISSING.to_owned(), |cycles| tonnage(cycles * load / 1e6)));
         }

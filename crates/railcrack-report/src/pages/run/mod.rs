@@ -2,6 +2,7 @@
 
 mod assumptions;
 mod data;
+mod decision;
 mod events;
 mod facts;
 mod far;
@@ -16,6 +17,7 @@ use crate::page::{Block, Page, Section};
 use crate::shown::{ShownFields, ShownRun};
 use crate::table::Table;
 use railcrack_run::csv::TipRow;
+use railcrack_run::decision::Quantiles;
 use railcrack_run::files::CASE_FILE;
 use serde_json::Value;
 
@@ -44,6 +46,8 @@ pub(crate) fn run_page(run: &RunFolder, shown: &ShownRun, plots: &[Plot]) -> Pag
     if !warnings.is_empty() {
         page.lead.push(Block::Warnings(warnings));
     }
+    page.lead.extend(depth_by_tonnage(run).map(|chart| Block::charts([chart])));
+    page.lead.extend(decision::decision(run));
     if let Some(table) = facts::lengths(run) {
         let chart = Block::charts(chart(plots, "length-cycles"));
         // A table of many cracks takes the whole width.
@@ -110,20 +114,12 @@ fn growth(run: &RunFolder, remarks: Vec<String>) -> Section {
             curves: curves(run, point),
             ..Chart::default()
         };
-        blocks.push(Block::charts([
-            chart(
-                "rate-length",
-                "Growth rate against crack length.",
-                ChartAxis::linear("Crack length", "mm"),
-                |row| [row.length, row.rate],
-            ),
-            chart(
-                "rate-delta-k",
-                "Growth rate against the equivalent range at the actual tip: the growth law.",
-                ChartAxis::logarithmic("ΔK_{eq}", "MPa√m"),
-                |row| [row.delta_keq, row.rate],
-            ),
-        ]));
+        blocks.push(Block::charts([chart(
+            "rate-length",
+            "Growth rate against crack length.",
+            ChartAxis::linear("Crack length", "mm"),
+            |row| [row.length, row.rate],
+        )]));
     }
     if !remarks.is_empty() {
         blocks.push(Block::List(remarks));
@@ -131,8 +127,38 @@ fn growth(run: &RunFolder, remarks: Vec<String>) -> Section {
     Section { id: "growth".to_owned(), heading: "Growth".to_owned(), blocks }
 }
 
+/// Quantiles of the depth over traffic, where there is scatter.
+fn quantiles(run: &RunFolder) -> Vec<Curve> {
+    let decision = run.summary.decision.as_ref();
+    let Some(scatter) = decision.and_then(|decision| decision.scatter.as_ref()) else { return Vec::new() };
+    let of = |name: &str, quantile: fn(&Quantiles) -> Option<f64>| {
+        let points = scatter.depth.iter().filter_map(|at| Some([at.mgt, quantile(&at.depth_mm)?]));
+        Curve::line(name, points.collect())
+    };
+    vec![
+        of("5 % of the samples are shallower", |depth| depth.p05),
+        of("5 % of the samples are deeper", |depth| depth.p95),
+    ]
+}
+
+/// Depth of the tips against million gross tonnes; none without growth or without axle loads.
+fn depth_by_tonnage(run: &RunFolder) -> Option<Chart> {
+    let load = run.case.axle_load.filter(|_| run.summary.steps_recorded > 1)?;
+    Some(Chart {
+        id: "depth-mgt".to_owned(),
+        caption: format!("Depth of the tip below the running surface against traffic of {load} t per axle."),
+        x: ChartAxis::linear("Traffic", "million gross tonnes"),
+        y: ChartAxis::linear("Depth", "mm"),
+        curves: curves(run, |row| [1e-6 * load * row.load_cycles, -row.place[1]])
+            .into_iter()
+            .chain(quantiles(run))
+            .collect(),
+        ..Chart::default()
+    })
+}
+
 /// A curve for each tip; a single one has no name, it needs no legend.
-fn curves(run: &RunFolder, point: fn(&TipRow) -> [f64; 2]) -> Vec<Curve> {
+fn curves(run: &RunFolder, point: impl Fn(&TipRow) -> [f64; 2]) -> Vec<Curve> {
     let tips = run.tips();
     let has_two = tips.iter().any(|&(_, tip)| tip > 1);
     let curve = |(place, &(crack, tip)): (usize, &(usize, usize))| {
@@ -141,7 +167,7 @@ fn curves(run: &RunFolder, point: fn(&TipRow) -> [f64; 2]) -> Vec<Curve> {
             (_, false) => format!("crack {crack}"),
             (_, true) => format!("crack {crack}, tip {tip}"),
         };
-        Curve::line(&name, run.history(crack, tip).map(point).collect())
+        Curve::line(&name, run.history(crack, tip).map(&point).collect())
             .with_dots(CurveDots::All)
             .with_colour(CurveColour::of(place, tips.len()))
     };

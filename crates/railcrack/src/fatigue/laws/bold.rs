@@ -1,6 +1,6 @@
 //! The law of Bold, Brown and Allen.
 
-use super::Law;
+use super::law::Law;
 
 /// da/dN = C (ΔK_eq^3.74 − 4^3.74) with ΔK_eq² = ΔK_I² + [(614/507) ΔK_II^3.21]^(2/3.74), measured
 /// on rail steel under sequences of mode I and mode II.

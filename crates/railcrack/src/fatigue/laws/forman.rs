@@ -1,6 +1,6 @@
 //! Forman's law.
 
-use super::{Law, above};
+use super::law::{Law, above};
 
 /// da/dN = C ΔK^m/((1−R) K_c − ΔK) above a threshold of ΔK: the crack runs away as K_max = ΔK/(1−R)
 /// reaches K_c.

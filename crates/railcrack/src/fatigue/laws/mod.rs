@@ -2,132 +2,20 @@
 
 mod bold;
 mod forman;
+mod law;
 mod nasgro;
 mod paris;
 mod paris_threshold;
+mod rate_law;
 mod table;
 mod walker;
 
 pub use bold::Bold;
 pub use forman::Forman;
+pub use law::RUNAWAY;
 pub use nasgro::Nasgro;
 pub use paris::Paris;
 pub use paris_threshold::ParisThreshold;
+pub use rate_law::RateLaw;
 pub use table::{RateTable, RateTableError};
 pub use walker::Walker;
-
-/// A rate (mm per cycle) that stands for a crack that runs away: a metre per cycle.
-pub const RUNAWAY: f64 = 1e3;
-
-/// A law of the growth rate under ranges of K in MPa√m.
-pub(super) trait Law {
-    /// da/dN, mm per cycle, under the equivalent range `delta` (MPa√m) with the ratio `ratio` of
-    /// the smallest to the largest K; zero where nothing grows, infinite where the crack runs away.
-    fn rate(&self, delta: f64, ratio: f64) -> f64;
-
-    /// A quantity that grows with the rate and is not flattened by a threshold, so that a direction
-    /// can be found below it.
-    fn drive(&self, delta: f64, _ratio: f64) -> f64 {
-        delta
-    }
-
-    /// The exponent of the rate in [`Law::drive`], far from a threshold.
-    fn exponent(&self) -> f64;
-
-    /// The law with its constants, `dK` for the equivalent range: `da/dN = …`, mm per cycle and
-    /// MPa√m.
-    fn formula(&self) -> String;
-}
-
-/// A threshold as a condition.
-fn above(threshold: f64) -> String {
-    if threshold > 0.0 { format!(" above dK = {threshold}") } else { String::new() }
-}
-
-/// Declares [`RateLaw`]: a row for each law.
-macro_rules! laws {
-    ($($(#[doc = $doc:literal])+ $law:ident($of:ty) = $name:literal;)+) => {
-        /// A law of the growth rate.
-        #[derive(Debug, Clone, PartialEq)]
-        pub enum RateLaw {
-            $($(#[doc = $doc])+ $law($of),)+
-        }
-
-        impl RateLaw {
-            /// The name in case files.
-            #[must_use]
-            pub fn name(&self) -> &'static str {
-                match self {
-                    $(Self::$law(_) => $name,)+
-                }
-            }
-
-            fn law(&self) -> &dyn Law {
-                match self {
-                    $(Self::$law(law) => law,)+
-                }
-            }
-        }
-    };
-}
-
-laws! {
-    /// C ΔK^m above a threshold.
-    Paris(Paris) = "paris";
-    /// C (ΔK^m − ΔK_th^m).
-    ParisThreshold(ParisThreshold) = "paris-threshold";
-    /// The same with constants for rail steel in non-proportional mixed mode.
-    Bold(Bold) = "bold";
-    /// C [ΔK/(1−R)^(1−γ)]^m.
-    Walker(Walker) = "walker";
-    /// C ΔK^m/((1−R) K_c − ΔK).
-    Forman(Forman) = "forman";
-    /// Threshold, closure and toughness in one formula.
-    Nasgro(Nasgro) = "nasgro";
-    /// Measured rates.
-    Table(RateTable) = "table";
-}
-
-impl RateLaw {
-    /// da/dN (mm per cycle) under the equivalent range `delta` (MPa√m), zero or more, with the
-    /// ratio `ratio` = K_min/K_max, up to 1. Zero where nothing grows; infinite where K_max
-    /// reaches the toughness that some laws contain.
-    #[must_use]
-    pub fn rate(&self, delta: f64, ratio: f64) -> f64 {
-        if delta > 0.0 { self.law().rate(delta, ratio) } else { 0.0 }
-    }
-
-    /// A quantity that grows with the rate under `delta` (MPa√m) and `ratio`, and that no threshold
-    /// flattens: the equivalent range itself where the law knows no other.
-    pub(super) fn drive(&self, delta: f64, ratio: f64) -> f64 {
-        if delta > 0.0 { self.law().drive(delta, ratio) } else { 0.0 }
-    }
-
-    /// The ratio of the rates of two drives, far from a threshold.
-    pub(super) fn ratio(&self, drive: f64, best: f64) -> f64 {
-        let ratio = (drive / best).powf(self.law().exponent());
-        if ratio.is_finite() { ratio } else { 1.0 }
-    }
-
-    /// The law with its constants as a line of text, `dK` for the equivalent range.
-    #[must_use]
-    pub fn formula(&self) -> String {
-        format!("da/dN = {}", self.law().formula())
-    }
-
-    /// This law with all its rates times `factor`.
-    #[must_use]
-    pub fn times(&self, factor: f64) -> Self {
-        let mut law = self.clone();
-        match &mut law {
-            Self::Paris(law) => law.c *= factor,
-            Self::ParisThreshold(law) => law.c *= factor,
-            Self::Bold(law) => law.c *= factor,
-            Self::Walker(law) => law.c *= factor,
-            Self::Forman(law) => law.c *= factor,
-            Self::Nasgro(law) => law.c *= factor,
-            Self::Table(table) => *table = table.times(factor),
-        }
-        law
-    }
-}

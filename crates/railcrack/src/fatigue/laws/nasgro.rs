@@ -1,6 +1,6 @@
 //! The law of NASGRO.
 
-use super::Law;
+use super::law::Law;
 use std::f64::consts::PI;
 
 /// da/dN = C [(1−f)/(1−R) ΔK]^n (1 − ΔK_th/ΔK)^p / (1 − K_max/K_c)^q with K_max = ΔK/(1−R) and

@@ -1,6 +1,6 @@
 //! Paris' law.
 
-use super::{Law, above};
+use super::law::{Law, above};
 
 /// da/dN = C ΔK^m above a threshold, zero at or below it: the rate jumps there.
 ///

@@ -1,6 +1,6 @@
 //! Paris' law with the threshold inside.
 
-use super::Law;
+use super::law::Law;
 
 /// da/dN = C (ΔK^m − ΔK_th^m): the rate falls to zero at the threshold and does not jump there.
 ///

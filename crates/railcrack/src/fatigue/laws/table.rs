@@ -1,6 +1,6 @@
 //! Measured growth rates as a table.
 
-use super::Law;
+use super::law::Law;
 use crate::math::OutOfRange;
 use std::sync::Arc;
 use thiserror::Error;

@@ -1,6 +1,6 @@
 //! Walker's law.
 
-use super::{Law, above};
+use super::law::{Law, above};
 
 /// da/dN = C [ΔK/(1−R)^(1−γ)]^m above a threshold of ΔK: γ = 1 is Paris' law.
 ///

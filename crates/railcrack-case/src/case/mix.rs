@@ -1,0 +1,109 @@
+//! A mix of wheels: shares of the axles, and the load of each.
+
+use crate::schema::{Fault, Report, SectionValues, Sections};
+use crate::tables::{
+    AXLE_LOAD, CONTACT, GivenWheel, PASSAGE, SHARE, TEMPERATURE, TRACK, TRAFFIC, WHEEL, WHEEL_AXLE_LOAD,
+    WHEEL_CONTACT, WHEEL_NAME, WHEEL_TEMPERATURE, WHEEL_TRACK, WheelSections, read_travel,
+};
+use railcrack::growth::{MOST_WHEELS, PassageSettings};
+use railcrack::material::IsotropicElastic;
+use std::path::Path;
+
+/// A wheel of a mix.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MixedWheel {
+    /// Its name in reports.
+    pub name: String,
+    /// Share of the axles.
+    pub share: f64,
+    /// Load of one of its axles, t.
+    pub axle_load: Option<f64>,
+    /// Contact, track, temperature.
+    pub wheel: GivenWheel,
+    /// Its passages: positions are measured in its own half-width.
+    pub passages: PassageSettings,
+}
+
+/// A wheel of a mix before its passage is known.
+pub(super) struct ReadWheel {
+    pub name: String,
+    pub share: f64,
+    pub axle_load: Option<f64>,
+    pub wheel: GivenWheel,
+}
+
+/// Shares whose sum differs from 1 by less add up to 1: they were rounded to six digits.
+const SUM: f64 = 1e-6;
+
+/// The wheels of `[[wheel]]`, shares adding up to 1; none where there are none or something is
+/// wrong, which `report` then says. Track and temperature of the case are those of every wheel that
+/// has none of its own.
+pub(super) fn read_mix(
+    sections: &Sections,
+    steel: Option<&IsotropicElastic>,
+    folder: &Path,
+    report: &mut Report,
+) -> Option<Vec<ReadWheel>> {
+    let given: Vec<&SectionValues> = sections.all(&WHEEL).collect();
+    let last = given.last()?;
+    if let Some(contact) = sections.one(&CONTACT) {
+        let says = "says the same thing as `[[wheel]]`, whose wheels have contacts of their own: give one or the other";
+        report.add(contact.fault_of_all(says));
+    }
+    if given.len() > MOST_WHEELS {
+        let says = format!("is wheel {} of a mix; there can be {MOST_WHEELS}", given.len());
+        report.add(last.fault(SHARE, says));
+    }
+    let travel = sections.one(&PASSAGE).and_then(read_travel)?;
+    let traffic = sections.one(&TRAFFIC).and_then(|traffic| traffic.get(AXLE_LOAD));
+    let read = |(i, given): (usize, &&SectionValues)| {
+        let of_wheel = WheelSections {
+            contact: sections.part(given, &WHEEL_CONTACT)?,
+            track: sections.part(given, &WHEEL_TRACK).or_else(|| sections.one(&TRACK)),
+            temperature: sections.part(given, &WHEEL_TEMPERATURE).or_else(|| sections.one(&TEMPERATURE)),
+        };
+        let wheel = GivenWheel::read(of_wheel, steel?, travel, folder, report)?;
+        Some(ReadWheel {
+            name: given.get(WHEEL_NAME).unwrap_or_else(|| format!("wheel {}", i + 1)),
+            share: given.get(SHARE)?,
+            axle_load: given.get(WHEEL_AXLE_LOAD).or(traffic),
+            wheel,
+        })
+    };
+    // All of them, so that all errors are found at once.
+    let wheels: Vec<Option<ReadWheel>> = given.iter().enumerate().map(read).collect();
+    let wheels: Vec<ReadWheel> = wheels.into_iter().collect::<Option<_>>()?;
+    let sum: f64 = wheels.iter().map(|wheel| wheel.share).sum();
+    if (sum - 1.0).abs() > SUM {
+        let says = format!("the shares of all wheels add up to {sum}; they must add up to 1");
+        report.add(last.fault(SHARE, says).help("shares are fractions of the axles, not of the tonnes"));
+        return None;
+    }
+    check_axle_loads(&given, &wheels, report)?;
+    check_files(&given, &wheels, report)?;
+    Some(wheels)
+}
+
+/// Million gross tonnes need the load of every axle.
+fn check_axle_loads(given: &[&SectionValues], wheels: &[ReadWheel], report: &mut Report) -> Option<()> {
+    let without = wheels.iter().position(|wheel| wheel.axle_load.is_none());
+    let (Some(without), true) = (without, wheels.iter().any(|wheel| wheel.axle_load.is_some())) else {
+        return Some(());
+    };
+    let dotted = given[without].dotted(WHEEL_AXLE_LOAD.key.name);
+    let message =
+        format!("`{dotted}` is missing: other wheels have it, and tonnes need the load of every axle");
+    let help = "axle_load_t of every wheel or of none; [traffic] axle_load_t is that of wheels without one";
+    report.add(Fault::of(dotted, given[without].span.clone(), message).help(help));
+    None
+}
+
+/// A stored case keeps one file of a contact.
+fn check_files(given: &[&SectionValues], wheels: &[ReadWheel], report: &mut Report) -> Option<()> {
+    let texts: Vec<(usize, &str)> =
+        wheels.iter().enumerate().filter_map(|(i, wheel)| Some((i, wheel.wheel.companion()?.text))).collect();
+    let Some(&(other, _)) = texts.iter().find(|(_, text)| *text != texts[0].1) else { return Some(()) };
+    let says = "the tables of contacts in a mix must be one file, scaled where wheels differ";
+    report.add(given[other].fault_of_all(says).help("kind = \"hertz\" or \"carter\" for the others"));
+    None
+}

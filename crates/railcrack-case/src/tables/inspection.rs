@@ -1,0 +1,135 @@
+//! `[inspection]` and `[scatter]`: from growth to an interval with its uncertainty.
+
+use crate::schema::{Report, SectionValues, closed, integer, number, positive, section};
+use railcrack::fatigue::RailSteel;
+
+section! {
+    INSPECTION "inspection", Optional,
+        "Inspection: the interval is the way from detectable to critical divided by a safety factor; needs axle loads.",
+        forms [[DETECTABLE_DEPTH], [DETECTABLE_LENGTH]];
+    DETECTABLE_DEPTH: f64 = number("detectable_depth_mm", "mm", closed(0.0, 1e3), 2.0,
+        "Depth of the tip from which a crack is found.").required();
+    DETECTABLE_LENGTH: f64 = number("detectable_length_mm", "mm", closed(0.0, 1e3), 5.0,
+        "Length from which a crack is found.").required();
+    CRITICAL_DEPTH: f64 = number("critical_depth_mm", "mm", positive(1e3), 10.0,
+        "Depth of the tip that must not be reached; critical_length_mm of [growth] and fracture count too.").optional();
+    SAFETY_FACTOR: f64 = number("safety_factor", "", closed(1.0, 100.0), 3.0,
+        "The way from detectable to critical is divided by this.");
+}
+
+section! {
+    SCATTER "scatter", Optional,
+        "Scatter of what does not change the path of the crack, sampled at the end of the run; needs axle loads.";
+    SAMPLES: usize = integer("samples", (10, 10_000_000), 100_000, "Number of samples.");
+    SEED: usize = integer("seed", (0, 4_294_967_295), 1, "Seed of the random numbers.");
+    C_LOG_STD: f64 = number("paris_c_log_std", "", closed(0.0, 5.0), 0.3,
+        "Standard deviation of ln C of the growth law, whichever it is; without it, that of the steel of [growth], or 0.3.").optional();
+    M_STD: f64 = number("paris_m_std", "", closed(0.0, 5.0), 0.0,
+        "Standard deviation of the exponent, about dKeq = 10 MPa sqrt(m), where the rate keeps its scatter.");
+    TOUGHNESS_STD: f64 = number("toughness_std", "MPa sqrt(m)", closed(0.0, 100.0), 0.0,
+        "Standard deviation of the toughness of [fracture]: samples may break before the run does.");
+    DETECTABLE_DEPTH_STD: f64 = number("detectable_depth_std", "mm", closed(0.0, 100.0), 0.0,
+        "Standard deviation of the detectable depth.");
+}
+
+/// Inspection of the rail.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Inspection {
+    /// Depth (mm) from which a crack is found.
+    pub detectable_depth: Option<f64>,
+    /// Length (mm) from which a crack is found, where the depth is not given.
+    pub detectable_length: Option<f64>,
+    /// Depth (mm) that must not be reached.
+    pub critical_depth: Option<f64>,
+    /// Safety factor.
+    pub safety_factor: f64,
+}
+
+/// Detected from the beginning, without a safety factor.
+impl Default for Inspection {
+    fn default() -> Self {
+        Self { detectable_depth: None, detectable_length: None, critical_depth: None, safety_factor: 1.0 }
+    }
+}
+
+/// Scatter of what does not change the path of the crack.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Scatter {
+    /// Number of samples.
+    pub samples: usize,
+    /// Seed of the random numbers.
+    pub seed: usize,
+    /// Standard deviation of ln C.
+    pub c_log_std: f64,
+    /// Standard deviation of the exponent.
+    pub m_std: f64,
+    /// K_Ic, MPa√m, where the case gives it.
+    pub toughness: Option<f64>,
+    /// Its standard deviation, MPa√m.
+    pub toughness_std: f64,
+    /// Standard deviation of the detectable depth, mm.
+    pub detectable_depth_std: f64,
+}
+
+/// Scatter of ln C where nothing else is known.
+const USUAL_LOG_STD: f64 = 0.3;
+
+/// The inspection; `has_tonnes` says whether axle loads are given.
+pub(crate) fn read_inspection(
+    section: &SectionValues,
+    has_tonnes: bool,
+    report: &mut Report,
+) -> Option<Inspection> {
+    needs_tonnes(section, has_tonnes, report)?;
+    let read = Inspection {
+        detectable_depth: section.get(DETECTABLE_DEPTH),
+        detectable_length: section.get(DETECTABLE_LENGTH),
+        critical_depth: section.get(CRITICAL_DEPTH),
+        safety_factor: section.get(SAFETY_FACTOR)?,
+    };
+    if let (Some(detectable), Some(critical)) = (read.detectable_depth, read.critical_depth)
+        && critical <= detectable
+    {
+        let says = format!("must be more than detectable_depth_mm = {detectable}");
+        report.add(section.fault(CRITICAL_DEPTH, says));
+        return None;
+    }
+    Some(read)
+}
+
+/// The scatter; `toughness` (MPa√m) and `steel` are those of the case, `has_tonnes` says whether
+/// axle loads are given.
+pub(crate) fn read_scatter(
+    section: &SectionValues,
+    (toughness, steel): (Option<f64>, Option<&RailSteel>),
+    has_tonnes: bool,
+    report: &mut Report,
+) -> Option<Scatter> {
+    needs_tonnes(section, has_tonnes, report)?;
+    let toughness_std = section.get(TOUGHNESS_STD)?;
+    if toughness_std > 0.0 && toughness.is_none() {
+        let help = "a [fracture] section with the toughness that scatters";
+        report.add(section.fault(TOUGHNESS_STD, "no [fracture] gives a toughness").help(help));
+        return None;
+    }
+    let usual = steel.map_or(USUAL_LOG_STD, |steel| steel.c_log_std);
+    Some(Scatter {
+        samples: section.get(SAMPLES)?,
+        seed: section.get(SEED)?,
+        c_log_std: section.get(C_LOG_STD).unwrap_or(usual),
+        m_std: section.get(M_STD)?,
+        toughness,
+        toughness_std,
+        detectable_depth_std: section.get(DETECTABLE_DEPTH_STD)?,
+    })
+}
+
+/// Intervals are in million gross tonnes.
+fn needs_tonnes(section: &SectionValues, has_tonnes: bool, report: &mut Report) -> Option<()> {
+    if has_tonnes {
+        return Some(());
+    }
+    let help = "a [traffic] section with axle_load_t, or axle_load_t of every [[wheel]]";
+    report.add(section.fault_of_all("is in million gross tonnes, and no axle load is given").help(help));
+    None
+}

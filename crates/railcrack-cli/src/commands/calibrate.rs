@@ -1,0 +1,182 @@
+//! `railcrack calibrate`.
+
+use super::run::{default_folder, is_same_file, listen};
+use crate::display::Verbosity;
+use crate::exit::{Exit, Failure};
+use crate::print;
+use crate::progress::Progress;
+use clap::Args;
+use railcrack_case::Case;
+use railcrack_report::{Chart, ChartAxis, ChartSheet, Curve, CurveDots, CurveLook, Pages};
+use railcrack_run::RunFolder;
+use railcrack_run::calibration::{Calibration, Measure, Measured, calibrate as fit, read_measured};
+use railcrack_run::csv::TipRow;
+use railcrack_run::simulation::{Ending, RunEntry, Simulation};
+use std::path::{Path, PathBuf};
+
+/// Fit the coefficient of the growth law to measured depths or lengths over traffic
+///
+/// The case is computed, and each measurement gives a coefficient: cycles are in proportion to 1/C.
+/// The run folder gets calibration.csv, calibration.svg and calibrated.toml, the case with the
+/// fitted value.
+#[derive(Debug, Args)]
+pub struct CalibrateArguments {
+    /// The case file: its crack is the one from which the tonnes of the measurements count
+    #[arg(value_name = "CASE")]
+    pub case: PathBuf,
+    /// CSV with the header mgt,depth_mm or mgt,length_mm
+    #[arg(long, value_name = "FILE")]
+    pub measured: PathBuf,
+    /// The run folder [default: the case's name beside it]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Say nothing while computing
+    #[arg(long)]
+    pub quiet: bool,
+    /// Replace the run in the folder
+    #[arg(long)]
+    pub force: bool,
+}
+
+/// Keys of the coefficient of each law.
+const COEFFICIENTS: [&str; 5] = ["paris_c", "bold_c", "walker_c", "forman_c", "nasgro_c"];
+
+/// Computes the case, fits, writes the folder and prints the result.
+pub fn calibrate(arguments: &CalibrateArguments) -> Result<Exit, Failure> {
+    let case = Case::read(&arguments.case)?;
+    let Some(tonnes) = case.axle_load else {
+        let reason = "a calibration over tonnes needs axle_load_t, in [traffic] or of every [[wheel]]";
+        return Err(Failure::Calibration { reason: format!("{}: {reason}", arguments.case.display()) });
+    };
+    let (key, coefficient) = coefficient(&case.to_toml()).ok_or_else(|| Failure::Calibration {
+        reason: "[growth]: a steel or a table has no coefficient to fit; give law and constants".to_owned(),
+    })?;
+    let file = arguments.measured.display().to_string();
+    let text = std::fs::read_to_string(&arguments.measured)
+        .map_err(|reason| Failure::Calibration { reason: format!("{file}: cannot be read: {reason}") })?;
+    let refuse = |error: railcrack_run::calibration::CalibrationError| Failure::Calibration {
+        reason: error.to_string(),
+    };
+    let (measure, measured) = read_measured(&file, &text).map_err(refuse)?;
+    let folder = arguments.out.clone().unwrap_or_else(|| default_folder(&arguments.case));
+    if is_same_file(&arguments.case, &folder.join("case.toml")) {
+        return Err(Failure::CaseInRunFolder { path: arguments.case.clone() });
+    }
+    let interruption = listen()?;
+    let verbosity = if arguments.quiet { Verbosity::Quiet } else { Verbosity::Progress };
+    let progress = Progress::new(verbosity, case.growth.steps, &interruption);
+    let entry = if arguments.force { RunEntry::Replace } else { RunEntry::Begin };
+    let finished =
+        Simulation::new(&case).observed_by(&progress).presented_by(&Pages).run_in(&folder, entry)?;
+    if finished.ending == Ending::Interrupted {
+        return Ok(Exit::Interrupted);
+    }
+    let rows = deepest(&RunFolder::open(&folder).and_then(|run| run.growth()).map_err(from_output)?);
+    let calibration = fit(&rows, tonnes, measure, &measured).map_err(refuse)?;
+    let fitted = coefficient * calibration.factor;
+    write(&folder, "calibration.csv", &table(&calibration, measure, coefficient))?;
+    write(
+        &folder,
+        "calibration.svg",
+        &plot(&case.title, &rows, tonnes, measure, (&measured, calibration.factor)),
+    )?;
+    let old = format!("{key} = {coefficient:?}");
+    write(
+        &folder,
+        "calibrated.toml",
+        &case.to_toml().replacen(&old, &format!("{key} = {fitted:?}"), 1),
+    )?;
+    print::stdout(&told(&calibration, key, coefficient, measured.len()))?;
+    print::stdout(&format!("results in {}\n", folder.display()))?;
+    Ok(Exit::Done)
+}
+
+fn from_output(error: railcrack_run::OutputError) -> Failure {
+    Failure::Run(error.into())
+}
+
+/// The coefficient that a stored case has, with its key.
+fn coefficient(toml: &str) -> Option<(&'static str, f64)> {
+    let of = |key: &'static str| {
+        let value = toml.lines().find_map(|line| line.strip_prefix(key)?.strip_prefix(" = "))?;
+        Some((key, value.parse().ok()?))
+    };
+    COEFFICIENTS.into_iter().find_map(of)
+}
+
+/// The rows of the tip that is deepest in the last step.
+fn deepest(growth: &[TipRow]) -> Vec<TipRow> {
+    let last = growth.last().map_or(0, |row| row.step);
+    let tips = growth.iter().filter(|row| row.step == last);
+    let Some(deepest) = tips.reduce(|a, b| if b.place[1] < a.place[1] { b } else { a }) else {
+        return Vec::new();
+    };
+    growth.iter().filter(|row| (row.crack, row.tip) == (deepest.crack, deepest.tip)).copied().collect()
+}
+
+fn table(calibration: &Calibration, measure: Measure, coefficient: f64) -> String {
+    let name = match measure {
+        Measure::Depth => "depth_mm",
+        Measure::Length => "length_mm",
+    };
+    let mut text = format!("mgt,{name},computed_mgt,coefficient\n");
+    for used in &calibration.used {
+        text.push_str(&format!(
+            "{},{},{},{}\n",
+            used.measured.mgt,
+            used.measured.size,
+            used.computed_mgt,
+            used.ratio * coefficient
+        ));
+    }
+    text
+}
+
+fn plot(
+    title: &str,
+    rows: &[TipRow],
+    tonnes: f64,
+    measure: Measure,
+    (measured, factor): (&[Measured], f64),
+) -> String {
+    let (what, size): (&str, fn(&TipRow) -> f64) = match measure {
+        Measure::Depth => ("Depth", |row| -row.place[1]),
+        Measure::Length => ("Length", |row| row.length),
+    };
+    let curve = |name: &str, factor: f64| {
+        let points = rows.iter().map(|row| [1e-6 * tonnes * row.load_cycles / factor, size(row)]);
+        Curve::line(name, points.collect())
+    };
+    let points = measured.iter().map(|one| [one.mgt, one.size]).collect();
+    let chart = Chart {
+        id: "calibration".to_owned(),
+        caption: format!("{what} over traffic: measured, computed, and computed with the fitted coefficient."),
+        x: ChartAxis::linear("Traffic", "million gross tonnes"),
+        y: ChartAxis::linear(what, "mm"),
+        curves: vec![
+            curve("case", 1.0),
+            curve("fitted", factor),
+            Curve { look: CurveLook::Dots, ..Curve::line("measured", points) }.with_dots(CurveDots::All),
+        ],
+        ..Chart::default()
+    };
+    ChartSheet::of(title, &format!("{what} over traffic"), chart).svg()
+}
+
+fn told(calibration: &Calibration, key: &str, coefficient: f64, measured: usize) -> String {
+    let mut text = format!("{key} = {:.4e}, {:.4} times that of the case", coefficient * calibration.factor, calibration.factor);
+    if let Some((low, high)) = calibration.interval {
+        text.push_str(&format!(", 95 % from {:.4e} to {:.4e}", coefficient * low, coefficient * high));
+    }
+    text.push('\n');
+    if let Some(std) = calibration.log_std {
+        text.push_str(&format!("scatter of ln C from measurement to measurement {std:.4}\n"));
+    }
+    text.push_str(&format!("{} of {measured} measurements used\n", calibration.used.len()));
+    text
+}
+
+fn write(folder: &Path, name: &str, text: &str) -> Result<(), Failure> {
+    let path = folder.join(name);
+    std::fs::write(&path, text).map_err(|source| Failure::CannotWrite { path, source })
+}

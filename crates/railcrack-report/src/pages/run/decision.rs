@@ -1,0 +1,130 @@
+//! The decision block of a run: depth over traffic, wheels, interval, scatter.
+
+use super::stored::RunFolder;
+use crate::numbers::{fixed, grouped, significant, tonnage};
+use crate::page::Block;
+use crate::table::{MISSING, Table};
+use railcrack_run::decision::{
+    CriticalBy, Decision, InspectionSummary, Quantiles, ScatterSummary, WheelSummary,
+};
+
+/// Rows of the table of depths, about; `summary.json` has all.
+const ROWS: usize = 9;
+
+/// The first blocks of the page; none without axle loads.
+pub(super) fn decision(run: &RunFolder) -> Vec<Block> {
+    let Some(decision) = &run.summary.decision else { return Vec::new() };
+    let mut sentences = Vec::new();
+    sentences.extend(decision.inspection.as_ref().map(interval));
+    sentences.extend(decision.scatter.as_ref().and_then(scatter));
+    let mut blocks = vec![Block::Heading("Decision".to_owned())];
+    if !sentences.is_empty() {
+        blocks.push(Block::List(sentences));
+    }
+    if decision.rows.len() > 1 {
+        blocks.push(Block::Table(depths(decision)));
+    }
+    if !decision.wheels.is_empty() {
+        blocks.push(Block::Table(wheels(&decision.wheels)));
+    }
+    if blocks.len() > 1 { blocks } else { Vec::new() }
+}
+
+/// The inspection interval in a sentence.
+fn interval(inspection: &InspectionSummary) -> String {
+    let found = match (inspection.detectable_depth_mm, inspection.mgt_to_detectable) {
+        (Some(depth), Some(mgt)) => {
+            format!("The crack is found from a depth of {} mm, after {} MGT", fixed(depth, 2), tonnage(mgt))
+        }
+        (Some(depth), None) => {
+            format!("The crack does not reach the depth of {} mm from which it is found", fixed(depth, 2))
+        }
+        (None, _) => "The crack is not found within the run".to_owned(),
+    };
+    let by = |by: CriticalBy| match by {
+        CriticalBy::Depth => "the critical depth",
+        CriticalBy::Length => "the critical length",
+        CriticalBy::Fracture => "fracture",
+    };
+    let critical = match (inspection.critical_by, inspection.mgt_to_critical) {
+        (Some(what), Some(mgt)) => format!("{} is reached after {} MGT", by(what), tonnage(mgt)),
+        _ => "the run reaches nothing that is critical".to_owned(),
+    };
+    let interval = inspection.interval_mgt.map_or_else(String::new, |mgt| {
+        format!(
+            " With a safety factor of {} the inspection interval is {} MGT.",
+            inspection.safety_factor,
+            tonnage(mgt)
+        )
+    });
+    format!("{found}; {critical}.{interval}")
+}
+
+/// Scatter in a sentence; none where no sample gets to an end.
+fn scatter(scatter: &ScatterSummary) -> Option<String> {
+    let Quantiles { p05, p50, p95 } = scatter.mgt_detectable_to_critical;
+    let shown = |mgt: Option<f64>| mgt.map_or_else(|| "more than the run".to_owned(), tonnage);
+    let mut text = format!(
+        "From detectable to critical it takes {} MGT in the median of {} samples, {} at 5 % and {} at 95 %.",
+        shown(Some(p50?)),
+        grouped(scatter.samples as f64),
+        shown(p05),
+        shown(p95)
+    );
+    if let Some(probability) = scatter.probability_critical_before_inspection {
+        text.push_str(&format!(
+            " A crack that was just missed is critical before the next inspection with a probability of {}.",
+            significant(probability)
+        ));
+    }
+    Some(text)
+}
+
+fn depths(decision: &Decision) -> Table {
+    let headings = [
+        "Depth (mm)",
+        "Length (mm)",
+        "Million gross tonnes",
+        "Depth growth (mm/MGT)",
+        "Removal in balance (mm/MGT)",
+    ];
+    let mut table = Table::new(headings);
+    table.caption =
+        "Growth, and the removal by wear or grinding that takes as much from the mouth".to_owned();
+    let last = decision.rows.len() - 1;
+    let mut places: Vec<usize> = (0..ROWS).map(|i| (i * last + (ROWS - 1) / 2) / (ROWS - 1)).collect();
+    places.dedup();
+    let shown = |value: Option<f64>| value.map_or_else(|| MISSING.to_owned(), significant);
+    for row in places.into_iter().filter_map(|place| decision.rows.get(place)) {
+        table.row([
+            fixed(row.depth_mm, 2),
+            fixed(row.length_mm, 2),
+            tonnage(row.mgt),
+            shown(row.depth_mm_per_mgt),
+            shown(row.balance_mm_per_mgt),
+        ]);
+    }
+    table
+}
+
+fn wheels(wheels: &[WheelSummary]) -> Table {
+    let mut table =
+        Table::new(["Wheel", "Share of the axles (%)", "Share of the growth (%)", "Turns the crack"]);
+    table.caption = "Shares of the growth of the deepest tip, and in how many steps the crack would go \
+                     elsewhere without a wheel, most so without this one"
+        .to_owned();
+    for wheel in wheels {
+        let turns = match wheel.turns_in_steps {
+            0 => "no".to_owned(),
+            1 => "in 1 step".to_owned(),
+            steps => format!("in {steps} steps"),
+        };
+        table.row([
+            wheel.name.clone(),
+            fixed(100.0 * wheel.share_of_axles, 1),
+            fixed(100.0 * wheel.share_of_growth, 1),
+            turns,
+        ]);
+    }
+    table
+}

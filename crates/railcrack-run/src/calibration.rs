@@ -1,0 +1,219 @@
+//! Calibration of the growth law by measured depths or lengths over traffic.
+
+use crate::OutputError;
+use crate::csv::TipRow;
+use thiserror::Error;
+
+/// The measured quantity.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Measure {
+    /// Depth of the tip.
+    Depth,
+    /// Length of the crack.
+    Length,
+}
+
+/// A measured crack.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Measured {
+    /// Million gross tonnes since the crack had the size with which the case begins.
+    pub mgt: f64,
+    /// Its depth or length, mm.
+    pub size: f64,
+}
+
+/// A measured crack beside the computed one of the same size.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Compared {
+    /// The measurement.
+    pub measured: Measured,
+    /// Million gross tonnes in which the run gets to that size.
+    pub computed_mgt: f64,
+    /// The coefficient with which it would get there in the measured ones, over that of the case.
+    pub ratio: f64,
+}
+
+/// The fitted coefficient of the growth law.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Calibration {
+    /// The measurements that were used, in their order.
+    pub used: Vec<Compared>,
+    /// The median of the coefficient over that of the case.
+    pub factor: f64,
+    /// Standard deviation of ln C from measurement to measurement; none for a single one.
+    pub log_std: Option<f64>,
+    /// The factor is between these with 95 %, if the scatter is log-normal; none for a single
+    /// measurement.
+    pub interval: Option<(f64, f64)>,
+}
+
+/// Measurements that calibrate nothing.
+#[derive(Debug, Error)]
+pub enum CalibrationError {
+    /// A run folder that cannot be read.
+    #[error(transparent)]
+    Output(#[from] OutputError),
+    /// A file of measurements that is none.
+    #[error("{file}: {reason}")]
+    File {
+        /// The file.
+        file: String,
+        /// Line and reason.
+        reason: String,
+    },
+    /// No measurement within the sizes of the run.
+    #[error("no measurement is within the sizes of the run, more than {from:.3} to {to:.3} mm, at more than 0 MGT")]
+    NothingToCompare {
+        /// The smallest and the largest size of the run, mm.
+        from: f64,
+        /// See `from`.
+        to: f64,
+    },
+}
+
+/// The measurements in the text of a CSV file with the header `mgt,depth_mm` or `mgt,length_mm`.
+///
+/// Errors: another header; a row that is not two finite numbers.
+pub fn read_measured(file: &str, text: &str) -> Result<(Measure, Vec<Measured>), CalibrationError> {
+    let fault = |reason: String| CalibrationError::File { file: file.to_owned(), reason };
+    let lines = text.trim_start_matches('\u{feff}').lines().enumerate();
+    let mut lines = lines.filter(|(_, line)| !line.trim().is_empty() && !line.trim_start().starts_with('#'));
+    let header = lines.next().map(|(_, line)| line.split(',').map(str::trim).collect::<Vec<_>>());
+    let measure = match header.as_deref() {
+        Some(["mgt", "depth_mm"]) => Measure::Depth,
+        Some(["mgt", "length_mm"]) => Measure::Length,
+        _ => return Err(fault("must begin with the header mgt,depth_mm or mgt,length_mm".to_owned())),
+    };
+    let mut measured = Vec::new();
+    for (i, line) in lines {
+        let numbers: Option<Vec<f64>> =
+            line.split(',').map(|field| field.trim().parse().ok().filter(|x: &f64| x.is_finite())).collect();
+        match numbers.as_deref() {
+            Some(&[mgt, size]) => measured.push(Measured { mgt, size }),
+            _ => return Err(fault(format!("line {}: `{line}` is not two numbers, mgt and mm", i + 1))),
+        }
+    }
+    Ok((measure, measured))
+}
+
+/// Fits the coefficient of the growth law of a run to `measured` cracks; `rows` are those of its
+/// deepest tip, and axles have `tonnes` in the mean.
+///
+/// The number of cycles between two sizes is in proportion to 1/C, so that each measurement gives a
+/// C in closed form: that of the run times computed over measured tonnage. The fit is the mean of
+/// ln C, its scatter that from measurement to measurement, the interval that of Student.
+///
+/// Errors: no measurement is within the sizes of the run.
+pub fn calibrate(
+    rows: &[TipRow],
+    tonnes: f64,
+    measure: Measure,
+    measured: &[Measured],
+) -> Result<Calibration, CalibrationError> {
+    let size = |row: &TipRow| match measure {
+        Measure::Depth => row.depth.unwrap_or(-row.place[1]),
+        Measure::Length => row.length,
+    };
+    let mgt = |row: &TipRow| 1e-6 * tonnes * row.load_cycles;
+    let computed = |wanted: f64| {
+        let pair = rows.windows(2).find(|pair| size(&pair[0]) < wanted && size(&pair[1]) >= wanted)?;
+        let share = (wanted - size(&pair[0])) / (size(&pair[1]) - size(&pair[0]));
+        Some(mgt(&pair[0]) + share * (mgt(&pair[1]) - mgt(&pair[0])))
+    };
+    let compare = |measured: &Measured| {
+        let computed_mgt = computed(measured.size).filter(|mgt| *mgt > 0.0 && measured.mgt > 0.0)?;
+        Some(Compared { measured: *measured, computed_mgt, ratio: computed_mgt / measured.mgt })
+    };
+    let used: Vec<Compared> = measured.iter().filter_map(compare).collect();
+    if used.is_empty() {
+        let (from, to) = (rows.first().map_or(0.0, size), rows.last().map_or(0.0, size));
+        return Err(CalibrationError::NothingToCompare { from, to });
+    }
+    let count = used.len() as f64;
+    let mean = used.iter().map(|compared| compared.ratio.ln()).sum::<f64>() / count;
+    let squares: f64 = used.iter().map(|compared| (compared.ratio.ln() - mean).powi(2)).sum();
+    let log_std = (used.len() > 1).then(|| (squares / (count - 1.0)).sqrt());
+    let interval = log_std.map(|std| {
+        let reach = student(used.len() - 1) * std / count.sqrt();
+        ((mean - reach).exp(), (mean + reach).exp())
+    });
+    Ok(Calibration { used, factor: mean.exp(), log_std, interval })
+}
+
+/// Student's t of 97.5 % for some `degrees` of freedom: a table, between its entries from above.
+fn student(degrees: usize) -> f64 {
+    const TABLE: [(usize, f64); 14] = [
+        (1, 12.706),
+        (2, 4.303),
+        (3, 3.182),
+        (4, 2.776),
+        (5, 2.571),
+        (6, 2.447),
+        (7, 2.365),
+        (8, 2.306),
+        (9, 2.262),
+        (10, 2.228),
+        (15, 2.131),
+        (20, 2.086),
+        (30, 2.042),
+        (60, 2.000),
+    ];
+    let below = TABLE.iter().rev().find(|(n, _)| *n <= degrees);
+    if degrees > 120 { 1.98 } else { below.map_or(TABLE[0].1, |(_, t)| *t) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A tip that is 2 + MGT/10 mm deep.
+    fn rows() -> Vec<TipRow> {
+        let row = |step: usize| TipRow {
+            step,
+            crack: 1,
+            tip: 1,
+            place: [0.0, -2.0 - step as f64],
+            length: 4.0 + 2.0 * step as f64,
+            ki_max: 0.0,
+            delta_ki: 0.0,
+            delta_kii: 0.0,
+            delta_keq: 0.0,
+            kink_deg: None,
+            rival_deg: None,
+            rival_ratio: None,
+            increment: 0.0,
+            rate: 0.0,
+            load_cycles: 5e5 * step as f64,
+            stop: None,
+            depth: None,
+            mgt: None,
+            shares: Default::default(),
+        };
+        (0..5).map(row).collect()
+    }
+
+    #[test]
+    fn synthetic_data_give_their_coefficient_back() {
+        // A crack that grows 1.5 times as fast, measured with 10 % of scatter that cancels out.
+        let at = |depth: f64, scatter: f64| Measured { mgt: 10.0 * (depth - 2.0) / 1.5 * scatter, size: depth };
+        let data = [at(2.5, 1.1), at(3.5, 1.0 / 1.1), at(4.5, 1.1), at(5.5, 1.0 / 1.1), at(7.0, 1.0)];
+        let fit = calibrate(&rows(), 20.0, Measure::Depth, &data).unwrap();
+        assert_eq!(fit.used.len(), 4, "one is deeper than the run");
+        assert!((fit.factor - 1.5).abs() < 1e-12, "{fit:?}");
+        let std = 1.1_f64.ln() * (4.0_f64 / 3.0).sqrt();
+        assert!((fit.log_std.unwrap() - std).abs() < 1e-12);
+        let (low, high) = fit.interval.unwrap();
+        assert!(low < 1.5 && 1.5 < high && (high / 1.5 - (3.182 * std / 2.0).exp()).abs() < 1e-12);
+    }
+
+    #[test]
+    fn files_of_measurements() {
+        let (measure, data) = read_measured("m.csv", "# a rail\nmgt,length_mm\n10, 5.5\n").unwrap();
+        assert_eq!((measure, data), (Measure::Length, vec![Measured { mgt: 10.0, size: 5.5 }]));
+        let message = |text| read_measured("m.csv", text).unwrap_err().to_string();
+        assert!(message("depth,mgt\n").contains("mgt,depth_mm or mgt,length_mm"));
+        assert!(message("mgt,depth_mm\n1,2\n3,x\n").contains("m.csv: line 3: `3,x`"));
+        let far = [Measured { mgt: 1.0, size: 50.0 }];
+        assert!(calibrate(&rows(), 20.0, Measure::Depth, &far).unwrap_err().to_string().contains("2.000 to 6.000"));
+    }
+}

@@ -1,0 +1,82 @@
+//! Depth of one tip over traffic.
+
+use crate::run_log::StepDigest;
+use railcrack::growth::RunStop;
+
+/// A tip at the start of a growth step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PathPoint {
+    /// Axles so far.
+    pub axles: f64,
+    /// Length of its crack, mm.
+    pub length: f64,
+    /// Its depth, mm.
+    pub depth: f64,
+    /// da/dN, mm per axle.
+    pub rate: f64,
+    /// ΔK_eq, MPa√m.
+    pub delta_keq: f64,
+    /// The largest k1 of a virtual kink, MPa√m.
+    pub largest_k1: f64,
+}
+
+/// The deepest tip of a run from step to step.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GrowthPath {
+    /// Crack and tip, from 1.
+    pub tip: (usize, usize),
+    /// At the start of each step.
+    pub points: Vec<PathPoint>,
+    /// Whether the rail breaks at its end.
+    pub breaks: bool,
+}
+
+impl GrowthPath {
+    /// The path of the tip that is deepest in the last of `steps`; none without steps.
+    pub(crate) fn of(steps: &[StepDigest]) -> Option<Self> {
+        let last = steps.last()?;
+        let deepest = last.tips.iter().reduce(|a, b| if b.y < a.y { b } else { a })?.tip;
+        let point = |step: &StepDigest| {
+            let same = |tip: &&railcrack::growth::TipRecord| {
+                (tip.tip.crack, tip.tip.tip) == (deepest.crack, deepest.tip)
+            };
+            let tip = step.tips.iter().find(same)?;
+            Some(PathPoint {
+                axles: step.load_cycles,
+                length: tip.length,
+                depth: -(tip.y + tip.deferred.direction.y * tip.deferred.length),
+                rate: tip.rate,
+                delta_keq: tip.delta_keq / railcrack::math::MPA_SQRT_MM,
+                largest_k1: tip.largest_k1.map_or(0.0, |largest| largest.k1_mpa_sqrt_m()),
+            })
+        };
+        Some(Self {
+            tip: (deepest.crack + 1, deepest.tip + 1),
+            points: steps.iter().filter_map(point).collect(),
+            breaks: last.stop == Some(RunStop::Fracture),
+        })
+    }
+
+    /// Axles of each point.
+    pub fn axles(&self) -> Vec<f64> {
+        self.points.iter().map(|point| point.axles).collect()
+    }
+
+    /// Where `quantity` first reaches `value`, as index and share of the way to the next point;
+    /// none where it does not on the path.
+    pub fn reaches(&self, quantity: impl Fn(&PathPoint) -> f64, value: f64) -> Option<(usize, f64)> {
+        if self.points.first().is_some_and(|first| quantity(first) >= value) {
+            return Some((0, 0.0));
+        }
+        let crossed = |pair: &[PathPoint]| quantity(&pair[0]) < value && quantity(&pair[1]) >= value;
+        let i = self.points.windows(2).position(crossed)?;
+        let (from, to) = (quantity(&self.points[i]), quantity(&self.points[i + 1]));
+        Some((i, (value - from) / (to - from)))
+    }
+
+    /// The value at a place on the path of `values`, one for each point.
+    pub fn at((i, share): (usize, f64), values: &[f64]) -> f64 {
+        let next = values.get(i + 1).unwrap_or(&values[i]);
+        values[i] + share * (next - values[i])
+    }
+}

@@ -1,0 +1,96 @@
+//! The decision block of `summary.json`.
+
+use super::inspection::InspectionSummary;
+use super::path::{GrowthPath, PathPoint};
+use super::scatter::{ScatterSummary, sampled};
+use super::wheels::WheelSummary;
+use crate::run_info::RunInfo;
+use crate::run_log::RunLog;
+use serde::{Deserialize, Serialize};
+
+/// From growth to a decision: key `decision` of `summary.json`, and the first block of the page.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Decision {
+    /// Crack of the tip that is deepest in the last step, from 1.
+    pub crack: usize,
+    /// The tip within its crack, from 1.
+    pub tip: usize,
+    /// Mean load of an axle, t.
+    pub axle_load_t: f64,
+    /// The crack from step to step.
+    pub rows: Vec<DecisionRow>,
+    /// The inspection interval, where the case asks for one.
+    pub inspection: Option<InspectionSummary>,
+    /// The wheels of a mix.
+    #[serde(default)]
+    pub wheels: Vec<WheelSummary>,
+    /// Scatter, where the case gives it and the run has ended.
+    pub scatter: Option<ScatterSummary>,
+}
+
+/// The crack at the start of a growth step.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct DecisionRow {
+    /// Length, mm.
+    pub length_mm: f64,
+    /// Depth of the tip, mm.
+    pub depth_mm: f64,
+    /// Axles so far.
+    pub axles: f64,
+    /// Million gross tonnes so far.
+    pub mgt: f64,
+    /// Growth of the length, mm per million gross tonnes.
+    pub length_mm_per_mgt: f64,
+    /// Growth of the depth until the next step, mm per million gross tonnes; null in the last.
+    pub depth_mm_per_mgt: Option<f64>,
+    /// Removal of the surface by wear or grinding (mm per million gross tonnes) that takes as much
+    /// from the mouth as the tip grows; null for a crack that is not open to the surface.
+    pub balance_mm_per_mgt: Option<f64>,
+}
+
+impl Decision {
+    /// Of a run so far; none without axle loads or finished steps.
+    pub(crate) fn of(info: &RunInfo, log: &RunLog) -> Option<Self> {
+        let tonnes = info.axle_load?;
+        let path = GrowthPath::of(&log.steps)?;
+        let per_mgt = 1e6 / tonnes;
+        let mouth_sine = mouth_sine(log, path.tip.0 - 1);
+        let mgt = |axles: f64| axles / per_mgt;
+        let row = |(i, point): (usize, &PathPoint)| {
+            let next = path.points.get(i + 1);
+            let until = |next: &PathPoint| {
+                let passed = mgt(next.axles - point.axles);
+                (passed > 0.0).then(|| (next.depth - point.depth) / passed)
+            };
+            DecisionRow {
+                length_mm: point.length,
+                depth_mm: point.depth,
+                axles: point.axles,
+                mgt: mgt(point.axles),
+                length_mm_per_mgt: point.rate * per_mgt,
+                depth_mm_per_mgt: next.and_then(until),
+                balance_mm_per_mgt: mouth_sine.map(|sine| point.rate * per_mgt * sine),
+            }
+        };
+        let inspection = info.inspection.as_ref();
+        let has_ended = log.steps.last().is_some_and(|step| step.stop.is_some());
+        let scatter = info.scatter.as_ref().filter(|_| has_ended && path.points.len() > 1);
+        Some(Self {
+            crack: path.tip.0,
+            tip: path.tip.1,
+            axle_load_t: tonnes,
+            rows: path.points.iter().enumerate().map(row).collect(),
+            inspection: inspection
+                .map(|inspection| InspectionSummary::of(&path, inspection, info.critical_length, tonnes)),
+            wheels: WheelSummary::of(&info.mix, &path, &log.steps),
+            scatter: scatter.map(|scatter| sampled(&path, scatter, inspection, info.critical_length, tonnes)),
+        })
+    }
+}
+
+/// Sine of the angle of a crack at its mouth; none where its first point is not on the surface.
+fn mouth_sine(log: &RunLog, crack: usize) -> Option<f64> {
+    let [mouth, next, ..] = log.now.initial_cracks.get(crack)?.points() else { return None };
+    let down = *next - *mouth;
+    (mouth.y == 0.0).then(|| down.y.abs() / down.length())
+}

@@ -1,0 +1,29 @@
+//! Traits that all laws of the growth rate share.
+
+/// A rate (mm per cycle) that stands for a crack that runs away: a metre per cycle.
+pub const RUNAWAY: f64 = 1e3;
+
+/// A law of the growth rate under ranges of K in MPa√m.
+pub(super) trait Law {
+    /// da/dN, mm per cycle, under the equivalent range `delta` (MPa√m) with the ratio `ratio` of
+    /// the smallest to the largest K; zero where nothing grows, infinite where the crack runs away.
+    fn rate(&self, delta: f64, ratio: f64) -> f64;
+
+    /// A quantity that grows with the rate and is not flattened by a threshold, so that a direction
+    /// can be found below it.
+    fn drive(&self, delta: f64, _ratio: f64) -> f64 {
+        delta
+    }
+
+    /// The exponent of the rate in [`Law::drive`], far from a threshold.
+    fn exponent(&self) -> f64;
+
+    /// The law with its constants, `dK` for the equivalent range: `da/dN = …`, mm per cycle and
+    /// MPa√m.
+    fn formula(&self) -> String;
+}
+
+/// A threshold as a condition.
+pub(super) fn above(threshold: f64) -> String {
+    if threshold > 0.0 { format!(" above dK = {threshold}") } else { String::new() }
+}

@@ -1,0 +1,49 @@
+//! Errors of a growth step.
+
+use super::PassageError;
+use crate::body::BodyError;
+use crate::contact::CrackFrictionError;
+use crate::crack::NetworkError;
+use crate::math::OutOfRange;
+
+/// Why a step could not be computed.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum GrowthError {
+    /// Settings under which nothing can be computed.
+    #[error(transparent)]
+    Settings(#[from] OutOfRange),
+    /// Crack-face friction that does not fit the cracks.
+    #[error(transparent)]
+    Friction(#[from] CrackFrictionError),
+    /// The observer interrupted the step; the state before it is intact.
+    #[error("interrupted at step {step}")]
+    Interrupted {
+        /// The step that was given up.
+        step: usize,
+    },
+    /// The engine cannot represent the cracks.
+    #[error("step {step}: {source}")]
+    Body {
+        /// The step.
+        step: usize,
+        /// The error of the engine.
+        source: BodyError,
+    },
+    /// Contact did not converge.
+    #[error("step {step}: {source}")]
+    Passage {
+        /// The step.
+        step: usize,
+        /// Where and how.
+        source: PassageError,
+    },
+    /// The cracks have run into each other.
+    #[error("step {step}: {source}")]
+    Network {
+        /// The step.
+        step: usize,
+        /// Which of them.
+        source: NetworkError,
+    },
+}
