@@ -1,9 +1,9 @@
 //! Command line: options and commands.
 
 use crate::commands::{
-    calibrate::CalibrateArguments, check::CheckArguments, compare::CompareArguments, init::InitArguments, paper::PaperArguments,
-    report::ReportArguments, run::RunArguments, schema::SchemaArguments, shakedown::ShakedownArguments,
-    sweep::SweepArguments, verify::VerifyArguments,
+    calibrate::CalibrateArguments, check::CheckArguments, compare::CompareArguments, init::InitArguments,
+    paper::PaperArguments, report::ReportArguments, run::RunArguments, schema::SchemaArguments,
+    shakedown::ShakedownArguments, sweep::SweepArguments, verify::VerifyArguments,
 };
 use clap::{Parser, Subcommand};
 

@@ -107,9 +107,11 @@ impl Failure {
     /// The exit code of this failure.
     pub fn exit(&self) -> Exit {
         match self {
-            Self::Case(_) | Self::Calibration { .. } | Self::Figure(_) | Self::OverBudget(_) | Self::CaseInRunFolder { .. } => {
-                Exit::BadInput
-            }
+            Self::Case(_)
+            | Self::Calibration { .. }
+            | Self::Figure(_)
+            | Self::OverBudget(_)
+            | Self::CaseInRunFolder { .. } => Exit::BadInput,
             Self::Paper(error) => match error {
                 PaperError::Exists { .. } | PaperError::Case(_) | PaperError::Steel(_) => Exit::BadInput,
                 PaperError::Run { .. } | PaperError::Stress { .. } | PaperError::Shakedown(_) => {

@@ -62,7 +62,9 @@ pub enum CalibrationError {
         reason: String,
     },
     /// No measurement within the sizes of the run.
-    #[error("no measurement is within the sizes of the run, more than {from:.3} to {to:.3} mm, at more than 0 MGT")]
+    #[error(
+        "no measurement is within the sizes of the run, more than {from:.3} to {to:.3} mm, at more than 0 MGT"
+    )]
     NothingToCompare {
         /// The smallest and the largest size of the run, mm.
         from: f64,
@@ -195,7 +197,8 @@ mod tests {
     #[test]
     fn synthetic_data_give_their_coefficient_back() {
         // A crack that grows 1.5 times as fast, measured with 10 % of scatter that cancels out.
-        let at = |depth: f64, scatter: f64| Measured { mgt: 10.0 * (depth - 2.0) / 1.5 * scatter, size: depth };
+        let at =
+            |depth: f64, scatter: f64| Measured { mgt: 10.0 * (depth - 2.0) / 1.5 * scatter, size: depth };
         let data = [at(2.5, 1.1), at(3.5, 1.0 / 1.1), at(4.5, 1.1), at(5.5, 1.0 / 1.1), at(7.0, 1.0)];
         let fit = calibrate(&rows(), 20.0, Measure::Depth, &data).unwrap();
         assert_eq!(fit.used.len(), 4, "one is deeper than the run");
@@ -214,6 +217,11 @@ mod tests {
         assert!(message("depth,mgt\n").contains("mgt,depth_mm or mgt,length_mm"));
         assert!(message("mgt,depth_mm\n1,2\n3,x\n").contains("m.csv: line 3: `3,x`"));
         let far = [Measured { mgt: 1.0, size: 50.0 }];
-        assert!(calibrate(&rows(), 20.0, Measure::Depth, &far).unwrap_err().to_string().contains("2.000 to 6.000"));
+        assert!(
+            calibrate(&rows(), 20.0, Measure::Depth, &far)
+                .unwrap_err()
+                .to_string()
+                .contains("2.000 to 6.000")
+        );
     }
 }

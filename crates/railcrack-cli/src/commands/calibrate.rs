@@ -81,11 +81,7 @@ pub fn calibrate(arguments: &CalibrateArguments) -> Result<Exit, Failure> {
         &plot(&case.title, &rows, tonnes, measure, (&measured, calibration.factor)),
     )?;
     let old = format!("{key} = {coefficient:?}");
-    write(
-        &folder,
-        "calibrated.toml",
-        &case.to_toml().replacen(&old, &format!("{key} = {fitted:?}"), 1),
-    )?;
+    write(&folder, "calibrated.toml", &case.to_toml().replacen(&old, &format!("{key} = {fitted:?}"), 1))?;
     print::stdout(&told(&calibration, key, coefficient, measured.len()))?;
     print::stdout(&format!("results in {}\n", folder.display()))?;
     Ok(Exit::Done)
@@ -150,7 +146,9 @@ fn plot(
     let points = measured.iter().map(|one| [one.mgt, one.size]).collect();
     let chart = Chart {
         id: "calibration".to_owned(),
-        caption: format!("{what} over traffic: measured, computed, and computed with the fitted coefficient."),
+        caption: format!(
+            "{what} over traffic: measured, computed, and computed with the fitted coefficient."
+        ),
         x: ChartAxis::linear("Traffic", "million gross tonnes"),
         y: ChartAxis::linear(what, "mm"),
         curves: vec![
@@ -164,7 +162,11 @@ fn plot(
 }
 
 fn told(calibration: &Calibration, key: &str, coefficient: f64, measured: usize) -> String {
-    let mut text = format!("{key} = {:.4e}, {:.4} times that of the case", coefficient * calibration.factor, calibration.factor);
+    let mut text = format!(
+        "{key} = {:.4e}, {:.4} times that of the case",
+        coefficient * calibration.factor,
+        calibration.factor
+    );
     if let Some((low, high)) = calibration.interval {
         text.push_str(&format!(", 95 % from {:.4e} to {:.4e}", coefficient * low, coefficient * high));
     }
