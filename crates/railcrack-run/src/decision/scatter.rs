@@ -124,7 +124,7 @@ pub fn sampled(
     let spread = 1.0 + 2.0 * scatter.c_log_std;
     let tonnages: Vec<f64> =
         (0..TONNAGES).map(|i| spread * longest * i as f64 / (TONNAGES - 1) as f64).collect();
-    let mut depths: Vec<Vec<f64>> = vec![Vec::with_capacity(scatter.samples); TONNAGES];
+    let mut depths: Vec<Vec<f64>> = (0..TONNAGES).map(|_| Vec::with_capacity(scatter.samples)).collect();
     let mut deviates = Deviates::new(scatter.seed);
     let mut samples = Vec::with_capacity(scatter.samples);
     let mut mgt = vec![0.0; path.points.len()];

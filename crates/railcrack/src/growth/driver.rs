@@ -72,13 +72,16 @@ impl GrowthProblem {
     }
 }
 
+/// The ends of a rail, and what they add under each wheel.
+type KnownEnds = (Arc<dyn RailEnds>, Vec<Arc<dyn EndField>>);
+
 /// A run over growth steps. [`Growth::next_step`] computes one step; [`Growth::state`] is what to
 /// store after it.
 pub struct Growth {
     problem: GrowthProblem,
     state: GrowthState,
     /// The ends of the rail of the last step, and what they add under each wheel.
-    ends: Option<(Arc<dyn RailEnds>, Vec<Arc<dyn EndField>>)>,
+    ends: Option<KnownEnds>,
 }
 
 /// K_I at a closed tip, below zero by this share of the largest |K|, that is worth a warning. At
