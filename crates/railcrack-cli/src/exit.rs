@@ -71,7 +71,7 @@ pub enum Failure {
     /// Measurements, or a case that cannot be calibrated.
     #[error("{reason}")]
     Calibration {
-        /// What is wrong, where.
+        /// The fault and its place.
         reason: String,
     },
     /// A build without PNG files.
