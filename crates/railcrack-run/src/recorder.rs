@@ -185,6 +185,12 @@ impl Recorder {
         Ok(())
     }
 
+    /// Takes the wall time (seconds) of a computation that this recorder only writes down.
+    pub(crate) fn was_computed_in(&mut self, wall_s: f64) {
+        self.log.now.wall_s = wall_s;
+        self.counted = Instant::now();
+    }
+
     /// Writes summary, plots and report of the finished steps: at the end of a run, and when it is
     /// interrupted.
     pub fn finish(&mut self) -> Result<Summary, OutputError> {

@@ -13,7 +13,7 @@ const VTK_QUADRATIC_QUAD: u8 = 23;
 const VTK_BIQUADRATIC_QUAD: u8 = 28;
 
 /// The number of the shape in files (`vtkCellType.h`).
-pub(crate) fn vtk_type(shape: CellShape) -> u8 {
+pub fn vtk_type(shape: CellShape) -> u8 {
     match shape {
         CellShape::Vertex => VTK_VERTEX,
         CellShape::Line => VTK_LINE,

@@ -12,6 +12,7 @@ mod pvd;
 mod read;
 mod write;
 
+pub use cell_type::vtk_type;
 pub use error::VtuError;
 pub use pvd::{Snapshot, pvd_text, write_pvd};
 pub use read::{read_vtu, read_vtu_bytes};

@@ -41,7 +41,8 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Failure> {
 /// Name and value of a line of the summary.
 type Row = (&'static str, String);
 
-fn summary(case: &Case, folder: &Path) -> String {
+/// The lines of a case.
+pub fn summary(case: &Case, folder: &Path) -> String {
     let mut text = format!("{}\n", case.title);
     for (heading, rows) in [
         ("rail", rail(case)),

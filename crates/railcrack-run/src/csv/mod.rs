@@ -1,6 +1,8 @@
 //! The tables of a run as CSV.
 
+mod by_column;
 mod column;
+mod columns;
 mod faces;
 mod fields;
 mod file;
@@ -11,7 +13,9 @@ mod rows;
 mod sif;
 mod table;
 
+pub use by_column::columns_of;
 pub use column::Column;
+pub use columns::{ColumnValues, Columns};
 pub use faces::FaceRow;
 pub use fields::Fields;
 pub(crate) use file::{CsvFile, check_sealed};

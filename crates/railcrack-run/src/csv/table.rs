@@ -1,6 +1,7 @@
 //! Tables of results, each declared once: columns with their meaning, rows, writer and reader.
 
 use super::column::Column;
+use super::columns::Columns;
 use super::fields::Fields;
 use super::rows::Rows;
 use crate::{OutputError, VERSION};
@@ -22,6 +23,9 @@ pub trait Table: Sized {
 
     /// Writes the fields of this row.
     fn put(&self, rows: &mut Rows);
+
+    /// Appends the fields of this row to `columns`.
+    fn keep(&self, columns: &mut Columns);
 
     /// Reads a row.
     ///
@@ -92,6 +96,9 @@ pub trait Cell: Sized {
     /// Writes it into `columns`.
     fn put(&self, rows: &mut Rows, columns: &[&'static str]);
 
+    /// Appends it, or that there is none, to the next of `columns`.
+    fn keep(value: Option<&Self>, columns: &mut Columns);
+
     /// Reads it from the next fields.
     ///
     /// Errors: they do not hold it.
@@ -101,6 +108,10 @@ pub trait Cell: Sized {
 impl Cell for usize {
     fn put(&self, rows: &mut Rows, _: &[&'static str]) {
         rows.count(*self);
+    }
+
+    fn keep(value: Option<&Self>, columns: &mut Columns) {
+        columns.count(value.copied());
     }
 
     fn take(fields: &mut Fields) -> Result<Self, OutputError> {
@@ -113,6 +124,10 @@ impl Cell for f64 {
         rows.real(columns[0], *self);
     }
 
+    fn keep(value: Option<&Self>, columns: &mut Columns) {
+        columns.real(value.copied());
+    }
+
     fn take(fields: &mut Fields) -> Result<Self, OutputError> {
         fields.parse("a finite number", |text| text.parse().ok().filter(|value: &Self| value.is_finite()))
     }
@@ -121,6 +136,10 @@ impl Cell for f64 {
 impl Cell for String {
     fn put(&self, rows: &mut Rows, _: &[&'static str]) {
         rows.quoted(self);
+    }
+
+    fn keep(value: Option<&Self>, columns: &mut Columns) {
+        columns.text(value.map(String::as_str));
     }
 
     fn take(fields: &mut Fields) -> Result<Self, OutputError> {
@@ -134,6 +153,11 @@ macro_rules! words {
         impl Cell for $choice {
             fn put(&self, rows: &mut Rows, _: &[&'static str]) {
                 rows.name(self.word());
+            }
+
+            fn keep(value: Option<&Self>, columns: &mut Columns) {
+                let code = |value: &Self| Self::WORDS.iter().position(|(choice, _)| choice == value);
+                columns.word(value.and_then(code), || Self::WORDS.iter().map(|(_, word)| word.name).collect());
             }
 
             fn take(fields: &mut Fields) -> Result<Self, OutputError> {
@@ -154,6 +178,10 @@ impl<T: Cell> Cell for Option<T> {
         }
     }
 
+    fn keep(value: Option<&Self>, columns: &mut Columns) {
+        T::keep(value.and_then(Option::as_ref), columns);
+    }
+
     fn take(fields: &mut Fields) -> Result<Self, OutputError> {
         if fields.skip_empty() { Ok(None) } else { T::take(fields).map(Some) }
     }
@@ -163,6 +191,10 @@ impl<T: Cell> Cell for Option<T> {
 impl Cell for Stress {
     fn put(&self, rows: &mut Rows, columns: &[&'static str]) {
         [self.xx, self.yy, self.zz, self.xy].put(rows, columns);
+    }
+
+    fn keep(value: Option<&Self>, columns: &mut Columns) {
+        Cell::keep(value.map(|s| [s.xx, s.yy, s.zz, s.xy]).as_ref(), columns);
     }
 
     fn take(fields: &mut Fields) -> Result<Self, OutputError> {
@@ -175,6 +207,10 @@ impl Cell for Stress {
 impl Cell for PlasticStrain {
     fn put(&self, rows: &mut Rows, columns: &[&'static str]) {
         [self.xx, self.yy, self.zz, self.xy].put(rows, columns);
+    }
+
+    fn keep(value: Option<&Self>, columns: &mut Columns) {
+        Cell::keep(value.map(|s| [s.xx, s.yy, s.zz, s.xy]).as_ref(), columns);
     }
 
     fn take(fields: &mut Fields) -> Result<Self, OutputError> {
@@ -203,6 +239,12 @@ impl<T: Cell, const N: usize> Cell for [T; N] {
     fn put(&self, rows: &mut Rows, columns: &[&'static str]) {
         for (value, column) in self.iter().zip(columns) {
             value.put(rows, std::slice::from_ref(column));
+        }
+    }
+
+    fn keep(value: Option<&Self>, columns: &mut Columns) {
+        for i in 0..N {
+            T::keep(value.map(|values| &values[i]), columns);
         }
     }
 
@@ -243,6 +285,10 @@ macro_rules! table {
                     $crate::csv::Cell::put(&self.$field, rows, &[$($column),+]);
                 })+
                 rows.end();
+            }
+
+            fn keep(&self, columns: &mut $crate::csv::Columns) {
+                $($crate::csv::Cell::keep(Some(&self.$field), columns);)+
             }
 
             fn take(fields: &mut $crate::csv::Fields) -> Result<Self, $crate::OutputError> {

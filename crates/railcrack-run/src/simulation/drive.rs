@@ -34,7 +34,7 @@ pub enum Ending {
 }
 
 /// Hands an observer of the run to the computation of a step.
-struct OfSteps<'a>(&'a dyn RunObserver);
+pub(super) struct OfSteps<'a>(pub(super) &'a dyn RunObserver);
 
 impl Observer for OfSteps<'_> {
     fn progress(&self, fraction: f64) {
@@ -56,7 +56,11 @@ pub(super) fn drive(
     recorder: &mut Recorder,
     observer: &dyn RunObserver,
 ) -> Result<(Ending, Summary), RunError> {
-    let computed = compute(source, recorder, observer);
+    let computed = compute(source, observer, |record, state| {
+        recorder.record(&record, &state)?;
+        observer.finished(&record);
+        Ok(())
+    });
     observer.close();
     match computed {
         Ok(ending) => Ok((ending, recorder.finish()?)),
@@ -72,25 +76,23 @@ pub(super) fn drive(
 /// Steps that may wait to be written while the next one is computed.
 const WAITING: usize = 1;
 
-/// Computes step after step while another thread writes the one before.
-fn compute(
+/// Computes step after step while another thread has `keep` keep the one before.
+///
+/// Errors: a step cannot be computed, or not be kept.
+pub(super) fn compute(
     source: impl StepSource,
-    recorder: &mut Recorder,
     observer: &dyn RunObserver,
+    mut keep: impl FnMut(StepRecord, GrowthState) -> Result<(), OutputError> + Send,
 ) -> Result<Ending, RunError> {
     std::thread::scope(|scope| {
-        let (finished, to_write) = sync_channel::<(StepRecord, GrowthState)>(WAITING);
-        let writer = scope.spawn(move || -> Result<(), OutputError> {
-            for (record, state) in to_write {
-                recorder.record(&record, &state)?;
-                observer.finished(&record);
-            }
-            Ok(())
+        let (finished, to_keep) = sync_channel::<(StepRecord, GrowthState)>(WAITING);
+        let keeper = scope.spawn(move || -> Result<(), OutputError> {
+            to_keep.into_iter().try_for_each(|(record, state)| keep(record, state))
         });
         let ending = compute_into(source, observer, finished);
-        // What was computed is written before anything else is said of the run.
-        match writer.join() {
-            Ok(written) => written?,
+        // What was computed is kept before anything else is said of the run.
+        match keeper.join() {
+            Ok(kept) => kept?,
             Err(panic) => std::panic::resume_unwind(panic),
         }
         ending

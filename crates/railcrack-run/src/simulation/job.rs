@@ -21,7 +21,7 @@ pub struct Stage<'a> {
 }
 
 /// A run before anything is computed.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Job {
     /// `case.toml` and the files that it names.
     pub case: CaseFiles,

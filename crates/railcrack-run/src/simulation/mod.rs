@@ -3,6 +3,7 @@
 mod drive;
 mod error;
 mod job;
+mod memory;
 mod observer;
 mod residual_stress;
 mod rolling;
@@ -12,6 +13,7 @@ mod sweep;
 pub use drive::{Ending, StepSource};
 pub use error::RunError;
 pub use job::{Job, Stage, case_files};
+pub use memory::RunInMemory;
 pub use observer::{RunObserver, Silent, StudyObserver};
 pub use residual_stress::{Residual, plastic_stress_left_out};
 pub use rolling::{pass_text, roll};

@@ -19,7 +19,7 @@ use std::path::Path;
 use std::time::Instant;
 
 /// Residual stress of a run, for its folder.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Residual {
     /// `residual.csv`.
     pub rows: Vec<ResidualRow>,
@@ -32,10 +32,15 @@ impl Residual {
     ///
     /// Errors: a number that is not finite; the system refuses.
     pub fn record(self, recorder: &mut Recorder, observer: &dyn RunObserver) -> Result<(), OutputError> {
+        self.tell(observer);
+        recorder.residual(&self.rows, self.summary)
+    }
+
+    /// Tells what the reader should know.
+    pub(super) fn tell(&self, observer: &dyn RunObserver) {
         for note in &self.summary.notes {
             observer.note(note);
         }
-        recorder.residual(&self.rows, self.summary)
     }
 }
 

@@ -6,9 +6,10 @@ use super::job::{Job, Stage};
 use super::observer::{RunObserver, Silent};
 use super::residual_stress::{Residual, prepare};
 use crate::{Existing, FolderLock, OutputError, Presentation, Recorder, Summary, TablesOnly};
-use railcrack::growth::GrowthState;
+use railcrack::growth::{Growth, GrowthState, TipJudge};
 use railcrack_case::{Case, SharedRail};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// Way in which a run enters its folder.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -26,16 +27,17 @@ pub enum RunEntry {
 /// The run of a case.
 #[derive(Clone, Copy)]
 pub struct Simulation<'a> {
-    case: &'a Case,
-    observer: &'a dyn RunObserver,
-    presentation: &'a dyn Presentation,
-    shared: Option<&'a SharedRail>,
+    pub(super) case: &'a Case,
+    pub(super) observer: &'a dyn RunObserver,
+    pub(super) presentation: &'a dyn Presentation,
+    pub(super) shared: Option<&'a SharedRail>,
+    pub(super) judge: Option<&'a Arc<dyn TipJudge>>,
 }
 
 impl<'a> Simulation<'a> {
     /// The run of `case`, in silence, with tables and summary only.
     pub fn new(case: &'a Case) -> Self {
-        Self { case, observer: &Silent, presentation: &TablesOnly, shared: None }
+        Self { case, observer: &Silent, presentation: &TablesOnly, shared: None, judge: None }
     }
 
     /// Tells `observer` how far it is.
@@ -56,6 +58,12 @@ impl<'a> Simulation<'a> {
         Self { shared, ..self }
     }
 
+    /// Has `judge` give the direction and the rate of every tip.
+    #[must_use]
+    pub fn judged_by(self, judge: &'a Arc<dyn TipJudge>) -> Self {
+        Self { judge: Some(judge), ..self }
+    }
+
     /// Computes the run into `folder`, step by step, until it ends or is interrupted.
     ///
     /// Errors: the folder may not be written, holds another run or is damaged; the plastic state or
@@ -64,9 +72,23 @@ impl<'a> Simulation<'a> {
         let job = Job::of(self.case);
         run_steps(folder, entry, job, self.observer, self.presentation, |stage| {
             let stage = Stage { shared: self.shared, ..stage };
-            let (prepared, residual) = prepare(self.case, &stage)?;
-            Ok((prepared.growth(stage.state), residual))
+            self.growth(stage)
         })
+    }
+}
+
+impl Simulation<'_> {
+    /// The growth loop from `stage` on, and the residual stress that the rail carries.
+    ///
+    /// Errors: the plastic state cannot be computed, or the residual stress not be made.
+    pub(super) fn growth(&self, stage: Stage) -> Result<(Growth, Option<Residual>), RunError> {
+        let (prepared, residual) = prepare(self.case, &stage)?;
+        let growth = prepared.growth(stage.state);
+        let growth = match self.judge {
+            Some(judge) => growth.judged_by(Arc::clone(judge)),
+            None => growth,
+        };
+        Ok((growth, residual))
     }
 }
 

@@ -5,7 +5,7 @@ use super::mix::{MixedTip, MixedWheel, histories_of, turned_by as turned_by_whee
 use super::solvers::Solvers;
 use super::{
     FieldRecord, FieldSettings, GrowthError, GrowthSettings, GrowthState, Observer, PassageSettings,
-    PhaseTimes, RailLoad, StabilisedPassage, StepRecord, StepState, TipDrive, TipRecord, Warning,
+    PhaseTimes, RailLoad, StabilisedPassage, StepRecord, StepState, TipDrive, TipJudge, TipRecord, Warning,
     WarningKind, advance, fields,
 };
 use crate::body::{BodyEngine, BodyError, CrackedBody};
@@ -79,6 +79,7 @@ type KnownEnds = (Arc<dyn RailEnds>, Vec<Arc<dyn EndField>>);
 /// store after it.
 pub struct Growth {
     problem: GrowthProblem,
+    judge: Option<Arc<dyn TipJudge>>,
     state: GrowthState,
     /// The ends of the rail of the last step, and what they add under each wheel.
     ends: Option<KnownEnds>,
@@ -95,7 +96,13 @@ pub const NEAR_TIE: f64 = 0.98;
 impl Growth {
     /// A run of `problem` from `state` on.
     pub fn new(problem: GrowthProblem, state: GrowthState) -> Self {
-        Self { problem, state, ends: None }
+        Self { problem, judge: None, state, ends: None }
+    }
+
+    /// Has `judge` give direction and rate of every tip.
+    #[must_use]
+    pub fn judged_by(self, judge: Arc<dyn TipJudge>) -> Self {
+        Self { judge: Some(judge), ..self }
     }
 
     /// The state after the last computed step: give it to a new run to go on from there.
@@ -155,6 +162,9 @@ impl Growth {
         let started = Instant::now();
         let all: Vec<&StabilisedPassage> = std::iter::once(&passage).chain(&beside).collect();
         let mut tips = self.tip_records(&network, &all);
+        if let Some(judge) = &self.judge {
+            tips.iter_mut().zip(&passage.histories).for_each(|(tip, history)| judge.judge(history, tip));
+        }
         for tip in &tips {
             warnings.extend(self.near_tie(tip));
         }

@@ -26,6 +26,16 @@ impl Matrix {
         Self { rows, columns, entries }
     }
 
+    /// The matrix with `entries`, row by row; none where they are not `rows` × `columns`.
+    pub fn from_entries(rows: usize, columns: usize, entries: Vec<f64>) -> Option<Self> {
+        (rows.checked_mul(columns) == Some(entries.len())).then_some(Self { rows, columns, entries })
+    }
+
+    /// All entries, row by row.
+    pub fn into_entries(self) -> Vec<f64> {
+        self.entries
+    }
+
     /// Number of rows.
     pub fn rows(&self) -> usize {
         self.rows

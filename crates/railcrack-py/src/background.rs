@@ -1,0 +1,211 @@
+//! Computations beside the interpreter, which meanwhile looks at signals and tells of progress.
+
+use pyo3::exceptions::{PyKeyboardInterrupt, PyRuntimeError};
+use pyo3::prelude::*;
+use railcrack::growth::{Observer, StepRecord};
+use railcrack_run::simulation::{RunObserver, StudyObserver};
+use railcrack_run::study::PlannedRun;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Duration;
+
+/// Something to tell of a computation.
+#[derive(Debug)]
+pub enum Event {
+    /// The run goes on with this growth step.
+    Begins(usize),
+    /// The fraction of the growth step that is done.
+    Fraction(f64),
+    /// A growth step is finished: its number.
+    Finished(usize),
+    /// A stage before the first step, or a run of a study that is over.
+    Said(String),
+}
+
+/// A computation seen from both sides.
+#[derive(Debug)]
+pub struct Watch {
+    events: Sender<Event>,
+    interrupted: AtomicBool,
+    /// Hundredths of the current step that have been told.
+    told: AtomicUsize,
+    /// Why a function of the user could not answer.
+    failure: Mutex<Option<PyErr>>,
+}
+
+impl Watch {
+    /// A watch, and what it is told.
+    pub fn new() -> (Arc<Self>, Receiver<Event>) {
+        let (events, told) = channel();
+        let watch = Self {
+            events,
+            interrupted: AtomicBool::new(false),
+            told: AtomicUsize::new(0),
+            failure: Mutex::new(None),
+        };
+        (Arc::new(watch), told)
+    }
+
+    /// Ends the computation because a function of the user raised `error`.
+    pub fn fail(&self, error: PyErr) {
+        self.failure.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
+        self.interrupted.store(true, Ordering::Relaxed);
+    }
+
+    /// Whether to stop.
+    pub fn is_interrupted(&self) -> bool {
+        self.interrupted.load(Ordering::Relaxed)
+    }
+
+    /// Nobody listens any more once the computation is given up.
+    fn tell(&self, event: Event) {
+        let _ = self.events.send(event);
+    }
+}
+
+impl RunObserver for Watch {
+    fn begins(&self, first: usize) {
+        self.tell(Event::Begins(first));
+    }
+
+    fn fraction(&self, fraction: f64) {
+        let hundredths = (100.0 * fraction) as usize;
+        if self.told.swap(hundredths, Ordering::Relaxed) != hundredths {
+            self.tell(Event::Fraction(fraction));
+        }
+    }
+
+    fn finished(&self, record: &StepRecord) {
+        self.tell(Event::Finished(record.step));
+    }
+
+    fn stage(&self, text: &str) {
+        self.tell(Event::Said(text.to_owned()));
+    }
+
+    fn note(&self, text: &str) {
+        self.tell(Event::Said(text.to_owned()));
+    }
+
+    fn interrupted(&self) -> bool {
+        self.is_interrupted()
+    }
+}
+
+impl Observer for Watch {
+    fn progress(&self, fraction: f64) {
+        self.fraction(fraction);
+    }
+
+    fn interrupted(&self) -> bool {
+        self.is_interrupted()
+    }
+}
+
+/// Observes a run of a study for its interruption only.
+struct Part<'a>(&'a Watch);
+
+impl RunObserver for Part<'_> {
+    fn interrupted(&self) -> bool {
+        self.0.is_interrupted()
+    }
+}
+
+impl StudyObserver for Watch {
+    fn of_run(&self, _: usize) -> Box<dyn RunObserver + '_> {
+        Box::new(Part(self))
+    }
+
+    fn over(&self, _: &PlannedRun, text: &str) {
+        self.tell(Event::Said(text.to_owned()));
+    }
+
+    fn interrupted(&self) -> bool {
+        self.is_interrupted()
+    }
+}
+
+/// How long Python waits for the next event before it looks at its signals.
+const LISTEN: Duration = Duration::from_millis(50);
+
+/// A computation that is over.
+pub struct Over<T> {
+    /// Its result.
+    pub result: T,
+    /// The exception of a signal (Ctrl-C).
+    pub signal: Option<PyErr>,
+}
+
+/// Has `work` done on `threads` threads of its own (none: as many as the machine has) without
+/// holding the interpreter; `tell(kind, value)` is called with every event that `told` receives.
+///
+/// Errors: the system refuses threads; `tell`, or a function that is part of the work, raises an
+/// exception.
+pub fn compute<T: Send + 'static>(
+    py: Python<'_>,
+    threads: Option<usize>,
+    (watch, told): (Arc<Watch>, Receiver<Event>),
+    tell: Option<&Bound<'_, PyAny>>,
+    work: impl FnOnce() -> T + Send + 'static,
+) -> PyResult<Over<T>> {
+    let refused = |reason: String| PyRuntimeError::new_err(format!("cannot start threads: {reason}"));
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.unwrap_or(0)).build();
+    let pool = pool.map_err(|reason| refused(reason.to_string()))?;
+    let (over, ends) = channel::<()>();
+    let working = std::thread::Builder::new().name("railcrack".into()).spawn(move || {
+        // Dropped when the work is over, by a panic too.
+        let _over = over;
+        pool.install(work)
+    });
+    let working = working.map_err(|reason| refused(reason.to_string()))?;
+    let (mut told, mut ends, mut signal) = (told, ends, None);
+    loop {
+        let (events, is_over);
+        (told, ends, events, is_over) = py.detach(move || wait(told, ends));
+        if let Some(tell) = tell {
+            for event in events {
+                match tell_event(tell, event) {
+                    // Python may raise it wherever its own code runs.
+                    Err(error) if error.is_instance_of::<PyKeyboardInterrupt>(py) => {
+                        watch.interrupted.store(true, Ordering::Relaxed);
+                        signal.get_or_insert(error);
+                    }
+                    Err(error) => watch.fail(error),
+                    Ok(()) => {}
+                }
+            }
+        }
+        if let Err(error) = py.check_signals() {
+            watch.interrupted.store(true, Ordering::Relaxed);
+            signal.get_or_insert(error);
+        }
+        if is_over {
+            break;
+        }
+    }
+    let result = py.detach(|| working.join()).map_err(|_| {
+        PyRuntimeError::new_err("railcrack has a fault: a computation ended without a result")
+    })?;
+    match watch.failure.lock().unwrap_or_else(PoisonError::into_inner).take() {
+        Some(error) => Err(error),
+        None => Ok(Over { result, signal }),
+    }
+}
+
+/// The events of the next moment, and whether the work is over.
+fn wait(told: Receiver<Event>, ends: Receiver<()>) -> (Receiver<Event>, Receiver<()>, Vec<Event>, bool) {
+    let is_over = matches!(ends.recv_timeout(LISTEN), Err(RecvTimeoutError::Disconnected));
+    let events = told.try_iter().collect();
+    (told, ends, events, is_over)
+}
+
+fn tell_event(tell: &Bound<'_, PyAny>, event: Event) -> PyResult<()> {
+    match event {
+        Event::Begins(step) => tell.call1(("begins", step)),
+        Event::Fraction(fraction) => tell.call1(("fraction", fraction)),
+        Event::Finished(step) => tell.call1(("finished", step)),
+        Event::Said(text) => tell.call1(("said", text)),
+    }
+    .map(drop)
+}

@@ -1,0 +1,237 @@
+//! Cracked bodies: two matrices at the face points.
+
+use crate::case::Case;
+use crate::errors::{bad_input, not_converged};
+use crate::grid::matrix;
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2};
+use pyo3::prelude::*;
+use railcrack::body::{BodyEngine, BodyError, CrackedBody, FaceMesh, FacePoint, FieldSolver};
+use railcrack::crack::{Crack, CrackNetwork, CrackTip};
+use railcrack::dislocation::{DislocationEngine, FaceResolution};
+use railcrack::field::RailEnds;
+use railcrack::material::IsotropicElastic;
+use railcrack::math::{Matrix, Vec2};
+use railcrack::xfem::{RailEnd, Window, XfemEngine, XfemSettings, default_element_sizes};
+use railcrack_case::Engine;
+use std::sync::Arc;
+
+/// A cracked body, whose matrices are arrays of numpy.
+#[pyclass(module = "railcrack._railcrack", frozen)]
+pub struct Body {
+    pub(crate) steel: IsotropicElastic,
+    pub(crate) faces: FaceMesh,
+    tips: Vec<CrackTip>,
+    compliance: Py<PyArray2<f64>>,
+    stiffness: Py<PyArray2<f64>>,
+    sif_influence: Py<PyArray2<f64>>,
+    dofs: usize,
+    pub(crate) ends: Option<Arc<dyn RailEnds>>,
+    fields: Option<Arc<dyn FieldSolver>>,
+    remarks: Vec<String>,
+}
+
+impl Body {
+    fn new(py: Python<'_>, body: CrackedBody, steel: IsotropicElastic) -> PyResult<Self> {
+        let array = |matrix_: Matrix| -> PyResult<Py<PyArray2<f64>>> {
+            let columns = matrix_.columns();
+            Ok(matrix(py, matrix_.into_entries(), columns)?.unbind())
+        };
+        Ok(Self {
+            steel,
+            faces: body.faces,
+            tips: body.tips,
+            compliance: array(body.compliance)?,
+            stiffness: array(body.stiffness)?,
+            sif_influence: array(body.sif_influence)?,
+            dofs: body.dofs,
+            ends: body.ends,
+            fields: body.fields,
+            remarks: body.remarks,
+        })
+    }
+
+    /// The body for the mechanics, with copies of the arrays as they are now.
+    pub(crate) fn whole(&self, py: Python<'_>) -> PyResult<CrackedBody> {
+        let matrix = |array: &Py<PyArray2<f64>>| -> PyResult<Matrix> {
+            let array = array.bind(py).readonly();
+            let view = array.as_array();
+            let entries = view.iter().copied().collect();
+            Matrix::from_entries(view.nrows(), view.ncols(), entries)
+                .ok_or_else(|| bad_input(py, "a matrix of the body has lost its shape"))
+        };
+        let matrices = [matrix(&self.compliance)?, matrix(&self.stiffness)?, matrix(&self.sif_influence)?];
+        let body = CrackedBody::new(self.faces.clone(), self.tips.clone(), matrices);
+        Ok(CrackedBody { ends: self.ends.clone(), fields: self.fields.clone(), dofs: self.dofs, ..body })
+    }
+
+    fn of_points<'py, T: numpy::Element>(
+        &self,
+        py: Python<'py>,
+        of: impl Fn(&FacePoint) -> T,
+    ) -> Bound<'py, PyArray1<T>> {
+        self.faces.points.iter().map(of).collect::<Vec<T>>().into_pyarray(py)
+    }
+}
+
+#[pymethods]
+impl Body {
+    #[getter]
+    fn compliance(&self, py: Python<'_>) -> Py<PyArray2<f64>> {
+        self.compliance.clone_ref(py)
+    }
+
+    #[getter]
+    fn stiffness(&self, py: Python<'_>) -> Py<PyArray2<f64>> {
+        self.stiffness.clone_ref(py)
+    }
+
+    #[getter]
+    fn sif_influence(&self, py: Python<'_>) -> Py<PyArray2<f64>> {
+        self.sif_influence.clone_ref(py)
+    }
+
+    #[getter]
+    fn points<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        matrix(py, self.faces.points.iter().flat_map(|p| [p.position.x, p.position.y]).collect(), 2)
+    }
+
+    #[getter]
+    fn tangents<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        matrix(py, self.faces.points.iter().flat_map(|p| [p.tangent.x, p.tangent.y]).collect(), 2)
+    }
+
+    #[getter]
+    fn arc_lengths<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        self.of_points(py, |point| point.s)
+    }
+
+    #[getter]
+    fn weights<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        self.of_points(py, |point| point.weight)
+    }
+
+    #[getter]
+    fn crack_of_point<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i64>> {
+        self.of_points(py, |point| point.crack as i64 + 1)
+    }
+
+    #[getter]
+    fn samples<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        matrix(py, self.faces.samples.iter().flat_map(|s| [s.point.x, s.point.y]).collect(), 2)
+    }
+
+    /// Crack and tip within it, from 1.
+    #[getter]
+    fn tips(&self) -> Vec<(usize, usize)> {
+        self.tips.iter().map(|tip| (tip.crack + 1, tip.tip + 1)).collect()
+    }
+
+    #[getter]
+    fn unknowns(&self) -> usize {
+        self.dofs
+    }
+
+    #[getter]
+    fn remarks(&self) -> Vec<String> {
+        self.remarks.clone()
+    }
+
+    /// Nodal forces (2 p) of the stresses (sxx, syy, sxy) at the samples, shape (samples, 3).
+    fn nodal_forces<'py>(
+        &self,
+        py: Python<'py>,
+        stresses: PyReadonlyArray2<'py, f64>,
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let stresses = crate::wheel::stresses(&stresses, self.faces.samples.len())?;
+        Ok(self.faces.nodal_forces_of_samples(|k, _| stresses[k]).into_pyarray(py))
+    }
+}
+
+/// Cracks by their points (x, y), mm.
+type Cracks = Vec<Vec<(f64, f64)>>;
+
+/// The body of `cracks` in a half-plane by extended finite elements.
+#[pyfunction]
+#[pyo3(signature = (cracks, young, poisson, element_size, threads))]
+pub fn xfem_body(
+    py: Python<'_>,
+    cracks: Cracks,
+    young: f64,
+    poisson: f64,
+    element_size: Option<f64>,
+    threads: Option<usize>,
+) -> PyResult<Body> {
+    let network = network(py, cracks)?;
+    let sizes = match element_size {
+        Some(size) if size > 0.0 && size.is_finite() => vec![size; network.cracks().len()],
+        Some(size) => return Err(bad_input(py, format!("element_size_mm = {size}: must be positive"))),
+        None => default_element_sizes(&network),
+    };
+    let window = Window::with_sizes(&network, &sizes, 1.0);
+    let centre = 0.5 * (network.leftmost_mouth() + network.rightmost_mouth());
+    let steel = steel(py, young, poisson)?;
+    let end = RailEnd::HalfPlane { centre };
+    let engine = XfemEngine::with_window(window, steel, end, XfemSettings::default());
+    made(py, engine, &network, steel, threads)
+}
+
+/// The body of `cracks` in a half-plane by dislocations.
+#[pyfunction]
+#[pyo3(signature = (cracks, young, poisson, elements, threads))]
+pub fn dislocation_body(
+    py: Python<'_>,
+    cracks: Cracks,
+    young: f64,
+    poisson: f64,
+    elements: Option<usize>,
+    threads: Option<usize>,
+) -> PyResult<Body> {
+    let network = network(py, cracks)?;
+    let resolution = match elements {
+        Some(elements) if elements >= 4 => FaceResolution { elements },
+        Some(elements) => return Err(bad_input(py, format!("elements = {elements}: must be at least 4"))),
+        None => FaceResolution::for_cracks(network.cracks().len()),
+    };
+    let steel = steel(py, young, poisson)?;
+    made(py, DislocationEngine { steel, resolution }, &network, steel, threads)
+}
+
+/// The body of the cracks of `case` at their start, by its engine.
+#[pyfunction]
+pub fn case_body(py: Python<'_>, case: &Case, threads: Option<usize>) -> PyResult<Body> {
+    let case = &case.case;
+    match case.engine {
+        Engine::Xfem => made(py, case.xfem_engine(), &case.cracks, case.steel, threads),
+        Engine::Dislocation => {
+            let engine = DislocationEngine { steel: case.steel, resolution: case.face_resolution() };
+            made(py, engine, &case.cracks, case.steel, threads)
+        }
+    }
+}
+
+fn network(py: Python<'_>, cracks: Cracks) -> PyResult<CrackNetwork> {
+    let mut made = Vec::with_capacity(cracks.len());
+    for (i, points) in cracks.into_iter().enumerate() {
+        let points = points.into_iter().map(|(x, y)| Vec2::new(x, y)).collect();
+        let crack = Crack::polyline(points);
+        made.push(crack.map_err(|error| bad_input(py, format!("crack {}: {error}", i + 1)))?);
+    }
+    CrackNetwork::new(made).map_err(|error| bad_input(py, error))
+}
+
+fn steel(py: Python<'_>, young: f64, poisson: f64) -> PyResult<IsotropicElastic> {
+    IsotropicElastic::new(young, poisson).map_err(|error| bad_input(py, error))
+}
+
+fn made(
+    py: Python<'_>,
+    mut engine: impl BodyEngine + Send,
+    network: &CrackNetwork,
+    steel: IsotropicElastic,
+    threads: Option<usize>,
+) -> PyResult<Body> {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.unwrap_or(0)).build();
+    let pool = pool.map_err(|error| bad_input(py, error))?;
+    let body: Result<CrackedBody, BodyError> = py.detach(|| pool.install(|| engine.body(network)));
+    Body::new(py, body.map_err(|error| not_converged(py, error))?, steel)
+}

@@ -1,0 +1,129 @@
+//! Cases.
+
+use crate::background::{Watch, compute};
+use crate::errors::{case_error, class_of};
+use crate::judge::OwnJudge;
+use crate::run::Run;
+use crate::scratch::Scratch;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use railcrack::growth::TipJudge;
+use railcrack::shakedown::{first_yield_ratio, shakedown_limit_ratio};
+use railcrack_run::simulation::{Ending, Simulation, plastic_stress_left_out};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// A checked case.
+#[pyclass(module = "railcrack._railcrack", frozen)]
+pub struct Case {
+    pub(crate) case: Arc<railcrack_case::Case>,
+}
+
+/// A run, how it came to its end (an empty text where it did by itself, `interrupted`, or the name
+/// of an exception), and the reason.
+type Computed = (Run, String, String);
+
+#[pymethods]
+impl Case {
+    /// The case written in `text`, which errors call `name`; relative file names are relative to
+    /// `folder`, or to a folder that has `files`.
+    #[staticmethod]
+    fn parse(
+        py: Python<'_>,
+        text: &str,
+        name: &str,
+        folder: PathBuf,
+        files: Vec<(String, Vec<u8>)>,
+    ) -> PyResult<Self> {
+        let scratch = if files.is_empty() { None } else { Some(Scratch::with_files(files)?) };
+        let folder = scratch.as_ref().map_or(folder.as_path(), Scratch::path);
+        let case = railcrack_case::Case::parse(text, name, folder);
+        Ok(Self { case: Arc::new(case.map_err(|errors| case_error(py, &errors))?) })
+    }
+
+    #[getter]
+    fn title(&self) -> &str {
+        &self.case.title
+    }
+
+    /// Number of increments.
+    #[getter]
+    fn steps(&self) -> usize {
+        self.case.growth.steps
+    }
+
+    #[getter]
+    fn engine(&self) -> &'static str {
+        self.case.engine.name()
+    }
+
+    /// Points (x, y) of each crack, mm.
+    #[getter]
+    fn cracks(&self) -> Vec<Vec<(f64, f64)>> {
+        let points = |crack: &railcrack::crack::Crack| crack.points().iter().map(|p| (p.x, p.y)).collect();
+        self.case.cracks.cracks().iter().map(points).collect()
+    }
+
+    /// The case with every default.
+    fn to_toml(&self) -> String {
+        self.case.to_toml()
+    }
+
+    /// The files that this text names, with their contents.
+    fn companions(&self) -> Vec<(&'static str, String)> {
+        let files = self.case.companions().into_iter();
+        files.map(|file| (file.name, file.text.to_owned())).collect()
+    }
+
+    /// Sizes, bounds and warnings.
+    fn check<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let case = Arc::clone(&self.case);
+        let (text, size) = py.detach(move || (railcrack_cli::check_text(&case, Path::new(".")), case.size()));
+        let case = &self.case;
+        let (friction, poisson) = (case.contact.friction, case.steel.poisson());
+        let check = PyDict::new(py);
+        check.set_item("text", text)?;
+        check.set_item("face_points", size.face_points)?;
+        check.set_item("tips", size.tips)?;
+        check.set_item("displacement_unknowns", size.displacements)?;
+        check.set_item("memory_bytes", size.memory_bytes)?;
+        let shear_yield = case.shakedown.hardening.shear_yield_stress();
+        check.set_item("p0_over_k", case.contact.peak_pressure / shear_yield)?;
+        check.set_item("first_yield_p0_over_k", first_yield_ratio(friction, poisson).ratio)?;
+        check.set_item("shakedown_limit_p0_over_k", shakedown_limit_ratio(friction, poisson).ratio)?;
+        check.set_item("warnings", Vec::from_iter(plastic_stress_left_out(case)))?;
+        Ok(check)
+    }
+
+    /// Computes the run in memory, behind the steps of `before`.
+    #[pyo3(signature = (threads, tell, before, law, direction))]
+    fn run(
+        &self,
+        py: Python<'_>,
+        threads: Option<usize>,
+        tell: Option<&Bound<'_, PyAny>>,
+        before: Option<&Run>,
+        law: Option<Py<PyAny>>,
+        direction: Option<Py<PyAny>>,
+    ) -> PyResult<Computed> {
+        let (watch, told) = Watch::new();
+        let own = law.is_some() || direction.is_some();
+        let judge: Arc<dyn TipJudge> = Arc::new(OwnJudge { law, direction, watch: Arc::clone(&watch) });
+        let before = before.and_then(Run::in_memory);
+        let (case, observer) = (Arc::clone(&self.case), Arc::clone(&watch));
+        let over = compute(py, threads, (watch, told), tell, move || {
+            let scratch = Scratch::new();
+            let simulation = Simulation::new(&case).observed_by(observer.as_ref());
+            let simulation = if own { simulation.judged_by(&judge) } else { simulation };
+            let (run, ending) = simulation.run_in_memory(scratch.path(), before);
+            (run, ending, scratch)
+        })?;
+        let (run, ending, scratch) = over.result;
+        let run = Run::computed(Arc::clone(&self.case), run, scratch);
+        Ok(match ending {
+            Ok(Ending::Ended) => (run, String::new(), String::new()),
+            Ok(Ending::Interrupted) => (run, "interrupted".into(), String::new()),
+            Err(error) => (run, class_of(&error).into(), error.to_string()),
+        })
+    }
+}

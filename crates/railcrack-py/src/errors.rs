@@ -1,0 +1,59 @@
+//! Errors as the exceptions of `railcrack.errors`.
+
+use pyo3::call::PyCallArgs;
+use pyo3::prelude::*;
+use railcrack::shakedown::ShakedownError;
+use railcrack_case::{CarriedStressError, CaseErrors};
+use railcrack_run::OutputError;
+use railcrack_run::simulation::RunError;
+
+/// The exception `class` of the package, made of `arguments`.
+pub fn exception<'py>(py: Python<'py>, class: &str, arguments: impl PyCallArgs<'py>) -> PyErr {
+    let made = py
+        .import("railcrack.errors")
+        .and_then(|errors| errors.getattr(class))
+        .and_then(|class| class.call1(arguments));
+    made.map_or_else(|error| error, PyErr::from_value)
+}
+
+/// `CaseError` of all `errors`: message, file, line, column, key and help of each.
+pub fn case_error(py: Python<'_>, errors: &CaseErrors) -> PyErr {
+    let each = errors.errors().iter().map(|error| {
+        let (line, column) = error.position().unzip();
+        (error.message(), error.file(), line, column, error.key(), error.help(), error.one_line())
+    });
+    exception(py, "CaseError", (each.collect::<Vec<_>>(),))
+}
+
+/// `FolderError`: a folder that is not what it should be, or a file that the system refuses.
+pub fn output_error(py: Python<'_>, error: &OutputError) -> PyErr {
+    exception(py, "FolderError", (error.to_string(),))
+}
+
+/// Name of the exception for `error`.
+pub fn class_of(error: &RunError) -> &'static str {
+    match error {
+        RunError::Output(OutputError::NotFinite { .. } | OutputError::Field(_))
+        | RunError::Growth(_)
+        | RunError::NoLayers
+        | RunError::Shakedown(ShakedownError::NotConverged { .. }) => "NotConverged",
+        RunError::Residual(CarriedStressError::Field(_)) | RunError::Shakedown(_) => "BadInput",
+        RunError::Residual(_) => "NotConverged",
+        _ => "FolderError",
+    }
+}
+
+/// The exception for `error`.
+pub fn run_error(py: Python<'_>, error: &RunError) -> PyErr {
+    exception(py, class_of(error), (error.to_string(),))
+}
+
+/// `BadInput`, with the words of `error`.
+pub fn bad_input(py: Python<'_>, error: impl ToString) -> PyErr {
+    exception(py, "BadInput", (error.to_string(),))
+}
+
+/// `NotConverged`, with the words of `error`.
+pub fn not_converged(py: Python<'_>, error: impl ToString) -> PyErr {
+    exception(py, "NotConverged", (error.to_string(),))
+}

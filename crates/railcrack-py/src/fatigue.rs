@@ -1,0 +1,50 @@
+//! Criteria on histories.
+
+use crate::errors::bad_input;
+use crate::judge::history_of;
+use numpy::PyReadonlyArray2;
+use pyo3::prelude::*;
+use railcrack::fatigue::{DirectionCriterion, HourlierPineau, KinkFunctions, ParisLaw};
+use railcrack::math::MPA_SQRT_MM;
+
+/// Angle (degrees), rate (mm per cycle), Δk1 and Δk2 (MPa√m) of the kink, and angle and ratio of
+/// the best secondary maximum.
+type FoundKink = (f64, f64, f64, f64, Option<(f64, f64)>);
+
+/// The kink of the criterion for a history of K_I and K_II (MPa√m), shape (samples, 2).
+#[pyfunction]
+#[pyo3(signature = (history, *, c, m, mode_2_weight, threshold, criterion))]
+pub fn hourlier_pineau(
+    py: Python<'_>,
+    history: PyReadonlyArray2<'_, f64>,
+    c: f64,
+    m: f64,
+    mode_2_weight: f64,
+    threshold: f64,
+    criterion: &str,
+) -> PyResult<Option<FoundKink>> {
+    let criterion = match criterion {
+        "max-rate" => DirectionCriterion::MaxRate,
+        "max-delta-k1" => DirectionCriterion::MaxDeltaK1,
+        "max-k1" => DirectionCriterion::MaxK1,
+        other => {
+            let says = format!("criterion \"{other}\": must be max-rate, max-delta-k1 or max-k1");
+            return Err(bad_input(py, says));
+        }
+    };
+    let law = ParisLaw { c, m, mode_2_weight, threshold };
+    let history = history_of(&history)?;
+    let kink = py.detach(|| HourlierPineau { law, criterion }.kink(&history));
+    Ok(kink.map(|kink| {
+        let secondary = kink.secondary.map(|other| (other.angle.to_degrees(), other.ratio));
+        let (k1, k2) = (kink.delta_k1 / MPA_SQRT_MM, kink.delta_k2 / MPA_SQRT_MM);
+        (kink.angle.to_degrees(), kink.rate, k1, k2, secondary)
+    }))
+}
+
+/// F11, F12, F21 and F22 at a kink `angle`, degrees.
+#[pyfunction]
+pub fn kink_functions(angle: f64) -> [[f64; 2]; 2] {
+    let KinkFunctions { f11, f12, f21, f22 } = KinkFunctions::at(angle.to_radians());
+    [[f11, f12], [f21, f22]]
+}

@@ -1,0 +1,42 @@
+//! The extension module of the Python package railcrack: cases, runs, studies and the parts of the
+//! mechanics, with arrays of numpy.
+//!
+//! Classes and functions here are as plain as they can be; the package in `python/railcrack` gives
+//! them names, units, tables and plots. No computation holds the interpreter.
+
+mod background;
+mod body;
+mod case;
+mod columns;
+mod command;
+mod errors;
+mod fatigue;
+mod grid;
+mod judge;
+mod passage;
+mod run;
+mod scratch;
+mod shakedown;
+mod study;
+mod wheel;
+
+/// What the package imports.
+#[pyo3::pymodule]
+mod _railcrack {
+    #[pymodule_export]
+    use crate::body::{Body, case_body, dislocation_body, xfem_body};
+    #[pymodule_export]
+    use crate::case::Case;
+    #[pymodule_export]
+    use crate::command::{command, version};
+    #[pymodule_export]
+    use crate::fatigue::{hourlier_pineau, kink_functions};
+    #[pymodule_export]
+    use crate::passage::passage;
+    #[pymodule_export]
+    use crate::run::Run;
+    #[pymodule_export]
+    use crate::shakedown::shakedown;
+    #[pymodule_export]
+    use crate::study::Study;
+}

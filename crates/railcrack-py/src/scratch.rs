@@ -1,0 +1,48 @@
+//! Folders that last as long as what needs them.
+
+use pyo3::exceptions::PyOSError;
+use pyo3::prelude::*;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::{SystemTime, UNIX_EPOCH};
+
+/// A folder of its own, not there until something is written to it, and removed when dropped.
+#[derive(Debug)]
+pub struct Scratch(PathBuf);
+
+impl Scratch {
+    /// A name that no other process uses.
+    pub fn new() -> Self {
+        static COUNT: AtomicUsize = AtomicUsize::new(0);
+        let count = COUNT.fetch_add(1, Ordering::Relaxed);
+        let now = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_nanos());
+        let name = format!("railcrack-{}-{now}-{count}", std::process::id());
+        Self(std::env::temp_dir().join(name))
+    }
+
+    /// The folder.
+    pub fn path(&self) -> &Path {
+        &self.0
+    }
+
+    /// The folder with `files` in it, by their names relative to it.
+    pub fn with_files(files: Vec<(String, Vec<u8>)>) -> PyResult<Self> {
+        let scratch = Self::new();
+        for (name, content) in files {
+            let path = scratch.0.join(&name);
+            let written = path
+                .parent()
+                .map_or(Ok(()), std::fs::create_dir_all)
+                .and_then(|()| std::fs::write(&path, content));
+            written.map_err(|reason| PyOSError::new_err(format!("cannot write {name}: {reason}")))?;
+        }
+        Ok(scratch)
+    }
+}
+
+impl Drop for Scratch {
+    fn drop(&mut self) {
+        // Best effort: it lies where the system puts what is not to last.
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}

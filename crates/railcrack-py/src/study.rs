@@ -1,0 +1,182 @@
+//! Studies: many cases, computed here or by several processes.
+
+use crate::background::{Watch, compute};
+use crate::case::Case;
+use crate::columns;
+use crate::errors::{case_error, output_error, run_error};
+use crate::scratch::Scratch;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use railcrack_case::Overrides;
+use railcrack_report::Pages;
+use railcrack_run::csv::columns_of;
+use railcrack_run::simulation::{StudyComputation, case_files, study_plan};
+use railcrack_run::study::{Entry, StudySummaryRow};
+use railcrack_run::{OutputError, Presentation, StudyFolder, TablesOnly};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// A checked study.
+#[pyclass(module = "railcrack._railcrack", frozen)]
+pub struct Study {
+    study: Arc<railcrack_case::Study>,
+}
+
+/// Number of a run that failed, its values, and why.
+type Failed = (usize, String, String);
+
+#[pymethods]
+impl Study {
+    /// The study written in `text`, as [`Case::parse`].
+    #[staticmethod]
+    fn parse(
+        py: Python<'_>,
+        text: &str,
+        name: &str,
+        folder: PathBuf,
+        files: Vec<(String, Vec<u8>)>,
+    ) -> PyResult<Self> {
+        let scratch = if files.is_empty() { None } else { Some(Scratch::with_files(files)?) };
+        let folder = scratch.as_ref().map_or(folder.as_path(), Scratch::path);
+        let study = railcrack_case::Study::parse_with(text, name, folder, &Overrides::default());
+        Ok(Self { study: Arc::new(study.map_err(|errors| case_error(py, &errors))?) })
+    }
+
+    #[getter]
+    fn title(&self) -> &str {
+        &self.study.title
+    }
+
+    /// Number, values and folder of every run.
+    #[getter]
+    fn runs(&self) -> Vec<(usize, &str, &str)> {
+        let runs = self.study.runs.iter();
+        runs.map(|run| (run.number, run.label.as_str(), run.folder.as_str())).collect()
+    }
+
+    /// Keys that vary, with their values as text.
+    #[getter]
+    fn keys(&self) -> Vec<(String, Vec<String>)> {
+        let plan = study_plan(&self.study, Vec::new());
+        plan.axes.into_iter().flat_map(|axis| axis.keys).map(|key| (key.key, key.values)).collect()
+    }
+
+    /// The case of run `number`.
+    fn case(&self, number: usize) -> Option<Case> {
+        let run = self.study.runs.iter().find(|run| run.number == number)?;
+        Some(Case { case: Arc::new(run.case.clone()) })
+    }
+
+    /// Enters the folder `out` to compute the runs `own`: the numbers of those that are left to do,
+    /// and those that failed before for good. `entry` is begin, join, resume or replace.
+    fn enter(
+        &self,
+        py: Python<'_>,
+        out: PathBuf,
+        own: Vec<usize>,
+        entry: &str,
+    ) -> PyResult<(Vec<usize>, Vec<Failed>)> {
+        let entry = match entry {
+            "join" => Entry::Join,
+            "resume" => Entry::ResumePart,
+            "replace" => Entry::Replace,
+            _ => Entry::Begin,
+        };
+        let entered = py.detach(|| {
+            let folder = folder_of(&self.study, &out, &own, entry)?;
+            folder.left_to_do(&self.study, &own)
+        });
+        let (waiting, failed) = entered.map_err(|error| output_error(py, &error))?;
+        let numbers = waiting.into_iter().map(|i| self.study.runs[i].number).collect();
+        let failed = failed.into_iter().map(|run| (run.number, run.label, run.reason)).collect();
+        Ok((numbers, failed))
+    }
+
+    /// Computes the runs with the numbers `own` into the folder `out`, which is entered as part of
+    /// the study: those that failed, and whether it was interrupted.
+    #[pyo3(signature = (out, own, pages, threads, tell))]
+    fn compute(
+        &self,
+        py: Python<'_>,
+        out: PathBuf,
+        own: Vec<usize>,
+        pages: bool,
+        threads: Option<usize>,
+        tell: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<(Vec<Failed>, bool)> {
+        let (watch, told) = Watch::new();
+        let (study, observer) = (Arc::clone(&self.study), Arc::clone(&watch));
+        let threads =
+            threads.or_else(|| std::thread::available_parallelism().ok().map(Into::into)).unwrap_or(1);
+        // The computation has threads of its own, one pool for each run.
+        let over = compute(py, Some(1), (watch, told), tell, move || {
+            let presentation: &dyn Presentation = if pages { &Pages } else { &TablesOnly };
+            let folder = folder_of(&study, &out, &own, Entry::ResumePart)?;
+            let (waiting, mut failed) = folder.left_to_do(&study, &own)?;
+            let computation = StudyComputation {
+                study: &study,
+                folder: &folder,
+                observer: observer.as_ref(),
+                presentation,
+            };
+            if !waiting.is_empty() {
+                failed.extend(computation.compute(&waiting, threads)?);
+            }
+            Ok(failed)
+        })?;
+        let failed = over.result.map_err(|error| run_error(py, &error))?;
+        let failed = failed.into_iter().map(|run| (run.number, run.label, run.reason)).collect();
+        Ok((failed, over.signal.is_some()))
+    }
+
+    /// Gathers the results in the folder `out` and writes tables, plots and report of the study.
+    fn gather(&self, py: Python<'_>, out: PathBuf) -> PyResult<()> {
+        let written = py.detach(|| StudyFolder::open(&out)?.write_results(&Pages));
+        written.map(drop).map_err(|error| output_error(py, &error))
+    }
+
+    /// The results in the folder `out` by columns: folder and values (as text) of each run, and
+    /// what follows them in `summary.csv`.
+    #[staticmethod]
+    fn results<'py>(
+        py: Python<'py>,
+        out: PathBuf,
+    ) -> PyResult<(Vec<String>, Vec<(String, Vec<String>)>, Bound<'py, PyDict>)> {
+        let read = py.detach(|| {
+            let folder = StudyFolder::open(&out)?;
+            let results = folder.read_results()?;
+            Ok((folder, results))
+        });
+        let (folder, results) = read.map_err(|error: OutputError| output_error(py, &error))?;
+        let plan = folder.plan();
+        let keys: Vec<String> =
+            plan.axes.iter().flat_map(|axis| &axis.keys).map(|key| key.key.clone()).collect();
+        let mut values: Vec<(String, Vec<String>)> = keys.into_iter().map(|key| (key, Vec::new())).collect();
+        for run in &plan.runs {
+            for ((_, values), (_, value)) in values.iter_mut().zip(plan.values_of(run)) {
+                values.push(value.to_owned());
+            }
+        }
+        let folders = plan.runs.iter().map(|run| run.folder.clone()).collect();
+        let rows = results.rows.iter().map(|row| Ok::<_, OutputError>(StudySummaryRow::from(row)));
+        let columns = columns_of(rows).map_err(|error| output_error(py, &error))?;
+        Ok((folders, values, columns::to_numpy(py, columns)?))
+    }
+
+    /// Text of the study file in the folder `out`.
+    #[staticmethod]
+    fn stored_text(py: Python<'_>, out: PathBuf) -> PyResult<String> {
+        let text = StudyFolder::open(&out).and_then(|folder| folder.study_text());
+        text.map_err(|error| output_error(py, &error))
+    }
+}
+
+fn folder_of(
+    study: &railcrack_case::Study,
+    out: &Path,
+    own: &[usize],
+    entry: Entry,
+) -> Result<StudyFolder, OutputError> {
+    let cases: Vec<_> = study.runs.iter().map(|run| case_files(&run.case)).collect();
+    StudyFolder::enter(out, study_plan(study, Vec::new()), &study.text, entry, own, &cases)
+}

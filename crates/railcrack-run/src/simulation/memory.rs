@@ -1,0 +1,165 @@
+//! Runs in memory: no file is written unless asked for.
+
+use super::drive::{Ending, OfSteps, compute};
+use super::error::RunError;
+use super::job::{Job, Stage};
+use super::residual_stress::Residual;
+use super::run::Simulation;
+use crate::csv::{ResidualRow, SifScale};
+use crate::files::ROLLED_FOLDER;
+use crate::memory::peak_memory_mb;
+use crate::run_log::RunLog;
+use crate::{Existing, FolderLock, OutputError, Presentation, Recorder, Summary};
+use railcrack::growth::{GrowthState, StepRecord};
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+/// The finished steps of a run, kept in memory.
+#[derive(Debug, Clone)]
+pub struct RunInMemory {
+    job: Job,
+    residual: Option<Residual>,
+    /// Each step, and the state after it.
+    steps: Vec<(StepRecord, GrowthState)>,
+    /// Where the plastic state of the rolled rail stands, if the case has it computed.
+    rolled: Option<PathBuf>,
+    wall_s: f64,
+}
+
+impl Simulation<'_> {
+    /// Computes the run in memory, step by step, until it ends or is interrupted: behind the steps
+    /// of `before`, which then must be a run of the same case. Only the plastic state of a rolled
+    /// rail is written, to `scratch`, where the case has it computed.
+    ///
+    /// What was computed is there in any case, beside the error: the plastic state or a step cannot
+    /// be computed.
+    pub fn run_in_memory(
+        &self,
+        scratch: &Path,
+        before: Option<RunInMemory>,
+    ) -> (RunInMemory, Result<Ending, RunError>) {
+        let started = Instant::now();
+        let begun = || RunInMemory {
+            job: Job::of(self.case),
+            residual: None,
+            steps: Vec::new(),
+            rolled: None,
+            wall_s: 0.0,
+        };
+        let mut run = before.unwrap_or_else(begun);
+        let ending = self.go_on(&mut run, scratch);
+        self.observer.close();
+        run.wall_s += started.elapsed().as_secs_f64();
+        (run, ending)
+    }
+
+    /// The step from `state` on alone, or that from the beginning; none where the run has ended.
+    ///
+    /// Errors: the plastic state or the step cannot be computed.
+    pub fn one_step(
+        &self,
+        scratch: &Path,
+        state: Option<GrowthState>,
+    ) -> Result<Option<StepRecord>, RunError> {
+        let Self { observer, presentation, shared, .. } = *self;
+        let (mut growth, _) =
+            self.growth(Stage { folder: scratch, observer, presentation, shared, state })?;
+        Ok(growth.next_step(&OfSteps(observer))?)
+    }
+
+    fn go_on(&self, run: &mut RunInMemory, scratch: &Path) -> Result<Ending, RunError> {
+        let state = run.steps.last().map(|(_, state)| state.clone());
+        self.observer.begins(state.as_ref().map_or(0, |state| state.step));
+        let Self { observer, presentation, shared, .. } = *self;
+        let stage = Stage { folder: scratch, observer, presentation, shared, state };
+        let (growth, residual) = self.growth(stage)?;
+        if let Some(residual) = &residual {
+            residual.tell(observer);
+        }
+        run.residual = residual;
+        run.rolled = Some(scratch.join(ROLLED_FOLDER)).filter(|folder| folder.is_dir());
+        let steps = &mut run.steps;
+        compute(growth, observer, |record, state| {
+            observer.finished(&record);
+            steps.push((record, state));
+            Ok(())
+        })
+    }
+}
+
+impl RunInMemory {
+    /// The finished steps, in order.
+    pub fn records(&self) -> impl Iterator<Item = &StepRecord> {
+        self.steps.iter().map(|(record, _)| record)
+    }
+
+    /// The state before step `step`; none at the beginning, and behind the last finished step.
+    pub fn state_before(&self, step: usize) -> Option<&GrowthState> {
+        self.steps.get(step.checked_sub(1)?).map(|(_, state)| state)
+    }
+
+    /// The residual stress of the rail on its middle line; empty where it carries none.
+    pub fn residual(&self) -> &[ResidualRow] {
+        self.residual.as_ref().map_or(&[], |residual| &residual.rows)
+    }
+
+    /// The scale of the wheel positions in `sif.csv`.
+    pub fn scale(&self) -> SifScale {
+        let first = self.steps.first().and_then(|(record, _)| record.cracks.first());
+        let origin = first.map_or(0.0, |crack| crack.points()[0].x);
+        SifScale { origin, half_width: self.job.info.half_width }
+    }
+
+    /// The run in numbers, as far as it was computed.
+    pub fn summary(&self) -> Summary {
+        let mut log = RunLog::default();
+        self.records().for_each(|record| log.add(record, Vec::new()));
+        log.now.residual = self.residual.as_ref().map(|residual| residual.summary.clone());
+        log.now.wall_s = self.wall_s;
+        log.now.peak_memory_mb = peak_memory_mb();
+        Summary::new(&self.job.info, &log)
+    }
+
+    /// Writes the run folder that the same run would have written, wall times aside; a run that was
+    /// interrupted can be resumed there.
+    ///
+    /// Errors: the folder holds a run and `existing` says to leave it alone; a number that is not
+    /// finite; the system refuses to write.
+    pub fn save(
+        &self,
+        folder: &Path,
+        existing: Existing,
+        presentation: &dyn Presentation,
+    ) -> Result<Summary, OutputError> {
+        std::fs::create_dir_all(folder).map_err(OutputError::io("create the run folder", folder))?;
+        let _lock = FolderLock::take(folder)?;
+        let Job { case, info } = self.job.clone();
+        let mut recorder = Recorder::start(folder, case, info, existing, presentation)?;
+        if let Some(rolled) = &self.rolled {
+            copy_folder(rolled, &folder.join(ROLLED_FOLDER))?;
+        }
+        if let Some(residual) = &self.residual {
+            recorder.residual(&residual.rows, residual.summary.clone())?;
+        }
+        for (record, state) in &self.steps {
+            recorder.record(record, state)?;
+        }
+        recorder.was_computed_in(self.wall_s);
+        recorder.finish()
+    }
+}
+
+fn copy_folder(from: &Path, to: &Path) -> Result<(), OutputError> {
+    let refused = || OutputError::io("copy", from);
+    std::fs::create_dir_all(to).map_err(refused())?;
+    for entry in std::fs::read_dir(from).map_err(refused())? {
+        let path = entry.map_err(refused())?.path();
+        let Some(name) = path.file_name() else { continue };
+        if path.is_dir() {
+            copy_folder(&path, &to.join(name))?;
+        } else {
+            std::fs::copy(&path, to.join(name)).map_err(refused())?;
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,202 @@
+"""Cases."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _railcrack, errors
+from ._progress import Progress, teller
+from ._source import Source, read_text
+
+if TYPE_CHECKING:
+    from ._run import Run
+
+History = NDArray[np.float64]
+"""K through the stabilised passage: shape (samples, 2), K_I and K_II in MPa√m, in the order of
+events, both unloaded ends included."""
+
+
+@dataclass(frozen=True)
+class Check:
+    """What a case would compute: sizes, bounds and warnings."""
+
+    text: str
+    """All of it, as `railcrack check` prints it."""
+    face_points: int
+    """Points on the crack faces at the start."""
+    tips: int
+    """Crack tips at the start."""
+    displacement_unknowns: int
+    """Unknowns of the finite elements; 0 with dislocations."""
+    memory_bytes: int
+    """Estimate of the memory needed."""
+    p0_over_k: float
+    """Peak pressure over the shear yield stress."""
+    first_yield_p0_over_k: float
+    """The same at first yield of the virgin rail."""
+    shakedown_limit_p0_over_k: float
+    """The same at the limit of elastic shakedown."""
+    warnings: list[str]
+    """Sentences."""
+
+    def __str__(self) -> str:
+        return self.text
+
+    def _repr_html_(self) -> str:
+        from html import escape
+
+        return f"<pre>{escape(self.text)}</pre>"
+
+
+class Case:
+    """A case: rail, wheel, cracks, growth, checked.
+
+    >>> case = Case({"contact": {"peak_pressure_mpa": 845.0, "half_width_mm": 6.75},
+    ...              "crack": [{"mouth_mm": 0.0, "length_mm": 6.0, "angle_deg": 15.0}]})
+
+    The keys are those of the case file (docs/case-file.md). A case never changes; `with_` makes
+    another one. It can be pickled, and carries the files that it names with it.
+
+    Raises `CaseError` with all errors at once, each with file, line, column and key.
+    """
+
+    _core: _railcrack.Case
+    _source: Source
+
+    def __init__(self, sections: Mapping[str, Any] | str) -> None:
+        """A case of a dictionary of sections, or of the text of a case file. File names are
+        relative to the working folder."""
+        folder = Path()
+        source = Source.gathered(sections, "case", folder) if isinstance(sections, str) else Source.of(sections, folder)
+        self._set(source)
+
+    def _set(self, source: Source) -> None:
+        self._source = source
+        self._core = _railcrack.Case.parse(source.text, source.name, Path(), list(source.files))
+
+    @classmethod
+    def _of(cls, source: Source) -> Case:
+        case = cls.__new__(cls)
+        case._set(source)
+        return case
+
+    @classmethod
+    def read(cls, path: str | os.PathLike[str]) -> Case:
+        """The case in the file `path`."""
+        path = Path(path)
+        text = read_text(path)
+        case = cls.__new__(cls)
+        case._core = _railcrack.Case.parse(text, str(path), path.parent, [])
+        case._source = Source.gathered(text, str(path), path.parent)
+        return case
+
+    def with_(self, **sections: Mapping[str, Any] | list[Any] | str | None) -> Case:
+        """The case with other values: `case.with_(growth={"steps": 5}, crack={"friction": 0.2})`.
+
+        A section changes key by key, and is there where it was not; None takes a key or a section
+        away. A dictionary for `crack` changes every crack, a list of dictionaries replaces them.
+        """
+        return Case._of(self._source.changed(sections))
+
+    @property
+    def title(self) -> str:
+        """Heading of plots and reports."""
+        return self._core.title
+
+    @property
+    def steps(self) -> int:
+        """Number of increments."""
+        return self._core.steps
+
+    @property
+    def engine(self) -> str:
+        """`xfem` or `dislocation`."""
+        return self._core.engine
+
+    @property
+    def cracks(self) -> list[NDArray[np.float64]]:
+        """Each crack: shape (points, 2), x and y in mm, from the first point on."""
+        return [np.array(points) for points in self._core.cracks]
+
+    @property
+    def text(self) -> str:
+        """The case as it was given."""
+        return self._source.text
+
+    def to_toml(self) -> str:
+        """The case with every default filled in."""
+        return self._core.to_toml()
+
+    def check(self) -> Check:
+        """Sizes, bounds and warnings; nothing is computed."""
+        return Check(**self._core.check())
+
+    def run(
+        self,
+        *,
+        progress: Progress = False,
+        threads: int | None = None,
+        resume: Run | None = None,
+        law: Callable[[History], float] | None = None,
+        direction: Callable[[History], float | None] | None = None,
+    ) -> Run:
+        """Computes the growth of the cracks, in memory; `Run.save` writes the run folder.
+
+        progress: True for a bar, or a function that is called with a `Step`.
+        threads: as many as the machine has where None; results are the same bits with any.
+        resume: a run of this case that was interrupted, to go on with.
+        law: the growth rate in mm per cycle as a function of the history of a tip, in place of the
+            case's law.
+        direction: the kink in degrees from straight ahead, counter-clockwise, as a function of the
+            same history, in place of the case's criterion; None for a tip that is not loaded.
+
+        Raises `NotConverged` and, on Ctrl-C, within one load step, `Interrupted`: both have
+        `partial_run` with what was computed before. Other threads of Python run meanwhile.
+        """
+        from ._run import Run
+
+        told = teller(progress, self.steps + 1)
+        try:
+            before = resume._core if resume is not None else None
+            if before is not None and not resume._is_in_memory:  # type: ignore[union-attr]
+                raise errors.BadInput("a run in a folder is resumed by `railcrack run --resume`")
+            core, ended, why = self._core.run(threads, told, before, law, direction)
+        finally:
+            told.close()
+        run = Run(core, in_memory=True, case=self)
+        if not ended:
+            return run
+        partial = run if len(run.growth.step) else None
+        if ended == "interrupted":
+            raise errors.Interrupted(partial_run=partial)
+        if ended == "NotConverged":
+            raise errors.NotConverged(why, partial_run=partial)
+        raise getattr(errors, ended)(why)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Case) and self._source.files == other._source.files and self.to_toml() == other.to_toml()
+
+    def __hash__(self) -> int:
+        return hash(self.to_toml())
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Case._of, (self._source,)
+
+    def __repr__(self) -> str:
+        return f"<railcrack.Case {self.title!r}: {len(self._core.cracks)} cracks, {self.steps} steps, {self.engine}>"
+
+    def _repr_html_(self) -> str:
+        from html import escape
+
+        from ._html import facts
+
+        rows = [("engine", self.engine), ("cracks", len(self._core.cracks)), ("increments", self.steps)]
+        text = f"<details><summary>all values</summary><pre>{escape(self.to_toml())}</pre></details>"
+        return facts(self.title, rows, text)

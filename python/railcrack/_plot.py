@@ -1,0 +1,147 @@
+"""Plots by matplotlib. Every function draws on `ax`, on axes of its own where none are given, and
+returns the axes."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from ._run import Run
+    from ._study import Study
+
+
+def _axes(ax: Any) -> Any:
+    if ax is not None:
+        return ax
+    import matplotlib.pyplot as plt
+
+    _, axes = plt.subplots(layout="constrained")
+    return axes
+
+
+def _tips(run: Run) -> list[tuple[int, int]]:
+    growth = run.growth
+    return sorted({(int(c), int(t)) for c, t in zip(growth["crack"], growth["tip"], strict=True)})
+
+
+def _name(run: Run, crack: int, tip: int) -> str:
+    tips = _tips(run)
+    if len(tips) == 1:
+        return ""
+    many = sum(1 for c, _ in tips if c == crack) > 1
+    return f"crack {crack}" + (f" tip {tip}" if many else "")
+
+
+class RunPlots:
+    """Plots of a run: `run.plot.sif()`, `.paths()`, `.length()`, `.faces()`."""
+
+    def __init__(self, run: Run) -> None:
+        self._run = run
+
+    def __call__(self) -> Any:
+        """All four in one figure."""
+        import matplotlib.pyplot as plt
+
+        figure, axes = plt.subplots(2, 2, figsize=(11, 8), layout="constrained")
+        self.sif(ax=axes[0, 0])
+        self.paths(ax=axes[0, 1])
+        self.length(ax=axes[1, 0])
+        self.faces(ax=axes[1, 1])
+        return figure
+
+    def sif(self, step: int = 0, crack: int = 1, tip: int = 1, *, ax: Axes | None = None) -> Axes:
+        """K_I and K_II of a tip over the stabilised passage of a step."""
+        axes: Axes = _axes(ax)
+        xc, ki, kii = self._run.history(step, crack, tip).T
+        axes.plot(xc, ki, label="$K_I$")
+        axes.plot(xc, kii, label="$K_{II}$")
+        axes.axhline(0.0, color="0.7", linewidth=0.8, zorder=0)
+        axes.set_xlabel("$x_c / a$")
+        axes.set_ylabel(r"K (MPa$\sqrt{\mathrm{m}}$)")
+        axes.set_title(" ".join(filter(None, [f"step {step}", _name(self._run, crack, tip)])))
+        axes.legend()
+        return axes
+
+    def paths(self, *, ax: Axes | None = None) -> Axes:
+        """The cracks at the start and at the end, to scale, and the tips of every step."""
+        axes: Axes = _axes(ax)
+        growth = self._run.growth
+        for i, (first, last) in enumerate(zip(self._run.cracks(0), self._run.cracks(), strict=False)):
+            colour = f"C{i % 10}"
+            axes.plot(*last.T, color=colour, linewidth=1.2)
+            axes.plot(*first.T, color=colour, linewidth=3.0, solid_capstyle="round")
+        axes.plot(growth["tip_x_mm"], growth["tip_y_mm"], ".", color="0.2", markersize=3)
+        left, right = axes.get_xlim()
+        axes.plot([left, right], [0.0, 0.0], color="0.5", linewidth=0.8, zorder=0)
+        axes.set_xlim(left, right)
+        axes.set_aspect("equal")
+        axes.set_xlabel("x (mm)")
+        axes.set_ylabel("y (mm)")
+        return axes
+
+    def length(self, *, ax: Axes | None = None) -> Axes:
+        """Length of each crack against load cycles."""
+        axes: Axes = _axes(ax)
+        growth, last = self._run.growth, {}
+        for crack, tip in _tips(self._run):
+            last[crack] = tip
+        for crack, tip in last.items():
+            rows = growth.where(crack=crack, tip=tip)
+            axes.plot(rows["load_cycles"], rows["length_mm"], ".-", label=_name(self._run, crack, tip) or None)
+        axes.set_xlabel("load cycles")
+        axes.set_ylabel("length (mm)")
+        if len(last) > 1:
+            axes.legend()
+        return axes
+
+    def faces(self, step: int = 0, crack: int = 1, *, ax: Axes | None = None) -> Axes:
+        """Status of the faces of a crack through the stabilised passage: position by arc length."""
+        from matplotlib.colors import ListedColormap
+        from matplotlib.patches import Patch
+
+        axes: Axes = _axes(ax)
+        rows = self._run.faces.where(step=step, crack=crack)
+        positions = np.unique(rows["position"])
+        words, colours = ["open", "stick", "slip"], ["#f2f0e9", "#7a9cc6", "#d1495b"]
+        codes = np.select([rows["status"] == word for word in words], range(3))
+        sif = self._run.sif.where(step=step, crack=crack)
+        sif = sif.where(passage=sif["passage"].max(), tip=sif["tip"].min())
+        s = rows["s_mm"].reshape(len(positions), -1)[0]
+        codes = codes.reshape(len(positions), -1).T
+        axes.pcolormesh(sif["xc_over_a"], s, codes, cmap=ListedColormap(colours), vmin=0, vmax=2, shading="nearest")
+        axes.legend(handles=[Patch(color=c, label=w) for c, w in zip(colours, words, strict=True)], loc="upper right")
+        axes.set_xlabel("$x_c / a$")
+        axes.set_ylabel("arc length from the mouth (mm)")
+        axes.set_title(f"step {step}")
+        return axes
+
+
+class StudyPlots:
+    """Plots of a study: `study.plot.scatter(key, column)`, `.paths()`."""
+
+    def __init__(self, study: Study) -> None:
+        self._study = study
+
+    def scatter(self, key: str, column: str, *, ax: Axes | None = None) -> Axes:
+        """A column of the table against a key that varies (or another column)."""
+        axes: Axes = _axes(ax)
+        table = self._study.results
+        axes.plot(table[key], table[column], "o")
+        axes.set_xlabel(key)
+        axes.set_ylabel(f"{column}" + (f" ({table.units[column]})" if table.units[column] else ""))
+        return axes
+
+    def paths(self, *, ax: Axes | None = None) -> Axes:
+        """The cracks of all runs at their end."""
+        axes: Axes = _axes(ax)
+        for number in self._study.numbers:
+            for crack in self._study.run(number).cracks():
+                axes.plot(*crack.T, linewidth=0.8, color="C0", alpha=0.5)
+        axes.set_aspect("equal")
+        axes.set_xlabel("x (mm)")
+        axes.set_ylabel("y (mm)")
+        return axes

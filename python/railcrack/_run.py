@@ -1,0 +1,230 @@
+"""Runs."""
+
+from __future__ import annotations
+
+import io
+import json
+import os
+import shutil
+import tempfile
+import zipfile
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _railcrack, errors
+from ._table import Table
+
+if TYPE_CHECKING:
+    from ._case import Case
+    from ._grid import FieldGrid
+    from ._plot import RunPlots
+
+
+class Run:
+    """A run: what `Case.run` computed, or the run folder of the command (`Run.open`).
+
+    The tables are those of the run folder, with the same columns (docs/file-formats.md). A run can
+    be pickled: it then takes its run folder with it, without plots and report.
+    """
+
+    def __init__(self, core: _railcrack.Run, *, in_memory: bool, case: Case | None = None, folder: Path | None = None) -> None:
+        self._core = core
+        self._is_in_memory = in_memory
+        self._case = case
+        self._folder = folder
+        self._keeps: object = None
+
+    @classmethod
+    def open(cls, folder: str | os.PathLike[str]) -> Run:
+        """The run in `folder`."""
+        return cls(_railcrack.Run.open(Path(folder)), in_memory=False, folder=Path(folder))
+
+    @cached_property
+    def sif(self) -> Table:
+        """K of every tip at every wheel position: columns of `sif.csv`."""
+        return Table("sif", self._core.columns("sif"))
+
+    @cached_property
+    def growth(self) -> Table:
+        """Every tip at every step: columns of `growth.csv`."""
+        return Table("growth", self._core.columns("growth"))
+
+    @cached_property
+    def faces(self) -> Table:
+        """The crack faces through the stabilised passages: columns of `faces.csv`."""
+        return Table("faces", self._core.columns("faces"))
+
+    @cached_property
+    def residual(self) -> Table:
+        """The residual stress that the rail carries, by depth: columns of `residual.csv`; no rows
+        where it carries none."""
+        return Table("residual", self._core.columns("residual"))
+
+    @cached_property
+    def summary(self) -> dict[str, Any]:
+        """`summary.json`."""
+        return dict(json.loads(self._core.summary_json()))
+
+    @property
+    def title(self) -> str:
+        """Title of the case."""
+        return str(self.summary["title"])
+
+    @property
+    def steps(self) -> int:
+        """Increments done."""
+        return int(self.summary["steps"])
+
+    @property
+    def stop(self) -> str | None:
+        """Why the run ended; None while it can go on."""
+        stop = self.summary["stop"]
+        return None if stop is None else str(stop)
+
+    @property
+    def warnings(self) -> list[str]:
+        """Warnings, in order."""
+        return [w["text"] if isinstance(w, dict) else str(w) for w in self.summary["warnings"]]
+
+    @property
+    def case(self) -> Case:
+        """The case."""
+        from ._case import Case
+
+        if self._case is None:
+            if self._folder is None:
+                raise errors.FolderError("the run has no case")
+            self._case = Case.read(self._folder / "case.toml")
+        return self._case
+
+    def cracks(self, step: int | None = None) -> list[NDArray[np.float64]]:
+        """Each crack: shape (points, 2), x and y in mm; at the start of `step` 0, or of the last
+        step (None)."""
+        if step not in (None, 0):
+            raise errors.BadInput(f"step = {step}: must be 0, or None for the last one")
+        key = "points_mm" if step is None else "initial_points_mm"
+        return [np.array(crack[key]) for crack in self.summary["cracks"]]
+
+    def history(self, step: int = 0, crack: int = 1, tip: int = 1) -> NDArray[np.float64]:
+        """K of a tip over the stabilised passage of a step at the output positions: shape
+        (positions, 3), x_c/a, K_I and K_II (MPa√m)."""
+        rows = self.sif.where(step=step, crack=crack, tip=tip)
+        if rows.rows == 0:
+            raise errors.BadInput(f"no K of step {step}, crack {crack}, tip {tip}")
+        last = rows.where(passage=rows["passage"].max())
+        return np.column_stack([last[c] for c in ("xc_over_a", "ki_mpa_sqrt_m", "kii_mpa_sqrt_m")])
+
+    def save(self, folder: str | os.PathLike[str], *, replace: bool = False, report: bool = True) -> Path:
+        """Writes the run folder: the files that `railcrack run` would have written, wall times
+        aside; without `report` no plots and no page. A folder that holds a run is not overwritten
+        unless `replace`."""
+        folder = Path(folder)
+        if self._is_in_memory:
+            self._core.save(folder, replace, report)
+        elif self._folder is not None:
+            if folder.exists() and any(folder.iterdir()) and not replace:
+                raise errors.FolderError(f"{folder} is not empty; replace=True overwrites it")
+            shutil.copytree(self._folder, folder, dirs_exist_ok=True)
+        return folder
+
+    def report(self, path: str | os.PathLike[str] | None = None) -> str:
+        """The HTML report, one self-contained page: written to `path` where that is given, and
+        returned."""
+        with tempfile.TemporaryDirectory(prefix="railcrack-") as scratch:
+            folder = self._folder
+            if folder is None or not (folder / "report.html").is_file():
+                folder = self.save(Path(scratch) / "run")
+            page = (folder / "report.html").read_text(encoding="utf-8")
+        if path is not None:
+            Path(path).write_text(page, encoding="utf-8")
+        return page
+
+    def fields(self, step: int = 0, xc_over_a: float = 0.0, *, threads: int | None = None) -> Any:
+        """Displacement (mm) and stress (MPa) around the cracks in `step` with the wheel at the
+        output position nearest to `xc_over_a`: a `pyvista.UnstructuredGrid` where pyvista is
+        installed, a `FieldGrid` otherwise.
+
+        Of a run in memory, the step is computed again for them; a run folder has those that the
+        case asked for ([output]), and those of step 0. Only the finite-element engine has fields.
+        """
+        grid = self.field_grid(step, xc_over_a, threads=threads)
+        try:
+            import pyvista  # noqa: F401
+        except ImportError:
+            return grid
+        return grid.to_pyvista()
+
+    def field_grid(self, step: int = 0, xc_over_a: float = 0.0, *, threads: int | None = None) -> FieldGrid:
+        """As `fields`, always a `FieldGrid`."""
+        from ._grid import FieldGrid
+
+        if not 0 <= step <= self.steps:
+            raise errors.BadInput(f"step = {step}: must be from 0 to {self.steps}")
+        path = self._stored_field(step, xc_over_a)
+        if path is not None:
+            return FieldGrid(_railcrack.Run.read_grid(path))
+        grid = self._core.fields_at(step, xc_over_a, threads)
+        if grid is None:
+            stored = sorted({(s, p) for s, p, _ in self._core.stored_fields()})
+            have = ", ".join(f"step {s} position {p}" for s, p in stored) or "none"
+            raise errors.BadInput(
+                f"no field of step {step} at x_c/a = {xc_over_a}: the engine xfem computes fields, and a run folder "
+                f"has those that [output] asks for ({have})"
+            )
+        return FieldGrid(grid)
+
+    def _stored_field(self, step: int, xc_over_a: float) -> Path | None:
+        stored = {position: path for s, position, path in self._core.stored_fields() if s == step}
+        if not stored:
+            return None
+        history = self.history(step)
+        position = int(np.argmin(np.abs(history[:, 0] - xc_over_a))) + 1
+        return stored.get(position)
+
+    @property
+    def plot(self) -> RunPlots:
+        """Plots by matplotlib: `run.plot.sif()`, `.paths()`, `.length()`, `.faces()`."""
+        from ._plot import RunPlots
+
+        return RunPlots(self)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        with tempfile.TemporaryDirectory(prefix="railcrack-") as scratch:
+            folder = self.save(Path(scratch) / "run", report=False) if self._is_in_memory else self._folder
+            packed = io.BytesIO()
+            with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED, compresslevel=1) as archive:
+                for file in sorted(Path(folder or "").rglob("*")):
+                    if file.is_file() and file.name != "report.html" and "plots" not in file.parts:
+                        archive.write(file, file.relative_to(folder or ""))
+        return _unpacked, (packed.getvalue(),)
+
+    def __repr__(self) -> str:
+        where = "in memory" if self._is_in_memory else str(self._folder)
+        return f"<railcrack.Run {self.title!r}: {self.steps} steps, {self.stop or 'can go on'}, {where}>"
+
+    def _repr_html_(self) -> str:
+        from ._html import facts
+
+        last = self.growth.where(step=self.growth["step"].max()) if self.growth.rows else None
+        rows: list[tuple[str, Any]] = [("engine", self.summary["engine"]), ("increments", self.steps), ("stop", self.stop or "")]
+        rows.append(("load cycles", f"{self.summary['load_cycles']:.6g}"))
+        for i in range(last.rows if last is not None else 0):
+            tip = {name: last[name][i] for name in ("crack", "tip", "length_mm", "kink_angle_deg", "rate_mm_per_cycle")}  # type: ignore[index]
+            what = f"length {tip['length_mm']:.3f} mm, {tip['rate_mm_per_cycle']:.3g} mm per cycle, kink {tip['kink_angle_deg']:.1f}°"
+            rows.append((f"crack {tip['crack']} tip {tip['tip']}", what))
+        rows.extend(("warning", text) for text in self.warnings)
+        return facts(self.title, rows)
+
+
+def _unpacked(packed: bytes) -> Run:
+    """A run from its packed folder, which lasts as long as the run."""
+    folder = tempfile.TemporaryDirectory(prefix="railcrack-")
+    with zipfile.ZipFile(io.BytesIO(packed)) as archive:
+        archive.extractall(folder.name)
+    run = Run.open(folder.name)
+    run._keeps = folder
+    return run

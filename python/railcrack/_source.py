@@ -1,0 +1,97 @@
+"""Texts of cases and studies with the files that they name, whole without any folder."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path, PurePosixPath
+from typing import Any
+
+from . import _toml
+from .errors import CaseError
+
+
+@dataclass(frozen=True)
+class Source:
+    """A text, its name in errors, and the contents of the files that it names."""
+
+    text: str
+    name: str
+    files: tuple[tuple[str, bytes], ...] = ()
+
+    @classmethod
+    def read(cls, path: str | os.PathLike[str]) -> Source:
+        """The file `path` with the files that it names."""
+        path = Path(path)
+        return cls.gathered(read_text(path), str(path), path.parent)
+
+    @classmethod
+    def of(cls, sections: Mapping[str, Any], folder: Path) -> Source:
+        """The text of `sections`, whose file names are relative to `folder`."""
+        return cls.gathered(_toml.write(sections), "case", folder)
+
+    @classmethod
+    def gathered(cls, text: str, name: str, folder: Path, under: str = "") -> Source:
+        """`text` with the files in `folder` that it names. A file that lies outside of the folder is
+        given another name, as are all where they are to lie `under` a folder of their own."""
+        try:
+            sections = _toml.read(text)
+        except ValueError:
+            return cls(text, name)  # whose errors are reported by who reads it
+        files: dict[str, bytes] = {}
+        renamed: dict[str, str] = {}
+        for value in _texts({key: value for key, value in sections.items() if key != "title"}):
+            file = folder / value
+            if not value or "\n" in value or len(value) > 1000 or not file.is_file():
+                continue
+            inside = not file.is_absolute() and ".." not in PurePosixPath(value).parts
+            inside = inside and not PurePosixPath(value).is_absolute()
+            kept = value if inside and not under else f"{under or 'outside'}-{len(files)}/{file.name}"
+            files[kept] = file.read_bytes()
+            if kept != value:
+                renamed[value] = kept
+        if renamed:
+            text = _toml.write(_renamed(sections, renamed))
+        return cls(text, name, tuple(files.items()))
+
+    def changed(self, changes: Mapping[str, Any]) -> Source:
+        """The source with `changes`; a file that they name is relative to the working folder."""
+        new = Source.gathered(_toml.write(changes), self.name, Path(), f"changed-{len(self.files)}")
+        text = _toml.write(_toml.changed(_toml.read(self.text), _toml.read(new.text) | _removed(changes)))
+        return Source(text, self.name, (*self.files, *new.files))
+
+
+def read_text(path: Path) -> str:
+    """The text of a case or study file."""
+    try:
+        return path.read_bytes().decode("utf-8")
+    except UnicodeDecodeError as error:
+        message = f"not UTF-8 text: byte {error.start + 1} is not part of a character"
+        fault = (message, str(path), None, None, None, "store the file as UTF-8", f"{path}: {message}")
+        raise CaseError([fault]) from None
+
+
+def _removed(changes: Mapping[str, Any]) -> dict[str, Any]:
+    """The changes that take away, which TOML cannot say, with what stands beside them."""
+    return {
+        name: change
+        for name, change in changes.items()
+        if change is None or (isinstance(change, Mapping) and any(value is None for value in change.values()))
+    }
+
+
+def _texts(value: Any) -> list[str]:
+    if isinstance(value, str):
+        return [value]
+    if isinstance(value, Mapping):
+        value = list(value.values())
+    return [text for item in value for text in _texts(item)] if isinstance(value, list) else []
+
+
+def _renamed(value: Any, names: Mapping[str, str]) -> Any:
+    if isinstance(value, str):
+        return names.get(value, value)
+    if isinstance(value, Mapping):
+        return {key: value if key == "title" else _renamed(value, names) for key, value in value.items()}
+    return [_renamed(item, names) for item in value] if isinstance(value, list) else value

@@ -1,0 +1,323 @@
+"""Studies."""
+
+from __future__ import annotations
+
+import os
+import queue
+import tempfile
+from collections.abc import Iterable, Mapping
+from functools import cached_property, lru_cache
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from . import _railcrack, errors
+from ._case import Case
+from ._progress import Progress, teller
+from ._run import Run
+from ._source import Source, read_text
+from ._table import Table
+
+if TYPE_CHECKING:
+    import pandas
+
+    from ._plot import StudyPlots
+
+Files = dict[str, bytes]
+Failed = tuple[int, str, str]
+
+
+class Study:
+    """A study: a case with lists in place of values, and what was computed of it.
+
+    `map` computes it, here or by several processes; `table` has a row per run. A study can be
+    pickled (what it computed stays where it is).
+
+    Raises `CaseError` with all errors of all its cases at once.
+    """
+
+    _core: _railcrack.Study
+    _source: Source
+
+    def __init__(self, sections: Mapping[str, Any] | str) -> None:
+        """A study of a dictionary of sections with lists in place of values, or of the text of a
+        study file. File names are relative to the working folder."""
+        folder = Path()
+        source = Source.gathered(sections, "study", folder) if isinstance(sections, str) else Source.of(sections, folder)
+        self._set(source)
+
+    def _set(self, source: Source) -> None:
+        self._source = source
+        self._core = _railcrack.Study.parse(source.text, source.name, Path(), list(source.files))
+        self._out: Path | None = None
+        self._keeps: object = None
+
+    @classmethod
+    def _of(cls, source: Source) -> Study:
+        study = cls.__new__(cls)
+        study._set(source)
+        return study
+
+    @classmethod
+    def read(cls, path: str | os.PathLike[str]) -> Study:
+        """The study in the file `path`."""
+        path = Path(path)
+        text = read_text(path)
+        study = cls.__new__(cls)
+        study._core = _railcrack.Study.parse(text, str(path), path.parent, [])
+        study._source = Source.gathered(text, str(path), path.parent)
+        study._out = study._keeps = None
+        return study
+
+    @classmethod
+    def open(cls, folder: str | os.PathLike[str]) -> Study:
+        """The study in `folder`, which `railcrack sweep` or `map` computed."""
+        text = _railcrack.Study.stored_text(Path(folder))
+        study = cls._of(Source.gathered(text, "study.toml", Path(folder)))
+        study._out = Path(folder)
+        return study
+
+    @property
+    def title(self) -> str:
+        """Heading of its plots."""
+        return self._core.title
+
+    @property
+    def numbers(self) -> list[int]:
+        """Numbers of its runs, from 1."""
+        return [number for number, _, _ in self._core.runs]
+
+    @property
+    def keys(self) -> dict[str, list[str]]:
+        """Keys that vary, with their values as text."""
+        return dict(self._core.keys)
+
+    def __len__(self) -> int:
+        return len(self._core.runs)
+
+    def case(self, number: int) -> Case:
+        """The case of a run."""
+        core = self._core.case(number)
+        if core is None:
+            raise errors.BadInput(f"run {number}: must be from 1 to {len(self)}")
+        case = Case.__new__(Case)
+        case._core = core
+        case._source = Source(core.to_toml(), f"run {number}", tuple((n, t.encode()) for n, t in core.companions()))
+        return case
+
+    def map(
+        self,
+        executor: Any = None,
+        *,
+        out: str | os.PathLike[str] | None = None,
+        resume: bool = False,
+        progress: Progress = False,
+        threads: int | None = None,
+        report: bool = False,
+    ) -> Study:
+        """Computes the runs, and returns the study with its results.
+
+        executor: anything with `submit` (`concurrent.futures`, the client of `dask.distributed`,
+            `mpi4py.futures`) or with `map` (a pool of `multiprocessing`); None computes here, on
+            `threads` threads. Runs travel as the files of their run folders.
+        out: the folder of the study, as `railcrack sweep` writes it; None: one that lasts as long
+            as the returned study.
+        resume: go on with the study in `out`: runs that are over are not computed again.
+        threads: of each run; where there is an executor 1, all of the machine otherwise.
+        report: plots and report of every run too, not only of the study.
+
+        Raises `StudyIncomplete` once all that can be computed is computed, where runs failed or
+        their worker was lost; the results are in `out`. On Ctrl-C, `Interrupted`.
+        """
+        keeps = None if out is not None else tempfile.TemporaryDirectory(prefix="railcrack-study-")
+        folder = Path(out) if out is not None else Path(keeps.name if keeps else "") / "study"
+        waiting, failed = self._core.enter(folder, self.numbers, "resume" if resume else "begin")
+        told = teller(progress, len(waiting), "run")
+        lost: list[int] = []
+        interrupted = False
+        try:
+            if executor is None:
+                new, interrupted = self._core.compute(folder, waiting, report, threads, _Counted(told))
+                failed.extend(f for f in new if f not in failed)
+            else:
+                task = _Task(self._source, threads or 1, report)
+                results = _results(executor, task, waiting)
+                for done, (number, answer) in enumerate(results):
+                    if isinstance(answer, BaseException):
+                        lost.append(number)
+                        told("said", f"run {number}: {answer!r}")
+                    else:
+                        files, new = answer
+                        _put(folder, self._folder_of(number), files)
+                        failed.extend(new)
+                    told("run", done)
+        except KeyboardInterrupt:
+            interrupted = True
+        finally:
+            told.close()
+        self._core.gather(folder)
+        study = Study._of(self._source)
+        study._out, study._keeps = folder, keeps
+        if interrupted:
+            raise errors.Interrupted(f"interrupted; the study in {folder} goes on with resume=True")
+        if failed or lost:
+            raise _incomplete(failed, lost, study)
+        return study
+
+    def _folder_of(self, number: int) -> str:
+        return next(folder for n, _, folder in self._core.runs if n == number)
+
+    @property
+    def folder(self) -> Path:
+        """The folder with its results."""
+        if self._out is None:
+            raise errors.BadInput("the study is not computed: study.map() computes it")
+        return self._out
+
+    @cached_property
+    def results(self) -> Table:
+        """A row per run: its number, its folder, the values that vary, and the columns of
+        `summary.csv`."""
+        folders, values, columns = _railcrack.Study.results(self.folder)
+        first: dict[str, Any] = {
+            "run": (np.arange(1, len(folders) + 1), None, "Number of the run."),
+            "folder": (folders, None, "Its folder in runs/."),
+        }
+        for key, texts in values:
+            first[key] = (_numbers(texts), None, f"Value of {key}.")
+        return Table("summary", {**first, **columns})
+
+    @property
+    def table(self) -> pandas.DataFrame:
+        """`results` as a `pandas.DataFrame`."""
+        return self.results.to_pandas()
+
+    def run(self, number: int) -> Run:
+        """The results of a run."""
+        return Run.open(self.folder / "runs" / self._folder_of(number))
+
+    @property
+    def plot(self) -> StudyPlots:
+        """Plots by matplotlib."""
+        from ._plot import StudyPlots
+
+        return StudyPlots(self)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Study._of, (self._source,)
+
+    def __repr__(self) -> str:
+        where = "not computed" if self._out is None else str(self._out)
+        return f"<railcrack.Study {self.title!r}: {len(self)} runs, {where}>"
+
+    def _repr_html_(self) -> str:
+        from ._html import facts
+
+        rows: list[tuple[str, Any]] = [("runs", len(self))]
+        rows.extend((key, ", ".join(values)) for key, values in self.keys.items())
+        return facts(self.title, rows, self.results._repr_html_() if self._out is not None else "")
+
+
+class _Counted:
+    """Counts the runs that are over."""
+
+    def __init__(self, told: Any) -> None:
+        self.told, self.done = told, 0
+
+    def __call__(self, kind: str, value: Any) -> None:
+        self.told("run", self.done)
+        self.told("said", value)
+        self.done += 1
+
+
+class _Task:
+    """Computes a run of a study in a process of its own, to the files of its run folder."""
+
+    def __init__(self, source: Source, threads: int, report: bool) -> None:
+        self.source, self.threads, self.report = source, threads, report
+
+    def __call__(self, number: int) -> tuple[Files, list[Failed]]:
+        study = _study_of(self.source)
+        with tempfile.TemporaryDirectory(prefix="railcrack-run-") as scratch:
+            folder = Path(scratch) / "study"
+            failed, interrupted = study._core.compute(folder, [number], self.report, self.threads, None)
+            if interrupted:
+                raise errors.Interrupted()
+            run = folder / "runs" / study._folder_of(number)
+            files = {str(f.relative_to(run).as_posix()): f.read_bytes() for f in run.rglob("*") if f.is_file()}
+        return files, failed
+
+
+@lru_cache(maxsize=4)
+def _study_of(source: Source) -> Study:
+    """The study of a worker, read once."""
+    return Study._of(source)
+
+
+def _results(executor: Any, task: _Task, numbers: list[int]) -> Iterable[tuple[int, Any]]:
+    """The answers, or the exceptions of lost workers, as they come."""
+    if not hasattr(executor, "submit"):
+        mapped = getattr(executor, "imap", None) or executor.map
+        yield from zip(numbers, mapped(task, numbers), strict=True)
+        return
+    over: queue.SimpleQueue[tuple[int, Any]] = queue.SimpleQueue()
+    futures, number = [], 0
+    try:
+        for number in numbers:
+            future = executor.submit(task, number)
+            futures.append(future)
+            future.add_done_callback(lambda done, number=number: over.put((number, done)))
+    except Exception as error:  # an executor that broke takes no more
+        for left in numbers[len(futures) :]:
+            yield left, error
+    try:
+        for _ in range(len(futures)):
+            number, future = _next(over)
+            try:
+                yield number, future.result()
+            except (KeyboardInterrupt, errors.RailcrackError):
+                raise
+            except BaseException as error:  # noqa: BLE001 - of the worker or of the executor
+                yield number, error
+    except BaseException:
+        for future in futures:
+            future.cancel()
+        raise
+
+
+def _next(over: queue.SimpleQueue[tuple[int, Any]]) -> tuple[int, Any]:
+    """The next that is over; waits in pieces, so that Ctrl-C is seen."""
+    while True:
+        try:
+            return over.get(timeout=0.2)
+        except queue.Empty:
+            continue
+
+
+def _put(study: Path, folder: str, files: Files) -> None:
+    """Puts the files of a run into its folder, the one that says how it ended last."""
+    run = study / "runs" / folder
+    for name in sorted(files, key=lambda name: (name == "outcome.json", name)):
+        path = run / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        partial = path.with_name(path.name + ".partial")
+        partial.write_bytes(files[name])
+        partial.replace(path)
+
+
+def _incomplete(failed: list[Failed], lost: list[int], study: Study) -> errors.StudyIncomplete:
+    parts = [f"run {number} ({label}): {reason}" for number, label, reason in failed]
+    if lost:
+        parts.append(f"{len(lost)} runs were lost with their workers: map(..., resume=True) with the same `out` computes them")
+    error = errors.StudyIncomplete("\n".join(parts), failed, sorted(lost))
+    error.study = study
+    return error
+
+
+def _numbers(texts: list[str]) -> Any:
+    """Numbers where all texts are numbers."""
+    try:
+        return np.array([float(text) for text in texts])
+    except ValueError:
+        return texts

@@ -1,0 +1,160 @@
+"""Tables of results."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _arrow
+
+if TYPE_CHECKING:
+    import pandas
+    import polars
+    import xarray
+
+_UNITS = {
+    "mpa_sqrt_m": "MPa m^(1/2)",
+    "mm_per_cycle": "mm",
+    "mpa": "MPa",
+    "mm2": "mm^2",
+    "mm": "mm",
+    "angle_deg": "degree",
+    "deg": "degree",
+    "mgt": "Mt",
+    "tonnes": "Mt",
+}
+
+
+def unit_of(column: str) -> str:
+    """The unit that the name of a column ends in: `ki_mpa_sqrt_m` is in `MPa m^(1/2)`; empty where
+    it has none."""
+    endings = [ending for ending in _UNITS if column.endswith("_" + ending)]
+    return _UNITS[max(endings, key=len)] if endings else ""
+
+
+class Table(Mapping[str, NDArray[Any]]):
+    """A table of results: columns by name, each an array of numpy with one entry per row.
+
+    `table["ki_mpa_sqrt_m"]` and `table.ki_mpa_sqrt_m` are the same array, without a copy. Numbers
+    that count are int64, others float64 with NaN where there is none, words (`status`, `stop`) an
+    array of str, empty where there is none. Columns, units and signs are those of the CSV file of
+    the same name (docs/file-formats.md); `units` and `meanings` have them by column.
+
+    A table is a mapping, has a length in rows (`rows`), converts (`to_pandas`, `to_polars`,
+    `to_xarray`), and is an Arrow stream (`__arrow_c_stream__`), so that pyarrow, polars, duckdb or
+    nanoarrow read it as it is.
+    """
+
+    name: str
+    """`sif`, `growth`, `faces`, `residual`, …"""
+    units: dict[str, str]
+    """Unit of each column; empty where it has none."""
+    meanings: dict[str, str]
+    """Meaning of each column."""
+
+    def __init__(self, name: str, columns: Mapping[str, tuple[Any, list[str] | None, str]]) -> None:
+        self.name = name
+        self._columns = {key: (values, words) for key, (values, words, _) in columns.items()}
+        self._texts: dict[str, NDArray[Any]] = {}
+        self.units = {key: unit_of(key) for key in columns}
+        self.meanings = {key: meaning for key, (_, _, meaning) in columns.items()}
+
+    @property
+    def rows(self) -> int:
+        """Number of rows."""
+        return max((len(values) for values, _ in self._columns.values()), default=0)
+
+    @property
+    def columns(self) -> list[str]:
+        """Names of the columns, from left to right."""
+        return list(self._columns)
+
+    def __getitem__(self, column: str) -> NDArray[Any]:
+        values, words = self._columns[column]
+        if words is None and isinstance(values, np.ndarray):
+            return values
+        if column not in self._texts:
+            texts = np.array([*words, ""])[values] if words is not None else np.array(values, dtype=str)
+            self._texts[column] = texts
+        return self._texts[column]
+
+    def __getattr__(self, column: str) -> NDArray[Any]:
+        if not column.startswith("_") and column in self._columns:
+            return self[column]
+        raise AttributeError(f"the table {self.__dict__.get('name')} has no column {column}")
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self._columns]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._columns)
+
+    def __len__(self) -> int:
+        return len(self._columns)
+
+    def where(self, **values: Any) -> Table:
+        """The rows in which every column named has the value given: `sif.where(step=0, crack=1)`."""
+        chosen = np.ones(self.rows, bool)
+        for column, value in values.items():
+            chosen &= self[column] == value
+        return self._rows(chosen)
+
+    def _rows(self, chosen: NDArray[Any]) -> Table:
+        def of(values: Any) -> Any:
+            if isinstance(values, np.ndarray):
+                return values[chosen]
+            return [values[i] for i in np.flatnonzero(chosen)]
+
+        parts = {
+            key: (of(values), words, self.meanings[key]) for key, (values, words) in self._columns.items()
+        }
+        return Table(self.name, parts)
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """A `pandas.DataFrame` on the same memory; words are categories. `attrs["units"]` has the
+        units."""
+        import pandas
+
+        def column(values: Any, words: list[str] | None) -> Any:
+            return values if words is None else pandas.Categorical.from_codes(values, categories=words)
+
+        columns = {key: column(*entry) for key, entry in self._columns.items()}
+        frame = pandas.DataFrame(columns, copy=False)
+        frame.attrs["units"] = dict(self.units)
+        return frame
+
+    def to_polars(self) -> polars.DataFrame:
+        """A `polars.DataFrame`."""
+        import polars
+
+        frame = polars.DataFrame(self)
+        return frame if isinstance(frame, polars.DataFrame) else polars.DataFrame(frame)
+
+    def to_xarray(self) -> xarray.Dataset:
+        """An `xarray.Dataset` along the dimension `row`, each variable with `units` and
+        `long_name`."""
+        import xarray
+
+        variables = {
+            key: ("row", self[key], {"units": self.units[key], "long_name": self.meanings[key]}) for key in self
+        }
+        return xarray.Dataset(variables, attrs={"table": self.name})
+
+    def __arrow_c_stream__(self, requested_schema: object = None) -> Any:
+        """The table as a capsule with an Arrow stream; numbers are not copied."""
+        return _arrow.stream(self._columns)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        columns = {key: (*entry, self.meanings[key]) for key, entry in self._columns.items()}
+        return Table, (self.name, columns)
+
+    def __repr__(self) -> str:
+        return f"<railcrack.Table {self.name}: {self.rows} rows of {', '.join(self)}>"
+
+    def _repr_html_(self) -> str:
+        from ._html import table
+
+        return table(self)

@@ -1,0 +1,82 @@
+"""TOML read to dictionaries and written from them."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
+
+def read(text: str) -> dict[str, Any]:
+    """The dictionary that `text` describes."""
+    return tomllib.loads(text)
+
+
+def write(sections: Mapping[str, Any]) -> str:
+    """The text of `sections`: a dictionary of values, of dictionaries (sections) and of lists of
+    dictionaries (repeated sections), with numbers of numpy in place of Python's where there are."""
+    plain = {name: value for name, value in sections.items() if value is not None and not _is_section(value)}
+    values = [f"{name} = {_value(value)}\n" for name, value in plain.items()]
+    text = "".join(values)
+    for name, value in sections.items():
+        if not _is_section(value):
+            continue
+        many = not isinstance(value, Mapping)
+        for section in value if many else [value]:
+            text += f"\n[[{name}]]\n" if many else f"\n[{name}]\n"
+            text += "".join(f"{key} = {_value(v)}\n" for key, v in section.items() if v is not None)
+    return text
+
+
+def changed(sections: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
+    """`sections` with `changes`: a section changes key by key, a list of sections is replaced, or
+    changes crack by crack where the change is a dictionary; None takes away."""
+    result = dict(sections)
+    for name, change in changes.items():
+        old = result.get(name)
+        if change is None:
+            result.pop(name, None)
+        elif isinstance(change, Mapping) and isinstance(old, list):
+            result[name] = [_section(section, change) for section in old]
+        elif isinstance(change, Mapping):
+            result[name] = _section(old if isinstance(old, Mapping) else {}, change)
+        else:
+            result[name] = change
+    return result
+
+
+def _section(section: Mapping[str, Any], change: Mapping[str, Any]) -> dict[str, Any]:
+    merged = {**section, **change}
+    return {key: value for key, value in merged.items() if value is not None}
+
+
+def _is_section(value: Any) -> bool:
+    if isinstance(value, Mapping):
+        return True
+    return isinstance(value, Sequence) and not isinstance(value, str) and any(isinstance(v, Mapping) for v in value)
+
+
+def _value(value: Any) -> str:
+    if hasattr(value, "tolist"):  # a number or an array of numpy
+        value = value.tolist()
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, float):
+        return "inf" if value == float("inf") else "-inf" if value == float("-inf") else repr(value)
+    if isinstance(value, int):
+        return repr(value)
+    if isinstance(value, str):
+        return json.dumps(value, ensure_ascii=False)
+    if isinstance(value, Mapping):
+        return "{ " + ", ".join(f"{key} = {_value(v)}" for key, v in value.items() if v is not None) + " }"
+    if isinstance(value, Sequence):
+        return "[" + ", ".join(map(_value, value)) + "]"
+    if hasattr(value, "__fspath__"):
+        return json.dumps(str(value), ensure_ascii=False)
+    raise TypeError(f"{value!r} cannot stand in a case: must be a number, a text, true, false, a list or a section")

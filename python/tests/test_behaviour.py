@@ -1,0 +1,128 @@
+"""Interruption, progress, threads, failure."""
+
+from __future__ import annotations
+
+import concurrent.futures
+import multiprocessing
+import os
+import signal
+import threading
+import time
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+import railcrack as rc
+
+from .conftest import SMALL
+
+
+def test_progress_goes_to_a_function(case: rc.Case) -> None:
+    seen: list[rc.Step] = []
+    case.run(progress=seen.append)
+    assert [step.done for step in seen if step.done == int(step.done)][-1] == 3
+    assert all(a.done <= b.done + 1e-9 for a, b in zip(seen, seen[1:], strict=False)) and seen[-1].total == 3
+
+
+def test_an_exception_in_the_function_ends_the_run(case: rc.Case) -> None:
+    def fails(step: rc.Step) -> None:
+        raise LookupError("no bar")
+
+    with pytest.raises(LookupError, match="no bar"):
+        case.run(progress=fails)
+
+
+def test_ctrl_c_keeps_the_finished_steps_and_the_run_goes_on(run: rc.Run) -> None:
+    case = rc.Case(SMALL).with_(growth={"steps": 60}, passage={"positions": 241})
+    finished = threading.Event()
+
+    def interrupt() -> None:
+        finished.wait()
+        os.kill(os.getpid(), signal.SIGINT)
+
+    def watch(step: rc.Step) -> None:
+        if step.done >= 2:
+            finished.set()
+
+    threading.Thread(target=interrupt).start()
+    asked = time.monotonic()
+    with pytest.raises(rc.Interrupted) as raised:
+        case.run(progress=watch)
+    partial = raised.value.partial_run
+    assert partial is not None and 2 <= len(partial.growth.step) < 60 and partial.stop is None
+    assert isinstance(raised.value, KeyboardInterrupt) and time.monotonic() - asked < 60.0
+    steps = len(partial.growth.step) + 1
+    whole = case.with_(growth={"steps": steps}).run()
+    rest = case.with_(growth={"steps": steps}).run(resume=partial)
+    assert np.array_equal(whole.sif.kii_mpa_sqrt_m, rest.sif.kii_mpa_sqrt_m)
+
+
+def test_a_run_that_does_not_converge() -> None:
+    hopeless = rc.Case(SMALL).with_(
+        solver={"engine": "xfem"}, mesh={"element_size_mm": 1.0, "interface_spacing_mm": 0.02}, passage={"positions": 61}
+    )
+    with pytest.raises(rc.NotConverged) as raised:
+        hopeless.run()
+    assert "step 0" in str(raised.value) and raised.value.partial_run is None
+
+
+def test_other_threads_run_meanwhile() -> None:
+    """The interpreter is not held: a thread that counts is not stopped by a run."""
+    case = rc.Case(SMALL).with_(passage={"positions": 481}, growth={"steps": 4})
+    beats: list[float] = []
+    over = threading.Event()
+
+    def beat() -> None:
+        while not over.is_set():
+            beats.append(time.monotonic())
+            time.sleep(0.005)
+
+    thread = threading.Thread(target=beat)
+    thread.start()
+    begun = time.monotonic()
+    case.run(threads=1)
+    lasted = time.monotonic() - begun
+    over.set()
+    thread.join()
+    longest = max(np.diff(beats))
+    assert longest < max(0.25, 0.2 * lasted), "the longest pause of the other thread"
+
+
+CASES = [
+    rc.Case(SMALL).with_(passage={"positions": 481}, growth={"steps": 6}, contact={"friction": friction})
+    for friction in (0.1, 0.2)
+]
+
+
+def compute(number: int) -> float:
+    """Seconds of one run by one thread."""
+    begun = time.monotonic()
+    CASES[number].run(threads=1)
+    return time.monotonic() - begun
+
+
+def test_two_threads_run_two_cases_at_once() -> None:
+    """Two threads have the throughput of two processes, which share no interpreter: that is twice the
+    throughput of one thread on two free cores, and what there is of it on cores that others use too.
+    Of several tries the best one counts."""
+    if len(os.sched_getaffinity(0)) < 2:
+        pytest.skip("one core")
+
+    def lasts(work: Callable[[], object]) -> float:
+        begun = time.monotonic()
+        work()
+        return time.monotonic() - begun
+
+    context = multiprocessing.get_context("spawn")
+    ratios, against_one = [], []
+    with context.Pool(2) as processes, concurrent.futures.ThreadPoolExecutor(2) as threads:
+        for _ in range(4):
+            by_processes = lasts(lambda: processes.map(compute, (0, 1), chunksize=1))
+            by_threads = lasts(lambda: list(threads.map(compute, (0, 1))))
+            one_by_one = lasts(lambda: (compute(0), compute(1)))
+            ratios.append(by_processes / by_threads)
+            against_one.append(one_by_one / by_threads)
+    print(f"throughput of two threads over two processes {ratios}, over one thread {against_one}")
+    # A held interpreter would give 0.5.
+    assert max(ratios[1:]) > 0.8
