@@ -320,14 +320,16 @@ def hourlier_pineau(
     m: float = 3.33,
     mode_2_weight: float = 0.772,
     threshold_mpa_sqrt_m: float = 0.0,
-    criterion: Literal["max-rate", "max-delta-k1", "max-k1"] = "max-rate",
+    criterion: Literal[
+        "max-rate", "max-rate-unclipped", "max-delta-k1", "max-k1", "coplanar", "mts", "max-delta-ctd"
+    ] = "max-rate",
 ) -> Kink | None:
     """The kink that a tip takes under a history of K_I and K_II (MPa√m), shape (samples, 2); None
     where nothing drives one.
 
-    The criterion is maximised over the kink angle within ±110°: the growth rate of the virtual kink
-    by Paris' law da/dN = c ΔK_eq^m, ΔK_eq² = Δk1² + w Δk2² (Hourlier & Pineau 1982), the range of
-    k1, or its largest value.
+    The criterion is maximised over the kink angle within ±110°: by default the growth rate of the
+    virtual kink by Paris' law da/dN = c ΔK_eq^m, ΔK_eq² = Δk1² + w Δk2² (Hourlier & Pineau 1982);
+    the others are those of `[growth] direction` in the case file.
     """
     samples = np.ascontiguousarray(history, float)
     found = _railcrack.hourlier_pineau(

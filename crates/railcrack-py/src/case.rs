@@ -9,6 +9,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use railcrack::growth::TipJudge;
 use railcrack::shakedown::{first_yield_ratio, shakedown_limit_ratio};
+use railcrack::words::Choice;
 use railcrack_run::simulation::{Ending, Simulation, plastic_stress_left_out};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -54,7 +55,7 @@ impl Case {
 
     #[getter]
     fn engine(&self) -> &'static str {
-        self.case.engine.name()
+        self.case.engine.word()
     }
 
     /// Points (x, y) of each crack, mm.

@@ -4,8 +4,11 @@ use crate::errors::bad_input;
 use crate::judge::history_of;
 use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
-use railcrack::fatigue::{DirectionCriterion, HourlierPineau, KinkFunctions, ParisLaw};
+use railcrack::fatigue::{
+    DirectionCriterion, EquivalentRange, GrowthLaw, HourlierPineau, KinkFunctions, Paris, RateLaw,
+};
 use railcrack::math::MPA_SQRT_MM;
+use railcrack::words::Choice;
 
 /// Angle (degrees), rate (mm per cycle), Δk1 and Δk2 (MPa√m) of the kink, and angle and ratio of
 /// the best secondary maximum.
@@ -23,16 +26,14 @@ pub fn hourlier_pineau(
     threshold: f64,
     criterion: &str,
 ) -> PyResult<Option<FoundKink>> {
-    let criterion = match criterion {
-        "max-rate" => DirectionCriterion::MaxRate,
-        "max-delta-k1" => DirectionCriterion::MaxDeltaK1,
-        "max-k1" => DirectionCriterion::MaxK1,
-        other => {
-            let says = format!("criterion \"{other}\": must be max-rate, max-delta-k1 or max-k1");
-            return Err(bad_input(py, says));
-        }
+    let Some(criterion) = DirectionCriterion::of_word(criterion) else {
+        let accepted = DirectionCriterion::accepted();
+        return Err(bad_input(py, format!("criterion \"{criterion}\": must be {accepted}")));
     };
-    let law = ParisLaw { c, m, mode_2_weight, threshold };
+    let law = GrowthLaw {
+        rate: RateLaw::Paris(Paris { c, m, threshold }),
+        equivalent: EquivalentRange::HourlierPineau { mode_2_weight },
+    };
     let history = history_of(&history)?;
     let kink = py.detach(|| HourlierPineau { law, criterion }.kink(&history));
     Ok(kink.map(|kink| {

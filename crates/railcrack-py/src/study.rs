@@ -22,6 +22,9 @@ pub struct Study {
     study: Arc<railcrack_case::Study>,
 }
 
+/// Folder of each run; keys that vary, with the value of each run; the other columns.
+type Results<'py> = (Vec<String>, Vec<(String, Vec<String>)>, Bound<'py, PyDict>);
+
 /// Number of a run that failed, its values, and why.
 type Failed = (usize, String, String);
 
@@ -138,10 +141,7 @@ impl Study {
     /// The results in the folder `out` by columns: folder and values (as text) of each run, and
     /// what follows them in `summary.csv`.
     #[staticmethod]
-    fn results<'py>(
-        py: Python<'py>,
-        out: PathBuf,
-    ) -> PyResult<(Vec<String>, Vec<(String, Vec<String>)>, Bound<'py, PyDict>)> {
+    fn results<'py>(py: Python<'py>, out: PathBuf) -> PyResult<Results<'py>> {
         let read = py.detach(|| {
             let folder = StudyFolder::open(&out)?;
             let results = folder.read_results()?;

@@ -26,6 +26,8 @@ mod tests {
     use super::*;
     use crate::csv::table;
     use railcrack::contact::FaceStatus;
+    use railcrack::growth::RunStop;
+    use railcrack::words::Choice;
     use std::convert::Infallible;
 
     table! {
@@ -81,5 +83,30 @@ mod tests {
         );
         let Ok(without) = of(None);
         assert_eq!(without.len(), 7);
+    }
+    table! {
+        /// A stop alone.
+        #[derive(Debug, Clone, PartialEq)]
+        pub struct Stop in "stop.csv", [] {
+            /// Why the run ended.
+            stop: Option<RunStop> = "stop";
+        }
+    }
+
+    #[test]
+    fn every_stop_has_its_word_and_every_word_is_there_once() {
+        let stops = RunStop::WORDS.iter().map(|(stop, _)| Some(*stop)).chain([None]);
+        let Ok(columns) = columns_of(stops.map(|stop| Ok::<_, Infallible>(Stop { stop })));
+        let [(_, ColumnValues::Words { codes, words })] = columns.as_slice() else {
+            panic!("a column of words")
+        };
+        for ((_, word), &code) in RunStop::WORDS.iter().zip(codes) {
+            assert_eq!(words[usize::try_from(code).unwrap()], word.name);
+        }
+        assert_eq!(codes.last(), Some(&-1));
+        let mut sorted = words.clone();
+        sorted.sort_unstable();
+        sorted.dedup();
+        assert_eq!(sorted.len(), words.len());
     }
 }

@@ -34,7 +34,7 @@ impl Columns {
 
     /// The columns as far as there are rows.
     pub(super) fn into_values(self) -> Vec<ColumnValues> {
-        self.values
+        self.values.into_iter().map(ColumnValues::with_distinct_words).collect()
     }
 
     /// The column of the next value, made by `new` for the first row.
@@ -88,6 +88,23 @@ impl Columns {
 }
 
 impl ColumnValues {
+    /// The same with every word once: several choices may share one, and codes are those of the
+    /// first.
+    fn with_distinct_words(self) -> Self {
+        let Self::Words { codes, words } = self else { return self };
+        let mut distinct: Vec<&'static str> = Vec::new();
+        let mut new_codes: Vec<i32> = Vec::new();
+        for word in words {
+            let at = distinct.iter().position(|known| *known == word).unwrap_or_else(|| {
+                distinct.push(word);
+                distinct.len() - 1
+            });
+            new_codes.push(at as i32);
+        }
+        let code = |code: i32| usize::try_from(code).map_or(-1, |code| new_codes[code]);
+        Self::Words { codes: codes.into_iter().map(code).collect(), words: distinct }
+    }
+
     /// Whether a row has a value.
     pub(super) fn has_any(&self) -> bool {
         match self {

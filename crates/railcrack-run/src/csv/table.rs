@@ -156,7 +156,8 @@ macro_rules! words {
             }
 
             fn keep(value: Option<&Self>, columns: &mut Columns) {
-                let code = |value: &Self| Self::WORDS.iter().position(|(choice, _)| choice == value);
+                let code =
+                    |value: &Self| Self::WORDS.iter().position(|(_, word)| word.name == value.word());
                 columns.word(value.and_then(code), || Self::WORDS.iter().map(|(_, word)| word.name).collect());
             }
 
