@@ -3,10 +3,26 @@
 from collections.abc import Callable, Sequence
 from os import PathLike
 from pathlib import Path
-from typing import Any
+from typing import Any, final
 
 import numpy as np
 from numpy.typing import NDArray
+
+__all__ = [
+    "Body",
+    "Case",
+    "Run",
+    "Study",
+    "case_body",
+    "command",
+    "dislocation_body",
+    "hourlier_pineau",
+    "kink_functions",
+    "passage",
+    "shakedown",
+    "version",
+    "xfem_body",
+]
 
 _Array = NDArray[np.float64]
 _Columns = dict[str, tuple[Any, list[str] | None, str]]
@@ -17,6 +33,7 @@ _Tell = Callable[[str, Any], object]
 def command(arguments: Sequence[str]) -> int: ...
 def version() -> str: ...
 
+@final
 class Case:
     @staticmethod
     def parse(text: str, name: str, folder: Path, files: _Files) -> Case: ...
@@ -40,6 +57,7 @@ class Case:
         direction: Callable[[_Array], float | None] | None,
     ) -> tuple[Run, str, str]: ...
 
+@final
 class Run:
     @staticmethod
     def open(path: Path) -> Run: ...
@@ -52,6 +70,7 @@ class Run:
     def stored_fields(self) -> list[tuple[int, int, Path]]: ...
     def fields_at(self, step: int, over_a: float, threads: int | None) -> dict[str, Any] | None: ...
 
+@final
 class Study:
     @staticmethod
     def parse(text: str, name: str, folder: Path, files: _Files) -> Study: ...
@@ -72,6 +91,7 @@ class Study:
     @staticmethod
     def stored_text(out: Path) -> str: ...
 
+@final
 class Body:
     @property
     def compliance(self) -> _Array: ...

@@ -15,7 +15,7 @@ import pytest
 
 import railcrack as rc
 
-from .conftest import SMALL
+from conftest import SMALL
 
 
 def test_progress_goes_to_a_function(case: rc.Case) -> None:

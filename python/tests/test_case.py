@@ -10,7 +10,7 @@ import pytest
 
 import railcrack as rc
 
-from .conftest import CASES, SMALL
+from conftest import CASES, SMALL
 
 
 def test_a_dictionary_and_a_text_are_the_same_case(case: rc.Case) -> None:

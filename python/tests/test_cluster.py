@@ -17,7 +17,7 @@ import pytest
 
 import railcrack as rc
 
-from .test_study import assert_same_study
+from test_study import assert_same_study
 
 pytestmark = pytest.mark.cluster
 

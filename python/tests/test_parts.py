@@ -7,7 +7,7 @@ import pytest
 
 import railcrack as rc
 
-from .conftest import SMALL
+from conftest import SMALL
 
 
 @pytest.mark.parametrize("engine", [rc.XfemBody, rc.DislocationBody])
