@@ -39,10 +39,10 @@ class Check:
     """Estimate of the memory needed."""
     p0_over_k: float
     """Peak pressure over the shear yield stress."""
-    first_yield_p0_over_k: float
-    """The same at first yield of the virgin rail."""
-    shakedown_limit_p0_over_k: float
-    """The same at the limit of elastic shakedown."""
+    first_yield_p0_over_k: float | None
+    """The same at first yield of the virgin rail; None where the contact has no such bound."""
+    shakedown_limit_p0_over_k: float | None
+    """The same at the limit of elastic shakedown; None where the contact has no such bound."""
     warnings: list[str]
     """Sentences."""
 

@@ -8,7 +8,6 @@ use crate::scratch::Scratch;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use railcrack::growth::TipJudge;
-use railcrack::shakedown::{first_yield_ratio, shakedown_limit_ratio};
 use railcrack::words::Choice;
 use railcrack_run::simulation::{Ending, Simulation, plastic_stress_left_out};
 use std::path::{Path, PathBuf};
@@ -81,7 +80,6 @@ impl Case {
         let case = Arc::clone(&self.case);
         let (text, size) = py.detach(move || (railcrack_cli::check_text(&case, Path::new(".")), case.size()));
         let case = &self.case;
-        let (friction, poisson) = (case.contact.friction, case.steel.poisson());
         let check = PyDict::new(py);
         check.set_item("text", text)?;
         check.set_item("face_points", size.face_points)?;
@@ -89,9 +87,12 @@ impl Case {
         check.set_item("displacement_unknowns", size.displacements)?;
         check.set_item("memory_bytes", size.memory_bytes)?;
         let shear_yield = case.shakedown.hardening.shear_yield_stress();
-        check.set_item("p0_over_k", case.contact.peak_pressure / shear_yield)?;
-        check.set_item("first_yield_p0_over_k", first_yield_ratio(friction, poisson).ratio)?;
-        check.set_item("shakedown_limit_p0_over_k", shakedown_limit_ratio(friction, poisson).ratio)?;
+        check.set_item("p0_over_k", case.wheel.contact().peak_pressure() / shear_yield)?;
+        let bounds =
+            case.contact_bounds(|bounds| (bounds.first_yield().ratio, bounds.shakedown_limit().ratio));
+        let (first_yield, shakedown_limit) = bounds.unzip();
+        check.set_item("first_yield_p0_over_k", first_yield)?;
+        check.set_item("shakedown_limit_p0_over_k", shakedown_limit)?;
         check.set_item("warnings", Vec::from_iter(plastic_stress_left_out(case)))?;
         Ok(check)
     }
