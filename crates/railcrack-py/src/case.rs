@@ -1,7 +1,7 @@
 //! Cases.
 
 use crate::background::{Watch, compute};
-use crate::errors::{case_error, class_of};
+use crate::errors::{bad_input, case_error, class_of};
 use crate::judge::OwnJudge;
 use crate::run::Run;
 use crate::scratch::Scratch;
@@ -110,6 +110,9 @@ impl Case {
     ) -> PyResult<Computed> {
         let (watch, told) = Watch::new();
         let own = law.is_some() || direction.is_some();
+        if own && !self.case.mix.is_empty() {
+            return Err(bad_input(py, "law, direction: a mix of wheels has several histories, not one"));
+        }
         let judge: Arc<dyn TipJudge> = Arc::new(OwnJudge { law, direction, watch: Arc::clone(&watch) });
         let before = before.and_then(Run::in_memory);
         let (case, observer) = (Arc::clone(&self.case), Arc::clone(&watch));

@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use railcrack_case::FieldOutput;
 use railcrack_report::Pages;
-use railcrack_run::csv::{Column, ColumnValues, FaceRow, SifRow, StepBlocks, Table, TipRow, columns_of};
+use railcrack_run::csv::{Column, ColumnValues, StepBlocks, Table, columns_of};
 use railcrack_run::simulation::{RunInMemory, Simulation};
 use railcrack_run::{Existing, OutputError, Presentation, RunFolder, TablesOnly, field_grids};
 use std::path::PathBuf;
@@ -47,32 +47,33 @@ impl Run {
     }
 
     fn table(&self, name: &str) -> Result<Option<TableColumns>, OutputError> {
-        let whole = |columns| Some(columns);
-        match (&self.source, name) {
-            (Source::Memory { run, .. }, "sif") => {
-                let scale = run.scale();
-                columns_of(run.records().flat_map(|record| SifRow::of_step(record, scale)).map(Ok)).map(whole)
-            }
-            (Source::Memory { run, .. }, "growth") => {
-                columns_of(run.records().flat_map(TipRow::of_step).map(Ok)).map(whole)
-            }
-            (Source::Memory { run, .. }, "faces") => {
-                columns_of(run.records().flat_map(FaceRow::of_step).map(Ok)).map(whole)
-            }
-            (Source::Memory { run, .. }, "residual") => {
-                columns_of(run.residual().iter().copied().map(Ok)).map(whole)
-            }
-            (Source::Folder(run), "sif") => by_step(run.sif()?).map(whole),
-            (Source::Folder(run), "growth") => {
-                columns_of(run.growth()?.into_iter().map(Ok::<_, OutputError>)).map(whole)
-            }
-            (Source::Folder(run), "faces") => by_step(run.faces()?).map(whole),
-            (Source::Folder(run), "residual") => {
-                columns_of(run.residual()?.into_iter().map(Ok::<_, OutputError>)).map(whole)
-            }
-            _ => Ok(None),
+        match &self.source {
+            Source::Memory { run, .. } => of_memory(run, name).transpose(),
+            Source::Folder(run) => of_folder(run, name).transpose(),
         }
     }
+}
+
+fn of_memory(run: &RunInMemory, name: &str) -> Option<Result<TableColumns, OutputError>> {
+    let sections = run.sections();
+    let sections = Some(sections.as_slice());
+    Some(match name {
+        "sif" => columns_of(run.sif_rows().map(Ok), sections),
+        "growth" => columns_of(run.growth_rows().map(Ok), sections),
+        "faces" => columns_of(run.face_rows().map(Ok), sections),
+        "residual" => columns_of(run.residual().iter().copied().map(Ok), sections),
+        _ => return None,
+    })
+}
+
+fn of_folder(run: &RunFolder, name: &str) -> Option<Result<TableColumns, OutputError>> {
+    Some(match name {
+        "sif" => run.sif().and_then(by_step),
+        "growth" => run.growth().and_then(|rows| columns_of(rows.into_iter().map(Ok), None)),
+        "faces" => run.faces().and_then(by_step),
+        "residual" => run.residual().and_then(|rows| columns_of(rows.into_iter().map(Ok), None)),
+        _ => return None,
+    })
 }
 
 fn by_step<T: Table>(blocks: StepBlocks<T>) -> Result<TableColumns, OutputError> {
@@ -82,7 +83,7 @@ fn by_step<T: Table>(blocks: StepBlocks<T>) -> Result<TableColumns, OutputError>
             rows.push(row?);
         }
     }
-    columns_of(rows.into_iter().map(Ok))
+    columns_of(rows.into_iter().map(Ok), None)
 }
 
 #[pymethods]

@@ -48,7 +48,7 @@ pub fn shakedown<'py>(
     };
     let summary = serde_json::to_string(&summary)
         .map_err(|error| exception(py, "FolderError", (error.to_string(),)))?;
-    let profile = read(columns_of(folder.profile.into_iter().map(Ok)))?;
-    let passes = read(columns_of(folder.passes.into_iter().map(Ok)))?;
+    let profile = read(columns_of(folder.profile.into_iter().map(Ok), None))?;
+    let passes = read(columns_of(folder.passes.into_iter().map(Ok), None))?;
     Ok((profile, passes, summary))
 }

@@ -159,7 +159,7 @@ impl Study {
         }
         let folders = plan.runs.iter().map(|run| run.folder.clone()).collect();
         let rows = results.rows.iter().map(|row| Ok::<_, OutputError>(StudySummaryRow::from(row)));
-        let columns = columns_of(rows).map_err(|error| output_error(py, &error))?;
+        let columns = columns_of(rows, None).map_err(|error| output_error(py, &error))?;
         Ok((folders, values, columns::to_numpy(py, columns)?))
     }
 

@@ -4,11 +4,13 @@ use super::column::Column;
 use super::columns::{ColumnValues, Columns};
 use super::table::Table;
 
-/// The columns of `rows`. A column of a section that no row has a value of is left out.
+/// The columns of `rows` of a run whose case has `sections`; where these are not known (none),
+/// columns of a section that no row has a value of are left out.
 ///
 /// Errors: the first row that is one.
 pub fn columns_of<T: Table, E>(
     rows: impl Iterator<Item = Result<T, E>>,
+    sections: Option<&[&str]>,
 ) -> Result<Vec<(&'static Column, ColumnValues)>, E> {
     let mut columns = Columns::default();
     for row in rows {
@@ -17,8 +19,11 @@ pub fn columns_of<T: Table, E>(
     }
     let mut values = columns.into_values();
     values.resize_with(T::COLUMNS.len(), || ColumnValues::Reals(Vec::new()));
-    let all = T::COLUMNS.iter().zip(values);
-    Ok(all.filter(|(column, values)| column.section.is_none() || values.has_any()).collect())
+    let is_there = |(column, values): &(&'static Column, ColumnValues)| match sections {
+        Some(sections) => column.is_there(sections),
+        None => column.section.is_none() || values.has_any(),
+    };
+    Ok(T::COLUMNS.iter().zip(values).filter(is_there).collect())
 }
 
 #[cfg(test)]
@@ -62,7 +67,7 @@ mod tests {
             reason: (step == 0).then(|| "none".into()),
             fluid,
         };
-        let of = |fluid| columns_of([row(0, None), row(1, fluid)].map(Ok::<_, Infallible>).into_iter());
+        let of = |fluid| columns_of([row(0, None), row(1, fluid)].map(Ok::<_, Infallible>).into_iter(), None);
         let Ok(columns) = of(Some(6.0));
         let names: Vec<&str> = columns.iter().map(|(column, _)| column.name).collect();
         assert_eq!(names, ["step", "passages", "x_mm", "y_mm", "angle_deg", "status", "reason", "fluid_mpa"]);
@@ -83,6 +88,8 @@ mod tests {
         );
         let Ok(without) = of(None);
         assert_eq!(without.len(), 7);
+        let Ok(asked) = columns_of([Ok::<_, Infallible>(row(0, None))].into_iter(), Some(&["fluid"]));
+        assert_eq!(asked.len(), 8);
     }
     table! {
         /// A stop alone.
@@ -96,7 +103,7 @@ mod tests {
     #[test]
     fn every_stop_has_its_word_and_every_word_is_there_once() {
         let stops = RunStop::WORDS.iter().map(|(stop, _)| Some(*stop)).chain([None]);
-        let Ok(columns) = columns_of(stops.map(|stop| Ok::<_, Infallible>(Stop { stop })));
+        let Ok(columns) = columns_of(stops.map(|stop| Ok::<_, Infallible>(Stop { stop })), None);
         let [(_, ColumnValues::Words { codes, words })] = columns.as_slice() else {
             panic!("a column of words")
         };

@@ -228,6 +228,13 @@ impl Cell for WheelShares {
         }
     }
 
+    fn keep(value: Option<&Self>, columns: &mut Columns) {
+        let values = value.map_or(&[][..], Self::values);
+        for i in 0..MOST_WHEELS {
+            columns.real(values.get(i).copied());
+        }
+    }
+
     fn take(fields: &mut Fields) -> Result<Self, OutputError> {
         let values: Result<Vec<Option<f64>>, OutputError> =
             (0..MOST_WHEELS).map(|_| Cell::take(fields)).collect();

@@ -5,7 +5,7 @@ use super::error::RunError;
 use super::job::{Job, Stage};
 use super::residual_stress::Residual;
 use super::run::Simulation;
-use crate::csv::{ResidualRow, SifScale};
+use crate::csv::{FaceRow, ResidualRow, SifRow, SifScale, TipRow};
 use crate::files::ROLLED_FOLDER;
 use crate::memory::peak_memory_mb;
 use crate::run_log::RunLog;
@@ -103,11 +103,29 @@ impl RunInMemory {
         self.residual.as_ref().map_or(&[], |residual| &residual.rows)
     }
 
-    /// The scale of the wheel positions in `sif.csv`.
-    pub fn scale(&self) -> SifScale {
+    /// The sections of the case that bring columns of their own.
+    pub fn sections(&self) -> Vec<&'static str> {
+        self.job.info.sections()
+    }
+
+    /// The rows of `sif.csv`.
+    pub fn sif_rows(&self) -> impl Iterator<Item = SifRow> {
         let first = self.steps.first().and_then(|(record, _)| record.cracks.first());
         let origin = first.map_or(0.0, |crack| crack.points()[0].x);
-        SifScale { origin, half_width: self.job.info.half_width }
+        let scale = SifScale { origin, half_width: self.job.info.half_width };
+        let half_widths: Vec<f64> = self.job.info.mix.iter().map(|wheel| wheel.half_width).collect();
+        self.records()
+            .flat_map(move |record| SifRow::of_mix(record, scale, &half_widths).collect::<Vec<SifRow>>())
+    }
+
+    /// The rows of `growth.csv`.
+    pub fn growth_rows(&self) -> impl Iterator<Item = TipRow> {
+        self.records().flat_map(|record| TipRow::of_step(record, self.job.info.axle_load))
+    }
+
+    /// The rows of `faces.csv`.
+    pub fn face_rows(&self) -> impl Iterator<Item = FaceRow> {
+        self.records().flat_map(FaceRow::of_step)
     }
 
     /// The run in numbers, as far as it was computed.
