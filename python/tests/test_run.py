@@ -53,13 +53,33 @@ def test_the_same_bits_as_the_command(run: rc.Run, command: Callable[..., str], 
     command("verify", ours)
 
 
-@pytest.mark.parametrize("name", ["rail-curve", "plastic-stress", "junction"])
+@pytest.mark.parametrize("name", ["rail-curve", "plastic-stress", "junction", "winter-rail"])
 def test_shipped_cases_have_the_bits_of_the_command(name: str, command: Callable[..., str], tmp_path: Path) -> None:
     case = rc.Case.read(CASES / f"{name}.toml").with_(growth={"steps": 1}, solver={"engine": "dislocation"})
     command("run", CASES / f"{name}.toml", "--engine", "dislocation", "--steps", 1, "--out", tmp_path / "run", "--quiet")
     run = case.run()
     for file, table in zip(TABLES, (run.sif, run.growth, run.faces), strict=True):
         assert_same_bits(table, tmp_path / "run" / file)
+
+
+def test_a_mix_of_wheels_has_the_bits_of_the_command(command: Callable[..., str], tmp_path: Path) -> None:
+    contact = "[contact]\npeak_pressure_mpa = 845.0\nhalf_width_mm = 6.75\nfriction = 0.1\n"
+    assert contact in SMALL
+    wheels = "".join(
+        f"[[wheel]]\nname = \"{name}\"\nshare = {share}\naxle_load_t = {load}\n"
+        f"contact = {{ peak_pressure_mpa = {pressure}, half_width_mm = 6.75, friction = 0.1 }}\n"
+        for name, share, load, pressure in [("loaded", 0.75, 22.5, 845.0), ("empty", 0.25, 6.0, 600.0)]
+    )
+    text = SMALL.replace(contact, wheels).replace("steps = 2", "steps = 1")
+    (tmp_path / "mix.toml").write_text(text)
+    command("run", tmp_path / "mix.toml", "--out", tmp_path / "run", "--quiet")
+    run = rc.Case(text).run()
+    for file, table in zip(TABLES, (run.sif, run.growth, run.faces), strict=True):
+        assert_same_bits(table, tmp_path / "run" / file)
+    opened = rc.Run.open(tmp_path / "run")
+    assert opened.sif.columns == run.sif.columns and "wheel" in run.sif and "share_wheel_2" in run.growth
+    with pytest.raises(rc.BadInput, match="mix"):
+        rc.Case(text).run(law=lambda history: 0.0)
 
 
 def test_a_folder_and_a_pickle_have_the_tables(run: rc.Run, tmp_path: Path) -> None:

@@ -20,7 +20,7 @@ mod shakedown;
 mod study;
 mod wheel;
 
-/// What the package imports.
+/// The contents of the module.
 #[pyo3::pymodule]
 mod _railcrack {
     #[pymodule_export]
