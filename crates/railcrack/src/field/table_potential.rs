@@ -21,21 +21,21 @@ struct Node {
 }
 
 /// Terms of the series of a cell. A cell expands what is at least 1/[`RATIO`] of its half-diagonal
-/// away, so the first term that is left out is of the order of RATIO^TERMS/TERMS² = 3e-10.
-const TERMS: usize = 14;
+/// away, so the first term that is left out is of the order of RATIO^TERMS/TERMS² = 4e-9.
+const TERMS: usize = 12;
 const RATIO: f64 = 0.3;
 /// Cells with more nodes than this close by are divided.
-const MOST_NEAR: usize = 4;
+const MOST_NEAR: usize = 2;
 /// Most divisions: a cell is then 1e-9 of the table.
 const DEEPEST: u32 = 32;
 /// Half-extents of the table beyond which the moments of the traction are all that is seen; the
 /// terms fall by this factor.
 const FAR: f64 = 4.0;
-/// Moments: FAR^−MOMENTS = 1e-11.
-const MOMENTS: usize = 18;
-/// Half-extents beyond which the first [`FEW`] moments serve: 8^−10 = 1e-9.
+/// Moments: FAR^−MOMENTS = 1e-8.
+const MOMENTS: usize = 13;
+/// Half-extents beyond which the first [`FEW`] moments serve: 8^−9 = 7e-9.
 const FARTHER: f64 = 8.0;
-const FEW: usize = 10;
+const FEW: usize = 9;
 
 /// Coefficients of w^k: Re P, Im P, Re Q, Im Q.
 type Coefficients = [[f64; 4]; TERMS];
@@ -336,7 +336,7 @@ mod tests {
 
     #[test]
     fn series_and_moments_are_the_sum_over_nodes() {
-        const TOLERANCE: f64 = 2e-8; // the series and its derivative
+        const TOLERANCE: f64 = 3e-7; // the series and its derivative
         for count in [3, 20, 200, 1000] {
             let potential = TablePotential::new(&rows(count));
             let mut worst = 0.0f64;
@@ -371,7 +371,7 @@ mod tests {
         let [inside, outside] =
             [FAR - 1e-9, FAR + 1e-9].map(|radius| potential.integrals(0.6 * radius, -0.8 * radius));
         for (one, other) in inside.into_iter().zip(outside) {
-            assert!((one - other).norm() < 1e-8, "{one} {other}");
+            assert!((one - other).norm() < 1e-7, "{one} {other}"); // FAR^−MOMENTS
         }
     }
 }
