@@ -5,28 +5,44 @@ use super::run_log::{RunLog, StepDigest};
 use railcrack::fatigue::RailSteel;
 use railcrack::growth::{Warning, WarningKind};
 use railcrack::math::MPA_SQRT_MM;
+use railcrack::shakedown::ContactBounds;
 use railcrack::validity::{self, ResidualStress, ValidityWarning};
-use railcrack_case::Case;
+use railcrack_case::{Case, GivenWheel};
 
 /// The steel whose toughness counts where the case gives none.
 const USUAL_STEEL: &str = "R260";
 
 /// Warnings that follow from the case alone.
 pub fn of_case(case: &Case) -> Vec<Warning> {
-    let contact = case.wheel.contact();
+    let shortest = case.cracks.cracks().iter().map(|crack| crack.length()).fold(f64::INFINITY, f64::min);
+    let mut warnings: Vec<Warning> =
+        validity::crack_length(shortest).iter().map(|warning| at_step(0, warning)).collect();
+    if case.mix.is_empty() {
+        warnings.extend(of_wheel(case, &case.wheel));
+    }
+    for mixed in &case.mix {
+        let of_one = of_wheel(case, &mixed.wheel);
+        warnings.extend(
+            of_one
+                .into_iter()
+                .map(|warning| Warning { text: format!("{}: {}", mixed.name, warning.text), ..warning }),
+        );
+    }
+    warnings
+}
+
+/// Warnings that follow from the load of one wheel.
+fn of_wheel(case: &Case, wheel: &GivenWheel) -> Vec<Warning> {
+    let contact = wheel.contact();
     let is_given = case.residual_stress.is_some() || case.plastic_stress.is_some();
     let residual = if is_given { ResidualStress::Given } else { ResidualStress::Absent };
     let yield_stress = case.shakedown.hardening.yield_stress();
-    let pressure =
-        case.contact_bounds(|bounds| validity::pressure(contact, bounds, yield_stress, residual)).flatten();
-    let lengths = case.cracks.cracks().iter().map(|crack| crack.length());
-    let shortest = lengths.fold(f64::INFINITY, f64::min);
+    let of_bounds = |bounds: &ContactBounds| validity::pressure(contact, bounds, yield_stress, residual);
     let all = [
         validity::half_width(contact.half_width()),
-        validity::crack_length(shortest),
-        pressure,
+        wheel.contact_bounds(&case.steel, of_bounds).flatten(),
         validity::shear(contact),
-        case.wheel.load.track.as_ref().and_then(validity::axles),
+        wheel.load.track.as_ref().and_then(validity::axles),
     ];
     all.into_iter().flatten().map(|warning| at_step(0, &warning)).collect()
 }

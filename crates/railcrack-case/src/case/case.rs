@@ -9,9 +9,8 @@ use crate::tables::{
 };
 use railcrack::crack::CrackNetwork;
 use railcrack::fatigue::RailSteel;
-use railcrack::field::wheel_under;
 use railcrack::growth::{GrowthSettings, PassageSettings};
-use railcrack::load::{Contact, WheelLoad};
+use railcrack::load::Contact;
 use railcrack::material::IsotropicElastic;
 use railcrack::shakedown::{ContactBounds, RolledRail, Stabilisation};
 use thiserror::Error;
@@ -103,10 +102,7 @@ impl Case {
     /// First yield and shakedown under the contact alone, as `of` asks for them.
     #[must_use]
     pub fn contact_bounds<T>(&self, of: impl FnOnce(&ContactBounds) -> T) -> Option<T> {
-        let contact = self.wheel.contact();
-        let load = WheelLoad { contact: contact.clone(), track: None, temperature: None };
-        let wheel = wheel_under(&load, &self.steel).ok()?;
-        Some(of(&ContactBounds::new(contact, wheel.as_ref())))
+        self.wheel.contact_bounds(&self.steel, of)
     }
 
     /// a, mm: the unit of `[passage]` positions.

@@ -41,7 +41,8 @@ impl Job {
                 boundary: case.rail.boundary,
                 half_width: case.half_width(),
                 passage: [case.passages.passage.from, case.passages.passage.to],
-                bends: case.wheel.load.track.is_some(),
+                bends: case.wheel.load.track.is_some()
+                    || case.mix.iter().any(|mixed| mixed.wheel.load.track.is_some()),
                 toughness: case.fracture.as_ref().map(|fracture| fracture.at_rail),
                 axle_load: case.axle_load,
                 mix: case.mix.iter().map(of_wheel).collect(),
