@@ -124,7 +124,7 @@ pub struct FractureSummary {
     pub xc_mm: Option<f64>,
     /// Angle of the kink from straight ahead, degrees, counter-clockwise positive.
     pub kink_deg: f64,
-    /// K_Ic of [fracture], MPa √m; null where the case has none.
+    /// K_Ic of `[fracture]`, MPa √m; null where the case has none.
     pub toughness_mpa_sqrt_m: Option<f64>,
     /// k1 over K_Ic; at 1 the rail breaks.
     pub of_toughness: Option<f64>,
