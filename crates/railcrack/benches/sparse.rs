@@ -4,6 +4,7 @@
 use divan::{Bencher, black_box};
 use railcrack::bulk::{BlockCorrection, BottomSupport, Boundary, BulkRail, SideSupport};
 use railcrack::field::HertzWheel;
+use railcrack::interruption::Interruption;
 use railcrack::linear::{ReachedPanel, SparseCholesky, SparseColumn, gram};
 use railcrack::load::HertzianContact;
 use railcrack::material::IsotropicElastic;
@@ -104,15 +105,15 @@ fn factor(bencher: Bencher, (n, _): (usize, usize)) {
 fn forward(bencher: Bencher, (n, count): (usize, usize)) {
     let rail = square(n);
     let columns = local_columns(&rail, count);
-    bencher.bench(|| rail.factor().forward(black_box(&columns)).unwrap());
+    bencher.bench(|| rail.factor().forward(black_box(&columns), Interruption::NEVER).unwrap());
 }
 
 #[divan::bench(args = SIZES, sample_count = SAMPLES, sample_size = 1)]
 fn scalar_products(bencher: Bencher, (n, count): (usize, usize)) {
     let rail = square(n);
-    let reached = rail.factor().forward(&local_columns(&rail, count)).unwrap();
+    let reached = rail.factor().forward(&local_columns(&rail, count), Interruption::NEVER).unwrap();
     let panels: Vec<Arc<ReachedPanel>> = reached.into_iter().map(Arc::new).collect();
-    bencher.bench(|| gram(black_box(&panels), 0));
+    bencher.bench(|| gram(black_box(&panels), 0, Interruption::NEVER));
 }
 
 #[divan::bench(args = SIZES, sample_count = SAMPLES, sample_size = 1)]

@@ -52,6 +52,7 @@ pub mod fatigue;
 pub mod field;
 pub mod fracture;
 pub mod growth;
+pub mod interruption;
 pub mod linear;
 pub mod load;
 pub mod material;

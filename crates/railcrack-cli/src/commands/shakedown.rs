@@ -4,6 +4,7 @@ use super::run::{default_folder, is_same_file};
 use crate::exit::{Exit, Failure};
 use crate::print;
 use clap::Args;
+use railcrack::interruption::Interruption;
 use railcrack::shakedown::RailState;
 use railcrack::words::Choice;
 use railcrack_case::Case;
@@ -43,7 +44,7 @@ pub fn shakedown(arguments: &ShakedownArguments) -> Result<Exit, Failure> {
         return Err(Failure::CaseInRunFolder { path: arguments.case.clone() });
     }
     let existing = if arguments.force { Existing::Replace } else { Existing::Refuse };
-    let summary = roll(&case, &folder, existing, &Pages, |pass| {
+    let summary = roll(&case, &folder, existing, &Pages, Interruption::NEVER, |pass| {
         if !arguments.quiet {
             // Nobody is left to tell when standard error itself is gone.
             let _ = writeln!(std::io::stderr().lock(), "{}", pass_text(pass));

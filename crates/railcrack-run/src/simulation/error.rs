@@ -39,3 +39,14 @@ pub enum RunError {
         reason: String,
     },
 }
+
+impl RunError {
+    /// Whether the run was given up on request.
+    #[must_use]
+    pub fn is_interruption(&self) -> bool {
+        matches!(
+            self,
+            Self::Growth(GrowthError::Interrupted { .. }) | Self::Shakedown(ShakedownError::Interrupted(_))
+        )
+    }
+}

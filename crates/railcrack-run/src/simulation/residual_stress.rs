@@ -10,6 +10,7 @@ use crate::{
     Existing, OutputError, PlasticOrigin, ProjectionSummary, Recorder, ReleaseSummary, ResidualRow,
     ResidualSummary, RolledSummary,
 };
+use railcrack::interruption::Interruption;
 use railcrack::math::Vec2;
 use railcrack::residual::PlasticField;
 use railcrack::shakedown::RailState;
@@ -113,15 +114,18 @@ fn rows(case: &Case, carried: &CarriedStress) -> Option<Vec<ResidualRow>> {
 /// that goes on.
 fn rolled_state(case: &Case, stage: &Stage) -> Result<(PlasticField, ShakedownSummary), RunError> {
     let folder = stage.folder.join(ROLLED_FOLDER);
+    let asked = || stage.observer.interrupted();
     let stored = match stage.state {
         Some(_) => stored(&folder),
         None => None,
     };
     let summary = match stored {
         Some(summary) => summary,
-        None => roll(case, &folder, Existing::Replace, stage.presentation, |pass| {
-            stage.observer.stage(&format!("plastic state, {}", pass_text(pass)));
-        })?,
+        None => {
+            roll(case, &folder, Existing::Replace, stage.presentation, Interruption::when(&asked), |pass| {
+                stage.observer.stage(&format!("plastic state, {}", pass_text(pass)));
+            })?
+        }
     };
     // As a case would take it that names the file.
     let path = folder.join(PLASTIC_FILE);

@@ -5,9 +5,10 @@ use super::job::case_files;
 use crate::shakedown::{ShakedownRecorder, ShakedownResults, ShakedownSummary};
 use crate::{Existing, FolderLock, OutputError, Presentation};
 use railcrack::fatigue::Initiation;
+use railcrack::interruption::Interruption;
 use railcrack::shakedown::{
     Method, PassRecord, RailState, RolledRail, Stabilisation, StabilisedRail, bounds_by_depth, check_rail,
-    shakedown_map, stabilise,
+    shakedown_map, stabilise_unless,
 };
 use railcrack_case::Case;
 use std::path::Path;
@@ -21,14 +22,16 @@ const MAP: usize = 21;
 const MAP_FRICTION: f64 = 0.5;
 
 /// Computes the stabilised state of the rail of `case` into `folder`, telling `observe` of every
-/// passage.
+/// passage, unless it is given up on an `interruption`.
 ///
-/// Errors: a rail that has no such state; the folder cannot be written.
+/// Errors: a rail that has no such state; the folder cannot be written; an interruption
+/// ([`RunError::is_interruption`]).
 pub fn roll(
     case: &Case,
     folder: &Path,
     existing: Existing,
     presentation: &dyn Presentation,
+    interruption: Interruption<'_>,
     mut observe: impl FnMut(&PassRecord),
 ) -> Result<ShakedownSummary, RunError> {
     let (rail, settings) = (case.rolled_rail()?, case.stabilisation());
@@ -40,7 +43,7 @@ pub fn roll(
     let _lock = folder.is_dir().then(|| FolderLock::take(folder)).transpose()?;
     let mut recorder = ShakedownRecorder::start(folder, &case_files(case), existing)?;
     let mut refused = None;
-    let stabilised = stabilise(&rail, &settings, |pass| {
+    let stabilised = stabilise_unless(interruption, &rail, &settings, |pass| {
         observe(pass);
         if refused.is_none() {
             refused = recorder.pass(pass).err();
@@ -49,7 +52,7 @@ pub fn roll(
     if let Some(error) = refused {
         return Err(error.into());
     }
-    let results = results(case, rail, stabilised, &settings, started)?;
+    let results = results(case, rail, stabilised, &settings, started, interruption)?;
     let summary = recorder.finish(&results)?;
     presentation.shakedown(folder)?;
     Ok(summary)
@@ -61,13 +64,14 @@ fn results(
     stabilised: StabilisedRail,
     settings: &Stabilisation,
     started: Instant,
+    interruption: Interruption<'_>,
 ) -> Result<ShakedownResults, RunError> {
     // The history that the direct method leaves out is shown beside it.
     let pass_by_pass = match settings.method {
         Method::PassByPass => None,
         Method::Direct => {
             let settings = Stabilisation { method: Method::PassByPass, ..*settings };
-            Some(stabilise(&rail, &settings, |_| ())?)
+            Some(stabilise_unless(interruption, &rail, &settings, |_| ())?)
         }
     };
     let dang_van = case.shakedown.dang_van;

@@ -123,7 +123,13 @@ pub fn run_steps<S: StepSource>(
         observer.close();
         return Ok(finished((Ending::Ended, recorder.finish()?)));
     }
-    let (source, residual) = start(Stage { folder, observer, presentation, shared: None, state })?;
+    let (source, residual) = match start(Stage { folder, observer, presentation, shared: None, state }) {
+        Err(error) if error.is_interruption() => {
+            observer.close();
+            return Ok(finished((Ending::Interrupted, recorder.finish()?)));
+        }
+        started => started?,
+    };
     if let Some(residual) = residual {
         residual.record(&mut recorder, observer)?;
     }

@@ -2,12 +2,29 @@
 
 use super::{BodyError, CrackedBody};
 use crate::crack::CrackNetwork;
+use crate::interruption::Interruption;
 
 /// A method of computing cracked bodies.
 pub trait BodyEngine {
-    /// The body with `network` of cracks. An engine may keep what it computed for the next call,
-    /// but only so that the results are the same bits without.
-    fn body(&mut self, network: &CrackNetwork) -> Result<CrackedBody, BodyError>;
+    /// The body with `network` of cracks.
+    ///
+    /// Errors: cracks that the engine cannot represent.
+    fn body(&mut self, network: &CrackNetwork) -> Result<CrackedBody, BodyError> {
+        self.body_unless(Interruption::NEVER, network)
+    }
+
+    /// The body with `network` of cracks, given up within a second of an `interruption`. An engine
+    /// may keep what it computed for the next call, but only so that the results are the same bits
+    /// without.
+    ///
+    /// Errors: cracks that the engine cannot represent; an interruption
+    /// ([`BodyError::is_interruption`]).
+    fn body_unless(
+        &mut self,
+        interruption: Interruption<'_>,
+        network: &CrackNetwork,
+    ) -> Result<CrackedBody, BodyError>;
+
     /// Forgets what it keeps for the next call alone: where the last body is made, its memory
     /// serves what is done with it.
     fn forget(&mut self) {}

@@ -2,6 +2,7 @@
 
 use super::boundary::{Boundary, Freedom};
 use super::stiffness::RectangleStiffness;
+use crate::interruption::Interruption;
 use crate::linear::{ElementSum, LinearError, SparseCholesky, SparseFactor};
 use crate::material::IsotropicElastic;
 use crate::math::{Matrix, Vec2};
@@ -120,6 +121,16 @@ impl BulkRail {
     ///
     /// Errors: a top that is not at y = 0; a stiffness that cannot be factored.
     pub fn new(mesh: QuadMesh, steel: &IsotropicElastic, boundary: Boundary) -> Result<Self, BulkError> {
+        Self::new_unless(Interruption::NEVER, mesh, steel, boundary)
+    }
+
+    /// [`BulkRail::new`], given up on an `interruption`.
+    pub fn new_unless(
+        interruption: Interruption<'_>,
+        mesh: QuadMesh,
+        steel: &IsotropicElastic,
+        boundary: Boundary,
+    ) -> Result<Self, BulkError> {
         let top = mesh.y_lines()[mesh.rows()];
         if top != 0.0 {
             return Err(BulkError::Top { top });
@@ -136,7 +147,8 @@ impl BulkRail {
         let of_rectangles = RectangleStiffness::new(steel);
         let stiffness = RailStiffness { mesh: &mesh, unknowns: &unknowns, order: count, of_rectangles };
         let order = mesh.nested_dissection().into_iter().flat_map(|node| unknowns[node]).flatten().collect();
-        let factor = SparseCholesky::analyse(&stiffness, order)?.factor(&stiffness)?;
+        let analysed = SparseCholesky::analyse_unless(interruption, &stiffness, order)?;
+        let factor = analysed.factor_unless(interruption, &stiffness)?;
         Ok(Self { mesh, steel: *steel, boundary, unknowns, factor })
     }
 

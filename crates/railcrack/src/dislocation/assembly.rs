@@ -5,6 +5,7 @@ use super::junctions::Ties;
 use super::kernel::Interaction;
 use crate::body::{FaceElement, FaceMesh};
 use crate::crack::Walk;
+use crate::interruption::{Interrupted, Interruption};
 use crate::math::Matrix;
 use rayon::prelude::*;
 
@@ -14,22 +15,28 @@ use rayon::prelude::*;
 /// A_jk = E′/(8π) ∬ φ_j′ E(z, z′) φ_k′ dg dg′ with the hat functions φ: weakly singular because
 /// jumps are continuous and dislocations on the surface have no effect, so that the mouth needs no
 /// condition.
+///
+/// Errors: an interruption.
 pub(super) fn stiffness(
     walks: &[Walk],
     elements: &[FaceElement],
     ties: &Ties,
     faces: &FaceMesh,
     modulus: f64,
-) -> Matrix {
+    interruption: Interruption<'_>,
+) -> Result<Matrix, Interrupted> {
     let rules = Rules::new();
-    let blocks: Vec<Vec<Interaction>> = (0..elements.len())
-        .into_par_iter()
-        .map(|i| (0..=i).map(|j| element_integral(walks, &elements[i], &elements[j], &rules)).collect())
-        .collect();
+    let row = |i: usize| {
+        interruption.check()?;
+        Ok((0..=i).map(|j| element_integral(walks, &elements[i], &elements[j], &rules)).collect())
+    };
+    let blocks: Result<Vec<Vec<Interaction>>, Interrupted> =
+        (0..elements.len()).into_par_iter().map(row).collect();
     let points = faces.points.len();
     let mut global = Matrix::zeros(2 * points, 2 * points);
     let slopes: Vec<Vec<(usize, f64)>> = elements.iter().map(|element| slope(element, ties)).collect();
-    for (i, row) in blocks.iter().enumerate() {
+    for (i, row) in blocks?.iter().enumerate() {
+        interruption.check()?;
         for (j, block) in row.iter().enumerate() {
             scatter(&mut global, &slopes[i], &slopes[j], *block);
             if i != j {
@@ -38,7 +45,7 @@ pub(super) fn stiffness(
         }
     }
     let scale = modulus / (8.0 * std::f64::consts::PI);
-    in_face_frames(&global, faces, scale)
+    in_face_frames(&global, faces, scale, interruption)
 }
 
 fn element_integral(walks: &[Walk], a: &FaceElement, b: &FaceElement, rules: &Rules) -> Interaction {
@@ -82,10 +89,16 @@ fn scatter(global: &mut Matrix, a: &[(usize, f64)], b: &[(usize, f64)], block: I
 
 /// Rotates x and y components to slip and opening at each face point, and symmetrises the round-off
 /// away.
-fn in_face_frames(global: &Matrix, faces: &FaceMesh, scale: f64) -> Matrix {
+fn in_face_frames(
+    global: &Matrix,
+    faces: &FaceMesh,
+    scale: f64,
+    interruption: Interruption<'_>,
+) -> Result<Matrix, Interrupted> {
     let points = faces.points.len();
     let mut local = Matrix::zeros(2 * points, 2 * points);
     for p in 0..points {
+        interruption.check()?;
         let frame = [faces.points[p].tangent, faces.points[p].tangent.left()];
         for q in 0..=p {
             let other = [faces.points[q].tangent, faces.points[q].tangent.left()];
@@ -100,5 +113,5 @@ fn in_face_frames(global: &Matrix, faces: &FaceMesh, scale: f64) -> Matrix {
             }
         }
     }
-    local
+    Ok(local)
 }

@@ -5,7 +5,8 @@ use super::junctions::{Core, Ties, cores};
 use super::nodes::{self, FaceResolution};
 use crate::body::{BodyEngine, BodyError, CrackedBody, discretise, thin_flaps};
 use crate::crack::{CrackNetwork, End, Walk, point_to_segment};
-use crate::linear::{LinearError, spd_inverse};
+use crate::interruption::{Interrupted, Interruption};
+use crate::linear::{LinearError, spd_inverse_unless};
 use crate::material::IsotropicElastic;
 use crate::math::{Matrix, Vec2};
 use thiserror::Error;
@@ -17,7 +18,19 @@ pub enum DislocationError {
     /// The energy of the jumps is not positive definite: the elements are far too coarse for the
     /// geometry.
     #[error("the cracks cannot be resolved by dislocations: {0}")]
-    Unresolved(#[from] LinearError),
+    Unresolved(LinearError),
+    /// Given up on request.
+    #[error("{0}")]
+    Interrupted(#[from] Interrupted),
+}
+
+impl From<LinearError> for DislocationError {
+    fn from(error: LinearError) -> Self {
+        match error {
+            LinearError::Interrupted(interrupted) => interrupted.into(),
+            error => Self::Unresolved(error),
+        }
+    }
 }
 
 /// Cracks in the half-plane y ≤ 0 by a Galerkin method for the displacement jump: continuous,
@@ -30,14 +43,24 @@ pub fn cracked_body(
     steel: &IsotropicElastic,
     resolution: FaceResolution,
 ) -> Result<CrackedBody, DislocationError> {
+    cracked_body_unless(Interruption::NEVER, network, steel, resolution)
+}
+
+/// [`cracked_body`], given up on an `interruption`.
+fn cracked_body_unless(
+    interruption: Interruption<'_>,
+    network: &CrackNetwork,
+    steel: &IsotropicElastic,
+    resolution: FaceResolution,
+) -> Result<CrackedBody, DislocationError> {
     let walks = network.walks();
     let cores = cores(network, &walks, |crack, g| nodes::regular_element(&walks[crack], resolution, g));
     let nodes = nodes(network, &walks, &cores, resolution);
     let (elements, all) = discretise(&walks, &nodes);
     let (ties, faces) = Ties::new(&cores, &walks, &elements, &all);
     let modulus = steel.plane_strain_modulus();
-    let stiffness = stiffness(&walks, &elements, &ties, &faces, modulus);
-    let compliance = spd_inverse(&stiffness)?;
+    let stiffness = stiffness(&walks, &elements, &ties, &faces, modulus, interruption)?;
+    let compliance = spd_inverse_unless(interruption, &stiffness)?;
     let mut tips = Vec::new();
     let mut rows = Vec::new();
     for tip in network.tips() {
@@ -131,8 +154,12 @@ impl DislocationEngine {
 const RESOLVED: f64 = 0.005;
 
 impl BodyEngine for DislocationEngine {
-    fn body(&mut self, network: &CrackNetwork) -> Result<CrackedBody, BodyError> {
-        cracked_body(network, &self.steel, self.resolution)
+    fn body_unless(
+        &mut self,
+        interruption: Interruption<'_>,
+        network: &CrackNetwork,
+    ) -> Result<CrackedBody, BodyError> {
+        cracked_body_unless(interruption, network, &self.steel, self.resolution)
             .map_err(|reason| BodyError { reason: Box::new(reason) })
     }
 

@@ -14,6 +14,7 @@ use crate::crack::{CrackNetwork, CrackTip};
 use crate::fatigue::{HourlierPineau, Kink};
 use crate::field::{EndField, EndsError, RailEnds, StressField, Wheel};
 use crate::fracture::SifHistory;
+use crate::interruption::Interruption;
 use crate::math::RailBox;
 use std::sync::Arc;
 use std::time::Instant;
@@ -125,7 +126,12 @@ impl Growth {
         let started = Instant::now();
         let network = CrackNetwork::joined(self.state.cracks.clone(), self.state.junctions.clone())
             .map_err(|source| GrowthError::Network { step, source })?;
-        let body = self.problem.engine.body(&network).map_err(|source| GrowthError::Body { step, source })?;
+        let asked = || observer.interrupted();
+        let body = self.problem.engine.body_unless(Interruption::when(&asked), &network);
+        let body = body.map_err(|source| match source.is_interruption() {
+            true => GrowthError::Interrupted { step },
+            false => GrowthError::Body { step, source },
+        })?;
         if step >= self.problem.growth.steps {
             self.problem.engine.forget();
         }

@@ -4,6 +4,7 @@ use super::fronts::eliminated;
 use super::lanes::Tile;
 use super::structure::Structure;
 use super::{ElementSum, LinearError};
+use crate::interruption::Interruption;
 use std::sync::Arc;
 
 /// The structure of the factor P K Pᵀ = L Lᵀ of all matrices whose elements couple the same
@@ -20,7 +21,16 @@ impl SparseCholesky {
     /// Errors: an order that is not one of the unknowns; an element with an unknown that is not
     /// there.
     pub fn analyse(matrix: &impl ElementSum, order: Vec<usize>) -> Result<Self, LinearError> {
-        Ok(Self { structure: Arc::new(Structure::new(matrix, order)?) })
+        Self::analyse_unless(Interruption::NEVER, matrix, order)
+    }
+
+    /// [`SparseCholesky::analyse`], given up on an `interruption`.
+    pub fn analyse_unless(
+        interruption: Interruption<'_>,
+        matrix: &impl ElementSum,
+        order: Vec<usize>,
+    ) -> Result<Self, LinearError> {
+        Ok(Self { structure: Arc::new(Structure::new(matrix, order, interruption)?) })
     }
 
     /// Factors `matrix`, whose elements must couple no other unknowns than those analysed, front by
@@ -31,7 +41,16 @@ impl SparseCholesky {
     /// matrix does not have the size of its unknowns; a matrix that is not positive definite (the
     /// unknown is named).
     pub fn factor(&self, matrix: &impl ElementSum) -> Result<SparseFactor, LinearError> {
-        let tiles = eliminated(&self.structure, matrix)?;
+        self.factor_unless(Interruption::NEVER, matrix)
+    }
+
+    /// [`SparseCholesky::factor`], given up on an `interruption`.
+    pub fn factor_unless(
+        &self,
+        interruption: Interruption<'_>,
+        matrix: &impl ElementSum,
+    ) -> Result<SparseFactor, LinearError> {
+        let tiles = eliminated(&self.structure, matrix, interruption)?;
         Ok(SparseFactor { structure: Arc::clone(&self.structure), tiles })
     }
 }

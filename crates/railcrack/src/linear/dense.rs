@@ -1,6 +1,7 @@
 //! Products and inverses of dense matrices.
 
 use super::LinearError;
+use crate::interruption::{Interrupted, Interruption};
 use crate::math::{Matrix, axpy, dot};
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
@@ -26,19 +27,50 @@ pub(super) fn factor_in_place(matrix: MatMut<'_, f64>) -> Result<(), usize> {
         .map_err(|llt::factor::LltError::NonPositivePivot { index }| index)
 }
 
+/// The end of an elimination before its last column.
+pub(super) enum EliminationError {
+    /// The place of a pivot that is not positive.
+    Pivot(usize),
+    /// Given up on request.
+    Interrupted(Interrupted),
+}
+
+impl From<Interrupted> for EliminationError {
+    fn from(interrupted: Interrupted) -> Self {
+        Self::Interrupted(interrupted)
+    }
+}
+
+impl EliminationError {
+    /// The error of a matrix of `order` unknowns, of which `unknown` says which one a place is.
+    pub(super) fn of(self, order: usize, unknown: impl Fn(usize) -> usize) -> LinearError {
+        match self {
+            Self::Pivot(place) => LinearError::NotPositiveDefinite { order, pivot: unknown(place) },
+            Self::Interrupted(interrupted) => interrupted.into(),
+        }
+    }
+}
+
 /// Eliminates the first `columns` unknowns of a symmetric matrix (order × order), of which row j
 /// holds column j from the diagonal on: its first rows become columns of L, the others their Schur
-/// complement. The bits do not depend on the number of threads. The error is the place of a pivot
-/// that is not positive.
-pub(super) fn eliminate(matrix: &mut [f64], order: usize, columns: usize) -> Result<(), usize> {
+/// complement. The bits do not depend on the number of threads.
+///
+/// Errors: an interruption, or the place of a pivot that is not positive.
+pub(super) fn eliminate(
+    matrix: &mut [f64],
+    order: usize,
+    columns: usize,
+    interruption: Interruption<'_>,
+) -> Result<(), EliminationError> {
     // Symmetric: rows are columns.
     let mut matrix = MatMut::from_column_major_slice_mut(matrix, order, order);
     for start in (0..columns).step_by(BLOCK) {
+        interruption.check()?;
         let width = BLOCK.min(columns - start);
         let (_, right) = matrix.rb_mut().split_at_col_mut(start);
         let (block, rest) = right.get_mut(start.., ..).split_at_col_mut(width);
         let (mut own, mut below) = block.split_at_row_mut(width);
-        factor_in_place(own.rb_mut()).map_err(|pivot| start + pivot)?;
+        factor_in_place(own.rb_mut()).map_err(|pivot| EliminationError::Pivot(start + pivot))?;
         let own = own.rb();
         below.rb_mut().par_row_chunks_mut(BLOCK).for_each(|rows| {
             solve_lower_triangular_in_place(own, rows.transpose_mut(), Par::Seq);
@@ -46,6 +78,9 @@ pub(super) fn eliminate(matrix: &mut [f64], order: usize, columns: usize) -> Res
         let below = below.rb();
         let rest = rest.get_mut(width.., ..);
         rest.par_col_chunks_mut(BLOCK).enumerate().for_each(|(k, columns)| {
+            if interruption.asked() {
+                return;
+            }
             // The part on and below the diagonal.
             let from = k * BLOCK;
             let lower = columns.get_mut(from.., ..);
@@ -58,11 +93,16 @@ pub(super) fn eliminate(matrix: &mut [f64], order: usize, columns: usize) -> Res
 
 /// The scalar products R Rᵀ of the rows of R with each other, exactly symmetric. The leading zeros
 /// that neighbouring rows share are skipped.
-pub fn products_of_rows(rows: &Matrix) -> Matrix {
+///
+/// Errors: an interruption.
+pub fn products_of_rows(rows: &Matrix, interruption: Interruption<'_>) -> Result<Matrix, Interrupted> {
     let (count, length) = (rows.rows(), rows.columns());
     let all = MatRef::from_row_major_slice(rows.entries(), count, length);
     let mut products = Matrix::zeros(count, count);
     products.entries_mut().par_chunks_mut((STRIP * count).max(1)).enumerate().for_each(|(k, strip)| {
+        if interruption.asked() {
+            return;
+        }
         let own = k * STRIP..k * STRIP + strip.len() / count;
         let zeros = |i: usize| rows.row(i).iter().take_while(|value| **value == 0.0).count();
         let from = own.clone().map(zeros).min().unwrap_or(0);
@@ -71,12 +111,13 @@ pub fn products_of_rows(rows: &Matrix) -> Matrix {
         let (left, right) = (all.get(own.clone(), from..), all.get(..own.end, from..).transpose());
         matmul(product, Accum::Replace, left, right, 1.0, Par::Seq);
     });
+    interruption.check()?;
     for i in 0..count {
         for j in 0..i {
             products[(j, i)] = products[(i, j)];
         }
     }
-    products
+    Ok(products)
 }
 
 /// The product A B.
@@ -226,10 +267,18 @@ const SINGULAR: f64 = 1e-12;
 
 /// The inverse of a symmetric positive definite matrix, by Cholesky; exactly symmetric.
 pub fn spd_inverse(matrix: &Matrix) -> Result<Matrix, LinearError> {
+    spd_inverse_unless(Interruption::NEVER, matrix)
+}
+
+/// [`spd_inverse`], given up on an `interruption`.
+pub fn spd_inverse_unless(interruption: Interruption<'_>, matrix: &Matrix) -> Result<Matrix, LinearError> {
     let order = matrix.rows();
     let mut factor = matrix.clone();
-    eliminate(factor.entries_mut(), order, order)
-        .map_err(|pivot| LinearError::NotPositiveDefinite { order, pivot })?;
+    eliminate(factor.entries_mut(), order, order, interruption)
+        .map_err(|end| end.of(order, |place| place))?;
+    if order > AT_ONCE {
+        return large_inverse(&factor, interruption);
+    }
     let mut buffer = MemBuffer::new(llt::inverse::inverse_scratch::<f64>(order, Par::Seq));
     let stack = MemStack::new(&mut buffer);
     let mut inverse = Matrix::zeros(order, order);
@@ -242,6 +291,29 @@ pub fn spd_inverse(matrix: &Matrix) -> Result<Matrix, LinearError> {
         }
     }
     Ok(inverse)
+}
+
+/// Order up to which an inverse is made from its factor by one call, which nothing interrupts: a
+/// second at most.
+const AT_ONCE: usize = 3000;
+
+/// L⁻ᵀ L⁻¹ of a factor whose row j is column j of L, in strips.
+fn large_inverse(factor: &Matrix, interruption: Interruption<'_>) -> Result<Matrix, LinearError> {
+    let order = factor.rows();
+    let factor = MatRef::from_column_major_slice(factor.entries(), order, order);
+    // Row j is column j of L⁻¹.
+    let mut columns = Matrix::zeros(order, order);
+    columns.entries_mut().par_chunks_mut(STRIP * order).enumerate().for_each(|(k, strip)| {
+        if interruption.asked() {
+            return;
+        }
+        let (from, width) = (k * STRIP, strip.len() / order);
+        let mut right = MatMut::from_column_major_slice_mut(strip, order, width).get_mut(from.., ..);
+        (0..width).for_each(|j| right[(j, j)] = 1.0);
+        solve_lower_triangular_in_place(factor.get(from.., from..), right, Par::Seq);
+    });
+    interruption.check()?;
+    Ok(products_of_rows(&columns, interruption)?)
 }
 
 /// The inverse of a square matrix, by Gaussian elimination with partial pivoting.
@@ -321,8 +393,11 @@ mod tests {
         let value = |i: usize, j: usize| if 2 * j < i { 0.0 } else { ((3 * i + 5 * j) % 11) as f64 - 5.0 };
         let rows = Matrix::from_fn(STRIP + 9, 47, value);
         let sum = |i: usize, j: usize| rows.row(i).iter().zip(rows.row(j)).map(|(a, b)| a * b).sum();
-        assert_eq!(products_of_rows(&rows), Matrix::from_fn(rows.rows(), rows.rows(), sum));
-        assert_eq!(products_of_rows(&Matrix::zeros(0, 3)), Matrix::zeros(0, 0));
+        assert_eq!(
+            products_of_rows(&rows, Interruption::NEVER).unwrap(),
+            Matrix::from_fn(rows.rows(), rows.rows(), sum)
+        );
+        assert_eq!(products_of_rows(&Matrix::zeros(0, 3), Interruption::NEVER).unwrap(), Matrix::zeros(0, 0));
     }
 
     #[test]
@@ -364,6 +439,17 @@ mod tests {
             spd_inverse(&indefinite).err(),
             Some(LinearError::NotPositiveDefinite { order, pivot: 300 })
         );
+    }
+
+    #[test]
+    fn the_inverse_in_strips_by_residual() {
+        let order = 3 * STRIP + 7;
+        let entry = |i: usize, j: usize| 1.0 / (1.0 + (i as f64 - j as f64).powi(2));
+        let matrix = Matrix::from_fn(order, order, |i, j| entry(i, j) + if i == j { 1.0 } else { 0.0 });
+        let mut factor = matrix.clone();
+        assert!(eliminate(factor.entries_mut(), order, order, Interruption::NEVER).is_ok());
+        let inverse = large_inverse(&factor, Interruption::NEVER).unwrap();
+        assert!(distance_from_identity(&product(&matrix, &inverse).unwrap()) < 1e-13);
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! Sparse symmetric matrices as sums of element matrices.
 
 use super::LinearError;
+use crate::interruption::Interruption;
 use crate::math::Matrix;
 
 /// A sparse symmetric matrix that is a sum of small dense ones, like a stiffness matrix. It is
@@ -30,11 +31,14 @@ pub(super) struct Pattern {
     pub(super) rows: Vec<u32>,
 }
 
+/// Columns between two questions whether to go on.
+const OFTEN: usize = 10_000;
+
 impl Pattern {
     /// The pattern of `matrix`.
     ///
-    /// Errors: an unknown that does not exist; too many entries for their indices.
-    pub(super) fn new(matrix: &impl ElementSum) -> Result<Self, LinearError> {
+    /// Errors: an unknown that does not exist; too many entries for their indices; an interruption.
+    pub(super) fn new(matrix: &impl ElementSum, interruption: Interruption<'_>) -> Result<Self, LinearError> {
         let order = matrix.order();
         let too_large = |_| LinearError::TooLarge { order };
         let elements = Incidence::new(matrix)?;
@@ -42,6 +46,9 @@ impl Pattern {
         let mut rows = Vec::new();
         let mut column_of_last_visit = vec![usize::MAX; order];
         for column in 0..order {
+            if column.is_multiple_of(OFTEN) {
+                interruption.check()?;
+            }
             let begin = rows.len();
             column_of_last_visit[column] = column;
             rows.push(column as u32);

@@ -1,5 +1,6 @@
 //! Errors of factorisations and solutions.
 
+use crate::interruption::Interrupted;
 use thiserror::Error;
 
 /// A matrix that cannot be built or factored.
@@ -58,4 +59,7 @@ pub enum LinearError {
         /// Order of the matrix.
         order: usize,
     },
+    /// Given up on request.
+    #[error("{0}")]
+    Interrupted(#[from] Interrupted),
 }

@@ -7,6 +7,7 @@ use super::dense::eliminate;
 use super::lanes::{ROWS, Tile};
 use super::structure::{Structure, Supernode};
 use super::{ElementSum, LinearError};
+use crate::interruption::Interruption;
 use crate::math::axpy;
 use rayon::prelude::*;
 use std::collections::HashMap;
@@ -17,10 +18,14 @@ const BRANCH_SHARE: f64 = 1.0 / 24.0;
 /// L in tiles, supernode by supernode.
 ///
 /// Errors: another number of unknowns; an element that does not fit its unknowns or the structure;
-/// a matrix that is not positive definite (the unknown is named).
-pub(super) fn eliminated(structure: &Structure, matrix: &impl ElementSum) -> Result<Vec<Tile>, LinearError> {
+/// a matrix that is not positive definite (the unknown is named); an interruption.
+pub(super) fn eliminated(
+    structure: &Structure,
+    matrix: &impl ElementSum,
+    interruption: Interruption<'_>,
+) -> Result<Vec<Tile>, LinearError> {
     let elements = ElementsBySupernode::new(structure, matrix)?;
-    let fronts = Fronts { structure, matrix, elements, children: children(structure) };
+    let fronts = Fronts { structure, matrix, elements, children: children(structure), interruption };
     let mut tiles = vec![[0.0; ROWS]; structure.supernodes.iter().map(Supernode::tiles).sum()];
     let (branches, trunk) = branches(structure);
     let mut places = Places::new(structure, &mut tiles);
@@ -128,7 +133,7 @@ impl ElementsBySupernode {
             let quantity = "unknowns of a matrix to factor";
             return Err(LinearError::WrongLength { quantity, given: matrix.order(), expected: order });
         }
-        let first = |element: usize| {
+        let first = |element: usize| -> Result<Option<usize>, LinearError> {
             let unknowns = matrix.unknowns(element).into_iter().flatten();
             let places: Vec<usize> =
                 unknowns.map(|unknown| structure.place_of(unknown)).collect::<Result<_, _>>()?;
@@ -165,6 +170,7 @@ struct Fronts<'a, M> {
     matrix: &'a M,
     elements: ElementsBySupernode,
     children: Vec<Vec<usize>>,
+    interruption: Interruption<'a>,
 }
 
 impl<M: ElementSum> Fronts<'_, M> {
@@ -190,10 +196,9 @@ impl<M: ElementSum> Fronts<'_, M> {
         front.resize(node.size() * node.size(), 0.0);
         self.add_elements(s, front).map_err(|reason| Failure { place: node.start, reason })?;
         self.add_remainders(s, left, front);
-        eliminate(front, node.size(), node.columns).map_err(|pivot| {
-            let (order, place) = (self.structure.unknowns(), node.start + pivot);
-            let reason = LinearError::NotPositiveDefinite { order, pivot: self.structure.unknown_at(place) };
-            Failure { place, reason }
+        eliminate(front, node.size(), node.columns, self.interruption).map_err(|end| {
+            let unknown = |pivot| self.structure.unknown_at(node.start + pivot);
+            Failure { place: node.start, reason: end.of(self.structure.unknowns(), unknown) }
         })
     }
 

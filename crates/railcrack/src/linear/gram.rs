@@ -2,6 +2,7 @@
 
 use super::lanes::{LANES, Row, add_outer};
 use super::reach::ReachedPanel;
+use crate::interruption::{Interrupted, Interruption};
 use pulp::{Arch, Simd, WithSimd};
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -19,14 +20,22 @@ type Block = [Row; LANES];
 /// W_iᵀ W_j = b_iᵀ K⁻¹ b_j of every column i of the panels from `first` on with all columns j up to
 /// itself, row by row. Each is the same bits whichever others are computed, on any number of
 /// threads.
-pub fn gram(panels: &[Arc<ReachedPanel>], first: usize) -> Vec<Vec<f64>> {
+///
+/// Errors: an interruption.
+pub fn gram(
+    panels: &[Arc<ReachedPanel>],
+    first: usize,
+    interruption: Interruption<'_>,
+) -> Result<Vec<Vec<f64>>, Interrupted> {
     let numbers: Vec<usize> = (first..panels.len()).collect();
     let strips = numbers.par_chunks(STRIP).map(|strip| {
+        interruption.check()?;
         let mut blocks: Vec<Vec<Block>> = strip.iter().map(|&i| vec![[Row::ZERO; LANES]; i + 1]).collect();
         Arch::new().dispatch(Strip { panels, first: strip[0], blocks: &mut blocks });
-        strip.iter().zip(&blocks).flat_map(|(&i, blocks)| rows(panels, i, blocks)).collect()
+        Ok(strip.iter().zip(&blocks).flat_map(|(&i, blocks)| rows(panels, i, blocks)).collect::<Vec<_>>())
     });
-    strips.collect::<Vec<Vec<Vec<f64>>>>().into_iter().flatten().collect()
+    let strips: Result<Vec<Vec<Vec<f64>>>, Interrupted> = strips.collect();
+    Ok(strips?.into_iter().flatten().collect())
 }
 
 /// The rows of panel `i` from its blocks.

@@ -5,6 +5,7 @@ use super::LinearError;
 use super::cholesky::SparseFactor;
 use super::lanes::{LANES, Row};
 use super::sweep::Panel;
+use crate::interruption::Interruption;
 use rayon::prelude::*;
 
 /// A sparse right-hand side b: (unknown, value); values of the same unknown add.
@@ -62,9 +63,17 @@ impl SparseFactor {
     /// `PANEL_COLUMNS` columns. Columns that begin near each other in the elimination tree should
     /// be neighbours.
     ///
-    /// Errors: an unknown that does not exist.
-    pub fn forward(&self, columns: &[SparseColumn]) -> Result<Vec<ReachedPanel>, LinearError> {
-        columns.par_chunks(PANEL_COLUMNS).map(|columns| self.forward_panel(columns)).collect()
+    /// Errors: an unknown that does not exist; an interruption.
+    pub fn forward(
+        &self,
+        columns: &[SparseColumn],
+        interruption: Interruption<'_>,
+    ) -> Result<Vec<ReachedPanel>, LinearError> {
+        let panel = |columns| {
+            interruption.check()?;
+            self.forward_panel(columns)
+        };
+        columns.par_chunks(PANEL_COLUMNS).map(panel).collect()
     }
 
     fn forward_panel(&self, columns: &[SparseColumn]) -> Result<ReachedPanel, LinearError> {

@@ -4,6 +4,7 @@ use super::{
     ElementSum, LinearError, PANEL_COLUMNS, ReachedPanel, SparseCholesky, SparseColumn, SparseFactor, gram,
     spd_inverse,
 };
+use crate::interruption::Interruption;
 use crate::math::Matrix;
 use std::sync::Arc;
 
@@ -169,7 +170,7 @@ fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
 
 /// Half-solved `columns` in their panels.
 fn panels(factor: &SparseFactor, columns: &[SparseColumn]) -> Vec<Arc<ReachedPanel>> {
-    factor.forward(columns).unwrap().into_iter().map(Arc::new).collect()
+    factor.forward(columns, Interruption::NEVER).unwrap().into_iter().map(Arc::new).collect()
 }
 
 #[test]
@@ -199,7 +200,7 @@ fn products_agree_with_dense_algebra() {
     let (matrix, factor) = grid.factored(8);
     let inverse = spd_inverse(&matrix.dense()).unwrap();
     let columns = grid.local_columns(30);
-    let products = gram(&panels(&factor, &columns), 0);
+    let products = gram(&panels(&factor, &columns), 0, Interruption::NEVER).unwrap();
     assert_eq!(products.len(), columns.len());
     for (i, a) in columns.iter().enumerate() {
         let solution = inverse.times(&full(grid.order(), a));
@@ -216,7 +217,7 @@ fn panels_store_only_the_reach_of_their_columns() {
     let grid = Grid::new(30, 30);
     let (matrix, factor) = grid.factored(3);
     let column = &grid.local_columns(1)[0];
-    let alone = factor.forward(std::slice::from_ref(column)).unwrap().remove(0);
+    let alone = factor.forward(std::slice::from_ref(column), Interruption::NEVER).unwrap().remove(0);
     assert!(2 * alone.rows() < grid.order(), "{} of {}", alone.rows(), grid.order());
     // Still, its square is the energy of the full solution.
     let right = full(grid.order(), column);
@@ -224,7 +225,7 @@ fn panels_store_only_the_reach_of_their_columns() {
     factor.solve(&mut solution).unwrap();
     assert!(largest_difference(&matrix.times(&solution), &right) < ROUND_OFF);
     let energy: f64 = right.iter().zip(&solution).map(|(b, x)| b * x).sum();
-    assert!((gram(&[Arc::new(alone)], 0)[0][0] - energy).abs() < ROUND_OFF);
+    assert!((gram(&[Arc::new(alone)], 0, Interruption::NEVER).unwrap()[0][0] - energy).abs() < ROUND_OFF);
 }
 
 #[test]
@@ -233,11 +234,11 @@ fn the_bits_do_not_depend_on_the_other_columns() {
     let (_, factor) = grid.factored(11);
     let columns = grid.local_columns(130);
     let together = panels(&factor, &columns);
-    let all = gram(&together, 0);
+    let all = gram(&together, 0, Interruption::NEVER).unwrap();
 
     // In reverse order, other columns share the panels.
     let reversed: Vec<SparseColumn> = columns.iter().rev().cloned().collect();
-    let backwards = gram(&panels(&factor, &reversed), 0);
+    let backwards = gram(&panels(&factor, &reversed), 0, Interruption::NEVER).unwrap();
     let last = columns.len() - 1;
     for i in 0..columns.len() {
         for j in 0..=i {
@@ -248,11 +249,19 @@ fn the_bits_do_not_depend_on_the_other_columns() {
     // Single pairs.
     for (i, j) in [(3, 2), (77, 5), (129, 128)] {
         let pair = panels(&factor, &[columns[j].clone(), columns[i].clone()]);
-        assert_eq!(gram(&pair, 0)[1][0].to_bits(), all[i][j].to_bits(), "({i}, {j}) alone");
+        assert_eq!(
+            gram(&pair, 0, Interruption::NEVER).unwrap()[1][0].to_bits(),
+            all[i][j].to_bits(),
+            "({i}, {j}) alone"
+        );
     }
     // The last panels with those before them.
     for first in 0..together.len() {
-        assert_eq!(gram(&together, first), all[first * PANEL_COLUMNS..], "from panel {first}");
+        assert_eq!(
+            gram(&together, first, Interruption::NEVER).unwrap(),
+            all[first * PANEL_COLUMNS..],
+            "from panel {first}"
+        );
     }
 }
 
@@ -288,7 +297,7 @@ fn the_bits_do_not_depend_on_the_number_of_threads() {
             let (_, factor) = grid.factored(2);
             let mut solution = full(grid.order(), &columns[0]).repeat(20);
             factor.solve(&mut solution).unwrap();
-            (gram(&panels(&factor, &columns), 0), solution)
+            (gram(&panels(&factor, &columns), 0, Interruption::NEVER).unwrap(), solution)
         })
     };
     assert_eq!(run(1), run(3));
@@ -377,5 +386,8 @@ fn refuses_orders_and_columns_that_do_not_fit() {
     let (_, factor) = grid.factored(4);
     assert!(factor.solve(&mut vec![0.0; order + 1]).is_err());
     let outside = SparseColumn { entries: vec![(order, 1.0)] };
-    assert_eq!(factor.forward(&[outside]), Err(LinearError::NoSuchUnknown { unknown: order, order }));
+    assert_eq!(
+        factor.forward(&[outside], Interruption::NEVER),
+        Err(LinearError::NoSuchUnknown { unknown: order, order })
+    );
 }

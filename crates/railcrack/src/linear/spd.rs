@@ -2,6 +2,7 @@
 
 use super::LinearError;
 use super::dense::factor_in_place;
+use crate::interruption::Interruption;
 use crate::math::Matrix;
 use faer::linalg::matmul::matmul;
 use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
@@ -14,7 +15,7 @@ use std::sync::Arc;
 ///
 /// It is made in blocks of rows from the first on. A row of L depends only on the rows of K up to
 /// its own, so that a matrix with the same leading rows takes over their blocks, which are shared.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct SpdFactor {
     order: usize,
     blocks: Vec<Arc<Block>>,
@@ -39,23 +40,28 @@ impl SpdFactor {
     /// the i + 1 zeros of `row`. The bits do not depend on the number of threads.
     ///
     /// Errors: a matrix that is not positive definite (the unknown is named).
+    #[cfg(test)]
     pub fn new(order: usize, fill: impl Fn(usize, &mut [f64]) + Sync) -> Result<Self, LinearError> {
-        Self { order: 0, blocks: Vec::new() }.changed(0, order, fill)
+        Self::default().changed(0, order, Interruption::NEVER, fill)
     }
 
     /// [`SpdFactor::new`] of a matrix whose rows before `unchanged` are those of this one. The bits
     /// are those of a factorisation from scratch.
+    ///
+    /// Errors: a matrix that is not positive definite; an interruption.
     pub fn changed(
         mut self,
         unchanged: usize,
         order: usize,
+        interruption: Interruption<'_>,
         fill: impl Fn(usize, &mut [f64]) + Sync,
     ) -> Result<Self, LinearError> {
         let first = self.kept(unchanged.min(order));
         let kept = first / BLOCK;
         self.blocks.truncate(kept);
         self.order = order;
-        for (start, rows) in (first..order).step_by(BLOCK).zip(self.rows_from(first, fill)) {
+        for (start, rows) in (first..order).step_by(BLOCK).zip(self.rows_from(first, interruption, fill)) {
+            interruption.check()?;
             let block = self.block(start, kept, rows);
             self.blocks.push(Arc::new(
                 block.map_err(|pivot| LinearError::NotPositiveDefinite { order, pivot: start + pivot })?,
@@ -72,7 +78,12 @@ impl SpdFactor {
 
     /// The rows of the matrix from `first` on in blocks, with the existing part of L applied to
     /// them.
-    fn rows_from(&self, first: usize, fill: impl Fn(usize, &mut [f64]) + Sync) -> Vec<Matrix> {
+    fn rows_from(
+        &self,
+        first: usize,
+        interruption: Interruption<'_>,
+        fill: impl Fn(usize, &mut [f64]) + Sync,
+    ) -> Vec<Matrix> {
         let starts = (first..self.order).step_by(BLOCK);
         let width = |start: usize| BLOCK.min(self.order - start);
         let mut blocks: Vec<Matrix> =
@@ -80,6 +91,9 @@ impl SpdFactor {
         blocks.par_iter_mut().enumerate().for_each(|(k, block)| {
             let stride = block.columns();
             block.entries_mut().par_chunks_mut(TOGETHER * stride).enumerate().for_each(|(chunk, rows)| {
+                if interruption.asked() {
+                    return;
+                }
                 for (i, row) in (first + k * BLOCK + chunk * TOGETHER..).zip(rows.chunks_exact_mut(stride)) {
                     fill(i, &mut row[..=i]);
                 }
@@ -112,15 +126,23 @@ impl SpdFactor {
     /// L⁻¹ Bᵀ as rows, one for each row of `right` (r × order), so that their scalar products are B
     /// K⁻¹ Bᵀ. The leading zeros that neighbouring rows share are skipped.
     ///
-    /// Errors: rows of another length.
-    pub fn half_solve_rows(&self, mut right: Matrix) -> Result<Matrix, LinearError> {
+    /// Errors: rows of another length; an interruption.
+    pub fn half_solve_rows(
+        &self,
+        mut right: Matrix,
+        interruption: Interruption<'_>,
+    ) -> Result<Matrix, LinearError> {
         let stride = right.columns();
         self.expect_length(stride)?;
         right.entries_mut().par_chunks_mut((TOGETHER * stride).max(1)).for_each(|rows| {
+            if interruption.asked() {
+                return;
+            }
             let zeros = |row: &[f64]| row.iter().take_while(|value| **value == 0.0).count();
             let first = rows.chunks_exact(stride).map(zeros).min().unwrap_or(0) / BLOCK;
             forward(&self.blocks[first.min(self.blocks.len())..], rows, stride, first * BLOCK);
         });
+        interruption.check()?;
         Ok(right)
     }
 
@@ -204,8 +226,8 @@ mod tests {
         let factor = SpdFactor::new(ORDER, fill).unwrap();
         let inverse = spd_inverse(&Matrix::from_fn(ORDER, ORDER, entry)).unwrap();
         let right = right();
-        let half = factor.half_solve_rows(right.clone()).unwrap();
-        let energies = products_of_rows(&half);
+        let half = factor.half_solve_rows(right.clone(), Interruption::NEVER).unwrap();
+        let energies = products_of_rows(&half, Interruption::NEVER).unwrap();
         for i in 0..right.rows() {
             let solution = inverse.times(right.row(i));
             for j in 0..right.rows() {
@@ -217,14 +239,14 @@ mod tests {
             let gap = own.iter().zip(&solution).fold(0.0f64, |m, (a, b)| m.max((a - b).abs()));
             assert!(gap < 1e-13, "{i}: {gap:e}");
         }
-        assert!(factor.half_solve_rows(Matrix::zeros(1, 3)).is_err());
+        assert!(factor.half_solve_rows(Matrix::zeros(1, 3), Interruption::NEVER).is_err());
         assert!(factor.back_solve(&mut [0.0]).is_err());
     }
 
     #[test]
     fn leading_rows_are_reused_bit_for_bit() {
         let right = right();
-        let halves = |factor: &SpdFactor| factor.half_solve_rows(right.clone()).unwrap();
+        let halves = |factor: &SpdFactor| factor.half_solve_rows(right.clone(), Interruption::NEVER).unwrap();
         let changed_from = BLOCK + 7;
         let other = |i: usize, row: &mut [f64]| {
             fill(i, row);
@@ -240,7 +262,7 @@ mod tests {
             assert!(i >= BLOCK, "row {i}");
             other(i, row);
         };
-        let changed = unchanged.changed(changed_from, ORDER, guarded).unwrap();
+        let changed = unchanged.changed(changed_from, ORDER, Interruption::NEVER, guarded).unwrap();
         assert_eq!(halves(&changed), afresh);
         for threads in [1, 3] {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();

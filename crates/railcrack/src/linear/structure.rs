@@ -3,6 +3,7 @@
 use super::elements::Pattern;
 use super::lanes::ROWS;
 use super::{ElementSum, LinearError};
+use crate::interruption::Interruption;
 use faer::perm::PermRef;
 use faer::sparse::SymbolicSparseColMatRef;
 use faer::sparse::linalg::SupernodalThreshold;
@@ -83,10 +84,14 @@ impl Supernode {
 
 impl Structure {
     /// Errors: an order that is not one of the unknowns; an element with an unknown that does not
-    /// exist.
-    pub(super) fn new(matrix: &impl ElementSum, order: Vec<usize>) -> Result<Self, LinearError> {
+    /// exist; an interruption.
+    pub(super) fn new(
+        matrix: &impl ElementSum,
+        order: Vec<usize>,
+        interruption: Interruption<'_>,
+    ) -> Result<Self, LinearError> {
         let (order, place) = places(&order, matrix.order())?;
-        let pattern = Pattern::new(matrix)?;
+        let pattern = Pattern::new(matrix, interruption)?;
         let mut structure = Self {
             supernode_of: vec![0; order.len()],
             order,
@@ -94,7 +99,9 @@ impl Structure {
             supernodes: Vec::new(),
             pattern: Vec::new(),
         };
+        interruption.check()?;
         structure.analyse(&pattern)?;
+        interruption.check()?;
         Ok(structure)
     }
 

@@ -1,5 +1,6 @@
 //! Errors of the stabilised plastic state.
 
+use crate::interruption::Interrupted;
 use thiserror::Error;
 
 /// Errors of the stabilised plastic state.
@@ -55,4 +56,7 @@ pub enum ShakedownError {
         /// The tolerance of this change.
         tolerance: f64,
     },
+    /// Given up on request.
+    #[error("{0}")]
+    Interrupted(#[from] Interrupted),
 }

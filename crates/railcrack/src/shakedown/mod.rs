@@ -24,7 +24,7 @@ pub use error::ShakedownError;
 pub use grid::Resolution;
 pub use layers::Layers;
 pub use rail::{RolledRail, Travel};
-pub use stabilise::{Stabilisation, check_rail, stabilise};
+pub use stabilise::{Stabilisation, check_rail, stabilise, stabilise_unless};
 pub use state::{
     Admissibility, Cycle, DepthRange, LayerState, Method, PassRecord, RailState, StabilisedRail,
 };

@@ -10,6 +10,7 @@ use super::state::{DepthRange, LayerState, Method, PassRecord, RailState, Stabil
 use super::steady::{SteadyPassage, SteadyProblem, Upstream, first_column};
 use super::strain::PlasticStrain;
 use super::streamline::FlowLaw;
+use crate::interruption::Interruption;
 use crate::math::{Stress, Vec2};
 
 /// Settings of the computation.
@@ -71,13 +72,23 @@ const ALTERNATING_SHARE: f64 = 1e-2;
 pub fn stabilise(
     rail: &RolledRail,
     settings: &Stabilisation,
+    watch: impl FnMut(&PassRecord),
+) -> Result<StabilisedRail, ShakedownError> {
+    stabilise_unless(Interruption::NEVER, rail, settings, watch)
+}
+
+/// [`stabilise`], given up on an `interruption`.
+pub fn stabilise_unless(
+    interruption: Interruption<'_>,
+    rail: &RolledRail,
+    settings: &Stabilisation,
     mut watch: impl FnMut(&PassRecord),
 ) -> Result<StabilisedRail, ShakedownError> {
     check_rail(rail)?;
     let mut grid = Grid::of(rail, settings.resolution)?;
     for _ in 0..EXTENSIONS {
         let mut run = Run::new(rail, settings, &grid);
-        let flown = run.all_passes(&mut watch)?;
+        let flown = run.all_passes(interruption, &mut watch)?;
         if flown <= grid.fine_depth {
             return Ok(run.finish());
         }
@@ -175,7 +186,11 @@ impl<'a> Run<'a> {
 
     /// All passages; returns the greatest depth with plastic strain, mm. Ends early where this lies
     /// below the even layers.
-    fn all_passes(&mut self, watch: &mut impl FnMut(&PassRecord)) -> Result<f64, ShakedownError> {
+    fn all_passes(
+        &mut self,
+        interruption: Interruption<'_>,
+        watch: &mut impl FnMut(&PassRecord),
+    ) -> Result<f64, ShakedownError> {
         let yield_strain = self.rail.hardening.yield_stress() / self.rail.steel.young();
         let most = match self.settings.method {
             Method::PassByPass => self.settings.max_passes.max(1),
@@ -183,7 +198,7 @@ impl<'a> Run<'a> {
         };
         let mut flown = 0.0;
         while !self.stabilised && self.passes.len() < most {
-            let record = self.pass()?;
+            let record = self.pass(interruption)?;
             flown = self.flown();
             if flown > self.grid.fine_depth {
                 return Ok(flown);
@@ -197,14 +212,14 @@ impl<'a> Run<'a> {
     }
 
     /// The next passage.
-    fn pass(&mut self) -> Result<PassRecord, ShakedownError> {
+    fn pass(&mut self, interruption: Interruption<'_>) -> Result<PassRecord, ShakedownError> {
         let layers = self.entering.len();
         let upstream = match self.settings.method {
             Method::PassByPass => Upstream::Given,
             Method::Direct => Upstream::Downstream,
         };
         let start = self.guess();
-        let passage = self.problem.solve(start, &self.entering, upstream);
+        let passage = self.problem.solve(start, &self.entering, upstream, interruption)?;
         if passage.change.is_nan() || passage.change > self.problem.tolerance {
             return Err(ShakedownError::NotConverged {
                 pass: self.passes.len() + 1,

@@ -2,6 +2,7 @@
 
 use super::eigenstress::{Columns, Eigenstress};
 use super::streamline::FlowLaw;
+use crate::interruption::{Interrupted, Interruption};
 use crate::math::Anderson;
 use std::ops::Range;
 
@@ -54,12 +55,15 @@ const DEPTH: usize = 6;
 impl SteadyProblem {
     /// Alternates redistribution and return mapping from `start` until the plastic strain repeats,
     /// or `max_iterations`; `entering` is the plastic strain upstream, by layer.
+    ///
+    /// Errors: an interruption.
     pub(super) fn solve(
         &mut self,
         start: Columns,
         entering: &[[f64; 3]],
         upstream: Upstream,
-    ) -> SteadyPassage {
+        interruption: Interruption<'_>,
+    ) -> Result<SteadyPassage, Interrupted> {
         let layers = entering.len();
         let mut entering = entering.to_vec();
         let mut strain = start;
@@ -75,6 +79,7 @@ impl SteadyProblem {
         let mut anderson = Anderson::new(DEPTH);
         let mut iterations = 0;
         loop {
+            interruption.check()?;
             iterations += 1;
             if upstream == Upstream::Downstream {
                 entering = first_column(&strain, layers);
@@ -83,7 +88,7 @@ impl SteadyProblem {
             let path = self.law.follow(&stress, &self.background, &strain, &entering, &mut image);
             let change = largest_difference(&image, &strain) * self.strain_scale;
             if change <= self.tolerance || iterations >= self.max_iterations || !change.is_finite() {
-                return SteadyPassage { strain: image, entering, path, iterations, change };
+                return Ok(SteadyPassage { strain: image, entering, path, iterations, change });
             }
             let window = self.window.start * layers..self.window.end * layers;
             let part = |field: &Columns| -> Vec<f64> {

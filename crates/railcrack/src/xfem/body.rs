@@ -17,7 +17,8 @@ use crate::body::{BodyTimes, CrackedBody, thin_flaps};
 use crate::bulk::{Boundary, BulkRail};
 use crate::crack::CrackNetwork;
 use crate::field::RailEnds;
-use crate::linear::spd_inverse;
+use crate::interruption::Interruption;
+use crate::linear::spd_inverse_unless;
 use crate::math::Vec2;
 use crate::mesh::QuadMesh;
 use std::sync::Arc;
@@ -29,17 +30,19 @@ pub fn cracked_body(
     network: &CrackNetwork,
     settings: XfemSettings,
 ) -> Result<CrackedBody, XfemError> {
-    cracked_body_with(background, network, settings, &mut ColumnStore::default())
+    cracked_body_with(background, network, settings, &mut ColumnStore::default(), Interruption::NEVER)
 }
 
-/// [`cracked_body`] with what was computed for other cracks on the same background.
+/// [`cracked_body`] with what was computed for other cracks on the same background, given up on an
+/// `interruption`.
 pub fn cracked_body_with(
     background: &Arc<BulkRail>,
     network: &CrackNetwork,
     settings: XfemSettings,
     columns: &mut ColumnStore,
+    interruption: Interruption<'_>,
 ) -> Result<CrackedBody, XfemError> {
-    let (body, inside) = reduced(background, network, settings, columns)?;
+    let (body, inside) = reduced(background, network, settings, columns, interruption)?;
     Ok(CrackedBody { fields: Some(Arc::new(inside)), ..body })
 }
 
@@ -49,15 +52,17 @@ pub(super) fn reduced(
     network: &CrackNetwork,
     settings: XfemSettings,
     columns: &mut ColumnStore,
+    interruption: Interruption<'_>,
 ) -> Result<(CrackedBody, Inside), XfemError> {
     let mut times = BodyTimes::default();
     let mut clock = Instant::now();
     let mut lap = || std::mem::replace(&mut clock, Instant::now()).elapsed().as_secs_f64();
     let mesh = background.mesh();
     let Discretisation { cuts, sizes, space, interface } = Discretisation::new(mesh, network, &settings)?;
+    interruption.check()?;
     times.enrichment_s = lap();
     let elasticity = Elasticity::new(*background.steel());
-    let border = Border::new(&cuts, &space, &elasticity);
+    let border = Border::new(&cuts, &space, &elasticity, interruption)?;
     times.border_s = lap();
     let context =
         SifContext { mesh, cuts: &cuts, space: &space, interface: &interface, elasticity: &elasticity };
@@ -65,6 +70,7 @@ pub(super) fn reduced(
     let mut remarks = thin_flaps(network, 2, "smaller elements (element_size_mm)");
     let mut functionals: Vec<SifFunctional> = Vec::new();
     for (tip, &size) in sizes.iter().enumerate() {
+        interruption.check()?;
         let (domain, remark) = domain_of(&cuts, tip, size, &settings);
         functionals.extend(context.functionals(tip, domain));
         remarks.extend(remark);
@@ -81,8 +87,8 @@ pub(super) fn reduced(
         functionals: &functionals,
         duality: &duality,
     };
-    let Condensed { compliance, sif_influence, elimination } = system.condensed(columns)?;
-    let stiffness = spd_inverse(&compliance)?;
+    let Condensed { compliance, sif_influence, elimination } = system.condensed(columns, interruption)?;
+    let stiffness = spd_inverse_unless(interruption, &compliance)?;
     times.condensation_s = lap();
     let matrices = [compliance, stiffness, sif_influence];
     let ends = (background.boundary() != Boundary::HalfPlane)

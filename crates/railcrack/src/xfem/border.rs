@@ -5,6 +5,7 @@ use super::basis::{CellBasis, Elasticity, Function, Target};
 use super::cuts::{CellPlace, Cuts};
 use super::quadrature::{Rules, WeightedPoint};
 use super::space::Space;
+use crate::interruption::{Interrupted, Interruption};
 use crate::math::Vec2;
 use rayon::prelude::*;
 use std::ops::Range;
@@ -39,17 +40,26 @@ pub(super) struct BorderEntries {
 }
 
 impl Border {
-    pub(super) fn new(cuts: &Cuts, space: &Space, elasticity: &Elasticity) -> Self {
+    /// Errors: an interruption.
+    pub(super) fn new(
+        cuts: &Cuts,
+        space: &Space,
+        elasticity: &Elasticity,
+        interruption: Interruption<'_>,
+    ) -> Result<Self, Interrupted> {
         let rules = Rules::new();
-        let cells: Vec<Vec<CellStiffness>> = space
+        let cells: Result<Vec<Vec<CellStiffness>>, Interrupted> = space
             .elements
             .par_iter()
             // One by one: the few columns around a tip, which are neighbours, take most of the
             // time.
             .with_max_len(1)
-            .map(|&e| element_stiffness(cuts, space, e, elasticity, &rules))
+            .map(|&e| {
+                interruption.check()?;
+                Ok(element_stiffness(cuts, space, e, elasticity, &rules))
+            })
             .collect();
-        Self { unknowns: space.unknowns(), cells: cells.into_iter().flatten().collect() }
+        Ok(Self { unknowns: space.unknowns(), cells: cells?.into_iter().flatten().collect() })
     }
 
     pub(super) fn entries(&self) -> BorderEntries {
@@ -209,7 +219,8 @@ mod tests {
         let elasticity = Elasticity::new(IsotropicElastic::new(210e3, 0.3).unwrap());
         let of = |network: &CrackNetwork| {
             let parts = Discretisation::new(&mesh, network, &XfemSettings::default()).unwrap();
-            let entries = Border::new(&parts.cuts, &parts.space, &elasticity).entries();
+            let entries =
+                Border::new(&parts.cuts, &parts.space, &elasticity, Interruption::NEVER).unwrap().entries();
             (parts, entries)
         };
         let ((before, short), (after, long)) = (of(&short), of(&long));

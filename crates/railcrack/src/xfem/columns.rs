@@ -1,6 +1,7 @@
 //! Columns and factor of the border that are reused from one growth step to the next.
 
 use super::border::Entries;
+use crate::interruption::Interruption;
 use crate::linear::{LinearError, PANEL_COLUMNS, ReachedPanel, SparseColumn, SparseFactor, SpdFactor, gram};
 use std::sync::Arc;
 
@@ -64,13 +65,14 @@ impl ColumnStore {
 
     /// Eliminates a border of `columns` and rows `square` of K_ee; after those of the border,
     /// `columns` may have further ones. `fill(i, row, products, square)` makes row i of the Schur
-    /// complement as for [`SpdFactor::new`], from the products b_iᵀ K⁻¹ b_j and its row of K_ee.
+    /// complement as for [`SpdFactor::changed`], from the products b_iᵀ K⁻¹ b_j and its row of K_ee.
     /// Keeps the data that the next call may reuse, and drops the rest.
     pub(super) fn eliminated(
         &mut self,
         rail: &SparseFactor,
         columns: Vec<SparseColumn>,
         square: Vec<Entries>,
+        interruption: Interruption<'_>,
         fill: impl Fn(usize, &mut [f64], &[f64], &Entries) + Sync,
     ) -> Result<Eliminated, LinearError> {
         let same = in_common(entries(&columns), entries(&self.columns));
@@ -80,13 +82,11 @@ impl ColumnStore {
             same_columns.min(in_common(square.iter(), before.square.iter()))
         });
         let filled = before.as_ref().map_or(0, |before| before.factor.kept(unchanged.min(square.len())));
-        self.solve(rail, columns, same, filled)?;
+        self.solve(rail, columns, [same, filled], interruption)?;
         let first = self.first_product;
         let fill = |i: usize, row: &mut [f64]| fill(i, row, &self.products[i - first], &square[i]);
-        let factor = match before {
-            Some(before) => before.factor.changed(unchanged, square.len(), fill)?,
-            None => SpdFactor::new(square.len(), fill)?,
-        };
+        let before = before.map_or_else(SpdFactor::default, |before| before.factor);
+        let factor = before.changed(unchanged, square.len(), interruption, fill)?;
         let further = self.products[square.len() - first..].to_vec();
         let (columns, square) = (Arc::clone(&self.columns), square.into());
         self.factored = Some(Factored { columns, square, factor: factor.clone() });
@@ -99,8 +99,8 @@ impl ColumnStore {
         &mut self,
         rail: &SparseFactor,
         columns: Vec<SparseColumn>,
-        same: usize,
-        needed: usize,
+        [same, needed]: [usize; 2],
+        interruption: Interruption<'_>,
     ) -> Result<(), LinearError> {
         let whole = |columns: usize| columns / PANEL_COLUMNS * PANEL_COLUMNS;
         let (kept, needed) = (whole(same), whole(needed.min(same)));
@@ -114,9 +114,9 @@ impl ColumnStore {
         } else {
             products.drain(..(needed - first_product).min(products.len()));
         }
-        panels.extend(rail.forward(&columns[kept..])?.into_iter().map(Arc::new));
+        panels.extend(rail.forward(&columns[kept..], interruption)?.into_iter().map(Arc::new));
         let first = (needed + products.len()) / PANEL_COLUMNS;
-        products.extend(gram(&panels, first).into_iter().map(Arc::from));
+        products.extend(gram(&panels, first, interruption)?.into_iter().map(Arc::from));
         *self = Self { columns: columns.into(), panels, products, first_product: needed, factored: None };
         Ok(())
     }
@@ -166,9 +166,10 @@ mod tests {
             row.iter_mut().zip(products).for_each(|(entry, product)| *entry -= product);
             row[i] += square[0].1;
         };
-        let Eliminated { factor, further } = store.eliminated(rail.factor(), columns, square, fill).unwrap();
+        let Eliminated { factor, further } =
+            store.eliminated(rail.factor(), columns, square, Interruption::NEVER, fill).unwrap();
         let right = Matrix::from_fn(1, BORDER, |_, j| (j as f64).cos());
-        (factor.half_solve_rows(right).unwrap(), further)
+        (factor.half_solve_rows(right, Interruption::NEVER).unwrap(), further)
     }
 
     #[test]

@@ -8,6 +8,7 @@ use super::interface::Duality;
 use super::sif::SifFunctional;
 use super::space::{Enrichment, Space};
 use crate::bulk::BulkRail;
+use crate::interruption::Interruption;
 use crate::linear::{
     LinearError, ReachedPanel, SparseCholesky, SparseColumn, SparseFactor, SpdFactor, gram, products_of_rows,
 };
@@ -74,13 +75,17 @@ impl System<'_> {
     /// C = B S_ee⁻¹ Bᵀ with the Schur complement S_ee = K_ee − K_es K_ss⁻¹ K_se, as jumps at face
     /// points under nodal forces there, and S. The choice of elimination depends on the cracks and
     /// the mesh alone, so that a resumed run finds the same bits.
-    pub(super) fn condensed(&self, store: &mut ColumnStore) -> Result<Condensed, XfemError> {
+    pub(super) fn condensed(
+        &self,
+        store: &mut ColumnStore,
+        interruption: Interruption<'_>,
+    ) -> Result<Condensed, XfemError> {
         let mesh = self.rail.factor().order() as f64;
         if self.border.unknowns as f64 <= DENSE * mesh.sqrt() {
-            self.by_border(store)
+            self.by_border(store, interruption)
         } else {
             store.clear();
-            self.together()
+            self.together(interruption)
         }
     }
 
@@ -92,7 +97,11 @@ impl System<'_> {
         columns.map(|column| SparseColumn { entries: column.iter().filter_map(free).collect() }).collect()
     }
 
-    pub(super) fn by_border(&self, store: &mut ColumnStore) -> Result<Condensed, XfemError> {
+    pub(super) fn by_border(
+        &self,
+        store: &mut ColumnStore,
+        interruption: Interruption<'_>,
+    ) -> Result<Condensed, XfemError> {
         let n = self.border.unknowns;
         let BorderEntries { columns, square } = self.border.entries();
         let scale: Vec<f64> = square
@@ -109,7 +118,8 @@ impl System<'_> {
             }
             row[i] += if scale[i] > 0.0 { REDUNDANT } else { 1.0 };
         };
-        let Eliminated { factor, further } = store.eliminated(self.rail.factor(), free, square, fill)?;
+        let Eliminated { factor, further } =
+            store.eliminated(self.rail.factor(), free, square, interruption, fill)?;
         let faces = self.jumps.len();
         let mut right = Matrix::zeros(faces + self.functionals.len(), n);
         for (i, row) in self.jumps.iter().enumerate() {
@@ -121,8 +131,8 @@ impl System<'_> {
             functional.enriched.iter().for_each(|&(unknown, value)| row[unknown] += value);
             row.iter_mut().zip(&scale).for_each(|(own, scale)| *own *= scale);
         }
-        let half = factor.half_solve_rows(right)?;
-        let energies = products_of_rows(&half);
+        let half = factor.half_solve_rows(right, interruption)?;
+        let energies = products_of_rows(&half, interruption)?;
         let compliance = Matrix::from_fn(faces, faces, |i, j| energies[(i, j)]);
         let influence: Vec<Vec<f64>> = self
             .functionals
@@ -135,12 +145,13 @@ impl System<'_> {
         Ok(self.at_face_points(compliance, &influence, elimination))
     }
 
-    pub(super) fn together(&self) -> Result<Condensed, XfemError> {
+    pub(super) fn together(&self, interruption: Interruption<'_>) -> Result<Condensed, XfemError> {
         let mesh = self.rail.factor().order();
         let redundant = |own: f64| if own > 0.0 { REDUNDANT * own } else { 1.0 };
         let added = self.border.diagonal().into_iter().map(redundant).collect();
         let stiffness = EnrichedStiffness::new(self.rail, self.border, added);
-        let factor = SparseCholesky::analyse(&stiffness, self.order())?.factor(&stiffness)?;
+        let analysed = SparseCholesky::analyse_unless(interruption, &stiffness, self.order())?;
+        let factor = analysed.factor_unless(interruption, &stiffness)?;
         let enriched = |entries: &Entries| entries.iter().map(|&(i, v)| (mesh + i, v)).collect::<Entries>();
         let jumps: Vec<Entries> = self.jumps.iter().map(enriched).collect();
         let mut columns: Vec<SparseColumn> =
@@ -151,8 +162,9 @@ impl System<'_> {
             standard.entries.extend(enriched(&functional.enriched));
             columns.push(standard);
         }
-        let panels: Vec<Arc<ReachedPanel>> = factor.forward(&columns)?.into_iter().map(Arc::new).collect();
-        let products = gram(&panels, 0);
+        let panels: Vec<Arc<ReachedPanel>> =
+            factor.forward(&columns, interruption)?.into_iter().map(Arc::new).collect();
+        let products = gram(&panels, 0, interruption)?;
         let faces = jumps.len();
         let compliance = Matrix::from_fn(faces, faces, |i, j| products[i.max(j)][i.min(j)]);
         let influence: Vec<Vec<f64>> = self
@@ -230,7 +242,7 @@ impl Elimination {
         let scaled = |values: &mut [f64]| values.iter_mut().zip(scale).for_each(|(value, s)| *value *= s);
         let mut right = under_tractions(jumps, tractions, scale.len());
         (0..right.rows()).for_each(|k| scaled(right.row_mut(k)));
-        let half = factor.half_solve_rows(right)?;
+        let half = factor.half_solve_rows(right, Interruption::NEVER)?;
         let whole = |k: usize| {
             let mut enriched = half.row(k).to_vec();
             factor.back_solve(&mut enriched)?;

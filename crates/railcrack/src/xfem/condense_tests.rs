@@ -2,6 +2,7 @@
 
 use super::{Condensed, Elimination, System};
 use crate::crack::{Crack, CrackNetwork};
+use crate::interruption::Interruption;
 use crate::material::IsotropicElastic;
 use crate::math::Matrix;
 use crate::xfem::basis::Elasticity;
@@ -39,7 +40,7 @@ fn dense_border_and_one_factorisation_agree() {
     let Discretisation { cuts, sizes, space, interface } =
         Discretisation::new(rail.mesh(), &network, &settings).unwrap();
     let elasticity = Elasticity::new(steel);
-    let border = Border::new(&cuts, &space, &elasticity);
+    let border = Border::new(&cuts, &space, &elasticity, Interruption::NEVER).unwrap();
     let mesh = rail.mesh();
     let context =
         SifContext { mesh, cuts: &cuts, space: &space, interface: &interface, elasticity: &elasticity };
@@ -57,8 +58,8 @@ fn dense_border_and_one_factorisation_agree() {
         duality: &duality,
     };
     let Condensed { compliance, sif_influence, elimination } =
-        system.by_border(&mut ColumnStore::default()).unwrap();
-    let together = system.together().unwrap();
+        system.by_border(&mut ColumnStore::default(), Interruption::NEVER).unwrap();
+    let together = system.together(Interruption::NEVER).unwrap();
     let c = largest_difference(&compliance, &together.compliance);
     let s = largest_difference(&sif_influence, &together.sif_influence);
     println!("C {c:.1e}, S {s:.1e}");

@@ -8,6 +8,7 @@ use super::window::{Layers, MeshSettings, Window};
 use crate::body::{BodyEngine, BodyError, CrackedBody};
 use crate::bulk::{BottomSupport, Boundary, BulkRail, SideSupport};
 use crate::crack::CrackNetwork;
+use crate::interruption::Interruption;
 use crate::material::IsotropicElastic;
 use crate::math::RailBox;
 use std::sync::Arc;
@@ -186,22 +187,37 @@ impl XfemEngine {
 
     /// The mesh for `network`, made and factored unless it exists already.
     pub fn background(&mut self, network: &CrackNetwork) -> Result<&Arc<BulkRail>, XfemError> {
+        self.background_unless(Interruption::NEVER, network)
+    }
+
+    /// [`XfemEngine::background`], given up on an `interruption`.
+    pub fn background_unless(
+        &mut self,
+        interruption: Interruption<'_>,
+        network: &CrackNetwork,
+    ) -> Result<&Arc<BulkRail>, XfemError> {
         let (window, _) = self.window_for(network);
         if window != self.window || self.background.is_none() {
             let mesh = window.mesh(self.end.extent(&window))?;
-            self.background = Some(Arc::new(BulkRail::new(mesh, &self.steel, self.end.boundary())?));
+            let rail = BulkRail::new_unless(interruption, mesh, &self.steel, self.end.boundary())?;
+            self.background = Some(Arc::new(rail));
             self.columns = ColumnStore::default();
             self.window = window;
         }
         Ok(self.background.as_ref().expect("made above"))
     }
 
-    fn cracked(&mut self, network: &CrackNetwork) -> Result<CrackedBody, XfemError> {
+    fn cracked(
+        &mut self,
+        interruption: Interruption<'_>,
+        network: &CrackNetwork,
+    ) -> Result<CrackedBody, XfemError> {
         let started = Instant::now();
-        self.background(network)?;
+        self.background_unless(interruption, network)?;
         let mesh_s = started.elapsed().as_secs_f64();
         let background = self.background.as_ref().expect("made above");
-        let mut body = cracked_body_with(background, network, self.settings, &mut self.columns)?;
+        let mut body =
+            cracked_body_with(background, network, self.settings, &mut self.columns, interruption)?;
         body.times.mesh_s = mesh_s;
         // Told by the crack alone, so that a run that is taken up here says the same.
         let (window, before) = self.window_for(network);
@@ -216,8 +232,12 @@ impl XfemEngine {
 }
 
 impl BodyEngine for XfemEngine {
-    fn body(&mut self, network: &CrackNetwork) -> Result<CrackedBody, BodyError> {
-        self.cracked(network).map_err(|reason| BodyError { reason: Box::new(reason) })
+    fn body_unless(
+        &mut self,
+        interruption: Interruption<'_>,
+        network: &CrackNetwork,
+    ) -> Result<CrackedBody, BodyError> {
+        self.cracked(interruption, network).map_err(|reason| BodyError { reason: Box::new(reason) })
     }
 
     fn forget(&mut self) {

@@ -1,6 +1,7 @@
 //! Cracks that the finite-element engine cannot represent.
 
 use crate::bulk::BulkError;
+use crate::interruption::Interrupted;
 use crate::linear::LinearError;
 use crate::mesh::MeshError;
 use thiserror::Error;
@@ -28,4 +29,7 @@ pub enum XfemError {
     /// Linear algebra.
     #[error("the enriched system cannot be solved: {0}")]
     Linear(#[from] LinearError),
+    /// Given up on request.
+    #[error("{0}")]
+    Interrupted(#[from] Interrupted),
 }

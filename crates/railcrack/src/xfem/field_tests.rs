@@ -3,6 +3,7 @@
 use crate::body::{CrackedBody, Face, FieldGrid, FieldLoad, PointField};
 use crate::crack::{Crack, CrackNetwork};
 use crate::fracture::{Sif, WilliamsField};
+use crate::interruption::Interruption;
 use crate::material::IsotropicElastic;
 use crate::math::{Stress, Vec2};
 use crate::xfem::body::reduced;
@@ -23,7 +24,8 @@ fn body(degrees: f64, element_size: f64) -> (CrackedBody, Inside) {
     let mut engine =
         XfemEngine::new(&network, steel(), mesh, RailEnd::HalfPlane { centre: 0.0 }, XfemSettings::default());
     let rail = engine.background(&network).unwrap();
-    reduced(rail, &network, XfemSettings::default(), &mut ColumnStore::default()).unwrap()
+    reduced(rail, &network, XfemSettings::default(), &mut ColumnStore::default(), Interruption::NEVER)
+        .unwrap()
 }
 
 /// The cracked body with open faces under tension along the rail, up to `margin` (mm) from the

@@ -10,6 +10,7 @@ use super::trace;
 use crate::bulk::{BottomSupport, Boundary, BulkRail, RectangleStiffness, SideSupport};
 use crate::crack::{Crack, CrackNetwork};
 use crate::fracture::WilliamsField;
+use crate::interruption::Interruption;
 use crate::linear::{SparseColumn, SpdFactor};
 use crate::material::IsotropicElastic;
 use crate::math::{Matrix, Stress, Vec2, gauss_legendre};
@@ -22,7 +23,7 @@ fn solved(matrix: &Matrix, right: Vec<f64>) -> Vec<f64> {
     let lower = |i: usize, row: &mut [f64]| row.copy_from_slice(&matrix.row(i)[..=i]);
     let factor = SpdFactor::new(matrix.rows(), lower).unwrap();
     let right = Matrix::from_fn(1, right.len(), |_, i| right[i]);
-    let mut solution = factor.half_solve_rows(right).unwrap().row(0).to_vec();
+    let mut solution = factor.half_solve_rows(right, Interruption::NEVER).unwrap().row(0).to_vec();
     factor.back_solve(&mut solution).unwrap();
     solution
 }
@@ -54,7 +55,8 @@ impl Dense {
     pub fn new(mesh: &QuadMesh, network: &CrackNetwork) -> Self {
         let parts = Discretisation::new(mesh, network, &XfemSettings::default()).unwrap();
         let elasticity = Elasticity::new(steel());
-        let border = Border::new(&parts.cuts, &parts.space, &elasticity).entries();
+        let border =
+            Border::new(&parts.cuts, &parts.space, &elasticity, Interruption::NEVER).unwrap().entries();
         let standard = 2 * mesh.node_count();
         let mut matrix = Matrix::zeros(standard + parts.space.unknowns(), standard + parts.space.unknowns());
         let stiffness = RectangleStiffness::new(&steel());
@@ -226,8 +228,9 @@ fn superposition_of_a_discrete_field() {
     };
     let enriched = n - standard;
     let columns: Vec<SparseColumn> = (0..enriched).map(column).collect();
-    let panels: Vec<_> = rail.factor().forward(&columns).unwrap().into_iter().map(Arc::new).collect();
-    let products = crate::linear::gram(&panels, 0);
+    let panels: Vec<_> =
+        rail.factor().forward(&columns, Interruption::NEVER).unwrap().into_iter().map(Arc::new).collect();
+    let products = crate::linear::gram(&panels, 0, Interruption::NEVER).unwrap();
     let scale: Vec<f64> = (0..enriched)
         .map(|i| dense.matrix[(standard + i, standard + i)])
         .map(|own| if own > 0.0 { 1.0 / own.sqrt() } else { 0.0 })

@@ -5,6 +5,7 @@ use railcrack::body::{BodyEngine, CrackedBody};
 use railcrack::bulk::BulkRail;
 use railcrack::crack::{Crack, CrackNetwork};
 use railcrack::growth::StabilisedPassage;
+use railcrack::interruption::Interruption;
 use railcrack::linear::spd_inverse;
 use railcrack::math::{Matrix, Stress, Vec2};
 use railcrack::xfem::{
@@ -90,7 +91,9 @@ impl Meshed {
         let mut engine = self.engine(cracks);
         let rail = engine.background(&network).unwrap();
         let mut columns = ColumnStore::default();
-        look(rail, &mut |settings| cracked_body_with(rail, &network, settings, &mut columns).unwrap())
+        look(rail, &mut |settings| {
+            cracked_body_with(rail, &network, settings, &mut columns, Interruption::NEVER).unwrap()
+        })
     }
 }
 

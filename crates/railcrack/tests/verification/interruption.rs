@@ -2,16 +2,24 @@
 //! the contact solver finds no solution.
 
 use crate::common::{body, steel, surface_crack};
+use crate::shakedown::rail;
+use railcrack::body::{BodyEngine, BodyError, CrackedBody};
 use railcrack::contact::{
     ContactSolver, FaceProblem, FaceResponse, LoadStep, Newton, NotConverged, StepControl, StepSolver,
     SteppingError,
 };
+use railcrack::crack::CrackNetwork;
+use railcrack::dislocation::{DislocationEngine, FaceResolution};
 use railcrack::field::HertzWheel;
 use railcrack::growth::{
     Observer, PassageError, PassageSettings, RailLoad, StabilisedPassage, Unobserved, stabilised_passage,
 };
+use railcrack::interruption::Interruption;
 use railcrack::load::{HertzianContact, Passage};
-use std::sync::atomic::{AtomicUsize, Ordering};
+use railcrack::shakedown::{Resolution, ShakedownError, Stabilisation, stabilise_unless};
+use railcrack::xfem::{MeshSettings, RailEnd, XfemEngine, XfemSettings};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::time::{Duration, Instant};
 
 /// Output positions: few, so that most requests fall between them.
 const POSITIONS: usize = 5;
@@ -111,4 +119,65 @@ fn a_passage_without_positions_is_refused() {
     let settings = PassageSettings { passage, ..PassageSettings::default() };
     let result = stabilised_passage(&problem, &Newton::default(), load, &settings, &Unobserved);
     assert!(matches!(result, Err(PassageError::Settings(refused)) if refused.value == 0.0));
+}
+
+/// What is computed for minutes, interrupted after `after`, and how long it then took to end.
+fn interrupted_after<T>(after: Duration, compute: impl FnOnce(Interruption<'_>) -> T) -> (T, Duration) {
+    let asked = AtomicBool::new(false);
+    std::thread::scope(|scope| {
+        let waiting = scope.spawn(|| {
+            std::thread::sleep(after);
+            asked.store(true, Ordering::Relaxed);
+            Instant::now()
+        });
+        let result = compute(Interruption::when(&|| asked.load(Ordering::Relaxed)));
+        let ended = Instant::now();
+        let asked_at = waiting.join().expect("sleeps");
+        (result, ended.saturating_duration_since(asked_at))
+    })
+}
+
+/// A second, and as much again for a machine that does other things.
+const SOON: Duration = Duration::from_secs(2);
+
+fn gives_up(after: [f64; 2], mut body: impl FnMut(Interruption<'_>) -> Result<CrackedBody, BodyError>) {
+    for after in after.map(Duration::from_secs_f64) {
+        let (result, took) = interrupted_after(after, &mut body);
+        assert!(result.is_err_and(|error| error.is_interruption()), "asked after {after:?}");
+        assert!(took < SOON, "asked after {after:?}, ended {took:?} later");
+    }
+}
+
+#[test]
+fn dislocations_give_up_within_a_second() {
+    let cracks = (0..100).map(|i| surface_crack(7.0 * f64::from(i), 6.0, 30.0)).collect();
+    let network = CrackNetwork::new(cracks).unwrap();
+    let resolution = FaceResolution { elements: 400 };
+    let mut engine = DislocationEngine { steel: steel(), resolution };
+    gives_up([0.0, 0.5], |interruption| engine.body_unless(interruption, &network));
+}
+
+#[test]
+fn finite_elements_give_up_within_a_second() {
+    let network = CrackNetwork::from(surface_crack(0.0, 6.0, 15.0));
+    let mesh = MeshSettings { element_size: 0.008, expected_growth: 1.0 };
+    let end = RailEnd::HalfPlane { centre: 0.0 };
+    let engine = XfemEngine::new(&network, steel(), mesh, end, XfemSettings::default());
+    assert!(engine.mesh_unknowns() > 1e6, "{}", engine.mesh_unknowns());
+    gives_up([0.2, 5.0], |interruption| engine.clone().body_unless(interruption, &network));
+}
+
+#[test]
+fn the_plastic_state_is_given_up_within_a_second() {
+    let resolution = Resolution { per_half_width: 128, ..Resolution::default() };
+    let settings = Stabilisation { resolution, pass_tolerance: 1e-12, ..Stabilisation::default() };
+    let (result, took) = interrupted_after(Duration::from_millis(300), |interruption| {
+        stabilise_unless(interruption, &rail(1500.0, 0.3, 20e3), &settings, |_| ())
+    });
+    assert!(
+        matches!(result, Err(ShakedownError::Interrupted(_))),
+        "{:?}",
+        result.map(|rail| rail.passes.len())
+    );
+    assert!(took < SOON, "{took:?}");
 }
