@@ -13,7 +13,7 @@ use railcrack_run::files::{
 };
 use railcrack_run::folder::{Durability, replace_file};
 use railcrack_run::study::{StudyFolder, StudyResults};
-use railcrack_run::{OutputError, Presentation, RunPresentation, ShakedownFolder};
+use railcrack_run::{FolderLock, OutputError, Presentation, RunPresentation, ShakedownFolder};
 use std::path::Path;
 
 /// Kind of results in a folder.
@@ -54,9 +54,12 @@ impl FolderKind {
 /// bit.
 ///
 /// Errors: the folder holds none of these; a file of it is damaged (of a study, runs are: the
-/// others are shown before that is said); the system refuses.
+/// others are shown before that is said), or it is being computed (of a study, runs may be); the
+/// system refuses.
 pub fn rebuild_report(folder: &Path) -> Result<FolderKind, OutputError> {
     let kind = FolderKind::of(folder)?;
+    // The runs of a study may be computed while it is shown.
+    let _lock = (kind != FolderKind::Study).then(|| FolderLock::take(folder)).transpose()?;
     match kind {
         FolderKind::Run => rebuild_run(folder)?,
         FolderKind::Shakedown => Pages.shakedown(folder)?,

@@ -12,8 +12,8 @@ section! {
         "Radius around a tip within which nodes carry the square-root functions of the crack tip; without it, two and a \
          half elements.").optional();
     INTERFACE_SPACING: f64 = number("interface_spacing_mm", "mm", positive(100.0), 0.2,
-        "Largest distance between face points in the finite-element engine; without it, the length of crack in an \
-         element.").optional();
+        "Largest distance between face points in the finite-element engine, at least 0.3 of the element size; without \
+         it, the length of crack in an element.").optional();
     INTERFACE_ELEMENTS: usize = integer("interface_elements", (8, 400), 48,
         "Elements along each crack in the dislocation engine, before its grading towards mouth and kinks; without \
          it 48, and 180 shared by all cracks, but at least 28 each, where there are more than three.").optional();

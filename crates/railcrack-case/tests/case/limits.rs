@@ -56,6 +56,20 @@ fn sizes_beyond_every_machine_name_the_key_that_makes_them() {
 }
 
 #[test]
+fn face_points_closer_than_elements_follow() {
+    let mesh = |spacing: &str, rest: &str| format!("[mesh]\ninterface_spacing_mm = {spacing}\n{rest}");
+    let size = "element_size_mm = 0.1\n";
+    refused(&one(SHORT, &mesh("0.029", size)), "mesh.interface_spacing_mm");
+    // Elements are a sixtieth of the crack by themselves.
+    refused(&one(SHORT, &mesh("0.0049", "")), "mesh.interface_spacing_mm");
+    for (spacing, rest) in [("0.031", size), ("0.0051", ""), ("5.0", size)] {
+        assert!(read(&one(SHORT, &mesh(spacing, rest))).is_ok(), "{spacing}");
+    }
+    let other = format!("{size}[solver]\nengine = \"dislocation\"\n");
+    assert!(read(&one(SHORT, &mesh("0.001", &other))).is_ok(), "without effect");
+}
+
+#[test]
 fn cracks_closer_than_an_engine_resolves() {
     for engine in ["xfem", "dislocation"] {
         let solver = format!("[solver]\nengine = \"{engine}\"\n");

@@ -1,6 +1,7 @@
 //! Results as files: the run folder, its plots and pages, comparisons, fields.
 
 mod compare;
+mod damage;
 mod fields;
 mod fields_of_a_run;
 mod report;

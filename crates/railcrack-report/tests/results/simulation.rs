@@ -49,7 +49,11 @@ impl StepSource for Synthetic<'_> {
 }
 
 /// Runs into `folder`, interrupted in a step or not.
-fn run(folder: &Path, entry: RunEntry, interrupted_in: Option<usize>) -> Result<Finished, RunError> {
+pub(super) fn run(
+    folder: &Path,
+    entry: RunEntry,
+    interrupted_in: Option<usize>,
+) -> Result<Finished, RunError> {
     let stopper = Stopper::default();
     let job = Job { case: case(), info: info() };
     run_steps(folder, entry, job, &stopper, &Pages, |stage| {

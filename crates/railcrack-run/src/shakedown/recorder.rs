@@ -8,7 +8,7 @@ use crate::OutputError;
 use crate::case_files::CaseFiles;
 use crate::checksum::checksums;
 use crate::csv::{CsvFile, Rows, Table, header, whole};
-use crate::files::{CYCLE_FILE, PLASTIC_FILE, SHAKEDOWN_FILE};
+use crate::files::{CASE_FILE, CYCLE_FILE, PLASTIC_FILE, SHAKEDOWN_FILE};
 use crate::folder::{self, Durability, Existing};
 use railcrack::shakedown::PassRecord;
 use railcrack_vtu::write_vtu;
@@ -56,7 +56,8 @@ impl ShakedownRecorder {
             let path = self.folder.join(name);
             write_vtu(&path, &grid)?;
         }
-        let checksums = checksums(&self.folder, &[PassRow::FILE, LayerRow::FILE, PLASTIC_FILE, CYCLE_FILE])?;
+        let files = [CASE_FILE, PassRow::FILE, LayerRow::FILE, PLASTIC_FILE, CYCLE_FILE];
+        let checksums = checksums(&self.folder, &files)?;
         let summary = ShakedownSummary { checksums, ..ShakedownSummary::of(results) };
         folder::write_json(&self.folder, SHAKEDOWN_FILE, &summary, Durability::Cached)?;
         Ok(summary)

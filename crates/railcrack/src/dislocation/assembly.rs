@@ -26,16 +26,15 @@ pub(super) fn stiffness(
     interruption: Interruption<'_>,
 ) -> Result<Matrix, Interrupted> {
     let rules = Rules::new();
-    let row = |i: usize| {
+    let row = |i: usize| -> Result<Vec<Interaction>, Interrupted> {
         interruption.check()?;
         Ok((0..=i).map(|j| element_integral(walks, &elements[i], &elements[j], &rules)).collect())
     };
-    let blocks: Result<Vec<Vec<Interaction>>, Interrupted> =
-        (0..elements.len()).into_par_iter().map(row).collect();
+    let blocks = (0..elements.len()).into_par_iter().map(row).collect::<Result<Vec<_>, Interrupted>>()?;
     let points = faces.points.len();
     let mut global = Matrix::zeros(2 * points, 2 * points);
     let slopes: Vec<Vec<(usize, f64)>> = elements.iter().map(|element| slope(element, ties)).collect();
-    for (i, row) in blocks?.iter().enumerate() {
+    for (i, row) in blocks.iter().enumerate() {
         interruption.check()?;
         for (j, block) in row.iter().enumerate() {
             scatter(&mut global, &slopes[i], &slopes[j], *block);

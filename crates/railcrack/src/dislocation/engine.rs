@@ -55,7 +55,7 @@ fn cracked_body_unless(
 ) -> Result<CrackedBody, DislocationError> {
     let walks = network.walks();
     let cores = cores(network, &walks, |crack, g| nodes::regular_element(&walks[crack], resolution, g));
-    let nodes = nodes(network, &walks, &cores, resolution);
+    let nodes = nodes(network, &walks, &cores, resolution, interruption)?;
     let (elements, all) = discretise(&walks, &nodes);
     let (ties, faces) = Ties::new(&cores, &walks, &elements, &all);
     let modulus = steel.plane_strain_modulus();
@@ -90,7 +90,8 @@ fn cracked_body_unless(
 pub fn face_points(network: &CrackNetwork, resolution: FaceResolution) -> usize {
     let walks = network.walks();
     let cores = cores(network, &walks, |crack, g| nodes::regular_element(&walks[crack], resolution, g));
-    let nodes = nodes(network, &walks, &cores, resolution).iter().map(Vec::len).sum::<usize>();
+    let nodes = nodes(network, &walks, &cores, resolution, Interruption::NEVER).unwrap_or_default();
+    let nodes = nodes.iter().map(Vec::len).sum::<usize>();
     let following: usize = cores.iter().map(|core| 2 * core.arms.len()).sum();
     nodes - network.tips().len() - following
 }
@@ -100,10 +101,14 @@ fn nodes(
     walks: &[Walk],
     cores: &[Core],
     resolution: FaceResolution,
-) -> Vec<Vec<f64>> {
+    interruption: Interruption<'_>,
+) -> Result<Vec<Vec<f64>>, Interrupted> {
+    let tips: Vec<(usize, Vec2)> =
+        network.tips().iter().map(|tip| (tip.crack, network.cracks()[tip.crack].tip(tip.end))).collect();
     let of_walk = |(i, walk): (usize, &Walk)| {
+        interruption.check()?;
         let core_at = |vertex| cores.iter().find(|core| core.is_at(i, vertex));
-        nodes::nodes(walk, resolution, core_at, |point| room(network, i, point))
+        Ok(nodes::nodes(walk, resolution, core_at, |point| room(network, &tips, i, point)))
     };
     walks.iter().enumerate().map(of_walk).collect()
 }
@@ -117,14 +122,13 @@ const NEIGHBOUR_TIP_SHARE: f64 = 0.4;
 /// surface is 0.6 % off, without this 6 to 17 %.
 const SURFACE_SHARE: f64 = 0.12;
 
-/// Largest length (mm) of an element of crack `own` at `point` beside other cracks, their tips and
-/// the running surface.
-fn room(network: &CrackNetwork, own: usize, point: Vec2) -> f64 {
+/// Largest length (mm) of an element of crack `own` at `point` beside other cracks, their `tips`
+/// (crack and place) and the running surface.
+fn room(network: &CrackNetwork, tips: &[(usize, Vec2)], own: usize, point: Vec2) -> f64 {
     let others = network.cracks().iter().enumerate().filter(|(i, _)| *i != own);
     let segments = others.flat_map(|(_, crack)| crack.points().windows(2));
     let to_faces = segments.map(|p| point_to_segment(point, p[0], p[1]));
-    let tips = network.tips().into_iter().filter(|tip| tip.crack != own);
-    let to_tips = tips.map(|tip| (network.cracks()[tip.crack].tip(tip.end) - point).length());
+    let to_tips = tips.iter().filter(|tip| tip.0 != own).map(|tip| (tip.1 - point).length());
     let buried = !network.cracks()[own].is_surface_breaking();
     let to_surface = buried.then_some(-point.y);
     let nearest = |distances: &mut dyn Iterator<Item = f64>| distances.fold(f64::INFINITY, f64::min);

@@ -18,7 +18,7 @@ use crate::bulk::{Boundary, BulkRail};
 use crate::crack::CrackNetwork;
 use crate::field::RailEnds;
 use crate::interruption::Interruption;
-use crate::linear::spd_inverse_unless;
+use crate::linear::{LinearError, spd_inverse_unless};
 use crate::math::Vec2;
 use crate::mesh::QuadMesh;
 use std::sync::Arc;
@@ -88,7 +88,14 @@ pub(super) fn reduced(
         duality: &duality,
     };
     let Condensed { compliance, sif_influence, elimination } = system.condensed(columns, interruption)?;
-    let stiffness = spd_inverse_unless(interruption, &compliance)?;
+    let stiffness = spd_inverse_unless(interruption, &compliance).map_err(|reason| {
+        match (reason, settings.interface_spacing) {
+            (LinearError::NotPositiveDefinite { .. }, Some(spacing)) => {
+                XfemError::FacePoints { spacing, reason }
+            }
+            _ => reason.into(),
+        }
+    })?;
     times.condensation_s = lap();
     let matrices = [compliance, stiffness, sif_influence];
     let ends = (background.boundary() != Boundary::HalfPlane)

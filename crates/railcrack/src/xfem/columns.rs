@@ -65,8 +65,8 @@ impl ColumnStore {
 
     /// Eliminates a border of `columns` and rows `square` of K_ee; after those of the border,
     /// `columns` may have further ones. `fill(i, row, products, square)` makes row i of the Schur
-    /// complement as for [`SpdFactor::changed`], from the products b_iᵀ K⁻¹ b_j and its row of K_ee.
-    /// Keeps the data that the next call may reuse, and drops the rest.
+    /// complement as for [`SpdFactor::changed`], from the products b_iᵀ K⁻¹ b_j and its row of
+    /// K_ee. Keeps the data that the next call may reuse, and drops the rest.
     pub(super) fn eliminated(
         &mut self,
         rail: &SparseFactor,

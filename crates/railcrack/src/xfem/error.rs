@@ -29,6 +29,17 @@ pub enum XfemError {
     /// Linear algebra.
     #[error("the enriched system cannot be solved: {0}")]
     Linear(#[from] LinearError),
+    /// Face points that the jump in the elements cannot follow.
+    #[error(
+        "the elements cannot follow face points as close as {spacing} mm (interface_spacing_mm; that of the elements \
+         always works): {reason}"
+    )]
+    FacePoints {
+        /// The largest distance that was asked for, mm.
+        spacing: f64,
+        /// The inverse of C that does not exist.
+        reason: LinearError,
+    },
     /// Given up on request.
     #[error("{0}")]
     Interrupted(#[from] Interrupted),

@@ -121,7 +121,7 @@ fn a_passage_without_positions_is_refused() {
     assert!(matches!(result, Err(PassageError::Settings(refused)) if refused.value == 0.0));
 }
 
-/// What is computed for minutes, interrupted after `after`, and how long it then took to end.
+/// A computation of minutes, interrupted after `after`, and how long it then took to end.
 fn interrupted_after<T>(after: Duration, compute: impl FnOnce(Interruption<'_>) -> T) -> (T, Duration) {
     let asked = AtomicBool::new(false);
     std::thread::scope(|scope| {
