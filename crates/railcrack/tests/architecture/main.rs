@@ -1,6 +1,7 @@
 //! Who imports whom: the sources against the tables of ARCHITECTURE.md.
 
 mod circles;
+mod glossary;
 mod prose;
 mod rules;
 mod source;
