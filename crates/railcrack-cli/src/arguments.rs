@@ -10,6 +10,7 @@ use clap::{Parser, Subcommand};
 const AFTER_HELP: &str = "\
 Exit codes:
     0  done; a physical stop such as arrest or a spall is done
+    1  compare --tolerance: the runs differ by more
     2  bad input: the command line, the case file or a file that it names
     3  not converged
     4  cannot read or write

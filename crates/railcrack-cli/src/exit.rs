@@ -15,6 +15,8 @@ use thiserror::Error;
 pub enum Exit {
     /// Done.
     Done,
+    /// Two runs differ by more than the tolerance that they were asked to keep.
+    Differs,
     /// The command line, the case file or a file that it names is wrong.
     BadInput,
     /// Something cannot be read or written.
@@ -30,6 +32,7 @@ impl Exit {
     pub const fn code(self) -> u8 {
         match self {
             Self::Done => 0,
+            Self::Differs => 1,
             Self::BadInput => 2,
             Self::NotConverged => 3,
             Self::CannotReadOrWrite => 4,

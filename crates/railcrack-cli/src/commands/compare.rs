@@ -31,7 +31,8 @@ pub struct CompareArguments {
     /// beside it]
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
-    /// Say whether K differs by more than this, in per cent of the largest |K| of the case
+    /// Say whether K differs by more than this, in per cent of the largest |K| of the case; the
+    /// exit code is 1 where it does, or where the runs have nothing in common
     #[arg(long, value_name = "P", value_parser = percent, allow_negative_numbers = true)]
     tolerance: Option<f64>,
     /// With --engines: number of increments, in place of the case's
@@ -85,7 +86,8 @@ fn compare_folders(arguments: &CompareArguments, runs: [&PathBuf; 2], out: &Path
     Pages.comparison(out).map_err(RunError::from)?;
     let text = comparison.text(arguments.tolerance);
     print::stdout(&format!("{text}comparison in {}\n", out.display()))?;
-    Ok(Exit::Done)
+    let keeps = arguments.tolerance.is_none_or(|tolerance| comparison.is_within(tolerance));
+    Ok(if keeps { Exit::Done } else { Exit::Differs })
 }
 
 /// Runs the case with every engine, each into a folder of its name in `out`, and compares them.

@@ -19,4 +19,4 @@ pub(crate) use plot::{Plot, chart};
 pub(crate) use run::run_plots;
 pub(crate) use shakedown::shakedown_plots;
 pub(crate) use sif::far_chart;
-pub(crate) use study::{STUDY_PLOTS, StudyRun, Styles, study_charts, study_plots, values};
+pub(crate) use study::{STUDY_PLOTS, StudyRun, Styles, stratified, study_charts, study_plots, values};

@@ -1,11 +1,13 @@
 //! The plots of a study: all runs on one chart each.
 
 mod charts;
+mod choice;
 mod plots;
 mod run;
 mod styles;
 
 pub(crate) use charts::study_charts;
+pub(crate) use choice::stratified;
 pub(crate) use plots::{STUDY_PLOTS, study_plots};
 pub(crate) use run::{StudyRun, values};
 pub(crate) use styles::Styles;
