@@ -35,9 +35,10 @@ for axis, (study, name, title) in zip(axes, panels):
     memory.loglog(x, column(study, "peak_memory_mb"), "^:", color="#666666", label="peak memory")
     memory.set_ylabel("MB")
     memory.set_ylim(10, 2000)
-    lines = [line for part in (axis, memory) for line in part.get_lines()]
-    axis.legend(lines, [line.get_label() for line in lines], fontsize=8, loc="upper left")
     axis.grid(True, which="major", color="#e4e4e4")
-    axis.set_xticks(x if study == "cracks" else x[::3], [f"{v:.0f}" for v in (x if study == "cracks" else x[::3])])
-    axis.minorticks_off()
+    if study == "cracks":
+        axis.set_xticks(x, [f"{v:.0f}" for v in x])
+        axis.minorticks_off()
+lines = [line for part in (axis, memory) for line in part.get_lines()]
+figure.legend(lines, [line.get_label() for line in lines], fontsize=8, loc="outside lower center", ncols=3)
 figure.savefig(root / "docs/figures/scaling.svg", metadata={"Date": None, "Creator": None})

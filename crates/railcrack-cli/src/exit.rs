@@ -116,7 +116,10 @@ impl Failure {
             | Self::OverBudget(_)
             | Self::CaseInRunFolder { .. } => Exit::BadInput,
             Self::Paper(error) => match error {
-                PaperError::Exists { .. } | PaperError::Case(_) | PaperError::Steel(_) => Exit::BadInput,
+                PaperError::Exists { .. }
+                | PaperError::Overlay { .. }
+                | PaperError::Case(_)
+                | PaperError::Steel(_) => Exit::BadInput,
                 PaperError::Run { .. } | PaperError::Stress { .. } | PaperError::Shakedown(_) => {
                     Exit::NotConverged
                 }

@@ -3,7 +3,7 @@
 use super::error::PaperError;
 use railcrack::contact::FaceStatus;
 use railcrack::crack::Crack;
-use railcrack::growth::{GrowthError, Observer, StepRecord, TipStop};
+use railcrack::growth::{GrowthError, Observer, StepRecord, TipStop, Warning};
 use railcrack::math::MPA_SQRT_MM;
 use railcrack_case::{Case, SharedRail};
 use railcrack_run::csv::TipRow;
@@ -46,6 +46,8 @@ pub struct CaseRun {
     pub steps_wanted: usize,
     /// Why it ended early, where a step could not be computed.
     pub failure: Option<String>,
+    /// Its warnings, with their steps.
+    pub warnings: Vec<String>,
     /// Its effort.
     pub effort: Effort,
 }
@@ -78,7 +80,13 @@ impl CaseRun {
         let stress = |source| PaperError::Stress { name: name.to_owned(), source };
         let mut growth = case.prepare_sharing(None, rail).map_err(stress)?.growth(None);
         let effort = Effort::default();
-        let mut run = Self { cracks: Vec::new(), steps_wanted: case.growth.steps, failure: None, effort };
+        let mut run = Self {
+            cracks: Vec::new(),
+            steps_wanted: case.growth.steps,
+            failure: None,
+            warnings: Vec::new(),
+            effort,
+        };
         loop {
             match growth.next_step(observer) {
                 Ok(Some(record)) => run.add(case, &record),
@@ -99,6 +107,8 @@ impl CaseRun {
         self.effort.solves += record.counts.solves;
         self.effort.body_s += record.times.body_s;
         self.effort.contact_s += record.times.contact_s;
+        let text = |warning: &Warning| format!("step {}: {}", warning.step, warning.text);
+        self.warnings.extend(record.warnings.iter().map(text));
         if record.step == 0 {
             self.cracks = initial(case, record);
         }

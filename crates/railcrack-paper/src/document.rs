@@ -84,6 +84,9 @@ pub struct DecisionRecord {
     pub holds: bool,
     /// The numbers that decide.
     pub numbers: Vec<NumberRecord>,
+    /// Warnings of the runs behind it, a sentence for each run that has any.
+    #[serde(default)]
+    pub warnings: Vec<String>,
 }
 
 /// A number that decides.
@@ -104,7 +107,19 @@ pub struct FailureRecord {
     pub reason: String,
 }
 
+impl StatementRecord {
+    /// The decision in `setup`; none where it does not decide.
+    pub fn decision(&self, setup: &str) -> Option<&DecisionRecord> {
+        self.decisions.iter().find(|decision| decision.setup == setup)
+    }
+}
+
 impl PaperRecord {
+    /// The set-ups that vary no other.
+    pub fn main_setups(&self) -> impl Iterator<Item = &SetupRecord> {
+        self.setups.iter().filter(|setup| setup.varies.is_none())
+    }
+
     /// The record in `folder`.
     ///
     /// Errors: there is none; it is damaged; the system refuses.

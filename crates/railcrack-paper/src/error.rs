@@ -21,6 +21,14 @@ pub enum PaperError {
         /// The folder.
         folder: PathBuf,
     },
+    /// A file of digitised curves that is refused.
+    #[error("{}: {says}", path.display())]
+    Overlay {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        says: String,
+    },
     /// A case that is refused.
     #[error(transparent)]
     Case(#[from] CaseErrors),

@@ -8,6 +8,7 @@
 mod case_run;
 mod claim;
 mod claims;
+mod closest;
 mod computation;
 mod curve;
 mod document;
@@ -39,6 +40,7 @@ pub use curve::{CURVES, PaperCurve};
 pub use document::STATEMENTS_FILE;
 pub use error::PaperError;
 pub use figure::{FIGURES, Figure, UnknownFigure, parse_figures};
+pub use figures::Overlay;
 pub use path_shape::{Branch, PathShape, Side};
 pub use reproduce::{Reproduction, rebuild_report, reproduce};
 pub use results::{Results, SetupResults};

@@ -1,6 +1,8 @@
 //! `paper.md`: runs, every statement with its verdict and numbers, reasons for differences.
 
 use super::claim::rounded;
+use super::closest::closest;
+use super::document::{FailureRecord, PaperRecord};
 use super::profile::StressProfile;
 use super::rolled::ROLLED_CLAIMS;
 use super::verdict::MAIN;
@@ -59,13 +61,12 @@ pub(super) fn page(
     results: &Results,
     verdicts: &[Verdict],
     profiles: Option<&[StressProfile]>,
-    failures: &[(String, String)],
-    runs: usize,
+    record: &PaperRecord,
 ) -> String {
     let mut text = HEAD.replace("COMMAND", &command(figures));
-    text.push_str(&summary(verdicts, runs));
+    text.push_str(&summary(verdicts, record));
     text.push_str(&statements(verdicts));
-    text.push_str(&numbers(verdicts));
+    text.push_str(&numbers(verdicts, record));
     text.push_str(&reference_ranges(results));
     text.push_str(&fixed_steps(verdicts));
     if let Some(profiles) = profiles {
@@ -73,10 +74,10 @@ pub(super) fn page(
     }
     text.push_str(&pictures(figures, results));
     text.push_str(&setups(results));
-    if !failures.is_empty() {
+    if !record.failures.is_empty() {
         text.push_str("## Runs that ended early\n\n");
-        for (name, reason) in failures {
-            text.push_str(&format!("* `{name}`: {reason}\n"));
+        for FailureRecord { run, reason } in &record.failures {
+            text.push_str(&format!("* `{run}`: {reason}\n"));
         }
         text.push('\n');
     }
@@ -96,38 +97,36 @@ fn command(figures: &[u8]) -> String {
     )
 }
 
-fn summary(verdicts: &[Verdict], runs: usize) -> String {
+fn summary(verdicts: &[Verdict], record: &PaperRecord) -> String {
     let count = |start: &str| verdicts.iter().filter(|v| v.words().starts_with(start)).count();
     let only = count("holds only");
     let everywhere = count("holds") - only;
     let mut text = format!(
-        "## Result\n\n{} statements, {runs} runs: {everywhere} hold in all of the main set-ups that\ndecide them, {only} in some set-ups only, {} in none.\n\n",
+        "## Result\n\n{} statements, {} runs: {everywhere} hold in all of the main set-ups that\ndecide them, {only} in some set-ups only, {} in none.\n\n",
         verdicts.len(),
+        record.runs,
         count("does not")
     );
-    text.push_str("Statements that hold in each set-up, of those that it decides:\n\n| set-up | hold | of |\n|---|---|---|\n");
-    for (at, setup) in SETUPS.iter().enumerate() {
-        let decided: Vec<bool> = verdicts.iter().filter_map(|v| v.decision(at)).map(|d| d.holds).collect();
-        if !decided.is_empty() {
-            let holds = decided.iter().filter(|holds| **holds).count();
-            text.push_str(&format!("| {} | {holds} | {} |\n", setup.name, decided.len()));
-        }
+    if let Some(closest) = closest(record) {
+        text.push_str(&format!("{closest}\n\n"));
     }
-    text.push('\n');
     text
 }
 
+/// In colour where the page is rendered: ✅ holds, ❌ does not.
 fn mark(verdict: &Verdict, at: usize) -> &'static str {
-    verdict.decision(at).map_or("", |decision| if decision.holds { "yes" } else { "no" })
+    verdict.decision(at).map_or("", |decision| if decision.holds { "\u{2705}" } else { "\u{274c}" })
 }
 
 fn statements(verdicts: &[Verdict]) -> String {
     let mut text = "## Statements
 
-*with*: the cracks lean along the travel; *against*: against it. The rule that decides each statement
-and its numbers are below. A variant is named where it differs from the set-up that it varies.
+In the order of the paper: \u{2705} holds, \u{274c} does not hold, empty: not decided. *Along*: the cracks
+lean along the travel of the wheel, which meets the mouth first and then passes over the tip;
+*against*: they lean against it. The rule that decides each statement and its numbers are below. A
+variant is named where it differs from the set-up that it varies.
 
-| statement | where | half-plane with | against | block with | against | variants that differ | verdict | why |
+| statement | where | half-plane, along | half-plane, against | block, along | block, against | variants that differ | verdict | why |
 |---|---|---|---|---|---|---|---|---|
 "
     .to_owned();
@@ -155,7 +154,7 @@ and its numbers are below. A variant is named where it differs from the set-up t
     text
 }
 
-fn numbers(verdicts: &[Verdict]) -> String {
+fn numbers(verdicts: &[Verdict], record: &PaperRecord) -> String {
     let mut text = "## Rules and numbers
 
 K in MPa\u{221a}m, depths in mm. Numbers of all set-ups, unrounded, are in `claims.csv`.
@@ -174,7 +173,13 @@ K in MPa\u{221a}m, depths in mm. Numbers of all set-ups, unrounded, are in `clai
         });
         for (at, decision) in shown {
             let says = if decision.holds { "yes" } else { "no" };
-            text.push_str(&format!("* {}: {says}; {}\n", SETUPS[*at].name, decision.text()));
+            let name = SETUPS[*at].name;
+            text.push_str(&format!("* {name}: {says}; {}\n", decision.text()));
+            let told = record.statements.iter().find(|statement| statement.id == claim.id);
+            let warnings = told.and_then(|statement| statement.decision(name)).map(|d| d.warnings.as_slice());
+            for warning in warnings.unwrap_or_default() {
+                text.push_str(&format!("  * warning: {warning}\n"));
+            }
         }
         text.push('\n');
     }

@@ -36,7 +36,7 @@ pub(super) fn record(
                 varies: setup.varies.map(Into::into),
             })
             .collect(),
-        statements: verdicts.iter().map(statement).collect(),
+        statements: verdicts.iter().map(|verdict| statement(verdict, results)).collect(),
         failures: failures
             .iter()
             .map(|(run, reason)| FailureRecord { run: run.clone(), reason: reason.clone() })
@@ -44,7 +44,7 @@ pub(super) fn record(
     }
 }
 
-fn statement(verdict: &Verdict) -> StatementRecord {
+fn statement(verdict: &Verdict, results: &Results) -> StatementRecord {
     let claim = verdict.claim;
     StatementRecord {
         id: claim.id.into(),
@@ -67,6 +67,9 @@ fn statement(verdict: &Verdict) -> StatementRecord {
                         value: number.value.is_finite().then_some(number.value),
                     })
                     .collect(),
+                warnings: results
+                    .setup(SETUPS[*setup].name)
+                    .map_or_else(Vec::new, |r| r.warnings(claim.figures)),
             })
             .collect(),
     }

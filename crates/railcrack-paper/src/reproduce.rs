@@ -10,7 +10,10 @@ use super::record::record;
 use super::steel::{STEELS, Steel};
 use super::telling::{Earlier, Telling};
 use super::{CLAIMS, FIGURES, Results, Verdict, page};
-use crate::figures::{FigureTable, engines, path_table, profile_table, sheet, sif_table};
+use crate::figures::{
+    FigureTable, OVERLAY_COLUMNS, Overlay, Quantity, distances, engines, forget_overlays, kept, path_table,
+    profile_table, sheet, sif_table,
+};
 use crate::report_page::paper_page;
 use railcrack::shakedown::StabilisedRail;
 use railcrack_case::Case;
@@ -37,24 +40,37 @@ pub struct Reproduction {
 /// Computes what `figures` need and writes to `folder`: `cases/` (every case file that was run),
 /// `figures/` (a picture and a table each), `claims.csv`, `runs.csv`, `paper.md`,
 /// `statements.json`, `report.html`, and `runs/` as runs finish. Runs go to the threads of rayon;
-/// apart from times the files do not depend on their number.
+/// apart from times the files do not depend on their number. Digitised curves of a figure go to
+/// `overlays/`, are drawn with ours, and their distances are in `overlays.csv`.
 ///
 /// Errors: the folder holds such results and may not be replaced; a case cannot be computed at all;
 /// the system refuses; `telling` asks to stop.
 pub fn reproduce(
     folder: &Path,
     figures: &[u8],
+    overlays: &[Overlay],
     earlier: Earlier,
     telling: &dyn Telling,
 ) -> Result<Reproduction, PaperError> {
     if earlier == Earlier::Refuse && (folder.join(PAGE).exists() || folder.join(RUNS).exists()) {
         return Err(PaperError::Exists { folder: folder.to_path_buf() });
     }
+    if let Some(overlay) = overlays.iter().find(|overlay| !figures.contains(&overlay.figure())) {
+        let path = PathBuf::from(format!("fig{}.csv", overlay.figure()));
+        let says = "this figure is not among those that are recomputed".to_owned();
+        return Err(PaperError::Overlay { path, says });
+    }
     let jobs = plan(figures);
     telling.planned(jobs.len());
     let rolled = rolled_rails(figures)?;
     let cases = write_cases(folder, &jobs, &rolled)?;
     make(&folder.join(RUNS))?;
+    if earlier == Earlier::Replace {
+        forget_overlays(folder)?;
+    }
+    for overlay in overlays {
+        overlay.keep(folder)?;
+    }
     let computed = Computation { folder, earlier, jobs: &jobs, cases: &cases, telling }.run()?;
     let mut results = Results::default();
     let mut failures = Vec::new();
@@ -79,9 +95,10 @@ pub fn reproduce(
         &page::claims_table(&verdicts, profiles.as_deref().unwrap_or_default()),
     )?;
     let page_path = folder.join(PAGE);
-    let text = page::page(figures, &results, &verdicts, profiles.as_deref(), &failures, jobs.len());
+    let record = record(figures, &results, &verdicts, &failures, jobs.len());
+    let text = page::page(figures, &results, &verdicts, profiles.as_deref(), &record);
     write(&page_path, &text)?;
-    record(figures, &results, &verdicts, &failures, jobs.len()).write(folder)?;
+    record.write(folder)?;
     rebuild_report(folder)?;
     Ok(Reproduction { results, verdicts, failures, runs: jobs.len(), page: page_path })
 }
@@ -134,6 +151,7 @@ fn write_figures(
 ) -> Result<(), OutputError> {
     let figures_folder = folder.join("figures");
     make(&figures_folder)?;
+    let mut overlay_rows = String::new();
     let chosen = |figure: &&Figure| figures.contains(&figure.number);
     for figure in FIGURES.iter().filter(chosen) {
         let table = match figure.kind {
@@ -143,9 +161,24 @@ fn write_figures(
         };
         let path = figures_folder.join(format!("{}.csv", figure.file_stem()));
         write(&path, &table)?;
-        let sheet = FigureTable::parse(&table).and_then(|table| sheet(figure, &table));
-        let sheet = sheet.map_err(|reason| OutputError::damaged(&path, reason))?;
-        write(&path.with_extension("svg"), &sheet.svg())?;
+        let damaged = |reason| OutputError::damaged(&path, reason);
+        let table = FigureTable::parse(&table).map_err(damaged)?;
+        let mut quantities = Vec::new();
+        for quantity in Quantity::of(figure) {
+            let mut curves = quantity.curves(&table).map_err(damaged)?.unwrap_or_default();
+            let digitised = kept(folder, figure, *quantity)?;
+            for d in distances(*quantity, &curves, &digitised) {
+                let start = format!("{},{},{},{}", figure.number, d.curve, d.crack, d.quantity.columns()[1]);
+                let end = format!("{},{:?},{:?}", d.points, d.largest, d.mean);
+                overlay_rows.push_str(&format!("{start},\"{}\",{end}\n", d.setup));
+            }
+            curves.extend(digitised);
+            quantities.push((*quantity, curves));
+        }
+        write(&path.with_extension("svg"), &sheet(figure, &quantities).svg())?;
+    }
+    if !overlay_rows.is_empty() {
+        write(&folder.join("overlays.csv"), &format!("{OVERLAY_COLUMNS}\n{overlay_rows}"))?;
     }
     if let Some(sheet) = engines(results) {
         write(&figures_folder.join("engines.svg"), &sheet.svg())?;

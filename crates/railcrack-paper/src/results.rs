@@ -56,6 +56,20 @@ impl<'a> SetupResults<'a> {
         self.results.setup(setup)?.run(name)
     }
 
+    /// Warnings of the runs behind `figures`, a sentence for each run that has any.
+    pub fn warnings(self, figures: &[u8]) -> Vec<String> {
+        let behind = |curve: &&PaperCurve| figures.iter().any(|figure| curve.figures.contains(figure));
+        let runs = CURVES.iter().filter(behind).filter_map(|curve| Some((curve, self.run(curve.name)?)));
+        let sentence = |(curve, run): (&PaperCurve, &CaseRun)| {
+            let first = run.warnings.first()?;
+            Some(match run.warnings.len() {
+                1 => format!("{}, {first}", curve.legend),
+                many => format!("{}, {many} warnings, the first in {first}", curve.legend),
+            })
+        };
+        runs.filter_map(sentence).collect()
+    }
+
     /// The curves of `figure` with their runs.
     pub fn of_figure(self, figure: u8) -> impl Iterator<Item = (&'static PaperCurve, &'a CaseRun)> {
         let curves = CURVES.iter().filter(move |curve| curve.figures.contains(&figure));

@@ -10,7 +10,7 @@ use super::steel::{STEELS, Steel};
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Travel {
     /// The cracks lean along the travel: the wheel meets the mouth first, then passes over the tip.
-    With,
+    Along,
     /// They lean against it: the wheel passes over the tip first. Crack 9 of a network is met
     /// first.
     Against,
@@ -98,7 +98,7 @@ impl Setup {
     /// The text of the case of `curve` in this set-up.
     pub(super) fn text(&self, curve: &PaperCurve, stage: Stage) -> String {
         let mut edits = curve.edits();
-        let sign = if self.travel == Travel::With { self.drag } else { -self.drag };
+        let sign = if self.travel == Travel::Along { self.drag } else { -self.drag };
         edits.push(Edit::number("contact", "friction", sign * curve.wheel_friction));
         if self.travel == Travel::Against {
             edits.push(Edit::number("passage", "to_over_a", -6.0));
@@ -156,7 +156,7 @@ impl Setup {
             // A slippery pair takes as long there as the nine cracks of all set-ups.
             (_, Twist::FaceFriction(_)) if block => false,
             // Each crack alone is there for its K.
-            (Extent::Growth, Twist::FaceFriction(_)) => curve.name == "pair",
+            (Extent::Growth, Twist::FaceFriction(_)) => matches!(curve.name, "pair" | "nine"),
             (Extent::Growth, _) => true,
             (Extent::ReferenceGrowth, _) => curve.name == "reference",
             (Extent::Initial, _) => false,
@@ -178,12 +178,12 @@ macro_rules! both_ways {
     ($(($stem:literal, $words:literal, $extent:ident, $figures:expr, $varies:expr, $drag:expr, $body:expr, $twist:expr)),* $(,)?) => {
         &[$(
             Setup {
-                name: concat!($stem, ", with"),
+                name: concat!($stem, ", along"),
                 words: concat!($words, "; cracks lean along the travel"),
                 extent: Extent::$extent,
                 figures: $figures,
-                varies: match $varies { Some(Main::HalfPlane) => Some("half-plane, with"), Some(Main::Block) => Some("block, with"), None => None },
-                travel: Travel::With,
+                varies: match $varies { Some(Main::HalfPlane) => Some("half-plane, along"), Some(Main::Block) => Some("block, along"), None => None },
+                travel: Travel::Along,
                 drag: $drag,
                 body: $body,
                 twist: $twist,
@@ -231,7 +231,8 @@ pub static SETUPS: &[Setup] = both_ways![
     ("block, Fig. 21 plastic", "block, Fig. 21 read as the plastic stress, which is then balanced", Growth, &[22, 23], Some(Main::Block), 1.0, BLOCK, Twist::PlasticStress),
     ("rolled 430 MPa", "half-plane, residual stress of a rail rolled at a yield stress of 430 MPa and C = 20 GPa instead of Fig. 21", Growth, &[22, 23], Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::Rolled(&STEELS[1])),
     ("rolled 380 MPa", "half-plane, residual stress of a rail rolled at a yield stress of 380 MPa and C = 20 GPa instead of Fig. 21", Growth, &[22, 23], Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::Rolled(&STEELS[2])),
-    ("faces 0.01", "half-plane, crack-face friction 0.01 as in the captions of Figs 24 and 25", Growth, &[24, 25], Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::FaceFriction(0.01)),
-    ("block, faces 0.01", "block, crack-face friction 0.01 as in the captions of Figs 24 and 25", Growth, &[24, 25], Some(Main::Block), 1.0, BLOCK, Twist::FaceFriction(0.01)),
+    ("faces 0.01", "half-plane, crack-face friction 0.01 as in the captions of Figs 24 and 25", Growth, &[24, 25, 27, 28], Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::FaceFriction(0.01)),
+    ("block, faces 0.01", "block, crack-face friction 0.01 as in the captions of Figs 24 and 25", Growth, &[24, 25, 27], Some(Main::Block), 1.0, BLOCK, Twist::FaceFriction(0.01)),
+    ("faces 0.2", "half-plane, crack-face friction 0.2", Initial, &[24, 27], Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::FaceFriction(0.2)),
     ("E 70 GPa", "half-plane, a third of Young's modulus", Initial, &[13, 19, 24], Some(Main::HalfPlane), 1.0, Body::HalfPlane, Twist::Young(70e3)),
 ];

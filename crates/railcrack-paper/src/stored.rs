@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 /// Version of the program, and of the layout of [`CaseRun`].
 fn writer() -> String {
-    format!("{VERSION}, layout 2")
+    format!("{VERSION}, layout 3")
 }
 
 /// A run with all that it depends on.

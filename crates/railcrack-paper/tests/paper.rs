@@ -27,7 +27,7 @@ fn cheap() -> &'static (Reproduction, PathBuf) {
     CHEAP.get_or_init(|| {
         let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("paper");
         let _ = std::fs::remove_dir_all(&folder);
-        let done = reproduce(&folder, &[13], Earlier::Refuse, &Nobody).unwrap();
+        let done = reproduce(&folder, &[13], &[], Earlier::Refuse, &Nobody).unwrap();
         (done, folder)
     })
 }
@@ -136,10 +136,10 @@ fn finished_runs_are_taken_over() {
     }
     // One of another case under this name, one that is damaged: both are computed.
     let name = |stem: &str| folder.join("runs").join(format!("{stem}.run"));
-    std::fs::copy(name("fig13-half-plane-against"), name("fig13-half-plane-with")).unwrap();
-    std::fs::write(name("fig13-E-70-GPa-with"), "half").unwrap();
+    std::fs::copy(name("fig13-half-plane-against"), name("fig13-half-plane-along")).unwrap();
+    std::fs::write(name("fig13-E-70-GPa-along"), "half").unwrap();
     let count = Count(0.into());
-    let again = reproduce(&folder, &[13], Earlier::TakeOver, &count).unwrap();
+    let again = reproduce(&folder, &[13], &[], Earlier::TakeOver, &count).unwrap();
     assert_eq!(count.0.into_inner(), 2);
     assert!(again.verdicts.iter().zip(&done.verdicts).all(|(a, b)| a.decisions == b.decisions));
     let page = |folder: &Path| std::fs::read_to_string(folder.join("paper.md")).unwrap();
@@ -151,13 +151,13 @@ fn numbers_of_the_text() {
     // Design values of two independent codes: the locked plateau of Fig. 13, and the fixed steps of
     // Table 1.
     let (done, _) = cheap();
-    let half_plane = done.results.setup("half-plane, with").unwrap();
+    let half_plane = done.results.setup("half-plane, along").unwrap();
     let peak = half_plane.run("fig13").unwrap().crack().sif.peak();
     let table = support_table("verification/half-plane-histories/fig13.csv");
     let theirs = table.iter().fold(0.0, |peak: f64, row| peak.max(row[2].abs()));
     assert!((peak / theirs - 1.0).abs() < 0.005, "{peak} against {theirs}: its plateau is up to 0.5 % low");
     // K does not depend on Young's modulus.
-    let soft = done.results.setup("E 70 GPa, with").unwrap();
+    let soft = done.results.setup("E 70 GPa, along").unwrap();
     let (soft, steel) = (soft.run("fig13").unwrap().crack(), half_plane.run("fig13").unwrap().crack());
     assert!(soft.sif.difference(&steel.sif) < 1e-6, "{}", soft.sif.difference(&steel.sif));
 }
@@ -192,13 +192,13 @@ fn only_the_chosen_figures_are_computed() {
     assert_eq!(files.len(), 2, "{files:?}");
     let claims: Vec<&str> = done.verdicts.iter().map(|v| v.claim.id).collect();
     assert!(claims.contains(&"4-agreement") && !claims.contains(&"5.2-range"), "{claims:?}");
-    assert!(done.results.setup("half-plane, with").unwrap().run("reference").is_none());
+    assert!(done.results.setup("half-plane, along").unwrap().run("reference").is_none());
 }
 
 #[test]
 fn results_are_not_replaced_unasked() {
     let (_, folder) = cheap();
-    let refused = reproduce(folder, &[13], Earlier::Refuse, &Nobody).err().unwrap();
+    let refused = reproduce(folder, &[13], &[], Earlier::Refuse, &Nobody).err().unwrap();
     assert!(matches!(refused, PaperError::Exists { .. }), "{refused}");
     assert!(refused.to_string().contains("--force"));
 }

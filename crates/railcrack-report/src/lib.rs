@@ -57,4 +57,4 @@ pub use choices::{AtFirst, Choice, ChoiceGroup, ChoiceMark, Choices};
 pub use numbers::{fixed, grouped, significant, tonnage};
 pub use page::{Block, Fact, Page, Section};
 pub use rebuild::{FolderKind, Pages, put, rebuild_report};
-pub use table::{Cell, MISSING, Table};
+pub use table::{Cell, CellTone, MISSING, Table};

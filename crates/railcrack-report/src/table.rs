@@ -3,6 +3,18 @@
 use super::html::{escaped, typeset};
 use std::fmt::Write;
 
+/// The ground of a cell.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum CellTone {
+    /// That of the page.
+    #[default]
+    Plain,
+    /// A statement that holds.
+    Holds,
+    /// A statement that does not hold.
+    Fails,
+}
+
 /// A cell of a table. Its text is plain; `K_{I}` sets an index.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Cell {
@@ -10,18 +22,25 @@ pub struct Cell {
     pub text: String,
     /// Where it leads: a path from the folder of the page, with `/`; empty for nowhere.
     pub link: String,
+    /// Its ground; the text says the same without colour.
+    pub tone: CellTone,
 }
 
 impl<T: Into<String>> From<T> for Cell {
     fn from(text: T) -> Self {
-        Self { text: text.into(), link: String::new() }
+        Self { text: text.into(), ..Self::default() }
     }
 }
 
 impl Cell {
     /// A cell that leads to the file at `link`.
     pub fn linked(text: &str, link: &str) -> Self {
-        Self { text: text.to_owned(), link: link.to_owned() }
+        Self { text: text.to_owned(), link: link.to_owned(), ..Self::default() }
+    }
+
+    /// A cell on a ground of its own.
+    pub fn toned(text: &str, tone: CellTone) -> Self {
+        Self { text: text.to_owned(), tone, ..Self::default() }
     }
 }
 
@@ -101,10 +120,12 @@ impl Table {
                 } else {
                     format!("<a href=\"{}\">{}</a>", escaped(&cell.link), typeset(&cell.text))
                 };
-                let _ = match (column, is_number(&cell.text)) {
-                    (0, _) => write!(page, "<th scope=\"row\">{text}</th>"),
-                    (_, true) => write!(page, "<td class=\"number\">{text}</td>"),
-                    (_, false) => write!(page, "<td>{text}</td>"),
+                let _ = match (column, cell.tone, is_number(&cell.text)) {
+                    (0, ..) => write!(page, "<th scope=\"row\">{text}</th>"),
+                    (_, CellTone::Holds, _) => write!(page, "<td class=\"holds\">{text}</td>"),
+                    (_, CellTone::Fails, _) => write!(page, "<td class=\"fails\">{text}</td>"),
+                    (_, CellTone::Plain, true) => write!(page, "<td class=\"number\">{text}</td>"),
+                    (_, CellTone::Plain, false) => write!(page, "<td>{text}</td>"),
                 };
             }
             page.push_str("</tr>\n");

@@ -7,7 +7,7 @@ use crate::print;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use railcrack::growth::Observer;
-use railcrack_paper::{Earlier, PaperError, Reproduction, SETUPS, Telling, parse_figures, reproduce};
+use railcrack_paper::{Earlier, Overlay, PaperError, Reproduction, SETUPS, Telling, parse_figures, reproduce};
 use std::io::{IsTerminal, Write};
 use std::path::PathBuf;
 use std::sync::Mutex;
@@ -27,6 +27,10 @@ pub struct PaperArguments {
     /// These figures only, 13 to 25 and 27 to 30, and the statements that they decide
     #[arg(long, value_name = "FIG", num_args = 1..)]
     only: Vec<String>,
+    /// Curves digitised from a figure of the paper, in a file named after it (fig18.csv): drawn
+    /// with ours, and their distance is told
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    overlay: Vec<PathBuf>,
     /// Say nothing while computing
     #[arg(long)]
     quiet: bool,
@@ -42,6 +46,7 @@ pub struct PaperArguments {
 /// Recomputes the paper.
 pub fn paper(arguments: &PaperArguments) -> Result<Exit, Failure> {
     let figures = parse_figures(&arguments.only)?;
+    let overlays = arguments.overlay.iter().map(|path| Overlay::read(path)).collect::<Result<Vec<_>, _>>()?;
     let earlier = match (arguments.force, arguments.resume) {
         (true, _) => Earlier::Replace,
         (_, true) => Earlier::TakeOver,
@@ -52,7 +57,7 @@ pub fn paper(arguments: &PaperArguments) -> Result<Exit, Failure> {
         display: Display::of(arguments.quiet),
         done: Mutex::new((0, 0)),
     };
-    let computed = reproduce(&arguments.out, &figures, earlier, &told);
+    let computed = reproduce(&arguments.out, &figures, &overlays, earlier, &told);
     told.close();
     match computed {
         Ok(reproduction) => {

@@ -79,7 +79,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             let holds = paths.iter().all(|path| path.coplanar_increments() > 3);
             Some(with_branches(Decision::of(holds), &paths))
         },
-        why: "",
+        why: "Cracks that lean against the travel turn up in the first increment from the crack-face friction 0.2 on.",
     },
     Claim {
         id: "5.2-paths-differ",

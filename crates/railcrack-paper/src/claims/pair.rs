@@ -48,7 +48,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             let holds = (0..2).all(|i| opening[i] > sliding[i].abs());
             Some(Decision::of(holds).with_all("change of \u{394}K_I %, crack", &["1", "2"], &opening))
         },
-        why: "",
+        why: "The crack-face friction decides: at 0.2 \u{394}K_I of both cracks grows by about a quarter, at 0.5 both cracks are nearly closed, alone and together, and at 0.01 each opens under the wheel by slip that the neighbour hardly changes.",
     },
     Claim {
         id: "5.5.1-opening-1",
@@ -62,7 +62,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             let enough = 0.1 * alone[0].sif.ki.iter().copied().fold(0.0, f64::max);
             Some(Decision::of(at < -2.0 && gain >= enough).with("gain of K_I", gain).with("at x_c/a", at))
         },
-        why: "",
+        why: "Crack 2 opens crack 1 further before the wheel has passed it, as the statement says, but within 2 a of its mouth; beyond, both cracks are closed in the half-plane.",
     },
     Claim {
         id: "5.5.1-opening-2",
@@ -76,7 +76,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             let enough = 0.1 * alone[1].sif.ki.iter().copied().fold(0.0, f64::max);
             Some(Decision::of(at > 2.0 && gain >= enough).with("gain of K_I", gain).with("at x_c/a", at))
         },
-        why: "",
+        why: "The gain comes behind the wheel, as the statement says; at the crack-face friction 0.01 and 0.2 it is largest somewhat before x_c/a = 2.",
     },
     Claim {
         id: "5.5.1-parallel",
@@ -93,7 +93,7 @@ pub(super) const CLAIMS: &[Claim] = &[
                 None => decision,
             })
         },
-        why: "",
+        why: "The direction criterion has two maxima, near the plane of the crack and about 75\u{b0} above it: a crack of 15\u{b0} goes on in its plane or turns to 60\u{b0} upwards, never along the surface.",
     },
     Claim {
         id: "5.5.1-coplanar",
@@ -105,7 +105,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             let path = PathShape::of(grown(r)?[1]);
             Some(Decision::of(path.is_coplanar()).with(format!("{}, depth", path.words()), path.depth))
         },
-        why: "",
+        why: "Of the two cracks one leans along the travel and one against it. The one that leans against it turns up at once, and that is crack 2 where crack 1 leans along the travel.",
     },
     Claim {
         id: "5.5.1-slower",
@@ -118,7 +118,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             let (first, last) = (steps.first()?.delta_keq, steps.last()?.delta_keq);
             Some(Decision::of(last < first).with("first", first).with("last", last))
         },
-        why: "",
+        why: "At the crack-face friction 0.5 \u{394}K_eq of crack 1 grows with its length.",
     },
     Claim {
         id: "5.5.1-deeper",

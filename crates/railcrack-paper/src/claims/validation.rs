@@ -11,7 +11,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         rule: "largest |K \u{2212} K of the dislocations in the half-plane| <= 5 % of the peak",
         decide: |r| {
             let parent =
-                if r.setup().name.ends_with("against") { "half-plane, against" } else { "half-plane, with" };
+                if r.setup().name.ends_with("against") { "half-plane, against" } else { "half-plane, along" };
             if r.setup().name == parent {
                 return None;
             }

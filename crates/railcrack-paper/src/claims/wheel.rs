@@ -138,6 +138,6 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "Under a driven wheel the crack branches up, under a braking wheel down.",
         rule: "at \u{2212}0.4 the path branches up, at +0.4 down",
         decide: |r| sides(r, Side::Down, Side::Up),
-        why: "",
+        why: "The caption of Fig. 16 says the contrary. For cracks that lean against the travel the caption holds, and with the drag reversed this statement: the two differ by the sign of the friction.",
     },
 ];

@@ -1,8 +1,9 @@
 //! Charts of the quantities in the table of a figure.
 
+use super::overlay::DIGITISED;
 use super::tables::FigureTable;
-use crate::figure::Figure;
-use railcrack_report::{Chart, ChartAspect, ChartAxis, ChartRange, Curve, CurveColour};
+use crate::figure::{Figure, Kind};
+use railcrack_report::{Chart, ChartAspect, ChartAxis, ChartRange, Curve, CurveColour, CurveLook};
 
 /// A quantity in the table of a figure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -24,13 +25,44 @@ pub(crate) struct TableCurve {
     /// Name of the curve or profile.
     pub(crate) name: String,
     /// Number of the crack; empty for a profile.
-    crack: String,
-    points: Vec<[f64; 2]>,
+    pub(crate) crack: String,
+    /// Points in the units of the axes.
+    pub(crate) points: Vec<[f64; 2]>,
 }
 
 impl Quantity {
-    /// Every quantity.
-    pub(crate) const ALL: [Self; 4] = [Self::Ki, Self::Kii, Self::Paths, Self::Profile];
+    /// The quantities that `figure` shows.
+    pub(crate) fn of(figure: &Figure) -> &'static [Self] {
+        match figure.kind {
+            Kind::Sif => &[Self::Ki, Self::Kii],
+            Kind::Paths => &[Self::Paths],
+            Kind::Profile => &[Self::Profile],
+        }
+    }
+
+    /// The columns of x and y.
+    pub(crate) fn columns(self) -> [&'static str; 2] {
+        self.names().2
+    }
+
+    /// Its symbol.
+    pub(crate) fn symbol(self) -> &'static str {
+        match self {
+            Self::Ki => "K_{I}",
+            Self::Kii => "K_{II}",
+            Self::Paths => "path",
+            Self::Profile => "σ_{xx}",
+        }
+    }
+
+    /// The unit of a distance between two curves of it.
+    pub(crate) fn unit_of_distance(self) -> &'static str {
+        match self {
+            Self::Ki | Self::Kii => "MPa\u{221a}m",
+            Self::Paths => "mm",
+            Self::Profile => "MPa",
+        }
+    }
 
     /// Name of its chart, its words, and the columns of x and y.
     fn names(self) -> (&'static str, &'static str, [&'static str; 2]) {
@@ -49,7 +81,8 @@ impl Quantity {
         let [Some(x), Some(y)] = self.names().2.map(|name| table.column(name)) else { return Ok(None) };
         let texts = ["setup", "curve", "crack", "profile"].map(|name| table.column(name));
         let mut curves: Vec<TableCurve> = Vec::new();
-        for row in table.rows() {
+        // Digitised K_I and K_II have positions of their own, and a row lacks one of them.
+        for row in table.rows().filter(|row| !row[x].is_empty() && !row[y].is_empty()) {
             let number = |at: usize| {
                 let value = row[at].parse().ok().filter(|value: &f64| value.is_finite());
                 value.ok_or_else(|| row[at].clone())
@@ -127,8 +160,12 @@ pub(super) fn drawn<'a>(
         if cracks(curves, &curve.name) > 1 {
             words.push_str(&format!(", crack {}", curve.crack));
         }
+        if curve.setup == DIGITISED {
+            words.push_str(", digitised");
+        }
         let colour = CurveColour::of(place, seen.len());
-        (curve, Curve::line(&words, curve.points.clone()).with_colour(colour))
+        let line = Curve::line(&words, curve.points.clone()).with_colour(colour);
+        (curve, if curve.setup == DIGITISED { line.with_look(CurveLook::Dots) } else { line })
     })
 }
 

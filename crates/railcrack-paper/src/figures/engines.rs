@@ -7,8 +7,8 @@ use railcrack_report::{Chart, ChartAxis, ChartRange, ChartSheet, Curve, CurveCol
 /// K of both engines and, beside it, their difference in per cent of the peak; none where a run is
 /// missing.
 pub(crate) fn engines(results: &Results) -> Option<ChartSheet> {
-    let first = results.setup("half-plane, with")?.run("fig13")?.crack();
-    let second = results.setup("half-plane xfem, with")?.run("fig13")?.crack();
+    let first = results.setup("half-plane, along")?.run("fig13")?.crack();
+    let second = results.setup("half-plane xfem, along")?.run("fig13")?.crack();
     let (differences, peak) = (second.sif.minus(&first.sif), first.sif.peak());
     let chart = |y: ChartAxis, heading: &str, curves: Vec<Curve>| Chart {
         heading: heading.to_owned(),

@@ -2,12 +2,15 @@
 
 mod charts;
 mod engines;
+mod overlay;
 mod sheets;
 mod tables;
 mod write;
 
 pub(crate) use charts::{Quantity, TableCurve, page_chart};
 pub(crate) use engines::engines;
+pub use overlay::Overlay;
+pub(crate) use overlay::{DIGITISED, Distance, OVERLAY_COLUMNS, distances, forget_overlays, kept};
 pub(crate) use sheets::sheet;
 pub(crate) use tables::FigureTable;
 pub(crate) use write::{path_table, profile_table, sif_table};

@@ -1,7 +1,7 @@
 //! The SVG files of the figures: the main set-ups, both bodies and both ways of travel.
 
 use super::charts::{Quantity, TableCurve, cracks, drawn};
-use super::tables::FigureTable;
+use super::overlay::DIGITISED;
 use crate::figure::{Figure, Kind};
 use crate::setup::SETUPS;
 use crate::verdict::MAIN;
@@ -13,20 +13,19 @@ use railcrack_report::{
 const INITIAL_POINTS: usize = 2;
 /// Cracks of a run in the block whose K leaves the other curves readable.
 const FEW_CRACKS: usize = 2;
+/// Length over depth of paths that are shown one below the other.
+const LONG: f64 = 5.0;
 
-/// The sheet of `figure` from its table.
-///
-/// Errors: the text of a value that is no finite number.
-pub(crate) fn sheet(figure: &Figure, table: &FigureTable) -> Result<ChartSheet, String> {
-    let mut quantities = Vec::new();
-    for quantity in Quantity::ALL {
-        quantities.extend(quantity.curves(table)?.map(|curves| (quantity, curves)));
-    }
+/// The sheet of `figure` from the curves of its quantities.
+pub(crate) fn sheet(figure: &Figure, quantities: &[(Quantity, Vec<TableCurve>)]) -> ChartSheet {
     let rows = match figure.kind {
         Kind::Sif => quantities.iter().map(|(quantity, curves)| sif_row(figure, *quantity, curves)).collect(),
         Kind::Paths => {
             let all = quantities.iter().flat_map(|(quantity, curves)| path_panels(figure, *quantity, curves));
-            all.collect::<Vec<_>>().chunks(2).map(<[Chart]>::to_vec).collect()
+            let panels: Vec<Chart> = all.collect();
+            // Long rows of cracks have the whole width: beside each other their growth is not seen.
+            let columns = if panels.iter().any(is_long) { 1 } else { 2 };
+            panels.chunks(columns).map(<[Chart]>::to_vec).collect()
         }
         Kind::Profile => {
             quantities.iter().map(|(quantity, curves)| vec![profiles(figure, *quantity, curves)]).collect()
@@ -42,7 +41,19 @@ pub(crate) fn sheet(figure: &Figure, table: &FigureTable) -> Result<ChartSheet, 
         let bodies = LegendEntry::solid_and_dashed(["half-plane", "block, bottom clamped"]);
         sheet.legend = SheetLegend::Names(bodies.into());
     }
-    Ok(sheet)
+    sheet
+}
+
+/// Whether a panel of paths is much longer than deep.
+fn is_long(panel: &Chart) -> bool {
+    let points = || panel.curves.iter().flat_map(|curve| &curve.points);
+    let extent = |c: usize| {
+        let ends = points().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], p| {
+            [low.min(p[c]), high.max(p[c])]
+        });
+        ends[1] - ends[0]
+    };
+    extent(0) > LONG * extent(1)
 }
 
 /// K for cracks that lean along the travel and, beside it, against it: half-plane solid, block
@@ -52,7 +63,9 @@ fn sif_row(figure: &Figure, quantity: Quantity, curves: &[TableCurve]) -> Vec<Ch
         let [half_plane, block] = ["half-plane", "block"].map(|body| format!("{body}, {way}"));
         let is_block = move |curve: &TableCurve| curve.setup == block;
         let is_shown = |curve: &TableCurve| {
-            curve.setup == half_plane || is_block(curve) && cracks(curves, &curve.name) <= FEW_CRACKS
+            curve.setup == DIGITISED
+                || curve.setup == half_plane
+                || is_block(curve) && cracks(curves, &curve.name) <= FEW_CRACKS
         };
         let look = |(table, curve): (&TableCurve, Curve)| {
             if is_block(table) { curve.with_look(CurveLook::Dashed) } else { curve }
@@ -62,20 +75,21 @@ fn sif_row(figure: &Figure, quantity: Quantity, curves: &[TableCurve]) -> Vec<Ch
             if quantity == Quantity::Ki { format!("Cracks lean {words} the travel") } else { String::new() };
         Chart { heading, curves, ..quantity.chart(figure) }
     };
-    [("with", "along"), ("against", "against")].map(column).into()
+    [("along", "along"), ("against", "against")].map(column).into()
 }
 
 /// The paths in each main set-up that has any.
 fn path_panels(figure: &Figure, quantity: Quantity, curves: &[TableCurve]) -> Vec<Chart> {
     let panel = |name: &'static str| {
-        let paths = drawn(figure, curves, move |curve| curve.setup == name);
+        let paths = drawn(figure, curves, move |curve| curve.setup == name || curve.setup == DIGITISED);
         let paths: Vec<Curve> =
             paths.map(|(_, curve)| curve.with_dots(CurveDots::AllBut(0..INITIAL_POINTS))).collect();
+        let is_ours = |path: &&Curve| path.look != CurveLook::Dots;
         let initial = |path: &Curve| {
             let points = path.points.iter().take(INITIAL_POINTS).copied().collect();
             Curve::line("initial crack", points).with_colour(CurveColour::Ink).with_width(CurveWidth::Wide)
         };
-        let initial: Vec<Curve> = paths.iter().map(initial).collect();
+        let initial: Vec<Curve> = paths.iter().filter(is_ours).map(initial).collect();
         let body = name.split(',').next().unwrap_or(name);
         let side = if name.ends_with("against") { "left" } else { "right" };
         Chart {
@@ -85,7 +99,7 @@ fn path_panels(figure: &Figure, quantity: Quantity, curves: &[TableCurve]) -> Ve
         }
     };
     let panels = SETUPS[..MAIN].iter().map(|setup| panel(setup.name));
-    panels.filter(|chart| !chart.curves.is_empty()).collect()
+    panels.filter(|chart| chart.curves.iter().any(|curve| curve.look != CurveLook::Dots)).collect()
 }
 
 /// The readings of Fig. 21 solid, rolled rails dashed.

@@ -58,8 +58,8 @@ mod tests {
     #[test]
     fn commas_in_quotes_do_not_part() {
         assert_eq!(
-            fields("\"half-plane, with\",reference,1,-6.0"),
-            ["half-plane, with", "reference", "1", "-6.0"]
+            fields("\"half-plane, along\",reference,1,-6.0"),
+            ["half-plane, along", "reference", "1", "-6.0"]
         );
         assert_eq!(fields("a,,b"), ["a", "", "b"]);
     }

@@ -3,8 +3,10 @@
 use super::{look, symbols};
 use crate::document::{PaperRecord, SetupRecord};
 use crate::figure::{FIGURES, Figure};
-use crate::figures::{FigureTable, Quantity, TableCurve, page_chart};
-use railcrack_report::{Block, Cell, Chart, Curve, CurveLook, Table};
+use crate::figures::{
+    DIGITISED, Distance, FigureTable, Quantity, TableCurve, distances, kept, page_chart,
+};
+use railcrack_report::{Block, Cell, Chart, Curve, CurveLook, Table, significant};
 use railcrack_run::OutputError;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -16,19 +18,22 @@ const POINTS: usize = 180_000;
 ///
 /// Errors: a table is damaged; the system refuses.
 pub(super) fn blocks(folder: &Path, record: &PaperRecord) -> Result<Vec<Block>, OutputError> {
-    let mut charts = Vec::new();
+    let (mut charts, mut overlays) = (Vec::new(), Vec::new());
     let recomputed = |figure: &&Figure| record.figures.iter().any(|other| other.number == figure.number);
     for figure in FIGURES.iter().filter(recomputed) {
         let path = folder.join("figures").join(format!("{}.csv", figure.file_stem()));
         let damaged = |reason| OutputError::damaged(&path, reason);
         let text = std::fs::read_to_string(&path).map_err(OutputError::io("read", &path))?;
         let table = FigureTable::parse(&text).map_err(damaged)?;
-        for quantity in Quantity::ALL {
+        for &quantity in Quantity::of(figure) {
             let curves = quantity.curves(&table);
-            if let Some(curves) = curves.map_err(|text| damaged(format!("\"{text}\" is no number")))? {
-                let styled = |table: &TableCurve, curve| styled(&record.setups, table, curve);
-                charts.push((figure.number, page_chart(figure, quantity, &curves, styled)));
-            }
+            let curves = curves.map_err(|text| damaged(format!("\"{text}\" is no number")))?;
+            let mut curves = curves.unwrap_or_default();
+            let digitised = kept(folder, figure, quantity)?;
+            overlays.extend(distances(quantity, &curves, &digitised).into_iter().map(|d| (figure.number, d)));
+            curves.extend(digitised);
+            let styled = |table: &TableCurve, curve| styled(&record.setups, table, curve);
+            charts.push((figure.number, page_chart(figure, quantity, &curves, styled)));
         }
     }
     let mut blocks = Vec::new();
@@ -41,6 +46,11 @@ pub(super) fn blocks(folder: &Path, record: &PaperRecord) -> Result<Vec<Block>, 
         blocks.push(Block::Heading(format!("Fig. {}: {}", figure.number, symbols(&figure.title))));
         let own = charts.iter().filter(|(number, _)| *number == figure.number);
         blocks.push(Block::charts(own.map(|(_, chart)| chart.clone())));
+        let own: Vec<&Distance> =
+            overlays.iter().filter(|(number, _)| *number == figure.number).map(|(_, d)| d).collect();
+        if !own.is_empty() {
+            blocks.push(Block::Table(distance_table(&own)));
+        }
         let [picture, numbers] =
             ["svg", "csv"].map(|ending| format!("figures/fig{}.{ending}", figure.number));
         files.row([
@@ -65,11 +75,35 @@ pub(super) fn blocks(folder: &Path, record: &PaperRecord) -> Result<Vec<Block>, 
     Ok(blocks)
 }
 
+/// How far the curves of each set-up are from the digitised ones.
+fn distance_table(distances: &[&Distance]) -> Table {
+    let mut table =
+        Table::new(["Digitised curve", "Crack", "Quantity", "Set-up", "Points", "Largest", "Mean", "Unit"]);
+    table.caption = "Distance from the digitised curves: of paths to the nearest place, else at the same position".to_owned();
+    for d in distances {
+        table.row([
+            d.curve.clone(),
+            d.crack.clone(),
+            d.quantity.symbol().to_owned(),
+            d.setup.clone(),
+            d.points.to_string(),
+            significant(d.largest),
+            significant(d.mean),
+            d.quantity.unit_of_distance().to_owned(),
+        ]);
+    }
+    table
+}
+
 /// `curve` with the line, the name and the switch of its set-up.
 fn styled(setups: &[SetupRecord], table: &TableCurve, curve: Curve) -> Curve {
     let at = setups.iter().position(|setup| setup.name == table.setup);
     Curve {
-        look: at.map_or(CurveLook::Line, |at| look(setups, at)),
+        look: match at {
+            Some(at) => look(setups, at),
+            None if table.setup == DIGITISED => CurveLook::Dots,
+            None => CurveLook::Line,
+        },
         note: table.setup.clone(),
         choices: at.into_iter().collect(),
         ..curve

@@ -3,6 +3,7 @@
 mod figures;
 mod statements;
 
+use crate::closest::closest;
 use crate::document::{PaperRecord, SetupRecord};
 use railcrack_report::{
     AtFirst, Block, Choice, ChoiceGroup, ChoiceMark, Choices, CurveLook, Fact, Page, Section, Table,
@@ -29,9 +30,7 @@ pub(crate) fn paper_page(folder: &Path) -> Result<Page, OutputError> {
          set-ups, by a rule. Statements and the few numbers in the text are compared, not the curves of its figures."
             .to_owned(),
     ));
-    if !record.statements.is_empty() {
-        lead.push(Block::Table(statements::by_setup(&record)));
-    }
+    lead.extend(closest(&record).map(Block::Text));
     let mut figures = vec![Block::Choices(choices(&record.setups))];
     figures.extend(figures::blocks(folder, &record)?);
     let mut sections = Vec::new();

@@ -2,24 +2,17 @@
 
 use super::symbols;
 use crate::document::{DecisionRecord, PaperRecord, SetupRecord, StatementRecord};
-use railcrack_report::MISSING;
-use railcrack_report::significant;
-use railcrack_report::{Block, Table};
+use railcrack_report::{Block, Cell, CellTone, MISSING, Table, significant};
 
 /// Columns of numbers of a statement beyond which they become rows.
 const MOST_COLUMNS: usize = 6;
-
-fn is_main(setup: &SetupRecord) -> bool {
-    setup.varies.is_none()
-}
 
 /// How many statements hold in all main set-ups that decide them, in some set-up, in none.
 pub(super) fn counts(record: &PaperRecord) -> [usize; 3] {
     let mut counts = [0; 3];
     for statement in &record.statements {
-        let main = record.setups.iter().filter(|setup| is_main(setup));
         let main: Vec<bool> =
-            main.filter_map(|setup| Some(decision(statement, &setup.name)?.holds)).collect();
+            record.main_setups().filter_map(|setup| Some(statement.decision(&setup.name)?.holds)).collect();
         let place = if !main.is_empty() && main.iter().all(|holds| *holds) {
             0
         } else if statement.decisions.iter().any(|decision| decision.holds) {
@@ -30,10 +23,6 @@ pub(super) fn counts(record: &PaperRecord) -> [usize; 3] {
         counts[place] += 1;
     }
     counts
-}
-
-fn decision<'a>(statement: &'a StatementRecord, setup: &str) -> Option<&'a DecisionRecord> {
-    statement.decisions.iter().find(|decision| decision.setup == setup)
 }
 
 /// The result in a sentence.
@@ -49,46 +38,82 @@ pub(super) fn verdict(record: &PaperRecord) -> String {
     )
 }
 
-/// How many of the statements that a set-up can decide hold in it.
-pub(super) fn by_setup(record: &PaperRecord) -> Table {
-    let mut table = Table::new(["Set-up", "Statements that hold", "Statements decided"]);
-    for setup in record.setups.iter().filter(|setup| is_main(setup)) {
-        let decided = || record.statements.iter().filter_map(|statement| decision(statement, &setup.name));
-        let holding = decided().filter(|decision| decision.holds).count();
-        table.row([setup.name.clone(), holding.to_string(), decided().count().to_string()]);
+/// The matrix of statements and main set-ups, that of all set-ups, then each statement with its rule
+/// and its numbers.
+pub(super) fn blocks(record: &PaperRecord) -> Vec<Block> {
+    let main: Vec<&SetupRecord> = record.main_setups().collect();
+    let mut table = matrix(record, &main, &["Statement", "Where"], &["Why not everywhere"], |statement| {
+        (vec![symbols(&statement.statement), place(statement)], vec![symbols(&statement.why)])
+    });
+    table.caption = "In the order of the paper. Along: the cracks lean along the travel of the wheel; against: they lean against it. \
+                     *: a run behind it has warnings"
+        .to_owned();
+    let all: Vec<&SetupRecord> = record.setups.iter().collect();
+    let variants = matrix(record, &all, &["Statement"], &[], |statement| {
+        (vec![format!("{} ({})", statement.id, place(statement))], Vec::new())
+    });
+    let mut blocks = vec![
+        Block::Table(table),
+        Block::Folded { heading: "All set-ups".to_owned(), blocks: vec![Block::Table(variants)] },
+        Block::Heading("Rules and numbers".to_owned()),
+        Block::Text("K in MPa√m, depths in mm; unrounded in claims.csv.".to_owned()),
+    ];
+    blocks.extend(record.statements.iter().map(|statement| {
+        let mut parts = vec![
+            Block::Text(symbols(&statement.statement)),
+            Block::Text(format!("Rule: {}.", symbols(statement.rule.trim_end_matches('.')))),
+            Block::Table(numbers(statement)),
+        ];
+        let warnings = warnings(statement);
+        if !warnings.is_empty() {
+            parts.push(Block::Warnings(warnings));
+        }
+        Block::Folded {
+            heading: format!("{} ({}): {}", statement.id, place(statement), statement.verdict),
+            blocks: parts,
+        }
+    }));
+    blocks
+}
+
+/// Statements by `setups`, with the cells that `beside` gives before and after the decisions.
+fn matrix(
+    record: &PaperRecord,
+    setups: &[&SetupRecord],
+    before: &[&str],
+    after: &[&str],
+    beside: impl Fn(&StatementRecord) -> (Vec<String>, Vec<String>),
+) -> Table {
+    let names = setups.iter().map(|setup| setup.name.as_str());
+    let mut table = Table::new(before.iter().copied().chain(names).chain(after.iter().copied()));
+    for statement in &record.statements {
+        let (first, last) = beside(statement);
+        let decisions = setups.iter().map(|setup| match statement.decision(&setup.name) {
+            None => Cell::default(),
+            Some(decision) => {
+                let tone = if decision.holds { CellTone::Holds } else { CellTone::Fails };
+                let mark = if decision.warnings.is_empty() { "" } else { "*" };
+                Cell::toned(&format!("{}{mark}", says(decision)), tone)
+            }
+        });
+        let first = first.into_iter().map(Cell::from);
+        table.row(first.chain(decisions).chain(last.into_iter().map(Cell::from)));
     }
     table
 }
 
-/// A table of all, then each with its rule and its numbers.
-pub(super) fn blocks(record: &PaperRecord) -> Vec<Block> {
-    let main: Vec<&SetupRecord> = record.setups.iter().filter(|setup| is_main(setup)).collect();
-    let mut headings = vec!["Statement".to_owned(), "Where".to_owned()];
-    headings.extend(main.iter().map(|setup| setup.name.clone()));
-    headings.extend(["Verdict", "Why"].map(str::to_owned));
-    let mut table = Table::new(headings);
-    table.caption =
-        "With: the cracks lean along the travel of the wheel; against: they lean against it".to_owned();
-    for statement in &record.statements {
-        let mut cells = vec![symbols(&statement.statement), place(statement)];
-        cells.extend(main.iter().map(|setup| says(decision(statement, &setup.name)).to_owned()));
-        cells.extend([statement.verdict.clone(), symbols(&statement.why)]);
-        table.row(cells);
+/// Warnings of the runs behind a statement: each once, with the set-ups that have it.
+fn warnings(statement: &StatementRecord) -> Vec<String> {
+    let mut known: Vec<(&str, Vec<&str>)> = Vec::new();
+    for decision in &statement.decisions {
+        for warning in &decision.warnings {
+            match known.iter_mut().find(|(text, _)| text == warning) {
+                Some((_, setups)) => setups.push(&decision.setup),
+                None => known.push((warning, vec![&decision.setup])),
+            }
+        }
     }
-    let mut blocks = vec![
-        Block::Table(table),
-        Block::Heading("Rules and numbers".to_owned()),
-        Block::Text("K in MPa√m, depths in mm; unrounded in claims.csv.".to_owned()),
-    ];
-    blocks.extend(record.statements.iter().map(|statement| Block::Folded {
-        heading: format!("{} ({}): {}", statement.id, place(statement), statement.verdict),
-        blocks: vec![
-            Block::Text(symbols(&statement.statement)),
-            Block::Text(format!("Rule: {}.", symbols(statement.rule.trim_end_matches('.')))),
-            Block::Table(numbers(statement)),
-        ],
-    }));
-    blocks
+    known.iter().map(|(text, setups)| format!("{} \u{2013} {text}", setups.join("; "))).collect()
 }
 
 /// Where the paper says it: `§ 5.1, Fig. 14b`.
@@ -97,8 +122,8 @@ fn place(statement: &StatementRecord) -> String {
     format!("{sign}{}", statement.place)
 }
 
-fn says(decision: Option<&DecisionRecord>) -> &'static str {
-    decision.map_or(MISSING, |decision| if decision.holds { "yes" } else { "no" })
+fn says(decision: &DecisionRecord) -> &'static str {
+    if decision.holds { "yes" } else { "no" }
 }
 
 /// The numbers of a statement: a row per set-up; with many numbers, a row per number.
@@ -113,7 +138,7 @@ fn numbers(statement: &StatementRecord) -> Table {
         let number = decision.numbers.iter().find(|number| number.name == name);
         number.map_or_else(String::new, |n| n.value.map_or_else(|| MISSING.to_owned(), significant))
     };
-    let yes_or_no = |decision: &DecisionRecord| says(Some(decision)).to_owned();
+    let yes_or_no = |decision: &DecisionRecord| says(decision).to_owned();
     if names.len() <= MOST_COLUMNS {
         let mut headings = vec!["Set-up".to_owned(), "Holds".to_owned()];
         headings.extend(names.iter().map(|name| symbols(name)));

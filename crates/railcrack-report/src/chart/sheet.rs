@@ -12,6 +12,8 @@ use crate::svg::{
 
 /// Inside of the only chart of a sheet, and of one of several, pixels.
 const SIZES: [[f64; 2]; 2] = [[600.0, 360.0], [420.0, 230.0]];
+/// Width of charts to scale, one below the other.
+const LONG: f64 = 920.0;
 /// Heights of a chart to scale.
 const TO_SCALE: [f64; 2] = [150.0, 560.0];
 /// Room at the left of a chart: ticks and title of its y axis.
@@ -40,7 +42,14 @@ pub(crate) fn draw_heading(svg: &mut Svg, left: f64, room: f64, title: &str, sub
 impl ChartSheet {
     /// The file.
     pub fn svg(&self) -> String {
-        let size = SIZES[usize::from(self.charts().count() > 1)];
+        let is_column = self.rows.iter().all(|row| row.len() == 1);
+        let is_to_scale = self.charts().all(|chart| chart.aspect == ChartAspect::Equal);
+        let size = match self.charts().count() {
+            0 | 1 => SIZES[0],
+            // Long rows of cracks, one below the other.
+            _ if is_column && is_to_scale => [LONG, SIZES[1][1]],
+            _ => SIZES[1],
+        };
         let mut placed: Vec<(Axes, &Chart, bool)> = Vec::new();
         let mut top = HEADING;
         for (r, row) in self.rows.iter().enumerate() {

@@ -124,7 +124,7 @@ fn bounds(state: &ShakedownFolder) -> Chart {
     // The limits grow without bound with depth: only as much of them as leaves the scale readable.
     let most = 2.5 * ratio.max(3.0);
     let curve = |value: fn(&BoundsRow) -> f64| -> Vec<[f64; 2]> {
-        rows.iter().map(|row| [value(row).min(most), row.depth_mm]).collect()
+        cut_at(most, rows.iter().map(|row| [value(row), row.depth_mm]))
     };
     let deepest = rows.last().map_or(state.summary.half_width_mm, |row| row.depth_mm);
     Chart {
@@ -137,6 +137,25 @@ fn bounds(state: &ShakedownFolder) -> Chart {
         ],
         ..Chart::default()
     }
+}
+
+/// The part of a curve with x ≤ `most`, its ends on that line.
+fn cut_at(most: f64, points: impl Iterator<Item = [f64; 2]>) -> Vec<[f64; 2]> {
+    let mut cut = Vec::new();
+    let mut last: Option<[f64; 2]> = None;
+    for point in points {
+        if let Some(last) = last.filter(|last| (last[0] <= most) != (point[0] <= most)) {
+            let share = (most - last[0]) / (point[0] - last[0]);
+            // An end at infinity is met at once.
+            let share = if share.is_finite() { share } else { 0.0 };
+            cut.push([most, last[1] + share * (point[1] - last[1])]);
+        }
+        if point[0] <= most {
+            cut.push(point);
+        }
+        last = Some(point);
+    }
+    cut
 }
 
 fn map(state: &ShakedownFolder) -> Chart {
