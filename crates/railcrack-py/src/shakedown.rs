@@ -7,6 +7,7 @@ use crate::errors::{exception, output_error, run_error};
 use crate::scratch::Scratch;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use railcrack::interruption::Interruption;
 use railcrack_report::Pages;
 use railcrack_run::csv::{ColumnValues, columns_of};
 use railcrack_run::simulation::{RunObserver, pass_text, roll};
@@ -36,7 +37,11 @@ pub fn shakedown<'py>(
         let folder = out.as_deref().unwrap_or(scratch.path());
         let presentation: &dyn Presentation = if out.is_some() { &Pages } else { &TablesOnly };
         let existing = if replace { Existing::Replace } else { Existing::Refuse };
-        let summary = roll(&case, folder, existing, presentation, |pass| observer.stage(&pass_text(pass)))?;
+        let asked = || observer.is_interrupted();
+        let interruption = Interruption::when(&asked);
+        let summary = roll(&case, folder, existing, presentation, interruption, |pass| {
+            observer.stage(&pass_text(pass));
+        })?;
         Ok((summary, ShakedownFolder::open(folder)?))
     })?;
     if let Some(signal) = over.signal {
