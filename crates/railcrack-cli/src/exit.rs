@@ -15,6 +15,8 @@ use thiserror::Error;
 pub enum Exit {
     /// Done.
     Done,
+    /// Two runs differ by more than the tolerance that they were asked to keep.
+    Differs,
     /// The command line, the case file or a file that it names is wrong.
     BadInput,
     /// Something cannot be read or written.
@@ -30,6 +32,7 @@ impl Exit {
     pub const fn code(self) -> u8 {
         match self {
             Self::Done => 0,
+            Self::Differs => 1,
             Self::BadInput => 2,
             Self::NotConverged => 3,
             Self::CannotReadOrWrite => 4,
@@ -98,6 +101,12 @@ pub enum Failure {
         /// The system's reason.
         source: std::io::Error,
     },
+    /// Standard input that cannot be read.
+    #[error("cannot read the case from standard input: {0}")]
+    Stdin(std::io::Error),
+    /// A table that cannot be shown.
+    #[error("{0}")]
+    Show(String),
     /// Standard output that cannot be written.
     #[error("cannot write to standard output: {0}")]
     Stdout(std::io::Error),
@@ -123,7 +132,10 @@ impl Failure {
             Self::Run(error) => exit_of_run(error),
             #[cfg(not(feature = "png"))]
             Self::NoPng => Exit::BadInput,
-            Self::Exists { .. } | Self::CannotWrite { .. } | Self::Stdout(_) => Exit::CannotReadOrWrite,
+            Self::Show(_) => Exit::BadInput,
+            Self::Stdin(_) | Self::Exists { .. } | Self::CannotWrite { .. } | Self::Stdout(_) => {
+                Exit::CannotReadOrWrite
+            }
         }
     }
 }
@@ -142,10 +154,12 @@ fn exit_of_run(error: &RunError) -> Exit {
             | OutputError::NoStudy { .. }
             | OutputError::StudyChanged { .. }
             | OutputError::CaseChanged { .. }
+            | OutputError::NoSif { .. }
             | OutputError::OtherVersion { .. } => Exit::BadInput,
             OutputError::NotFinite { .. } | OutputError::Field(_) => Exit::NotConverged,
             OutputError::InUse { .. }
             | OutputError::DamagedRuns { .. }
+            | OutputError::NotRecomputed { .. }
             | OutputError::Damaged { .. }
             | OutputError::NameLeaves { .. }
             | OutputError::Io { .. } => Exit::CannotReadOrWrite,

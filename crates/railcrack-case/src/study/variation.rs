@@ -1,7 +1,8 @@
 //! Lists in place of values.
 
+use super::sampling::is_sampled;
 use crate::schema::{Fault, Key, Kind, Override, Raw, Report, Section, SectionPresence, Value};
-use crate::tables::{CASE_FILE, SECTIONS, STUDY};
+use crate::tables::{CASE_FILE, RUN_FOLDERS, SECTIONS, STUDY};
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -59,6 +60,7 @@ pub(super) fn find_variations(
 /// Whether the document `root` is a study: it says so, or a list stands in place of a value.
 pub(super) fn is_study(root: &DeTable) -> bool {
     root.contains_key(STUDY.name)
+        || is_sampled(root)
         || SECTIONS.iter().any(|section| {
             tables_of(section, root).iter().any(|(_, table)| {
                 table.iter().any(|(name, value)| {
@@ -71,7 +73,7 @@ pub(super) fn is_study(root: &DeTable) -> bool {
 
 /// The tables of a section with their dotted names; nothing where it is written as something else,
 /// which the reader reports.
-fn tables_of<'d, 'i>(section: &Section, root: &'d DeTable<'i>) -> Vec<(String, &'d DeTable<'i>)> {
+pub(super) fn tables_of<'d, 'i>(section: &Section, root: &'d DeTable<'i>) -> Vec<(String, &'d DeTable<'i>)> {
     if section.name.is_empty() {
         return vec![(String::new(), root)];
     }
@@ -100,7 +102,12 @@ fn list_in_place<'d, 'i>(kind: Kind, value: &'d DeValue<'i>) -> Option<&'d [Span
     let stands_in_place = match kind {
         Kind::Numbers { .. } => items.first().is_some_and(is_list),
         Kind::Points { .. } | Kind::Groups { .. } => items.first().and_then(first_of).is_some_and(is_list),
-        Kind::Number { .. } | Kind::Integer { .. } | Kind::Text | Kind::Choice(_) | Kind::Path { .. } => true,
+        Kind::Number { .. }
+        | Kind::Integer { .. }
+        | Kind::Text
+        | Kind::Choice(_)
+        | Kind::Switch
+        | Kind::Path { .. } => true,
     };
     stands_in_place.then_some(items)
 }
@@ -118,14 +125,17 @@ fn fault(
     let given = format!("`{dotted} = {}`", report.shown(&value.span()));
     let (message, help) = if section.name.is_empty() {
         (format!("{given}: may not vary"), "each run has this title with its own values behind it".to_owned())
+    } else if key.name == RUN_FOLDERS.key.name {
+        (format!("{given}: may not vary"), "all runs of a study are kept in the same way".to_owned())
     } else if items.is_empty() {
         let help = format!("each element must be {}", key.kind.accepted());
         (format!("{given}: a list of a study must have at least one element"), help)
-    } else if let Some(given) =
-        overrides.iter().find(|given| (given.section, given.key) == (section.name, key.name))
-    {
+    } else if let Some(given) = overrides.iter().find(|given| {
+        (given.section, given.key) == (section.name, key.name)
+            && given.number.is_none_or(|n| dotted.contains(&format!("[{n}]")))
+    }) {
         let help = "leave the option out, or write one value in place of the list";
-        (format!("`{}` takes the place of `{dotted}`, which the study varies", given.option), help.to_owned())
+        (format!("`{}` takes the place of `{dotted}`, which the study varies", given.shown), help.to_owned())
     } else {
         return None;
     };

@@ -62,7 +62,7 @@ fn a_run_does_not_differ_from_itself() {
 fn another_friction_is_another_history() {
     let folder = workplace("friction");
     let (code, out, err) = compare(&folder, &["one", "other", "--out", "difference", "--tolerance", "1"]);
-    assert_eq!(code, Some(0), "{err}");
+    assert_eq!(code, Some(1), "{err}");
     assert!(out.contains("case    crack[1].friction: 0.2 | 0.1"), "{out}");
     assert!(out.contains("K is NOT within the tolerance of 1 %"), "{out}");
 

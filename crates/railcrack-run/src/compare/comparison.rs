@@ -72,6 +72,12 @@ impl Comparison {
         percent(k, self.peak)
     }
 
+    /// Whether no K differs by more than `tolerance` (per cent of the largest |K| of the case);
+    /// runs that have nothing in common are not within any.
+    pub fn is_within(&self, tolerance: f64) -> bool {
+        self.largest_percent().is_some_and(|largest| largest <= tolerance)
+    }
+
     /// The largest difference of K_I or K_II, in per cent of the largest |K| of the case; none
     /// where the runs have nothing in common.
     pub fn largest_percent(&self) -> Option<f64> {

@@ -25,7 +25,7 @@ impl Comparison {
         self.add_largest(&mut text);
         self.add_paths(&mut text);
         if let (Some(tolerance), Some(largest)) = (tolerance, self.largest_percent()) {
-            let how = if largest <= tolerance { "within" } else { "NOT within" };
+            let how = if self.is_within(tolerance) { "within" } else { "NOT within" };
             add(
                 &mut text,
                 format_args!("K is {how} the tolerance of {tolerance} %: it differs by {} %", small(largest)),
