@@ -30,7 +30,7 @@ impl Json {
     }
 }
 
-/// `{"exit": 2, "errors": [{"message": …, "file": …, "line": …, "column": …, "key": …, "help": …}]}`.
+/// `exit`, the code, and `errors`: of each `message`, `file`, `line`, `column`, `key`, `help`.
 fn of_failure(failure: &Failure) -> Value {
     let errors: Vec<Value> = match failure {
         Failure::Case(errors) => errors

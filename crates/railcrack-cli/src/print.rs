@@ -13,8 +13,8 @@ pub fn stdout(text: &str) -> Result<(), Failure> {
     }
 }
 
-/// Says on standard error what went wrong: drawn with the lines of the file on a terminal; otherwise
-/// a line per error, and under it the line of the file.
+/// Says on standard error what went wrong: drawn with the lines of the file on a terminal;
+/// otherwise a line per error, and under it the line of the file.
 pub fn failure(failure: &Failure) {
     let mut err = std::io::stderr().lock();
     let text = match failure {

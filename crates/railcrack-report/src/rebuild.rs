@@ -4,7 +4,7 @@ use crate::figures::{
     Plot, STUDY_PLOTS, StudyRun, Styles, comparison_plots, run_plots, shakedown_plots, study_plots,
 };
 use crate::pages::{RunFolder, comparison_page, run_page, shakedown_page, study_page};
-use crate::recomputed;
+use crate::recomputed::recomputed;
 use crate::shown::{ShownRun, ShownStep};
 use railcrack::growth::StepRecord;
 use railcrack_case::Output;
@@ -80,14 +80,14 @@ pub fn rebuild_report(folder: &Path) -> Result<FolderKind, OutputError> {
 fn rebuild_run(folder: &Path) -> Result<(), OutputError> {
     let run = RunFolder::read(folder)?;
     if !run.case.output.is_whole() {
-        return recomputed::rebuild(folder);
+        return write_run(&run, &recomputed(&run)?);
     }
     let shown = ShownRun::read(folder, run.summary.steps_recorded)?;
     write_run(&run, &shown)
 }
 
 /// Without a finished step there are no plots.
-pub(crate) fn write_run(run: &RunFolder, shown: &ShownRun) -> Result<(), OutputError> {
+fn write_run(run: &RunFolder, shown: &ShownRun) -> Result<(), OutputError> {
     write_chosen(run, shown, Output::ALL)
 }
 

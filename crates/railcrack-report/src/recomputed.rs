@@ -2,7 +2,6 @@
 //! again from the stored case.
 
 use crate::pages::RunFolder;
-use crate::rebuild::write_run;
 use crate::shown::{ShownRun, ShownStep};
 use railcrack::growth::StepRecord;
 use railcrack_case::{Case, Output};
@@ -16,12 +15,12 @@ use std::sync::{Arc, Mutex, PoisonError};
 /// Folder, in that of the run, in which its steps are computed again.
 const SCRATCH: &str = "again.partial";
 
-/// Plots and page of the run in `folder`, computed again.
+/// The shown part of `run`, computed again.
 ///
 /// Errors: it has not ended; what is computed is not what the folder has; it cannot be computed;
 /// the system refuses.
-pub(crate) fn rebuild(folder: &Path) -> Result<(), OutputError> {
-    let run = RunFolder::read(folder)?;
+pub(crate) fn recomputed(run: &RunFolder) -> Result<ShownRun, OutputError> {
+    let folder = &run.path;
     if run.summary.stop.is_none() {
         return Err(not_recomputed(folder, "it has not ended: --resume continues it"));
     }
@@ -31,7 +30,7 @@ pub(crate) fn rebuild(folder: &Path) -> Result<(), OutputError> {
     let removed = std::fs::remove_dir_all(&scratch);
     let shown = shown.map_err(|reason| not_recomputed(folder, reason))?;
     removed.map_err(OutputError::io("remove", &scratch))?;
-    write_run(&run, &shown)
+    Ok(shown)
 }
 
 /// The shown part of the run of `case`, computed in `scratch`; `growth` is what it must come to.

@@ -19,9 +19,9 @@ const FEWEST: usize = 20;
 /// Samples of the runs for the interval of an index.
 const RESAMPLED: usize = 100;
 
-/// Spearman's rank correlation of `x` and `y`, equal values sharing their mean rank; the interval by
-/// Fisher's transform with the variance of Bonett and Wright (2000). None of few runs, or where one
-/// of both does not vary.
+/// Spearman's rank correlation of `x` and `y`, equal values sharing their mean rank; the interval
+/// by Fisher's transform with the variance of Bonett and Wright (2000). None of few runs, or where
+/// one of both does not vary.
 pub(crate) fn rank_correlation(x: &[f64], y: &[f64]) -> Option<Estimate> {
     if x.len() < FEWEST || x.len() != y.len() {
         return None;
@@ -42,10 +42,10 @@ pub(crate) fn rank_correlation(x: &[f64], y: &[f64]) -> Option<Estimate> {
     Some(Estimate { value, low: low.min(value), high: high.max(value) })
 }
 
-/// The first-order Sobol index of `x`: the share of the variance of `y` that the mean of `y` at given
-/// `x` has. The runs are divided into parts of like `x`; what chance alone would give between parts
-/// is taken off (the adjusted correlation ratio, Kelley 1935). The interval: quantiles over samples
-/// of the runs (Efron 1979).
+/// The first-order Sobol index of `x`: the share of the variance of `y` that the mean of `y` at
+/// given `x` has. The runs are divided into parts of like `x`; what chance alone would give between
+/// parts is taken off (the adjusted correlation ratio, Kelley 1935). The interval: quantiles over
+/// samples of the runs (Efron 1979).
 pub(crate) fn first_order(x: &[f64], y: &[f64]) -> Option<Estimate> {
     if x.len() < FEWEST || x.len() != y.len() {
         return None;
@@ -149,8 +149,8 @@ mod tests {
 
     #[test]
     fn indices_are_those_of_ishigami() {
-        // y = sin x1 + 7 sin² x2 + 0.1 x3⁴ sin x1 on [−π, π]³ (Ishigami and Homma 1990): S1 = 0.3139,
-        // S2 = 0.4424, S3 = 0.
+        // y = sin x1 + 7 sin² x2 + 0.1 x3⁴ sin x1 on [−π, π]³ (Ishigami and Homma 1990):
+        // S1 = 0.3139, S2 = 0.4424, S3 = 0.
         let points = points(8192);
         let x = |i: usize| -> Vec<f64> { points.iter().map(|point| (2.0 * point[i] - 1.0) * PI).collect() };
         let (a, b, c) = (x(0), x(1), x(2));

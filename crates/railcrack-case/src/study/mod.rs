@@ -8,6 +8,7 @@ mod names;
 mod read;
 mod sampling;
 mod schema;
+mod tables;
 mod variation;
 
 pub use axes::Axis;

@@ -1,7 +1,8 @@
 //! Lists in place of values.
 
 use super::sampling::is_sampled;
-use crate::schema::{Fault, Key, Kind, Override, Raw, Report, Section, SectionPresence, Value};
+use super::tables::tables_of;
+use crate::schema::{Fault, Key, Kind, Override, Raw, Report, Section, Value};
 use crate::tables::{CASE_FILE, RUN_FOLDERS, SECTIONS, STUDY};
 use std::ops::Range;
 use toml::Spanned;
@@ -69,25 +70,6 @@ pub(super) fn is_study(root: &DeTable) -> bool {
                 })
             })
         })
-}
-
-/// The tables of a section with their dotted names; nothing where it is written as something else,
-/// which the reader reports.
-pub(super) fn tables_of<'d, 'i>(section: &Section, root: &'d DeTable<'i>) -> Vec<(String, &'d DeTable<'i>)> {
-    if section.name.is_empty() {
-        return vec![(String::new(), root)];
-    }
-    match (section.presence, root.get(section.name).map(Spanned::get_ref)) {
-        (SectionPresence::Repeated | SectionPresence::Several, Some(DeValue::Array(items))) => {
-            let table = |(i, item): (usize, &'d Spanned<DeValue<'i>>)| match item.get_ref() {
-                DeValue::Table(table) => Some((format!("{}[{}]", section.name, i + 1), table)),
-                _ => None,
-            };
-            items.iter().enumerate().filter_map(table).collect()
-        }
-        (_, Some(DeValue::Table(table))) => vec![(section.name.to_owned(), table)],
-        _ => Vec::new(),
-    }
 }
 
 /// The elements of a list that stands in place of a value of `kind`. A value that is a list by

@@ -31,8 +31,8 @@ impl StudyFolder {
             if row.summary.is_none() {
                 continue;
             }
-            // What is not there any more is packed by another process, which writes the tables after
-            // this one.
+            // A run that is gone is packed by another process, which writes the tables after this
+            // one.
             let Ok(run) = self.run_in(planned, &packed) else { continue };
             let number = row.number.to_string();
             if let Some(text) = run.table_text(TipRow::FILE)? {

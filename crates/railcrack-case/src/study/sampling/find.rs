@@ -3,7 +3,7 @@
 use super::distribution::{ACCEPTED, Distribution};
 use super::substitute::Substitute;
 use crate::schema::{Fault, Kind, Report};
-use crate::study::variation::tables_of;
+use crate::study::tables::tables_of;
 use crate::tables::SECTIONS;
 use std::ops::Range;
 use toml::de::{DeTable, DeValue};

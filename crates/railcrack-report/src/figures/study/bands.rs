@@ -116,8 +116,8 @@ fn rates(tips: &[&RepresentativeTip]) -> Option<Chart> {
     (!rows.is_empty()).then(|| banded(chart, &rows, |x, y| [x, y]))
 }
 
-/// `chart` with the quantiles of `rows` as curves and the spaces between them as areas; `point` makes
-/// a point of the common coordinate and a value.
+/// `chart` with the quantiles of `rows` as curves and the spaces between them as areas; `point`
+/// makes a point of the common coordinate and a value.
 fn banded(chart: Chart, rows: &[(f64, [f64; 5])], point: impl Fn(f64, f64) -> [f64; 2]) -> Chart {
     let is_logarithmic = [&chart.x, &chart.y].iter().any(|axis| axis.scale == ChartScale::Logarithmic);
     let is_shown = |value: f64| value.is_finite() && (!is_logarithmic || value > 0.0);
