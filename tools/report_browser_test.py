@@ -11,6 +11,7 @@ import csv
 import json
 import struct
 import sys
+import time
 from pathlib import Path
 
 from browser import Browser
@@ -319,9 +320,7 @@ def check_switches(browser, checks, name, folder):
     for row in runs:
         link = f"runs/{row['folder']}/report.html"
         there = browser.run(f"Boolean(document.querySelector('a[href=\"{link}\"]'))")
-        checks.that(there == bool(row["length_mm"]), f"{name}: a run with a finished step leads to its report", link)
-        if there:
-            checks.that((folder / link).exists(), f"{name}: the report of run {row['run']} is there", link)
+        checks.that(there == (folder / link).exists(), f"{name}: a run with a report leads to it", link)
     # Growth and K of every run, as the chart has them.
     figure, column = "length-cycles", "length_mm"
     if browser.run(f"railcrack.charts.has('{figure}')"):
@@ -359,6 +358,55 @@ def check_switches(browser, checks, name, folder):
     # What is said to be to scale is.
     scales = browser.run("(() => { const s = document.querySelector('#paths .drawing svg'); const per = (a) => Math.abs(s.scale(a).apply(1) - s.scale(a).apply(0)); return [per('x'), per('y')]; })()")
     checks.near(scales[0], scales[1], f"{name}: paths are to scale", relative=0.02)
+    checks.that(not browser.complaints, f"{name}: no complaints after all this", browser.complaints)
+
+
+# Runs above which a page has bands and a table that sorts.
+MANY = 50
+
+
+def check_many(browser, checks, name, folder):
+    """Bands, two keys against each other, bars, a table that sorts and filters, one run on demand."""
+    begun = time.monotonic()
+    browser.open(folder / "report.html")
+    ready = "document.getElementById('study-table').dataset.ready === 'true'"
+    while not browser.run(ready) and time.monotonic() - begun < 10:
+        time.sleep(0.02)
+    took = time.monotonic() - begun
+    checks.that(took < 2, f"{name}: the page opens in two seconds", took)
+    runs = table(folder / "summary.csv")
+    done = [row for row in runs if row["length_mm"]]
+    text = lambda id: browser.run(f"document.getElementById('study-{id}').textContent")
+    checks.that(text("count") == f"{len(runs)} of {len(runs)} runs", f"{name}: all runs are in the table", text("count"))
+    for figure in ["scatter", "heat", "rank", "sobol"]:
+        drawn = browser.run(f"document.querySelectorAll('#study-{figure} .drawing svg [aria-label=dot] circle, #study-{figure} .drawing svg rect').length")
+        checks.that(drawn > 1, f"{name}: {figure} is drawn", drawn)
+    # The median band of growth lies between the first and the last run.
+    points = browser.run("railcrack.charts.get('length-cycles')?.curves.find((c) => c.name === 'median')?.points.map((p) => p.x) ?? []")
+    cycles = sorted(float(row["load_cycles"]) for row in done)
+    checks.that(points and points[0] > 0 and points[-1] <= 1.001 * cycles[-1], f"{name}: the median life is among the lives", points[-1:], cycles[-1:])
+    # Sorting by load cycles, down, puts the longest first.
+    heads = browser.run("[...document.querySelectorAll('#study-table th')].map((h) => h.textContent)")
+    place = heads.index("Load cycles")
+    first = f"+document.querySelector('#study-table tbody tr').dataset.run"
+    for _ in range(2):
+        browser.run(f"document.querySelectorAll('#study-table th button')[{place}].click()")
+    longest = max(done, key=lambda row: float(row["load_cycles"]))
+    top = next(row for row in runs if row["run"] == str(browser.run(first)))
+    checks.near(float(top["load_cycles"]), float(longest["load_cycles"]), f"{name}: sorted by load cycles", relative=1e-6)
+    # A condition leaves out the other runs.
+    browser.run("(() => { const box = document.getElementById('study-filter'); box.value = 'run <= 10'; box.dispatchEvent(new Event('input')); })()")
+    checks.that(text("count") == f"10 of {len(runs)} runs", f"{name}: a condition holds for some", text("count"))
+    browser.run("(() => { const box = document.getElementById('study-filter'); box.value = ''; box.dispatchEvent(new Event('input')); })()")
+    # One run on demand, with its own growth.
+    browser.run("document.querySelector('#study-table tbody tr').click()")
+    browser.settle()
+    rows = browser.run("document.querySelectorAll('#study-life .drawing svg [aria-label=dot] circle').length")
+    checks.that(rows == int(top["steps"]) + 1, f"{name}: the growth of a run has its steps", rows, top["steps"])
+    checks.that(browser.run("document.querySelector('#study-one h3').textContent") == f"Run {top['run']}", f"{name}: the run is named")
+    for select in ["x", "y", "z", "result"]:
+        browser.run(f"(() => {{ const s = document.getElementById('study-{select}'); s.selectedIndex = s.options.length - 1; s.dispatchEvent(new Event('change')); }})()")
+    browser.settle()
     checks.that(not browser.complaints, f"{name}: no complaints after all this", browser.complaints)
 
 
@@ -444,7 +492,8 @@ def main():
                 check_fields(browser, checks, name, folder)
                 check_pieces(browser, checks, name, folder)
             elif (folder / "study.json").exists():
-                check_switches(browser, checks, name, folder)
+                many = len(json.loads((folder / "study.json").read_text())["runs"]) > MANY
+                (check_many if many else check_switches)(browser, checks, name, folder)
             elif (folder / "statements.json").exists():
                 check_paper(browser, checks, name, folder)
             pictures(browser, name, folder, out)

@@ -21,9 +21,9 @@ pub use schema::{
     Availability, CaseError, CaseErrors, Choice, Form, Key, Kind, NumberRange, OnlyWith, Pair, Presence,
     Preset, RangeEnd, Section, SectionPresence, Value, Word,
 };
-pub use study::{Axis, Input, Study, StudyRun, Variation, study_schema};
+pub use study::{Axis, Input, Keeping, SampleTable, Study, StudyRun, Variation, study_schema};
 pub use tables::{
-    Combine, ContactOrigin, ContactSolver, Engine, FieldOutput, Fracture, GivenWheel, Inspection,
-    MeshSettings, PlasticSource, Rail, SECTIONS, STUDY, Scatter, ShakedownSettings, init_text, json_schema,
-    markdown,
+    Combine, ContactOrigin, ContactSolver, Engine, FieldOutput, Fracture, GivenWheel, Inspection, Kept,
+    MeshSettings, Output, PlasticSource, Rail, SECTIONS, STUDY, Scatter, ShakedownSettings, init_text,
+    json_schema, markdown,
 };

@@ -1,9 +1,10 @@
 //! Command line: options and commands.
 
 use crate::commands::{
-    calibrate::CalibrateArguments, check::CheckArguments, compare::CompareArguments, init::InitArguments,
-    paper::PaperArguments, report::ReportArguments, run::RunArguments, schema::SchemaArguments,
-    shakedown::ShakedownArguments, sweep::SweepArguments, verify::VerifyArguments,
+    calibrate::CalibrateArguments, check::CheckArguments, compare::CompareArguments,
+    completions::CompletionsArguments, completions::ManArguments, init::InitArguments, paper::PaperArguments,
+    report::ReportArguments, run::RunArguments, schema::SchemaArguments, shakedown::ShakedownArguments,
+    show::ShowArguments, sweep::SweepArguments, verify::VerifyArguments,
 };
 use clap::{Parser, Subcommand};
 
@@ -22,6 +23,7 @@ Start:
   railcrack run case.toml      compute it
   railcrack compare A B        what differs between two runs
   railcrack sweep study.toml   many cases: a case file with lists in place of values
+  railcrack show DIR           its main table, or some columns of any
   railcrack calibrate case.toml --measured depths.csv   the growth law fitted to a rail
   railcrack report DIR         plots and HTML report again, from the folder alone
   railcrack verify DIR         whether its files hold what was written
@@ -48,10 +50,13 @@ pub enum Command {
     Run(RunArguments),
     Compare(CompareArguments),
     Sweep(SweepArguments),
+    Show(ShowArguments),
     Calibrate(CalibrateArguments),
     Report(ReportArguments),
     Shakedown(ShakedownArguments),
     Verify(VerifyArguments),
     Paper(PaperArguments),
     Schema(SchemaArguments),
+    Completions(CompletionsArguments),
+    Man(ManArguments),
 }

@@ -2,6 +2,7 @@
 
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::{IsTerminal, Write};
+use std::time::Duration;
 
 /// Display of a computation in progress.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -61,6 +62,8 @@ pub fn styled_bar(length: u64, template: &str) -> ProgressBar {
     // A template that does not parse leaves the plain bar.
     if let Ok(style) = ProgressStyle::with_template(template) {
         bar.set_style(style.progress_chars("=> "));
+        // Between two steps, too, a reader sees that time passes.
+        bar.enable_steady_tick(Duration::from_millis(250));
     }
     bar
 }

@@ -101,6 +101,12 @@ pub enum Failure {
         /// The system's reason.
         source: std::io::Error,
     },
+    /// Standard input that cannot be read.
+    #[error("cannot read the case from standard input: {0}")]
+    Stdin(std::io::Error),
+    /// A table that cannot be shown.
+    #[error("{0}")]
+    Show(String),
     /// Standard output that cannot be written.
     #[error("cannot write to standard output: {0}")]
     Stdout(std::io::Error),
@@ -129,7 +135,10 @@ impl Failure {
             Self::Run(error) => exit_of_run(error),
             #[cfg(not(feature = "png"))]
             Self::NoPng => Exit::BadInput,
-            Self::Exists { .. } | Self::CannotWrite { .. } | Self::Stdout(_) => Exit::CannotReadOrWrite,
+            Self::Show(_) => Exit::BadInput,
+            Self::Stdin(_) | Self::Exists { .. } | Self::CannotWrite { .. } | Self::Stdout(_) => {
+                Exit::CannotReadOrWrite
+            }
         }
     }
 }
@@ -148,10 +157,12 @@ fn exit_of_run(error: &RunError) -> Exit {
             | OutputError::NoStudy { .. }
             | OutputError::StudyChanged { .. }
             | OutputError::CaseChanged { .. }
+            | OutputError::NoSif { .. }
             | OutputError::OtherVersion { .. } => Exit::BadInput,
             OutputError::NotFinite { .. } | OutputError::Field(_) => Exit::NotConverged,
             OutputError::InUse { .. }
             | OutputError::DamagedRuns { .. }
+            | OutputError::NotRecomputed { .. }
             | OutputError::Damaged { .. }
             | OutputError::NameLeaves { .. }
             | OutputError::Io { .. } => Exit::CannotReadOrWrite,

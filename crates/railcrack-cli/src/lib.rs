@@ -4,7 +4,9 @@ mod arguments;
 mod commands;
 mod display;
 mod exit;
+mod input;
 mod interruption;
+mod json;
 #[cfg(feature = "png")]
 mod png;
 mod print;

@@ -13,8 +13,8 @@ pub fn stdout(text: &str) -> Result<(), Failure> {
     }
 }
 
-/// Says on standard error what went wrong: with the lines of the file on a terminal, one line per
-/// error otherwise.
+/// Says on standard error what went wrong: drawn with the lines of the file on a terminal;
+/// otherwise a line per error, and under it the line of the file.
 pub fn failure(failure: &Failure) {
     let mut err = std::io::stderr().lock();
     let text = match failure {
@@ -34,7 +34,8 @@ pub fn failure(failure: &Failure) {
             text
         }
         Failure::Case(errors) => {
-            errors.errors().iter().map(|error| format!("error: {}\n", error.one_line())).collect()
+            let lines = errors.errors().iter();
+            lines.map(|error| format!("error: {}\n{}", error.one_line(), error.excerpt())).collect()
         }
         other => format!("error: {other}\n"),
     };

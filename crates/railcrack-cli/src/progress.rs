@@ -2,12 +2,14 @@
 
 use crate::display::{Display, Verbosity, styled_bar};
 use crate::interruption::Interruption;
-use indicatif::ProgressBar;
+use indicatif::{HumanDuration, ProgressBar};
 use railcrack::growth::{StepRecord, TipRecord, TipStop};
 use railcrack::words::Choice;
 use railcrack_run::simulation::RunObserver;
+use std::collections::VecDeque;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::time::Instant;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
 
 /// Parts of a step on the bar.
 const PARTS: u64 = 1000;
@@ -20,14 +22,69 @@ pub struct Progress<'a> {
     increments: usize,
     step: AtomicUsize,
     begun: Instant,
+    pace: Mutex<Pace>,
+    /// Million gross tonnes of a load cycle, where the case has traffic.
+    tonnes: Option<f64>,
 }
+
+/// Cost of the finished steps.
+#[derive(Debug)]
+struct Pace {
+    /// When the present step began.
+    since: Instant,
+    /// Wall times of the last steps, s.
+    steps: VecDeque<f64>,
+    /// Of the last finished step.
+    state: String,
+}
+
+/// Steps of which the cost of the next ones is judged: these grow with the cracks.
+const JUDGED: usize = 5;
 
 impl<'a> Progress<'a> {
     /// A run of `increments` increments that `interruption` may stop.
     pub fn new(verbosity: Verbosity, increments: usize, interruption: &'a Interruption) -> Self {
         let display = Display::new(verbosity, || bar(increments));
-        Self { display, interruption, increments, step: AtomicUsize::new(0), begun: Instant::now() }
+        let now = Instant::now();
+        let pace = Mutex::new(Pace { since: now, steps: VecDeque::new(), state: String::new() });
+        let step = AtomicUsize::new(0);
+        Self { display, interruption, increments, step, begun: now, pace, tonnes: None }
     }
+
+    /// Also tells million gross tonnes, by axles of `load` tonnes.
+    #[must_use]
+    pub fn with_axle_load(self, load: Option<f64>) -> Self {
+        Self { tonnes: load.map(|load| load / 1e6), ..self }
+    }
+
+    fn pace(&self) -> MutexGuard<'_, Pace> {
+        self.pace.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// State and time left, behind the bar.
+    fn tell(&self, bar: &ProgressBar, fraction: f64) {
+        let pace = self.pace();
+        let step = self.step.load(Ordering::Relaxed);
+        let left = match time_left(&pace.steps, (self.increments + 1).saturating_sub(step), fraction) {
+            _ if step > self.increments => "writing".to_owned(),
+            Some(seconds) => format!("{} left", HumanDuration(Duration::from_secs_f64(seconds.ceil()))),
+            None => String::new(),
+        };
+        let parts: Vec<&str> =
+            [left.as_str(), pace.state.as_str()].into_iter().filter(|part| !part.is_empty()).collect();
+        bar.set_message(parts.join("  "));
+    }
+}
+
+/// Seconds that `steps` steps take, `fraction` of the first of them done; none before one is
+/// finished. Each takes longer than the one before by as much as the last ones did.
+fn time_left(finished: &VecDeque<f64>, steps: usize, fraction: f64) -> Option<f64> {
+    let (first, last) = (finished.front()?, finished.back()?);
+    let growth = (last - first) / (finished.len().max(2) - 1) as f64;
+    let mean = finished.iter().sum::<f64>() / finished.len() as f64;
+    let (latest, left) = (mean + 0.5 * growth.max(0.0) * (finished.len() - 1) as f64, steps as f64);
+    let whole = left * latest + 0.5 * growth.max(0.0) * left * (left + 1.0);
+    Some((whole - fraction.clamp(0.0, 1.0) * latest).max(0.0))
 }
 
 impl RunObserver for Progress<'_> {
@@ -36,20 +93,32 @@ impl RunObserver for Progress<'_> {
         if let Some(bar) = self.display.bar() {
             bar.set_position(first as u64 * PARTS);
             bar.set_prefix(format!("{first}/{}", self.increments));
-            // Time left follows from the pace since now, not from steps that were done before.
-            bar.reset_eta();
         }
+        // Time left follows from the pace since now, not from steps that were done before.
+        self.pace().since = Instant::now();
     }
 
     fn fraction(&self, fraction: f64) {
         if let Some(bar) = self.display.bar() {
             let parts = (fraction.clamp(0.0, 1.0) * PARTS as f64) as u64;
             bar.set_position(self.step.load(Ordering::Relaxed) as u64 * PARTS + parts);
+            self.tell(bar, fraction);
         }
     }
 
     fn finished(&self, record: &StepRecord) {
         self.step.store(record.step + 1, Ordering::Relaxed);
+        let state = state_of(record, self.tonnes);
+        {
+            let mut pace = self.pace();
+            let took = pace.since.elapsed().as_secs_f64();
+            pace.steps.push_back(took);
+            if pace.steps.len() > JUDGED {
+                pace.steps.pop_front();
+            }
+            pace.since = Instant::now();
+            pace.state.clone_from(&state);
+        }
         for warning in &record.warnings {
             self.display.say(&format!(
                 "warning, step {}, {}: {}",
@@ -65,15 +134,12 @@ impl RunObserver for Progress<'_> {
             Display::Bar(bar) => {
                 let next = (record.step + 1).min(self.increments);
                 bar.set_prefix(format!("{next}/{}", self.increments));
-                bar.set_message(state_of(record));
                 self.fraction(0.0);
             }
             Display::Lines => self.display.say(&format!(
-                "step {}/{}  {}  cycles {}  {} passages  {:.1} s",
+                "step {}/{}  {state}  {} passages  {:.1} s",
                 record.step,
                 self.increments,
-                state_of(record),
-                cycles(record.load_cycles),
                 record.counts.passages,
                 self.begun.elapsed().as_secs_f64()
             )),
@@ -103,7 +169,8 @@ impl RunObserver for Progress<'_> {
 }
 
 fn bar(increments: usize) -> ProgressBar {
-    let template = "step {prefix} [{bar:28}] {percent}%  {msg}  {elapsed} elapsed, {eta} left";
+    // The message is cut where the terminal ends.
+    let template = "step {prefix} [{bar:12}] {elapsed}  {wide_msg}";
     styled_bar((increments as u64 + 1) * PARTS, template)
 }
 
@@ -121,12 +188,21 @@ fn events(record: &StepRecord) -> Vec<String> {
     joined.chain(enclosed).collect()
 }
 
-/// Length and rate of the fastest tip.
-fn state_of(record: &StepRecord) -> String {
+/// Length and rate of the fastest tip, load cycles, and tonnes where one cycle has `tonnes`.
+fn state_of(record: &StepRecord, tonnes: Option<f64>) -> String {
     let faster = |one: &TipRecord, other: &TipRecord| one.rate.total_cmp(&other.rate);
     let fastest = record.tips.iter().max_by(|one, other| faster(one, other));
     fastest.map_or_else(String::new, |tip| {
-        format!("length {:.3} mm  rate {:.2e} mm/cycle", tip.length, tip.rate)
+        let gross = tonnes.map_or_else(String::new, |tonnes| {
+            format!("  {:.3} million gross tonnes", tonnes * record.load_cycles)
+        });
+        format!(
+            "crack {}: length {:.3} mm  rate {:.2e} mm/cycle  cycles {}{gross}",
+            tip.tip.crack + 1,
+            tip.length,
+            tip.rate,
+            cycles(record.load_cycles)
+        )
     })
 }
 
@@ -148,7 +224,19 @@ pub fn cycles(cycles: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::cycles;
+    use super::{cycles, time_left};
+
+    #[test]
+    fn the_time_left_follows_from_the_steps_behind() {
+        let left = |finished: &[f64], steps, fraction| {
+            time_left(&finished.iter().copied().collect(), steps, fraction)
+        };
+        assert_eq!(left(&[], 5, 0.0), None);
+        assert_eq!(left(&[2.0, 2.0, 2.0], 5, 0.5), Some(9.0));
+        // Each step takes a second longer: 4, 5 and 6 s.
+        assert_eq!(left(&[1.0, 2.0, 3.0], 3, 0.0), Some(15.0));
+        assert_eq!(left(&[3.0, 1.0], 0, 1.0), Some(0.0));
+    }
 
     #[test]
     fn cycles_are_grouped() {

@@ -45,6 +45,8 @@ mod numbers;
 mod page;
 mod pages;
 mod rebuild;
+mod recomputed;
+mod sensitivity;
 mod shown;
 mod svg;
 mod table;

@@ -4,8 +4,10 @@ use crate::figures::{
     Plot, STUDY_PLOTS, StudyRun, Styles, comparison_plots, run_plots, shakedown_plots, study_plots,
 };
 use crate::pages::{RunFolder, comparison_page, run_page, shakedown_page, study_page};
+use crate::recomputed::recomputed;
 use crate::shown::{ShownRun, ShownStep};
 use railcrack::growth::StepRecord;
+use railcrack_case::Output;
 use railcrack_run::compare::stored_comparison;
 use railcrack_run::csv::SifScale;
 use railcrack_run::files::{
@@ -13,7 +15,7 @@ use railcrack_run::files::{
 };
 use railcrack_run::folder::{Durability, replace_file};
 use railcrack_run::study::{StudyFolder, StudyResults};
-use railcrack_run::{FolderLock, OutputError, Presentation, RunPresentation, ShakedownFolder};
+use railcrack_run::{FolderLock, OutputError, Presentation, RunPresentation, ShakedownFolder, TablesOnly};
 use std::path::Path;
 
 /// Kind of results in a folder.
@@ -76,18 +78,32 @@ pub fn rebuild_report(folder: &Path) -> Result<FolderKind, OutputError> {
     Ok(kind)
 }
 
-/// Plots and report of a run from its folder alone.
+/// Plots and report of a run from its folder alone: from its tables, or, where these do not have
+/// all, computed again.
 fn rebuild_run(folder: &Path) -> Result<(), OutputError> {
     let run = RunFolder::read(folder)?;
+    if !run.case.output.is_whole() {
+        return write_run(&run, &recomputed(&run)?);
+    }
     let shown = ShownRun::read(folder, run.summary.steps_recorded)?;
     write_run(&run, &shown)
 }
 
 /// Without a finished step there are no plots.
 fn write_run(run: &RunFolder, shown: &ShownRun) -> Result<(), OutputError> {
+    write_chosen(run, shown, Output::ALL)
+}
+
+/// Plots and page as far as `output` wants them.
+fn write_chosen(run: &RunFolder, shown: &ShownRun, output: Output) -> Result<(), OutputError> {
     let plots = run_plots(&run.summary, &run.growth, shown);
-    write_plots(&run.path.join(PLOTS_FOLDER), &plots)?;
-    put(&run.path.join(REPORT_FILE), &run_page(run, shown, &plots).html())
+    if output.plots {
+        write_plots(&run.path.join(PLOTS_FOLDER), &plots)?;
+    }
+    if output.report {
+        put(&run.path.join(REPORT_FILE), &run_page(run, shown, &plots).html())?;
+    }
+    Ok(())
 }
 
 /// Writes the files of `plots` into `folder`.
@@ -109,10 +125,11 @@ pub fn put(path: &Path, text: &str) -> Result<(), OutputError> {
 pub struct Pages;
 
 /// Results shown of a run in progress.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 struct Gathered {
     shown: ShownRun,
     taken: Option<ShownStep>,
+    output: Output,
 }
 
 impl RunPresentation for Gathered {
@@ -128,17 +145,28 @@ impl RunPresentation for Gathered {
     }
 
     fn finish(&self, folder: &Path) -> Result<(), OutputError> {
-        write_run(&RunFolder::read(folder)?, &self.shown)
+        write_chosen(&RunFolder::read(folder)?, &self.shown, self.output)
     }
 }
 
 impl Presentation for Pages {
-    fn run(&self) -> Box<dyn RunPresentation> {
-        Box::new(Gathered::default())
+    fn run(&self, output: Output) -> Box<dyn RunPresentation> {
+        if !output.is_shown() {
+            return Box::new(TablesOnly);
+        }
+        Box::new(Gathered { shown: ShownRun::default(), taken: None, output })
     }
 
-    fn resumed_run(&self, folder: &Path, steps: usize) -> Result<Box<dyn RunPresentation>, OutputError> {
-        Ok(Box::new(Gathered { shown: ShownRun::read(folder, steps)?, taken: None }))
+    fn resumed_run(
+        &self,
+        folder: &Path,
+        steps: usize,
+        output: Output,
+    ) -> Result<Box<dyn RunPresentation>, OutputError> {
+        if !output.is_shown() {
+            return Ok(Box::new(TablesOnly));
+        }
+        Ok(Box::new(Gathered { shown: ShownRun::read(folder, steps)?, taken: None, output }))
     }
 
     fn shakedown(&self, folder: &Path) -> Result<(), OutputError> {
@@ -158,7 +186,7 @@ impl Presentation for Pages {
     fn study(&self, folder: &StudyFolder, results: &StudyResults) -> Result<(), OutputError> {
         let plan = folder.plan();
         let rows = plan.runs.iter().zip(&results.rows);
-        let runs: Vec<StudyRun> = rows.map(|(planned, row)| StudyRun::new(plan, planned, row)).collect();
+        let runs: Vec<StudyRun> = rows.map(|(planned, row)| StudyRun::new(folder, planned, row)).collect();
         let styles = Styles::new(plan);
         let plots = study_plots(plan, &runs, &styles);
         for file in STUDY_PLOTS {

@@ -1,6 +1,6 @@
 //! Budget: what a run needs, and what the machine and the disk have.
 
-use railcrack_case::Case;
+use railcrack_case::{Case, Kept};
 use std::fs;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
@@ -26,9 +26,14 @@ impl Needs {
         let positions = count(case.positions().len());
         let steps = count(case.growth.steps).saturating_add(1);
         let rows = |each: u64, size: u64| each.saturating_mul(positions).saturating_mul(size);
-        let step =
-            rows(count(size.tips), 2 * SIF_ROW).saturating_add(rows(count(size.face_points), FACE_ROW));
-        Self { memory: count(size.memory_bytes), disk: steps.saturating_mul(step) }
+        let kept = |kept: Kept| match kept {
+            Kept::All => steps,
+            Kept::Ends => steps.min(2),
+            Kept::None => 0,
+        };
+        let sif = rows(count(size.tips), 2 * SIF_ROW).saturating_mul(kept(case.output.sif));
+        let faces = rows(count(size.face_points), FACE_ROW).saturating_mul(kept(case.output.faces));
+        Self { memory: count(size.memory_bytes), disk: sif.saturating_add(faces) }
     }
 }
 

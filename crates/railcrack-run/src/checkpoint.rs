@@ -24,16 +24,19 @@ const HEADER: usize = 8 + 4 + 8;
 /// Content of tables and run log after the last finished step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) struct Seals {
-    pub sif: Seal,
+    /// None where the run has no such table.
+    pub sif: Option<Seal>,
     pub growth: Seal,
-    pub faces: Seal,
+    /// None where the run has no such table.
+    pub faces: Option<Seal>,
     pub log: Seal,
 }
 
 impl Seals {
     /// The tables with their files.
-    pub(crate) fn tables(&self) -> [(&'static str, Seal); 3] {
-        [(SifRow::FILE, self.sif), (TipRow::FILE, self.growth), (FaceRow::FILE, self.faces)]
+    pub(crate) fn tables(&self) -> impl Iterator<Item = (&'static str, Seal)> + use<> {
+        let all = [(SifRow::FILE, self.sif), (TipRow::FILE, Some(self.growth)), (FaceRow::FILE, self.faces)];
+        all.into_iter().filter_map(|(file, seal)| Some((file, seal?)))
     }
 }
 

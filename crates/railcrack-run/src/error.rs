@@ -162,6 +162,23 @@ pub enum OutputError {
         /// The name in it.
         name: String,
     },
+    /// Plots and page that need what a run did not store.
+    #[error(
+        "plots and page of {} show more than its tables have ([output]), and it cannot be computed again: {reason}",
+        folder.display()
+    )]
+    NotRecomputed {
+        /// The run folder.
+        folder: PathBuf,
+        /// Why.
+        reason: String,
+    },
+    /// Runs that cannot be compared: one has no K.
+    #[error("{} has no sif.csv: its case has sif = \"none\" in [output]", folder.display())]
+    NoSif {
+        /// The run folder.
+        folder: PathBuf,
+    },
     /// A result that is not a finite number; nothing of its step is written.
     #[error("{file}: {column} = {value} in the row \"{row}...\": a result must be a finite number")]
     NotFinite {

@@ -8,7 +8,7 @@ use super::disk;
 use super::field_names::is_field_file;
 use super::files::{
     CASE_FILE, CHECKPOINT_FILE, FIELDS_FOLDER, INPUTS_FOLDER, PLOT_FILES, PLOTS_FOLDER, REPORT_FILE,
-    ROLLED_FOLDER, RUN_FILES,
+    ROLLED_FOLDER, RUN_FILES, SUMMARY_FILE,
 };
 use super::lock::FolderLock;
 use super::stored_name::check_inputs;
@@ -83,6 +83,7 @@ pub(crate) fn begin(folder: &Path, case: &CaseFiles, existing: Existing) -> Resu
         // new case takes the old one's place; whatever is left over then belongs to a run that
         // starts from its beginning.
         remove(&folder.join(CHECKPOINT_FILE))?;
+        remove(&folder.join(SUMMARY_FILE))?;
     }
     replace_file(&folder.join(CASE_FILE), case.toml.as_bytes(), Durability::Synced)?;
     if existing == Existing::Replace {
@@ -239,6 +240,9 @@ pub(crate) fn clear_run(folder: &Path) -> Result<(), OutputError> {
         return Ok(());
     }
     let lock = FolderLock::take(folder)?;
+    // Of a study, the summary says that the run is done: without it, a run that a kill leaves half
+    // removed has not begun.
+    remove(&folder.join(SUMMARY_FILE))?;
     remove(&folder.join(CHECKPOINT_FILE))?;
     clear_results(folder)?;
     clear_rolled(&folder.join(ROLLED_FOLDER))?;

@@ -23,6 +23,7 @@ pub mod folder;
 pub mod histories;
 mod lock;
 mod memory;
+mod parquet;
 mod presentation;
 pub mod queue;
 mod recorder;

@@ -4,18 +4,24 @@ use crate::OutputError;
 use crate::csv::SifScale;
 use crate::study::{StudyFolder, StudyResults};
 use railcrack::growth::StepRecord;
+use railcrack_case::Output;
 use std::fmt::Debug;
 use std::path::Path;
 
 /// Makes plots and pages of what is written.
 pub trait Presentation: Sync {
-    /// Gathers what is shown of a run from its beginning.
-    fn run(&self) -> Box<dyn RunPresentation>;
+    /// Gathers what is shown of a run from its beginning; `output` says what is wanted of it.
+    fn run(&self, output: Output) -> Box<dyn RunPresentation>;
 
     /// Gathers what is shown of a run that goes on: its folder has the first `steps` steps.
     ///
     /// Errors: a file is damaged; the system refuses.
-    fn resumed_run(&self, folder: &Path, steps: usize) -> Result<Box<dyn RunPresentation>, OutputError>;
+    fn resumed_run(
+        &self,
+        folder: &Path,
+        steps: usize,
+        output: Output,
+    ) -> Result<Box<dyn RunPresentation>, OutputError>;
 
     /// Plots and page of the stabilised plastic state in `folder`.
     ///
@@ -54,11 +60,11 @@ pub trait RunPresentation: Debug + Send {
 pub struct TablesOnly;
 
 impl Presentation for TablesOnly {
-    fn run(&self) -> Box<dyn RunPresentation> {
+    fn run(&self, _: Output) -> Box<dyn RunPresentation> {
         Box::new(Self)
     }
 
-    fn resumed_run(&self, _: &Path, _: usize) -> Result<Box<dyn RunPresentation>, OutputError> {
+    fn resumed_run(&self, _: &Path, _: usize, _: Output) -> Result<Box<dyn RunPresentation>, OutputError> {
         Ok(Box::new(Self))
     }
 

@@ -15,6 +15,7 @@ use super::run_log::RunLog;
 use super::summary::{Summary, finite_summary};
 use super::{OutputError, VERSION};
 use railcrack::growth::{GrowthState, StepRecord};
+use railcrack_case::Kept;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -33,9 +34,10 @@ const PIECE: usize = 1 << 16;
 pub struct Recorder {
     folder: PathBuf,
     info: RunInfo,
-    sif: CsvFile,
+    /// The tables; none where the case wants none.
+    sif: Option<CsvFile>,
     growth: CsvFile,
-    faces: CsvFile,
+    faces: Option<CsvFile>,
     log_file: LogFile,
     log: RunLog,
     /// Until when `log.now.wall_s` counts.
@@ -85,16 +87,21 @@ impl Recorder {
         };
         let (stored, log) = LogFile::read(folder, &checkpoint)?;
         same_case(folder, &stored, &case)?;
+        if info.output.is_shown() && !info.output.is_whole() {
+            // The tables do not have all that plots and page show: the run begins again.
+            folder::begin(folder, &case, Existing::Replace)?;
+            return Ok((Self::from_the_beginning(folder, &case, info, presentation)?, None));
+        }
         folder::restore_case(folder, &case)?;
         let seals = checkpoint.seals;
         let sections = info.sections();
         let counted = Instant::now();
         let recorder = Self {
-            sif: CsvFile::cut_back(&folder.join(SifRow::FILE), seals.sif)?,
+            sif: cut_back::<SifRow>(folder, seals.sif)?,
             growth: CsvFile::cut_back(&folder.join(TipRow::FILE), seals.growth)?,
-            faces: CsvFile::cut_back(&folder.join(FaceRow::FILE), seals.faces)?,
+            faces: cut_back::<FaceRow>(folder, seals.faces)?,
             // Once the tables end with the last finished step.
-            shown: presentation.resumed_run(folder, log.steps.len())?,
+            shown: presentation.resumed_run(folder, log.steps.len(), info.output)?,
             log_file: LogFile::cut_back(folder, &checkpoint)?,
             folder: folder.to_path_buf(),
             info,
@@ -114,17 +121,17 @@ impl Recorder {
     ) -> Result<Self, OutputError> {
         let sections = info.sections();
         Ok(Self {
-            sif: new_table::<SifRow>(folder, &sections)?,
+            sif: new_table_of::<SifRow>(folder, info.output.sif, &sections)?,
             growth: new_table::<TipRow>(folder, &sections)?,
-            faces: new_table::<FaceRow>(folder, &sections)?,
+            faces: new_table_of::<FaceRow>(folder, info.output.faces, &sections)?,
             log_file: LogFile::create(folder, case)?,
             folder: folder.to_path_buf(),
+            shown: presentation.run(info.output),
             info,
             log: RunLog::default(),
             counted: Instant::now(),
             synced: Instant::now(),
             rows: Rows::with_sections(&sections),
-            shown: presentation.run(),
         })
     }
 
@@ -166,7 +173,7 @@ impl Recorder {
         }
         if durability == Durability::Synced {
             // Tables and log before the checkpoint that counts on them.
-            for table in [&self.sif, &self.growth, &self.faces] {
+            for table in self.sif.iter().chain([&self.growth]).chain(&self.faces) {
                 table.sync()?;
             }
             self.log_file.sync()?;
@@ -213,25 +220,30 @@ impl Recorder {
         let before = self.seals();
         let appended = self.append_rows(record, scale);
         if appended.is_err() {
-            self.sif.take_back(before.sif);
+            take_back(&mut self.sif, before.sif);
             self.growth.take_back(before.growth);
-            self.faces.take_back(before.faces);
+            take_back(&mut self.faces, before.faces);
         }
         appended
     }
 
     fn append_rows(&mut self, record: &StepRecord, scale: SifScale) -> Result<(), OutputError> {
         let half_widths: Vec<f64> = self.info.mix.iter().map(|wheel| wheel.half_width).collect();
-        append_to(&mut self.sif, &mut self.rows, SifRow::of_mix(record, scale, &half_widths))?;
+        if let Some(sif) = self.sif.as_mut().filter(|_| keeps(self.info.output.sif, record)) {
+            append_to(sif, &mut self.rows, SifRow::of_mix(record, scale, &half_widths))?;
+        }
         append_to(&mut self.growth, &mut self.rows, TipRow::of_step(record, self.info.axle_load))?;
-        append_to(&mut self.faces, &mut self.rows, FaceRow::of_step(record))
+        match self.faces.as_mut().filter(|_| keeps(self.info.output.faces, record)) {
+            Some(faces) => append_to(faces, &mut self.rows, FaceRow::of_step(record)),
+            None => Ok(()),
+        }
     }
 
     fn seals(&self) -> Seals {
         Seals {
-            sif: self.sif.seal(),
+            sif: self.sif.as_ref().map(CsvFile::seal),
             growth: self.growth.seal(),
-            faces: self.faces.seal(),
+            faces: self.faces.as_ref().map(CsvFile::seal),
             log: self.log_file.seal(),
         }
     }
@@ -251,10 +263,11 @@ impl Recorder {
 
     /// Of the files that `verify` reads, for `summary.json`.
     fn checksums(&self) -> BTreeMap<String, String> {
-        let tables = self.seals().tables();
+        let seals = self.seals();
+        let tables = seals.tables().map(|(file, seal)| -> (&str, Seal) { (file, seal) });
         let residual = self.log.now.residual_table.map(|seal| (ResidualRow::FILE, seal));
         let fields = self.log.fields().map(|field| (field.name.as_str(), field.seal));
-        let all = tables.into_iter().chain(residual).chain(fields);
+        let all = tables.chain(residual).chain(fields);
         all.map(|(file, seal)| (file.to_owned(), seal.checksum.to_string())).collect()
     }
 
@@ -267,6 +280,35 @@ impl Recorder {
 
 fn new_table<T: Table>(folder: &Path, sections: &[&str]) -> Result<CsvFile, OutputError> {
     CsvFile::create(&folder.join(T::FILE), &header::<T>(sections))
+}
+
+/// The same for a table of which `kept` steps are written.
+fn new_table_of<T: Table>(
+    folder: &Path,
+    kept: Kept,
+    sections: &[&str],
+) -> Result<Option<CsvFile>, OutputError> {
+    (kept != Kept::None).then(|| new_table::<T>(folder, sections)).transpose()
+}
+
+fn cut_back<T: Table>(folder: &Path, seal: Option<Seal>) -> Result<Option<CsvFile>, OutputError> {
+    seal.map(|seal| CsvFile::cut_back(&folder.join(T::FILE), seal)).transpose()
+}
+
+fn take_back(table: &mut Option<CsvFile>, seal: Option<Seal>) {
+    if let (Some(table), Some(seal)) = (table, seal) {
+        table.take_back(seal);
+    }
+}
+
+/// Whether a table of which `kept` steps are written has this one. A run that was interrupted has
+/// no last step yet.
+fn keeps(kept: Kept, record: &StepRecord) -> bool {
+    match kept {
+        Kept::All => true,
+        Kept::Ends => record.step == 0 || record.stop.is_some(),
+        Kept::None => false,
+    }
 }
 
 /// Appends `content` to `file` in pieces, by way of `rows`.

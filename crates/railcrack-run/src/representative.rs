@@ -1,6 +1,6 @@
 //! The representative tip of a run, and when its crack has a given length.
 
-use super::csv::TipRow;
+use super::csv::{SifRow, TipRow};
 use super::histories::History;
 use super::{OutputError, RunFolder};
 use std::borrow::Borrow;
@@ -26,7 +26,8 @@ impl RepresentativeTip {
         let rows: Vec<TipRow> = rows.into_iter().copied().collect();
         let first = rows[0];
         let own = |history: &History| (history.crack, history.tip) == (first.crack, first.tip);
-        let history = folder.histories(1)?.into_iter().find(own).unwrap_or_default();
+        let histories = if folder.has::<SifRow>() { folder.histories(1)? } else { Vec::new() };
+        let history = histories.into_iter().find(own).unwrap_or_default();
         Ok(Some(Self { first, rows, history }))
     }
 

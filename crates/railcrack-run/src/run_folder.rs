@@ -2,15 +2,18 @@
 
 use crate::csv::{FaceRow, ResidualRow, SifRow, StepBlocks, Table, TipRow, read_table};
 use crate::field_names::step_and_position;
-use crate::files::{FIELDS_FOLDER, SUMMARY_FILE};
-use crate::folder::{read_case, read_json, stored_case};
+use crate::files::{CASE_FILE, FIELDS_FOLDER, SUMMARY_FILE};
+use crate::folder::{read_case, read_if_there, read_json, stored_case};
 use crate::histories::History;
+use crate::study::RunFiles;
 use crate::{OutputError, Summary};
 use railcrack::mesh::UnstructuredGrid;
 use railcrack_case::Case;
 use railcrack_vtu::read_vtu;
 use std::io::ErrorKind;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// The folder of a run. Summary and case are read when it is opened, tables and fields when they
 /// are asked for; only finished growth steps count.
@@ -47,6 +50,8 @@ pub struct RunFolder {
     pub summary: Summary,
     /// Text of `case.toml`.
     pub case_text: String,
+    /// Its files, where they are packed with those of other runs.
+    packed: Option<Arc<RunFiles>>,
 }
 
 /// A field file.
@@ -69,7 +74,45 @@ impl RunFolder {
             summary: read_json(path, SUMMARY_FILE)?,
             case_text: stored_case(path)?.unwrap_or_default(),
             path: path.to_path_buf(),
+            packed: None,
         })
+    }
+
+    /// The run with these `files`, which would stand in the folder `path`.
+    ///
+    /// Errors: its summary is damaged.
+    pub(crate) fn of_packed(path: &Path, files: RunFiles) -> Result<Self, OutputError> {
+        let summary = files.get(SUMMARY_FILE).map_or("", String::as_str);
+        let damaged =
+            |reason: serde_json::Error| OutputError::damaged(&path.join(SUMMARY_FILE), reason.to_string());
+        Ok(Self {
+            summary: serde_json::from_str(summary).map_err(damaged)?,
+            case_text: files.get(CASE_FILE).cloned().unwrap_or_default(),
+            path: path.to_path_buf(),
+            packed: Some(Arc::new(files)),
+        })
+    }
+
+    /// The text of a table; none where the run has no such table.
+    ///
+    /// Errors: the system refuses.
+    pub(crate) fn table_text(&self, file: &str) -> Result<Option<String>, OutputError> {
+        match &self.packed {
+            Some(files) => Ok(files.get(file).cloned()),
+            None => {
+                let path = self.path.join(file);
+                let text = read_if_there(&path)?.map(String::from_utf8).transpose();
+                text.map_err(|_| OutputError::damaged(&path, "is not UTF-8 text"))
+            }
+        }
+    }
+
+    /// Whether the run has the table `T`.
+    pub(crate) fn has<T: Table>(&self) -> bool {
+        match &self.packed {
+            Some(files) => files.contains_key(T::FILE),
+            None => self.path.join(T::FILE).is_file(),
+        }
     }
 
     /// The case.
@@ -101,7 +144,16 @@ impl RunFolder {
     }
 
     fn by_step<T: Table>(&self) -> Result<StepBlocks<T>, OutputError> {
-        StepBlocks::open(&self.path, 0..self.summary.steps_recorded)
+        self.blocks(0..self.summary.steps_recorded)
+    }
+
+    fn blocks<T: Table>(&self, steps: Range<usize>) -> Result<StepBlocks<T>, OutputError> {
+        match &self.packed {
+            Some(files) => {
+                StepBlocks::of_text(&self.path, files.get(T::FILE).cloned().unwrap_or_default(), steps)
+            }
+            None => StepBlocks::open(&self.path, steps),
+        }
     }
 
     /// K of every tip over the stabilised passages of the first `steps` growth steps.
@@ -109,7 +161,7 @@ impl RunFolder {
     /// Errors: the table is damaged; the system refuses.
     pub fn histories(&self, steps: usize) -> Result<Vec<History>, OutputError> {
         let mut histories = Vec::new();
-        for block in StepBlocks::open(&self.path, 0..steps.min(self.summary.steps_recorded))? {
+        for block in self.blocks::<SifRow>(0..steps.min(self.summary.steps_recorded))? {
             histories.append(&mut History::of_step(block?.rows())?);
         }
         Ok(histories)

@@ -2,7 +2,7 @@
 
 use railcrack::bulk::Boundary;
 use railcrack::growth::Warning;
-use railcrack_case::{ContactSolver, Engine, Inspection, Scatter};
+use railcrack_case::{ContactSolver, Engine, Inspection, Output, Scatter};
 
 /// A wheel of a mix.
 #[derive(Debug, Clone, PartialEq)]
@@ -44,6 +44,8 @@ pub struct RunInfo {
     pub scatter: Option<Scatter>,
     /// The length that ends the run, mm.
     pub critical_length: Option<f64>,
+    /// Tables, plots and page that are written.
+    pub output: Output,
     /// Warnings that follow from the case, before any step.
     pub warnings: Vec<Warning>,
 }

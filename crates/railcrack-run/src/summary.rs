@@ -5,6 +5,7 @@ use super::decision::Decision;
 use super::residual::ResidualSummary;
 use super::run_info::RunInfo;
 use super::run_log::{RunLog, StepDigest};
+use super::study::Outcome;
 use super::validity;
 use crate::words;
 use railcrack::bulk::Boundary;
@@ -213,6 +214,9 @@ pub struct Summary {
     /// bits).
     #[serde(default)]
     pub checksums: BTreeMap<String, String>,
+    /// How the run of a study ended, once it is done: nothing is added to it any more.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub outcome: Option<Outcome>,
 }
 
 impl Summary {
@@ -283,6 +287,7 @@ impl Summary {
             junctions: log.now.junctions.iter().map(|junction| junction_summary(junction, log)).collect(),
             pieces: log.pieces().map(piece_summary).collect(),
             checksums: BTreeMap::new(),
+            outcome: None,
         }
     }
 }

@@ -37,6 +37,8 @@ pub struct Word {
     pub doc: &'static str,
     /// Whether this version accepts it.
     pub availability: Availability,
+    /// The boolean that says the same, where one does.
+    pub switch: Option<bool>,
 }
 
 /// Whether this version accepts a word.
@@ -56,6 +58,12 @@ pub enum Availability {
 impl Word {
     /// A word that this version accepts.
     pub const fn now(name: &'static str, doc: &'static str) -> Self {
-        Self { name, doc, availability: Availability::Now }
+        Self { name, doc, availability: Availability::Now, switch: None }
+    }
+
+    /// The same word, which `true` or `false` says, too.
+    #[must_use]
+    pub const fn or(self, switch: bool) -> Self {
+        Self { switch: Some(switch), ..self }
     }
 }

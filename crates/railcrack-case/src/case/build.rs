@@ -8,10 +8,11 @@ use crate::files::read_profile;
 use crate::schema::{Report, SectionValues, Sections, Value, Written};
 use crate::tables::{
     AXLE_LOAD, CENTRE, CONTACT, CRACK, ENGINE, Engine, FOUNDATION, FRACTURE, FROM, FieldOutput, Fracture,
-    GROWTH, GivenWheel, INSPECTION, KIND, LAW_KEYS, MESH, MeshSettings, OUTPUT, PASSAGE, PLASTIC_STRESS,
-    PROFILE, PlasticSource, RAIL, RAIL_TEMPERATURE, RESIDUAL_STRESS, Rail, SCATTER, SHAKEDOWN, SOLVER,
-    SOLVER_CONTACT, ShakedownSettings, TEMPERATURE, TITLE, TO, TOP, TRACK, TRAFFIC, WHEEL, WheelSections,
-    read_growth, read_inspection, read_passage, read_passages, read_scatter, read_steel, read_travel,
+    GROWTH, GivenWheel, INSPECTION, KIND, LAW_KEYS, MESH, MeshSettings, OUTPUT, Output, PASSAGE,
+    PLASTIC_STRESS, PROFILE, PlasticSource, RAIL, RAIL_TEMPERATURE, RESIDUAL_STRESS, Rail, SCATTER,
+    SHAKEDOWN, SOLVER, SOLVER_CONTACT, ShakedownSettings, TEMPERATURE, TITLE, TO, TOP, TRACK, TRAFFIC, WHEEL,
+    WheelSections, read_growth, read_inspection, read_passage, read_passages, read_scatter, read_steel,
+    read_travel,
 };
 use railcrack::bulk::Boundary;
 use railcrack::crack::CrackNetwork;
@@ -125,6 +126,7 @@ pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) 
         engine: solver.get(ENGINE)?,
         contact_solver: solver.get(SOLVER_CONTACT)?,
         fields: FieldOutput::read(sections.one(&OUTPUT)?)?,
+        output: Output::read(sections.one(&OUTPUT)?)?,
         axle_load,
         mix: mix?,
         inspection: match inspection {

@@ -4,8 +4,8 @@ use super::mix::MixedWheel;
 use crate::files::{Companion, ProfileFile, RatesFile, ToughnessFile};
 use crate::schema::{Value, Written};
 use crate::tables::{
-    ContactSolver, Engine, FieldOutput, Fracture, GivenWheel, Inspection, MeshSettings, PlasticSource, Rail,
-    Scatter, ShakedownSettings, TITLE, TOP,
+    ContactSolver, Engine, FieldOutput, Fracture, GivenWheel, Inspection, MeshSettings, OUTPUT, Output,
+    PlasticSource, RUN_FOLDERS, Rail, Scatter, ShakedownSettings, TITLE, TOP,
 };
 use railcrack::crack::CrackNetwork;
 use railcrack::fatigue::RailSteel;
@@ -56,6 +56,8 @@ pub struct Case {
     pub contact_solver: ContactSolver,
     /// Fields that are written.
     pub fields: FieldOutput,
+    /// Tables, plots and page that are written.
+    pub output: Output,
     /// Mean load of an axle (t) where traffic is given: one passage is one axle.
     pub axle_load: Option<f64>,
     /// The wheels of a mix, the first of which is `wheel`; empty for one wheel.
@@ -135,6 +137,14 @@ impl Case {
     pub(crate) fn titled(mut self, title: &str) -> Self {
         self.written.replace(&TOP, TITLE, &Value::Text(title.into()));
         self.title = title.into();
+        self
+    }
+
+    /// The same case in a folder of its own, as a run of a study has it.
+    #[must_use]
+    pub(crate) fn in_its_folder(mut self) -> Self {
+        self.written.replace(&OUTPUT, RUN_FOLDERS, &Value::Switch(true));
+        self.output.run_folders = true;
         self
     }
 

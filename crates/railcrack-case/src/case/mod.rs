@@ -10,6 +10,7 @@ mod mix;
 mod overrides;
 mod prepared;
 mod read;
+mod setting;
 mod shared;
 mod size;
 
@@ -22,3 +23,4 @@ pub use shared::{RailKey, SharedRail, SharedRailError};
 pub use size::RunSize;
 
 pub(crate) use build::build;
+pub(crate) use setting::place_of;

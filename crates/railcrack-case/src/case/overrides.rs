@@ -1,6 +1,7 @@
 //! Values of the command line that take the place of the file's.
 
-use crate::schema::{Override, Raw, Row, Section};
+use super::setting::setting;
+use crate::schema::{Override, Raw, Report, Row, Section};
 use crate::tables::{ENGINE, GROWTH, SOLVER, SOLVER_CONTACT, STEPS};
 
 /// Values that take the place of those in the case file, checked as those are.
@@ -12,21 +13,35 @@ pub struct Overrides {
     pub engine: Option<String>,
     /// `[solver] contact`.
     pub contact: Option<String>,
+    /// Any keys, each `section.key=value`, the value as in the file: `contact.friction=0.2`,
+    /// `crack[2].angle_deg=30.0`. Of several of one key the last one counts. Text may stand without
+    /// quotes.
+    pub settings: Vec<String>,
 }
 
 impl Overrides {
-    /// Those that are given.
-    pub(crate) fn list(&self) -> Vec<Override> {
+    /// Those that are given; what is wrong with the settings, `report` then says.
+    pub(crate) fn list(&self, report: &mut Report) -> Vec<Override> {
         let count = |n: u64| i64::try_from(n).map_or(Raw::TooLarge, Raw::Integer);
         let given = [
-            self.steps.map(|steps| of(&GROWTH, STEPS, "--steps", count(steps))),
-            self.engine.clone().map(|engine| of(&SOLVER, ENGINE, "--engine", Raw::Text(engine))),
-            self.contact.clone().map(|contact| of(&SOLVER, SOLVER_CONTACT, "--contact", Raw::Text(contact))),
+            self.steps.map(|steps| {
+                let shown = format!(
+                    "--steps {}",
+                    i64::try_from(steps).map_or("(too large)".into(), |n| n.to_string())
+                );
+                of(&GROWTH, STEPS, shown, count(steps))
+            }),
+            self.engine.clone().map(|name| of(&SOLVER, ENGINE, format!("--engine {name}"), Raw::Text(name))),
+            self.contact
+                .clone()
+                .map(|name| of(&SOLVER, SOLVER_CONTACT, format!("--contact {name}"), Raw::Text(name))),
         ];
-        given.into_iter().flatten().collect()
+        let settings: Vec<Override> =
+            self.settings.iter().filter_map(|given| setting(given, report)).collect();
+        settings.into_iter().chain(given.into_iter().flatten()).collect()
     }
 }
 
-fn of<T>(section: &Section, row: Row<T>, option: &'static str, value: Raw) -> Override {
-    Override { section: section.name, key: row.key.name, option, value }
+fn of<T>(section: &Section, row: Row<T>, shown: String, value: Raw) -> Override {
+    Override { section: section.name, key: row.key.name, number: None, shown, value }
 }

@@ -4,9 +4,9 @@ use super::build::build;
 use super::case::Case;
 use super::overrides::Overrides;
 use crate::schema::{
-    CaseErrors, Chosen, Fault, Reading, Report, Source, parse_document, read_file, read_sections,
+    CaseErrors, Chosen, Fault, Reading, Report, Sections, Source, parse_document, read_file, read_sections,
 };
-use crate::tables::{CASE_FILE, STUDY};
+use crate::tables::{CASE_FILE, OUTPUT, RUN_FOLDERS, STUDY};
 use std::path::Path;
 use std::sync::Arc;
 use toml::de::DeTable;
@@ -43,14 +43,30 @@ impl Case {
         let case = parse_document(text, &mut report)
             .filter(|root| is_no_study(root.get_ref(), &mut report))
             .and_then(|root| {
-                let overrides = overrides.list();
-                let reading = Reading { file: &CASE_FILE, overrides: &overrides, chosen: &Chosen::default() };
-                build(read_sections(root.get_ref(), reading, &mut report), folder, &mut report)
+                let overrides = overrides.list(&mut report);
+                let reading = Reading {
+                    file: &CASE_FILE,
+                    overrides: &overrides,
+                    chosen: &Chosen::default(),
+                    defaults: &[],
+                };
+                let sections = read_sections(root.get_ref(), reading, &mut report);
+                refuse_no_folder(&sections, &mut report);
+                build(sections, folder, &mut report)
             });
         match case {
             Some(case) if report.is_clean() => Ok(case),
             _ => Err(report.into_errors()),
         }
+    }
+}
+
+/// A single run is its folder.
+fn refuse_no_folder(sections: &Sections, report: &mut Report) {
+    if let Some(output) = sections.one(&OUTPUT).filter(|output| output.get(RUN_FOLDERS) == Some(false)) {
+        let help = "`railcrack sweep` computes studies; a single run writes little with faces, sif, plots and \
+                    report = false";
+        report.add(output.fault(RUN_FOLDERS, "only a study can do without run folders").help(help));
     }
 }
 

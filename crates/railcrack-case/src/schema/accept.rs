@@ -16,6 +16,7 @@ pub(crate) enum Raw {
     TooLarge,
     Text(String),
     List(Vec<(Raw, Range<usize>)>),
+    Switch(bool),
     Other(&'static str),
 }
 
@@ -32,7 +33,7 @@ impl Raw {
                 Ok(value) => Self::Float(value),
                 Err(_) => Self::TooLarge,
             },
-            DeValue::Boolean(_) => Self::Other("a boolean"),
+            DeValue::Boolean(value) => Self::Switch(*value),
             DeValue::Datetime(_) => Self::Other("a date or time"),
             DeValue::Array(items) => Self::List(items.iter().map(spanned).collect()),
             DeValue::Table(_) => Self::Other("a table"),
@@ -59,6 +60,7 @@ impl Raw {
             Self::Integer(_) | Self::Float(_) | Self::TooLarge => "a number",
             Self::Text(_) => "a string",
             Self::List(_) => "a list",
+            Self::Switch(_) => "a boolean",
             Self::Other(kind) => kind,
         }
     }
@@ -132,6 +134,14 @@ impl Kind {
                         ..self.must_be()
                     }),
                 },
+                Raw::Switch(value) => match words().iter().find(|word| word.switch == Some(*value)) {
+                    Some(word) => Ok(Value::Text(word.name.into())),
+                    None => Err(self.wrong_type(raw, list)),
+                },
+                _ => Err(self.wrong_type(raw, list)),
+            },
+            Self::Switch => match raw {
+                Raw::Switch(value) => Ok(Value::Switch(*value)),
                 _ => Err(self.wrong_type(raw, list)),
             },
             Self::Numbers { range, .. } => self.numbers(raw, *range, list),
@@ -227,9 +237,14 @@ impl Kind {
                 Some("numbers are written without quotes".into())
             }
             (
-                Self::Number { .. } | Self::Integer { .. } | Self::Choice(_) | Self::Path { .. },
+                Self::Number { .. }
+                | Self::Integer { .. }
+                | Self::Choice(_)
+                | Self::Switch
+                | Self::Path { .. },
                 Raw::List(_),
             ) => Some(list.into()),
+            (Self::Switch, Raw::Text(_)) => Some("true and false are written without quotes".into()),
             (Self::Numbers { .. }, Raw::Integer(_) | Raw::Float(_)) => {
                 Some("a list is written in brackets, one number included".into())
             }

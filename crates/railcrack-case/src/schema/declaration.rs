@@ -160,6 +160,8 @@ pub enum Preset {
     Points(&'static [[f64; 2]]),
     /// Groups of keys.
     Groups(&'static [&'static [&'static str]]),
+    /// Yes or no.
+    Switch(bool),
 }
 
 /// Type, unit and range of a key's values.
@@ -184,6 +186,8 @@ pub enum Kind {
     Text,
     /// One of several words.
     Choice(fn() -> Vec<Word>),
+    /// Yes or no.
+    Switch,
     /// The name of another file, relative to the folder of this one.
     Path {
         /// Its name where a complete copy of both is kept, with `/`.
@@ -284,6 +288,12 @@ impl Kind {
     /// The longest list of points: no drawing has more, and pairs of segments stay few.
     pub const MOST_POINTS: usize = 200;
 
+    /// Whether its values are text.
+    #[must_use]
+    pub fn is_text(&self) -> bool {
+        matches!(self, Self::Text | Self::Choice(_) | Self::Path { .. })
+    }
+
     /// The accepted values, to follow "must be".
     #[must_use]
     pub fn accepted(&self) -> String {
@@ -294,8 +304,11 @@ impl Kind {
             Self::Text => "one line of text of at most 200 characters".into(),
             Self::Choice(words) => {
                 let names: Vec<String> = available(*words).map(|word| format!("\"{}\"", word.name)).collect();
-                names.join(" or ")
+                let switches =
+                    available(*words).filter_map(|word| word.switch).map(|value| value.to_string());
+                names.into_iter().chain(switches).collect::<Vec<_>>().join(" or ")
             }
+            Self::Switch => "true or false".into(),
             Self::Path { .. } => "the name of a file".into(),
             Self::Numbers { unit, range } => {
                 format!("a list of at most {} numbers in {range} {unit}", Self::MOST_NUMBERS)

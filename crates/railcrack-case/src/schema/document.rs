@@ -109,7 +109,8 @@ pub(crate) fn read_sections(root: &DeTable, reading: Reading, report: &mut Repor
             let help = format!("{} {}", section.doc, reading.file.start);
             report.add(Fault::of(section.name, end..end, message).help(help));
         }
-        if tables.is_empty() && section.presence == SectionPresence::Defaulted {
+        let is_given = reading.overrides_in(section.name) && section.presence != SectionPresence::Repeated;
+        if tables.is_empty() && (section.presence == SectionPresence::Defaulted || is_given) {
             sections.push(read_section(section, 1, None, reading, report));
         }
         for (i, table) in tables.into_iter().enumerate() {

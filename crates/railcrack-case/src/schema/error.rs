@@ -74,6 +74,20 @@ impl CaseError {
         self
     }
 
+    /// The line of the file that the error is about, with carets under the place; empty where there
+    /// is none.
+    #[must_use]
+    pub fn excerpt(&self) -> String {
+        let (Some((line, column)), Some(span)) = (self.position(), &self.span) else { return String::new() };
+        let text = self.text.inner();
+        let Some(shown) = text.lines().nth(line - 1) else { return String::new() };
+        let (number, before) = (line.to_string(), column - 1);
+        let marked = text.get(span.clone()).and_then(|text| text.lines().next()).unwrap_or_default();
+        let (shown, before, carets) = windowed(&shown.replace('\t', " "), before, marked.chars().count());
+        let margin = " ".repeat(number.len());
+        format!("  {number} | {shown}\n  {margin} | {}{}\n", " ".repeat(before), "^".repeat(carets.max(1)))
+    }
+
     /// The whole error on one line: `file:line:column: message (help)`.
     #[must_use]
     pub fn one_line(&self) -> String {
@@ -86,6 +100,22 @@ impl CaseError {
             None => format!("{place}: {}", self.message),
         }
     }
+}
+
+/// The most characters of a line that are shown, and those of them before the marked place.
+const MOST_SHOWN: usize = 100;
+const BEFORE: usize = 40;
+
+/// `line` cut to what fits around the `count` characters behind the first `before`: the line, the
+/// characters before the place in it, and how many are marked.
+fn windowed(line: &str, before: usize, count: usize) -> (String, usize, usize) {
+    let length = line.chars().count();
+    let from = if length <= MOST_SHOWN { 0 } else { before.saturating_sub(BEFORE) };
+    let shown: String = line.chars().skip(from).take(MOST_SHOWN).collect();
+    let left = if from > 0 { "\u{2026}" } else { "" };
+    let right = if from + MOST_SHOWN < length { "\u{2026}" } else { "" };
+    let room = shown.chars().count().saturating_sub(before - from);
+    (format!("{left}{shown}{right}"), before - from + left.chars().count(), count.min(room))
 }
 
 /// All errors of a case file, in the order of the file; never empty.

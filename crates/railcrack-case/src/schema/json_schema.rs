@@ -137,6 +137,9 @@ fn key_schema(key: &Key) -> Value {
             schema.insert("minimum".into(), min.into());
             schema.insert("maximum".into(), max.into());
         }
+        Kind::Switch => {
+            schema.insert("type".into(), "boolean".into());
+        }
         Kind::Text => {
             schema.insert("type".into(), "string".into());
             schema.insert("maxLength".into(), 200.into());
@@ -147,7 +150,9 @@ fn key_schema(key: &Key) -> Value {
         }
         Kind::Choice(words) => {
             let names: Vec<&str> = available(words).map(|word| word.name).collect();
-            schema.insert("enum".into(), names.into());
+            let switches = available(words).filter_map(|word| word.switch);
+            let all = names.into_iter().map(Value::from).chain(switches.map(Value::from));
+            schema.insert("enum".into(), all.collect());
         }
         Kind::Numbers { range, .. } => {
             let mut number = Map::new();
@@ -176,6 +181,7 @@ fn key_schema(key: &Key) -> Value {
             Preset::Number(x) if x.is_finite() => schema.insert("default".into(), x.into()),
             Preset::Integer(n) => schema.insert("default".into(), n.into()),
             Preset::Text(text) => schema.insert("default".into(), text.into()),
+            Preset::Switch(value) => schema.insert("default".into(), value.into()),
             Preset::Numbers(numbers) => schema.insert("default".into(), numbers.into()),
             Preset::Number(_) | Preset::Points(_) | Preset::Groups(_) => None,
         };

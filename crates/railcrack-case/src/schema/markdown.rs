@@ -69,7 +69,10 @@ fn row(section: &Section, key: &Key) -> String {
 
 fn choice(choice: &Word) -> String {
     match choice.availability {
-        Availability::Now => format!("`\"{}\"`: {}", choice.name, choice.doc),
+        Availability::Now => {
+            let also = choice.switch.map_or_else(String::new, |value| format!(" or `{value}`"));
+            format!("`\"{}\"`{also}: {}", choice.name, choice.doc)
+        }
         Availability::Later { .. } => format!("`\"{}\"`: {}, refused for now", choice.name, choice.doc),
     }
 }

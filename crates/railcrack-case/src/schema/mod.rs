@@ -34,10 +34,10 @@ pub(crate) use document::{parse_document, read_bytes, read_file, read_sections, 
 pub(crate) use error::{Fault, Report, Source};
 pub(crate) use json_schema::{file_schema, section_schema};
 pub(crate) use markdown::page;
-pub(crate) use reading::{Chosen, Override, Reading};
+pub(crate) use reading::{Chosen, Defaults, Override, Reading};
 pub(crate) use row::{
-    Row, choice, closed, file, given, groups, integer, number, numbers, points, positive, section, text,
-    within,
+    Row, choice, closed, file, given, groups, integer, number, numbers, points, positive, section, switch,
+    text, within,
 };
 pub(crate) use section::read_section;
 pub(crate) use sections::{SectionValues, Sections};

@@ -1,7 +1,7 @@
 //! The way in which one of several sets of values is read from a document.
 
 use super::accept::Raw;
-use super::declaration::FileSchema;
+use super::declaration::{FileSchema, Preset};
 use toml::Spanned;
 use toml::de::DeValue;
 
@@ -11,12 +11,30 @@ pub(crate) struct Reading<'a> {
     pub file: &'static FileSchema,
     pub overrides: &'a [Override],
     pub chosen: &'a Chosen,
+    /// Defaults in place of those of the declaration.
+    pub defaults: Defaults,
 }
 
+/// Section, key and default.
+pub(crate) type Defaults = &'static [(&'static str, &'static str, Preset)];
+
 impl Reading<'_> {
-    /// The override of a key.
-    pub fn override_of(&self, section: &str, key: &str) -> Option<&Override> {
-        self.overrides.iter().find(|given| (given.section, given.key) == (section, key))
+    /// The default of a key in place of that of the declaration, where there is one.
+    pub fn default_of(&self, section: &str, key: &str) -> Option<Preset> {
+        self.defaults.iter().find(|(s, k, _)| (*s, *k) == (section, key)).map(|(_, _, preset)| *preset)
+    }
+
+    /// The last override of a key in the `number`-th table (from 1) of its section.
+    pub fn override_of(&self, section: &str, number: usize, key: &str) -> Option<&Override> {
+        let is_it = |given: &&Override| {
+            (given.section, given.key) == (section, key) && given.number.is_none_or(|own| own == number)
+        };
+        self.overrides.iter().rev().find(is_it)
+    }
+
+    /// Whether a value from elsewhere belongs to `section`, which then exists.
+    pub fn overrides_in(&self, section: &str) -> bool {
+        self.overrides.iter().any(|given| given.section == section)
     }
 }
 
@@ -25,20 +43,11 @@ impl Reading<'_> {
 pub(crate) struct Override {
     pub section: &'static str,
     pub key: &'static str,
-    /// The option with which it was given.
-    pub option: &'static str,
+    /// Which table of a section that repeats, from 1; none for all.
+    pub number: Option<usize>,
+    /// The option with which it was given, with its value as written.
+    pub shown: String,
     pub value: Raw,
-}
-
-impl Override {
-    /// The option with its value, for messages.
-    pub fn shown(&self) -> String {
-        match &self.value {
-            Raw::Integer(n) => format!("{} {n}", self.option),
-            Raw::Text(text) => format!("{} {text}", self.option),
-            _ => format!("{} (too large)", self.option),
-        }
-    }
 }
 
 /// The elements taken of lists that stand in place of values; none where no list does.

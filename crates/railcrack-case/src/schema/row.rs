@@ -131,6 +131,11 @@ fn words<T: Choice>() -> Vec<Word> {
     T::WORDS.iter().map(|(_, word)| *word).chain(T::LATER.iter().copied()).collect()
 }
 
+/// Yes or no.
+pub(crate) const fn switch(name: &'static str, default: Preset, doc: &'static str) -> Row<bool> {
+    Row::new(name, Kind::Switch, default, doc)
+}
+
 /// One line of text.
 pub(crate) const fn text(name: &'static str, default: &'static str, doc: &'static str) -> Row<String> {
     Row::new(name, Kind::Text, Preset::Text(default), doc)

@@ -36,7 +36,7 @@ pub(crate) fn read_section(
             continue;
         }
         match section.key(name.get_ref()) {
-            Some(key) if reading.override_of(section.name, key.name).is_none() => {
+            Some(key) if reading.override_of(section.name, number, key.name).is_none() => {
                 given.push((key, name.span()));
                 read_value(&mut read, key, reading.chosen.of(value), file.list, report);
             }
@@ -53,18 +53,18 @@ pub(crate) fn read_section(
     }
     given.sort_by_key(|(_, span)| span.start);
     for key in section.keys {
-        let Some(given_instead) = reading.override_of(section.name, key.name) else { continue };
+        let Some(given_instead) = reading.override_of(section.name, number, key.name) else { continue };
         given.push((key, 0..0));
         match key.kind.accept(&given_instead.value, file.list) {
             Ok(value) => read.entries.push(Entry { key, value, span: None, parts: Vec::new() }),
             Err(refusal) => report.add(Fault {
                 key: Some(read.dotted(key.name)),
                 help: refusal.help,
-                ..Fault::new(format!("`{}`: {}", given_instead.shown(), refusal.message))
+                ..Fault::new(format!("`{}`: {}", given_instead.shown, refusal.message))
             }),
         }
     }
-    fill(&mut read, &given, report);
+    fill(&mut read, &given, reading, report);
     read
 }
 
@@ -138,7 +138,12 @@ fn unknown_key(
 
 /// Chooses the form, refuses keys that do not go together, fills in the defaults, names missing
 /// keys.
-fn fill(read: &mut SectionValues, given: &[(&'static Key, Range<usize>)], report: &mut Report) {
+fn fill(
+    read: &mut SectionValues,
+    given: &[(&'static Key, Range<usize>)],
+    reading: Reading,
+    report: &mut Report,
+) {
     let section = read.section;
     let form = choose_form(read, given, report);
     for key in section.keys {
@@ -161,6 +166,7 @@ fn fill(read: &mut SectionValues, given: &[(&'static Key, Range<usize>)], report
         let excused = key.excused.is_some_and(|with| has(&with));
         match key.presence {
             Presence::Default(preset) if wanted => {
+                let preset = reading.default_of(section.name, key.name).unwrap_or(preset);
                 read.entries.push(Entry { key, value: preset.into(), span: None, parts: Vec::new() });
             }
             Presence::Required(_) if wanted && !excused => {

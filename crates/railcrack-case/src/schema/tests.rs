@@ -42,7 +42,7 @@ static OVENS: FileSchema = FileSchema {
 fn read(text: &str) -> Result<Sections, String> {
     let mut report = Report::new(Source { name: "oven.toml".into(), text: text.into() });
     let root = parse_document(text, &mut report);
-    let reading = Reading { file: &OVENS, overrides: &[], chosen: &Chosen::default() };
+    let reading = Reading { file: &OVENS, overrides: &[], chosen: &Chosen::default(), defaults: &[] };
     let sections = root.map(|root| read_sections(root.get_ref(), reading, &mut report));
     match sections {
         Some(sections) if report.is_clean() => Ok(sections),

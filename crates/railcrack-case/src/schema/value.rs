@@ -19,6 +19,8 @@ pub enum Value {
     Points(Vec<[f64; 2]>),
     /// Groups of keys.
     Groups(Vec<Vec<String>>),
+    /// Yes or no.
+    Switch(bool),
 }
 
 impl From<Preset> for Value {
@@ -29,6 +31,7 @@ impl From<Preset> for Value {
             Preset::Text(s) => Self::Text(s.into()),
             Preset::Numbers(numbers) => Self::Numbers(numbers.to_vec()),
             Preset::Points(points) => Self::Points(points.to_vec()),
+            Preset::Switch(value) => Self::Switch(value),
             Preset::Groups(groups) => {
                 Self::Groups(groups.iter().map(|group| group.iter().map(|&k| k.into()).collect()).collect())
             }
@@ -89,7 +92,8 @@ macro_rules! read_as_it_is {
     };
 }
 read_as_it_is!(
-    Number: f64, Text: String, Numbers: Vec<f64>, Points: Vec<[f64; 2]>, Groups: Vec<Vec<String>>
+    Number: f64, Text: String, Numbers: Vec<f64>, Points: Vec<[f64; 2]>, Groups: Vec<Vec<String>>,
+    Switch: bool
 );
 
 /// A value as TOML.
@@ -97,6 +101,7 @@ pub(super) fn toml_value(value: &Value) -> String {
     match value {
         Value::Number(x) => number(*x),
         Value::Integer(n) => n.to_string(),
+        Value::Switch(value) => value.to_string(),
         Value::Text(text) => quoted(text),
         Value::Numbers(numbers) => {
             format!("[{}]", numbers.iter().map(|x| number(*x)).collect::<Vec<_>>().join(", "))

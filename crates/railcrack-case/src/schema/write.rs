@@ -86,7 +86,7 @@ fn init_line(section: &Section, key: &Key) -> String {
         Kind::Number { unit, range } => comment.push_str(&format!(" In {range} {unit}.")),
         Kind::Integer { min, max } => comment.push_str(&format!(" From {min} to {max}.")),
         Kind::Numbers { unit, range } => comment.push_str(&format!(" Each in {range} {unit}.")),
-        Kind::Text | Kind::Path { .. } | Kind::Points { .. } | Kind::Groups { .. } => (),
+        Kind::Switch | Kind::Text | Kind::Path { .. } | Kind::Points { .. } | Kind::Groups { .. } => (),
     }
     if other_form && let Some(first) = section.forms.first() {
         comment.push_str(&format!(" Instead of {}.", first.keys.join(", ")));

@@ -31,11 +31,18 @@ impl Axis {
 pub(super) struct Settings<'a> {
     section: &'a SectionValues,
     pub combine: Combine,
+    /// Keys whose values are drawn: they go together.
+    drawn: Vec<String>,
 }
 
 impl<'a> Settings<'a> {
     pub fn new(section: &'a SectionValues) -> Self {
-        Self { section, combine: section.get(COMBINE).unwrap_or(Combine::Product) }
+        Self { section, combine: section.get(COMBINE).unwrap_or(Combine::Product), drawn: Vec::new() }
+    }
+
+    /// The same where the values of the keys `drawn` are samples.
+    pub fn drawing(self, drawn: Vec<String>) -> Self {
+        Self { drawn, ..self }
     }
 
     /// The axes of a study, in the order of the file; none where something is wrong with them,
@@ -73,7 +80,9 @@ impl<'a> Settings<'a> {
             }
             return Some(vec![(0..variations.len()).collect()]);
         }
-        let mut groups: Vec<Vec<usize>> = Vec::new();
+        let is_drawn = |(_, variation): &(usize, &Variation)| self.drawn.contains(&variation.key);
+        let drawn: Vec<usize> = variations.iter().enumerate().filter(is_drawn).map(|(i, _)| i).collect();
+        let mut groups: Vec<Vec<usize>> = if drawn.is_empty() { Vec::new() } else { vec![drawn] };
         let mut clean = true;
         for (group, keys) in written.iter().enumerate() {
             let span = entry.and_then(|entry| entry.parts.get(group).cloned()).unwrap_or(span.clone());

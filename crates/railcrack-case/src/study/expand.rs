@@ -15,10 +15,21 @@ pub struct Study {
     pub axes: Vec<Axis>,
     /// The axis whose values have the colours of the overlay plots, from 0.
     pub colour_axis: usize,
+    /// How its runs are kept.
+    pub keeping: Keeping,
     /// Its runs; the values of the last axis change from one to the next.
     pub runs: Vec<StudyRun>,
     /// The text of the file.
     pub text: String,
+}
+
+/// How the runs of a study are kept.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Keeping {
+    /// A run folder for each.
+    Folders,
+    /// All in a few files.
+    Packed,
 }
 
 /// One case of a study.

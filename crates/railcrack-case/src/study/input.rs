@@ -21,18 +21,33 @@ impl Input {
     ///
     /// Errors: all of the file.
     pub fn read(path: &Path) -> Result<Self, CaseErrors> {
+        Self::read_with(path, &Overrides::default())
+    }
+
+    /// The same with `overrides` in place of the values in the file.
+    pub fn read_with(path: &Path, overrides: &Overrides) -> Result<Self, CaseErrors> {
         let source = read_file(path)?;
-        Self::parse(&source.text, &source.name, path.parent().unwrap_or(Path::new("")))
+        Self::parse_with(&source.text, &source.name, path.parent().unwrap_or(Path::new("")), overrides)
     }
 
     /// The case or study written in `text`; errors call it `name`, relative file names are relative
     /// to `folder`.
     pub fn parse(text: &str, name: &str, folder: &Path) -> Result<Self, CaseErrors> {
+        Self::parse_with(text, name, folder, &Overrides::default())
+    }
+
+    /// The same with `overrides` in place of the values in the text.
+    pub fn parse_with(
+        text: &str,
+        name: &str,
+        folder: &Path,
+        overrides: &Overrides,
+    ) -> Result<Self, CaseErrors> {
         if says_study(text) {
-            let study = Study::parse_with(text, name, folder, &Overrides::default())?;
+            let study = Study::parse_with(text, name, folder, overrides)?;
             return Ok(Self::Study(Box::new(study)));
         }
-        Case::parse(text, name, folder).map(|case| Self::Case(Box::new(case)))
+        Case::parse_with(text, name, folder, overrides).map(|case| Self::Case(Box::new(case)))
     }
 }
 

@@ -6,11 +6,14 @@ mod input;
 mod merge;
 mod names;
 mod read;
+mod sampling;
 mod schema;
+mod tables;
 mod variation;
 
 pub use axes::Axis;
-pub use expand::{Study, StudyRun};
+pub use expand::{Keeping, Study, StudyRun};
 pub use input::Input;
+pub use sampling::SampleTable;
 pub use schema::study_schema;
 pub use variation::Variation;

@@ -1,16 +1,19 @@
 //! Study files, read to their cases or to all their errors.
 
 use super::axes::{Axis, Settings};
-use super::expand::{MOST_RUNS, Study, StudyRun, choices};
+use super::expand::{Keeping, MOST_RUNS, Study, StudyRun, choices};
 use super::merge::RunErrors;
 use super::names::{name_variations, run_folder, run_label, run_title};
+use super::sampling::{DIMENSIONS, SampleTable, Sampled, Substitute, find_sampled, points, substituted};
 use super::variation::{Variation, find_variations};
 use crate::case::{Case, Overrides, build};
 use crate::schema::{
-    CaseErrors, Chosen, Fault, Override, Reading, Report, Source, parse_document, read_file, read_section,
-    read_sections, tables,
+    CaseErrors, Chosen, Fault, Override, Reading, Report, SectionValues, Source, parse_document, read_file,
+    read_section, read_sections, tables,
 };
-use crate::tables::{CASE_FILE, STUDY};
+use crate::tables::{
+    CASE_FILE, Kept, OF_STUDY, SAMPLES, SAMPLES_BY_DEFAULT, SAMPLING, SEED, STUDY, Sampling,
+};
 use std::collections::HashMap;
 use std::path::Path;
 use std::sync::Arc;
@@ -22,8 +25,18 @@ impl Study {
     ///
     /// Errors: all of the file and of every case that it makes.
     pub fn read_with(path: &Path, overrides: &Overrides) -> Result<Self, CaseErrors> {
+        Self::read_with_samples(path, overrides, None)
+    }
+
+    /// The same with the values of a table of samples.
+    pub fn read_with_samples(
+        path: &Path,
+        overrides: &Overrides,
+        table: Option<&SampleTable>,
+    ) -> Result<Self, CaseErrors> {
         let source = read_file(path)?;
-        Self::parse_with(&source.text, &source.name, path.parent().unwrap_or(Path::new("")), overrides)
+        let folder = path.parent().unwrap_or(Path::new(""));
+        Self::parse_with_samples(&source.text, &source.name, folder, overrides, table)
     }
 
     /// The study written in `text`; errors call it `name`, relative file names are relative to
@@ -34,10 +47,23 @@ impl Study {
         folder: &Path,
         overrides: &Overrides,
     ) -> Result<Self, CaseErrors> {
+        Self::parse_with_samples(text, name, folder, overrides, None)
+    }
+
+    /// The same with the values of `table`, a run for each of its rows (with every choice of the
+    /// lists that the text has).
+    pub fn parse_with_samples(
+        text: &str,
+        name: &str,
+        folder: &Path,
+        overrides: &Overrides,
+        table: Option<&SampleTable>,
+    ) -> Result<Self, CaseErrors> {
         let source = Source { name: name.into(), text: Arc::from(text) };
         let mut report = Report::new(source.clone());
+        let overrides = overrides.list(&mut report);
         let study = parse_document(text, &mut report)
-            .and_then(|root| read_study(&source, root.get_ref(), folder, &overrides.list(), &mut report));
+            .and_then(|root| read_study(&source, root.get_ref(), folder, &overrides, table, &mut report));
         match study {
             Some(study) if report.is_clean() => Ok(study),
             _ => Err(report.into_errors()),
@@ -53,20 +79,23 @@ fn read_study(
     root: &DeTable,
     folder: &Path,
     overrides: &[Override],
+    table: Option<&SampleTable>,
     report: &mut Report,
 ) -> Option<Study> {
+    let section = match root.get_key_value(STUDY.name) {
+        None => None,
+        Some((name, value)) => tables(&STUDY, name.span(), value, report)?.into_iter().next(),
+    };
+    let reading = Reading { file: &CASE_FILE, overrides: &[], chosen: &Chosen::default(), defaults: &[] };
+    let section = read_section(&STUDY, 1, section, reading, report);
+    let drawn = drawn(root, &section, table, report);
+    let root = &substituted(root, &drawn.values, report);
     let (mut variations, refused) = find_variations(root, overrides, report);
     name_variations(&mut variations);
     if variations.is_empty() && report.is_clean() {
         report.add(nothing_varies(&source.name));
     }
-    let section = match root.get_key_value(STUDY.name) {
-        None => None,
-        Some((name, value)) => tables(&STUDY, name.span(), value, report)?.into_iter().next(),
-    };
-    let reading = Reading { file: &CASE_FILE, overrides: &[], chosen: &Chosen::default() };
-    let section = read_section(&STUDY, 1, section, reading, report);
-    let settings = Settings::new(&section);
+    let settings = Settings::new(&section).drawing(drawn.keys);
     let axes = settings.axes(variations.clone(), report);
     let colour_axis = axes.as_ref().map_or(0, |axes| settings.colour_axis(axes, report));
     let combine = settings.combine;
@@ -84,20 +113,70 @@ fn read_study(
         return None;
     }
     report_repetitions(&plan, &cases, &axes, report);
+    refuse_what_is_not_packed(&cases, report);
     let title = cases.first()?.title.clone();
+    let keeping = if cases.first()?.output.run_folders { Keeping::Folders } else { Keeping::Packed };
     let count = plan.len();
     let runs = plan
         .into_iter()
         .zip(cases)
         .map(|((number, choice, label), case)| StudyRun {
-            folder: run_folder(number, count, &axes, &choice),
-            case: case.titled(&run_title(&title, &label)),
+            folder: run_folder(number, count),
+            case: case.titled(&run_title(&title, &label)).in_its_folder(),
             number,
             choice,
             label,
         })
         .collect();
-    Some(Study { title, combine, axes, colour_axis, runs, text: source.text.to_string() })
+    Some(Study { title, combine, axes, colour_axis, keeping, runs, text: source.text.to_string() })
+}
+
+/// Keys whose values are drawn or come from a table, and these values.
+#[derive(Default)]
+struct Drawn {
+    keys: Vec<String>,
+    values: Vec<Substitute>,
+}
+
+fn drawn(root: &DeTable, section: &SectionValues, table: Option<&SampleTable>, report: &mut Report) -> Drawn {
+    let sampled = find_sampled(root, report);
+    let fault = |says: &str, help: &str| {
+        Fault::of(STUDY.name, section.span.clone(), format!("`[study]`: {says}")).help(help)
+    };
+    if let Some(table) = table {
+        if let Some(other) = sampled.first() {
+            let says = format!("`{}`: a distribution has no place beside a table of samples", other.dotted);
+            report.add(Fault::of(other.dotted.clone(), other.span.clone(), says));
+        }
+        return Drawn {
+            keys: table.columns.iter().map(|(_, values)| values.dotted()).collect(),
+            values: table.columns.iter().map(|(_, values)| values.clone()).collect(),
+        };
+    }
+    let given = section.get(SAMPLES);
+    if sampled.is_empty() {
+        if given.is_some() {
+            let help = "such as friction = { normal = [0.3, 0.05] } in [contact]";
+            report.add(fault("samples are given, and no value is a distribution", help));
+        }
+        return Drawn::default();
+    }
+    let (samples, sampling) = (given.unwrap_or(SAMPLES_BY_DEFAULT), section.get(SAMPLING));
+    let (sampling, seed) = (sampling.unwrap_or(Sampling::Sobol), section.get(SEED).unwrap_or(1));
+    if sampling == Sampling::Sobol && sampled.len() > DIMENSIONS {
+        let says = format!(
+            "Sobol's sequence is for at most {DIMENSIONS} distributions; {} are given",
+            sampled.len()
+        );
+        report.add(fault(&says, "sampling = \"latin-hypercube\""));
+        return Drawn::default();
+    }
+    let points = points(sampling, samples, sampled.len(), seed as u64);
+    let of_key = |(i, key): (usize, &Sampled)| key.values(points.iter().map(|point| point[i]));
+    Drawn {
+        keys: sampled.iter().map(|key| key.dotted.clone()).collect(),
+        values: sampled.iter().enumerate().map(of_key).collect(),
+    }
 }
 
 fn nothing_varies(file: &str) -> Fault {
@@ -145,7 +224,7 @@ fn read_cases(
         });
         let chosen = Chosen::new(elements.collect());
         let mut own = Report::new(source.clone());
-        let reading = Reading { file: &CASE_FILE, overrides, chosen: &chosen };
+        let reading = Reading { file: &CASE_FILE, overrides, chosen: &chosen, defaults: OF_STUDY };
         match build(read_sections(root, reading, &mut own), folder, &mut own) {
             Some(case) if own.is_clean() => cases.push(case),
             _ => errors.add(*number, label, own.into_list()),
@@ -163,6 +242,20 @@ fn read_cases(
     }
     errors.report(plan.len(), &elements, report);
     None
+}
+
+/// Packed runs are tables: nothing else of a run outlives its folder.
+fn refuse_what_is_not_packed(cases: &[Case], report: &mut Report) {
+    let is_more = |case: &&Case| {
+        let output = &case.output;
+        !output.run_folders && (output.is_shown() || output.faces != Kept::None || case.fields.every > 0)
+    };
+    if cases.iter().any(|case| is_more(&case)) {
+        let says = "`output.run_folders = false` keeps growth and K of the runs, and no faces, fields, plots and pages";
+        let help =
+            "leave these out; `railcrack report DIR --run N` makes the page of a run when it is wanted";
+        report.add(Fault::new(says).help(help));
+    }
 }
 
 /// Reports the first run that computes what another one computes.

@@ -1,7 +1,9 @@
 //! Lists in place of values.
 
-use crate::schema::{Fault, Key, Kind, Override, Raw, Report, Section, SectionPresence, Value};
-use crate::tables::{CASE_FILE, SECTIONS, STUDY};
+use super::sampling::is_sampled;
+use super::tables::tables_of;
+use crate::schema::{Fault, Key, Kind, Override, Raw, Report, Section, Value};
+use crate::tables::{CASE_FILE, RUN_FOLDERS, SECTIONS, STUDY};
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -59,6 +61,7 @@ pub(super) fn find_variations(
 /// Whether the document `root` is a study: it says so, or a list stands in place of a value.
 pub(super) fn is_study(root: &DeTable) -> bool {
     root.contains_key(STUDY.name)
+        || is_sampled(root)
         || SECTIONS.iter().any(|section| {
             tables_of(section, root).iter().any(|(_, table)| {
                 table.iter().any(|(name, value)| {
@@ -67,25 +70,6 @@ pub(super) fn is_study(root: &DeTable) -> bool {
                 })
             })
         })
-}
-
-/// The tables of a section with their dotted names; nothing where it is written as something else,
-/// which the reader reports.
-fn tables_of<'d, 'i>(section: &Section, root: &'d DeTable<'i>) -> Vec<(String, &'d DeTable<'i>)> {
-    if section.name.is_empty() {
-        return vec![(String::new(), root)];
-    }
-    match (section.presence, root.get(section.name).map(Spanned::get_ref)) {
-        (SectionPresence::Repeated | SectionPresence::Several, Some(DeValue::Array(items))) => {
-            let table = |(i, item): (usize, &'d Spanned<DeValue<'i>>)| match item.get_ref() {
-                DeValue::Table(table) => Some((format!("{}[{}]", section.name, i + 1), table)),
-                _ => None,
-            };
-            items.iter().enumerate().filter_map(table).collect()
-        }
-        (_, Some(DeValue::Table(table))) => vec![(section.name.to_owned(), table)],
-        _ => Vec::new(),
-    }
 }
 
 /// The elements of a list that stands in place of a value of `kind`. A value that is a list by
@@ -100,7 +84,12 @@ fn list_in_place<'d, 'i>(kind: Kind, value: &'d DeValue<'i>) -> Option<&'d [Span
     let stands_in_place = match kind {
         Kind::Numbers { .. } => items.first().is_some_and(is_list),
         Kind::Points { .. } | Kind::Groups { .. } => items.first().and_then(first_of).is_some_and(is_list),
-        Kind::Number { .. } | Kind::Integer { .. } | Kind::Text | Kind::Choice(_) | Kind::Path { .. } => true,
+        Kind::Number { .. }
+        | Kind::Integer { .. }
+        | Kind::Text
+        | Kind::Choice(_)
+        | Kind::Switch
+        | Kind::Path { .. } => true,
     };
     stands_in_place.then_some(items)
 }
@@ -118,14 +107,17 @@ fn fault(
     let given = format!("`{dotted} = {}`", report.shown(&value.span()));
     let (message, help) = if section.name.is_empty() {
         (format!("{given}: may not vary"), "each run has this title with its own values behind it".to_owned())
+    } else if key.name == RUN_FOLDERS.key.name {
+        (format!("{given}: may not vary"), "all runs of a study are kept in the same way".to_owned())
     } else if items.is_empty() {
         let help = format!("each element must be {}", key.kind.accepted());
         (format!("{given}: a list of a study must have at least one element"), help)
-    } else if let Some(given) =
-        overrides.iter().find(|given| (given.section, given.key) == (section.name, key.name))
-    {
+    } else if let Some(given) = overrides.iter().find(|given| {
+        (given.section, given.key) == (section.name, key.name)
+            && given.number.is_none_or(|n| dotted.contains(&format!("[{n}]")))
+    }) {
         let help = "leave the option out, or write one value in place of the list";
-        (format!("`{}` takes the place of `{dotted}`, which the study varies", given.option), help.to_owned())
+        (format!("`{}` takes the place of `{dotted}`, which the study varies", given.shown), help.to_owned())
     } else {
         return None;
     };

@@ -917,6 +917,36 @@ fn lists_of_numbers() {
         ),
         wrong(Append("[output]\nfields_over_a = [nan]"), 11, key, "entry 1 must be a number", ""),
         wrong(Append("[output]\nfields_over_a = [\n  0.0,\n  \"1\"]"), 13, key, "entry 2 must be", ""),
+        wrong(
+            Append("[output]\nfaces = \"some\""),
+            11,
+            "output.faces",
+            "\"all\" or \"ends\" or \"none\" or true or false",
+            "nearest",
+        ),
+        wrong(Append("[output]\nsif = 1"), 11, "output.sif", "must be \"all\"", "quotes"),
+        wrong(
+            Append("[output]\nplots = \"yes\""),
+            11,
+            "output.plots",
+            "must be true or false, not a string",
+            "without quotes",
+        ),
+        wrong(Append("[output]\nreport = 0"), 11, "output.report", "must be true or false, not a number", ""),
+        wrong(
+            Append("[output]\nfields = [true, false]"),
+            11,
+            "output.fields",
+            "must be true or false, not a list",
+            "",
+        ),
+        wrong(
+            Append("[output]\nrun_folders = false"),
+            11,
+            "output.run_folders",
+            "only a study",
+            "railcrack sweep",
+        ),
         wrong(Append("[output]\nfields_every = -1"), 11, "output.fields_every", "from 0 to 10000", ""),
     ]);
     let many = format!("{GOOD}[output]\nfields_over_a = [{}]", "0, ".repeat(101));

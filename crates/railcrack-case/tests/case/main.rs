@@ -6,5 +6,6 @@ mod modules;
 mod mutations;
 mod ranges;
 mod reading;
+mod samples;
 mod studies;
 mod table;

@@ -27,6 +27,7 @@ fn shown(preset: Preset) -> String {
         Preset::Numbers(values) => format!("{values:?}"),
         Preset::Points(points) => format!("{points:?}"),
         Preset::Groups(groups) => format!("{groups:?}"),
+        Preset::Switch(value) => value.to_string(),
     }
 }
 

@@ -125,14 +125,23 @@ fn contact_from_line_load() {
 #[test]
 fn the_command_line_takes_the_place_of_the_file() {
     let text = init_text();
-    let overrides =
-        Overrides { steps: Some(3), engine: Some("dislocation".into()), contact: Some("latin".into()) };
+    let overrides = Overrides {
+        steps: Some(3),
+        engine: Some("dislocation".into()),
+        contact: Some("latin".into()),
+        ..Overrides::default()
+    };
     let case = Case::parse_with(&text, "case.toml", Path::new(""), &overrides).unwrap();
     assert_eq!((case.growth.steps, case.contact_solver), (3, ContactSolver::Latin));
     assert_eq!(case.engine, Engine::Dislocation);
     assert!(case.to_toml().contains("\nsteps = 3\n") && case.to_toml().contains("\ncontact = \"latin\"\n"));
 
-    let wrong = Overrides { steps: Some(u64::MAX), engine: Some("fem".into()), contact: Some("x".into()) };
+    let wrong = Overrides {
+        steps: Some(u64::MAX),
+        engine: Some("fem".into()),
+        contact: Some("x".into()),
+        ..Overrides::default()
+    };
     let errors = Case::parse_with(&text, "case.toml", Path::new(""), &wrong).unwrap_err();
     let lines: Vec<String> = errors.errors().iter().map(|e| e.one_line()).collect();
     assert_eq!(lines.len(), 3, "{lines:?}");

@@ -1,8 +1,9 @@
 //! `railcrack calibrate`.
 
-use super::run::{default_folder, is_same_file, listen};
+use super::run::{is_same_file, listen};
 use crate::display::Verbosity;
 use crate::exit::{Exit, Failure};
+use crate::input::default_folder;
 use crate::print;
 use crate::progress::Progress;
 use clap::Args;

@@ -1,9 +1,9 @@
 //! `railcrack check`.
 
-use super::check_study::study_summary;
-use super::run::default_folder;
+use super::check_study::{study_json, study_summary};
 use crate::exit::{Exit, Failure};
-use crate::print;
+use crate::input::{self, Set, default_folder};
+use crate::json::Json;
 use clap::Args;
 use railcrack::contact::StepControl;
 use railcrack::crack::Crack;
@@ -11,9 +11,10 @@ use railcrack::fatigue::{ACCEPTANCE_RANGES, DirectionCriterion, RAIL_STEELS, Rat
 use railcrack::load::Contact;
 use railcrack::shakedown::DepthBounds;
 use railcrack::words::Choice;
-use railcrack_case::{Case, ContactOrigin, Input, MixedWheel, PlasticSource};
+use railcrack_case::{Case, ContactOrigin, Input, MixedWheel, Overrides, PlasticSource};
 use railcrack_run::budget::{Budget, Needs, mb};
 use railcrack_run::simulation::plastic_stress_left_out;
+use serde_json::{Map, Value, json};
 use std::path::{Path, PathBuf};
 
 /// Validate a case or study file and say what would be computed
@@ -22,20 +23,59 @@ use std::path::{Path, PathBuf};
 /// every error of the file is reported at once.
 #[derive(Debug, Args)]
 pub struct CheckArguments {
-    /// The case file, or a study
+    /// The case file, or a study; `-` is standard input
     #[arg(value_name = "CASE")]
     case: PathBuf,
+    #[command(flatten)]
+    set: Set,
+    #[command(flatten)]
+    json: Json,
 }
 
 /// Validates the case or study and prints what would be computed.
 pub fn check(arguments: &CheckArguments) -> Result<Exit, Failure> {
-    let folder = default_folder(&arguments.case);
-    let text = match Input::read(&arguments.case)? {
-        Input::Case(case) => summary(&case, &folder),
-        Input::Study(study) => study_summary(&study, &folder),
-    };
-    print::stdout(&text)?;
-    Ok(Exit::Done)
+    arguments.json.told(|| {
+        let folder = default_folder(&arguments.case);
+        let overrides = Overrides { settings: arguments.set.set.clone(), ..Overrides::default() };
+        match input::either(&arguments.case, &overrides)? {
+            Input::Case(case) => {
+                arguments.json.print(|| summary(&case, &folder), || case_json(&case, &folder))?
+            }
+            Input::Study(study) => {
+                arguments.json.print(|| study_summary(&study, &folder), || study_json(&study))?;
+            }
+        }
+        Ok(Exit::Done)
+    })
+}
+
+/// The case as one object: the numbers, and every line of the summary by its heading.
+fn case_json(case: &Case, folder: &Path) -> Value {
+    let (size, needs) = (case.size(), Needs::of(case));
+    let mut said = Map::new();
+    for (heading, rows) in parts(case, folder) {
+        let named = rows.into_iter().filter(|(name, _)| !name.is_empty());
+        let lines: Map<String, Value> = named.map(|(name, value)| (name.to_owned(), value.into())).collect();
+        if !lines.is_empty() {
+            said.insert(heading.to_owned(), Value::Object(lines));
+        }
+    }
+    json!({
+        "exit": Exit::Done.code(),
+        "kind": "case",
+        "title": case.title,
+        "engine": case.engine.word(),
+        "contact": case.contact_solver.word(),
+        "cracks": case.cracks.cracks().len(),
+        "tips": size.tips,
+        "face_points": size.face_points,
+        "displacements": size.displacements,
+        "positions": case.passages.passage.positions,
+        "increments": case.growth.steps,
+        "memory_bytes": needs.memory,
+        "disk_bytes": needs.disk,
+        "summary": said,
+    })
 }
 
 /// Name and value of a line of the summary.
@@ -44,7 +84,21 @@ type Row = (&'static str, String);
 /// The lines of a case.
 pub fn summary(case: &Case, folder: &Path) -> String {
     let mut text = format!("{}\n", case.title);
-    for (heading, rows) in [
+    for (heading, rows) in parts(case, folder) {
+        if !rows.is_empty() {
+            text.push_str(&format!("\n{heading}\n"));
+        }
+        for (name, value) in rows {
+            let line = if name.is_empty() { value } else { format!("{name:<20} {value}") };
+            text.push_str(&format!("  {line}\n"));
+        }
+    }
+    text
+}
+
+/// The parts of the summary.
+fn parts(case: &Case, folder: &Path) -> Vec<(&'static str, Vec<Row>)> {
+    vec![
         ("rail", rail(case)),
         ("contact", contact(case)),
         ("mix", mix(case)),
@@ -59,16 +113,7 @@ pub fn summary(case: &Case, folder: &Path) -> String {
         ("plastic state", plastic_state(case)),
         ("bounds", bounds(case)),
         ("machine", machine(&Needs::of(case), folder)),
-    ] {
-        if !rows.is_empty() {
-            text.push_str(&format!("\n{heading}\n"));
-        }
-        for (name, value) in rows {
-            let line = if name.is_empty() { value } else { format!("{name:<20} {value}") };
-            text.push_str(&format!("  {line}\n"));
-        }
-    }
-    text
+    ]
 }
 
 fn rail(case: &Case) -> Vec<Row> {

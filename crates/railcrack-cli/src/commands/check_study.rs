@@ -1,8 +1,9 @@
 //! `railcrack check` of a study.
 
 use railcrack::words::Choice;
-use railcrack_case::{Axis, RailKey, Study, StudyRun};
+use railcrack_case::{Axis, RailKey, Study, StudyRun, Variation};
 use railcrack_run::budget::{Budget, Needs, mb};
+use serde_json::{Value, json};
 use std::collections::HashMap;
 use std::path::Path;
 
@@ -50,6 +51,32 @@ pub fn study_summary(study: &Study, folder: &Path) -> String {
         text.push_str(&format!("  and {} more\n", count - MOST_LISTED));
     }
     text
+}
+
+/// The same as one object.
+pub fn study_json(study: &Study) -> Value {
+    let varies = |axis: &Axis| -> Vec<Value> {
+        let of = |variation: &Variation| {
+            let values: Vec<String> = (0..axis.len()).map(|index| variation.shown(index)).collect();
+            json!({ "key": variation.key, "values": values })
+        };
+        axis.variations.iter().map(of).collect()
+    };
+    let runs: Vec<Value> = study
+        .runs
+        .iter()
+        .map(|run| json!({ "run": run.number, "values": run.label, "increments": run.case.growth.steps }))
+        .collect();
+    let disk = study.runs.iter().map(|run| Needs::of(&run.case).disk).fold(0u64, u64::saturating_add);
+    json!({
+        "exit": 0,
+        "kind": "study",
+        "title": study.title,
+        "combine": study.combine.word(),
+        "axes": study.axes.iter().map(varies).collect::<Vec<_>>(),
+        "disk_bytes": disk,
+        "runs": runs,
+    })
 }
 
 /// The keys of an axis with their values.

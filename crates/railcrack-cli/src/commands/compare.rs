@@ -2,13 +2,17 @@
 
 use crate::commands::run::{self, RunArguments};
 use crate::exit::{Exit, Failure};
+use crate::input::Set;
+use crate::json::Json;
 use crate::print;
 use clap::Args;
 use railcrack::words::Choice;
 use railcrack_case::{Case, Engine};
 use railcrack_report::Pages;
+use railcrack_run::files::COMPARE_FILE;
 use railcrack_run::simulation::{Ending, RunError};
 use railcrack_run::{Comparison, Existing, Presentation};
+use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
 /// Set two runs against each other: SIF histories, paths, cycles
@@ -47,6 +51,8 @@ pub struct CompareArguments {
     /// With --engines: compute what needs more memory or disk than there is
     #[arg(long, requires = "engines")]
     no_limits: bool,
+    #[command(flatten)]
+    json: Json,
 }
 
 fn percent(text: &str) -> Result<f64, String> {
@@ -60,10 +66,10 @@ pub fn compare(arguments: &CompareArguments) -> Result<Exit, Failure> {
         Some(folder) => folder.clone(),
         None => beside(&arguments.first),
     };
-    match &arguments.second {
+    arguments.json.told(|| match &arguments.second {
         Some(second) => compare_folders(arguments, [&arguments.first, second], &out),
         None => compare_engines(arguments, &out),
-    }
+    })
 }
 
 /// The name of the first run or of the case without its ending, with `-compare`, beside it.
@@ -84,10 +90,16 @@ fn compare_folders(arguments: &CompareArguments, runs: [&PathBuf; 2], out: &Path
     let existing = if arguments.force { Existing::Replace } else { Existing::Refuse };
     comparison.write(out, existing, arguments.tolerance).map_err(RunError::from)?;
     Pages.comparison(out).map_err(RunError::from)?;
-    let text = comparison.text(arguments.tolerance);
-    print::stdout(&format!("{text}comparison in {}\n", out.display()))?;
     let keeps = arguments.tolerance.is_none_or(|tolerance| comparison.is_within(tolerance));
-    Ok(if keeps { Exit::Done } else { Exit::Differs })
+    let exit = if keeps { Exit::Done } else { Exit::Differs };
+    let text = || format!("{}comparison in {}\n", comparison.text(arguments.tolerance), out.display());
+    let stored = || {
+        let stored = std::fs::read(out.join(COMPARE_FILE)).ok();
+        stored.and_then(|text| serde_json::from_slice::<Value>(&text).ok())
+    };
+    let value = || json!({ "exit": exit.code(), "folder": out, "comparison": stored() });
+    arguments.json.print(text, value)?;
+    Ok(exit)
 }
 
 /// Runs the case with every engine, each into a folder of its name in `out`, and compares them.
@@ -120,6 +132,8 @@ fn run_with(arguments: &CompareArguments, engine: &str, out: &Path) -> RunArgume
         resume: false,
         force: arguments.force,
         no_limits: arguments.no_limits,
+        set: Set::default(),
+        json: Json::default(),
     }
 }
 

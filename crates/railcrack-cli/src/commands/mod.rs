@@ -4,13 +4,16 @@ pub mod calibrate;
 pub mod check;
 mod check_study;
 pub mod compare;
+pub mod completions;
 pub mod init;
 pub mod paper;
 pub mod report;
 pub mod run;
 pub mod schema;
 pub mod shakedown;
+pub mod show;
 pub mod sweep;
+mod template;
 pub mod verify;
 
 use crate::arguments::Command;
@@ -29,6 +32,9 @@ pub fn dispatch(command: Command) -> Result<Exit, Failure> {
         Command::Shakedown(arguments) => shakedown::shakedown(&arguments),
         Command::Verify(arguments) => verify::verify(&arguments),
         Command::Paper(arguments) => paper::paper(&arguments),
+        Command::Show(arguments) => show::show(&arguments),
         Command::Schema(arguments) => schema::schema(&arguments),
+        Command::Completions(arguments) => completions::completions(&arguments),
+        Command::Man(arguments) => completions::man(&arguments),
     }
 }

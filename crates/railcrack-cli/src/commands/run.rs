@@ -2,16 +2,18 @@
 
 use crate::display::Verbosity;
 use crate::exit::{Exit, Failure};
+use crate::input::{self, Set, default_folder};
 use crate::interruption::Interruption;
-use crate::print;
+use crate::json::Json;
 use crate::progress::{Progress, cycles};
 use clap::Args;
 use railcrack::words::Choice;
-use railcrack_case::{Case, Overrides};
+use railcrack_case::Overrides;
 use railcrack_report::Pages;
 use railcrack_run::Summary;
 use railcrack_run::budget::{Budget, Needs};
 use railcrack_run::simulation::{Ending, Finished, RunEntry, RunError, Simulation};
+use serde_json::{Value, json};
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
@@ -21,7 +23,7 @@ use std::path::{Path, PathBuf};
 /// --resume goes on with it.
 #[derive(Debug, Args)]
 pub struct RunArguments {
-    /// The case file
+    /// The case file; `-` is standard input
     #[arg(value_name = "CASE")]
     pub case: PathBuf,
     /// The run folder [default: the case's name beside it]
@@ -36,6 +38,8 @@ pub struct RunArguments {
     /// Number of increments, in place of the case's
     #[arg(long, value_name = "N")]
     pub steps: Option<u64>,
+    #[command(flatten)]
+    pub set: Set,
     /// Number of threads [default: all]; results are the same with any
     #[arg(long, value_name = "N", value_parser = threads)]
     pub threads: Option<NonZeroUsize>,
@@ -51,16 +55,31 @@ pub struct RunArguments {
     /// Compute what needs more memory or disk than there is
     #[arg(long)]
     pub no_limits: bool,
+    #[command(flatten)]
+    pub json: Json,
 }
 
 /// Runs the case and prints the result.
 pub fn run(arguments: &RunArguments) -> Result<Exit, Failure> {
-    use_threads(arguments.threads)?;
-    let finished = compute(arguments, &listen()?)?;
-    print::stdout(&result_text(&finished))?;
-    Ok(match finished.ending {
-        Ending::Ended => Exit::Done,
-        Ending::Interrupted => Exit::Interrupted,
+    arguments.json.told(|| {
+        use_threads(arguments.threads)?;
+        let finished = compute(arguments, &listen()?)?;
+        let exit = match finished.ending {
+            Ending::Ended => Exit::Done,
+            Ending::Interrupted => Exit::Interrupted,
+        };
+        arguments.json.print(|| result_text(&finished), || result_json(&finished, exit))?;
+        Ok(exit)
+    })
+}
+
+/// The result as one object: exit code, folder, `summary.json`.
+fn result_json(finished: &Finished, exit: Exit) -> Value {
+    json!({
+        "exit": exit.code(),
+        "folder": finished.folder,
+        "ending": if finished.ending == Ending::Ended { "ended" } else { "interrupted" },
+        "summary": finished.summary,
     })
 }
 
@@ -80,8 +99,9 @@ pub fn compute(arguments: &RunArguments, interruption: &Interruption) -> Result<
         steps: arguments.steps,
         engine: arguments.engine.clone(),
         contact: arguments.contact.clone(),
+        settings: arguments.set.set.clone(),
     };
-    let case = Case::read_with(&arguments.case, &overrides)?;
+    let case = input::case(&arguments.case, &overrides)?;
     let folder = arguments.out.clone().unwrap_or_else(|| default_folder(&arguments.case));
     let entry = arguments.entry();
     if entry != RunEntry::Resume && is_same_file(&arguments.case, &folder.join("case.toml")) {
@@ -91,7 +111,7 @@ pub fn compute(arguments: &RunArguments, interruption: &Interruption) -> Result<
         Budget::of(&folder).allows(Needs::of(&case), 1, 1)?;
     }
     let verbosity = if arguments.quiet { Verbosity::Quiet } else { Verbosity::Progress };
-    let progress = Progress::new(verbosity, case.growth.steps, interruption);
+    let progress = Progress::new(verbosity, case.growth.steps, interruption).with_axle_load(case.axle_load);
     let simulation = Simulation::new(&case).observed_by(&progress).presented_by(&Pages);
     Ok(simulation.run_in(&folder, entry)?)
 }
@@ -131,11 +151,6 @@ pub fn use_threads(threads: Option<NonZeroUsize>) -> Result<(), RunError> {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(count).use_current_thread();
     pool.build_global()
         .map_err(|reason| RunError::System { action: "start threads".to_owned(), reason: reason.to_string() })
-}
-
-/// The name of the case file without its ending, beside it.
-pub fn default_folder(case: &Path) -> PathBuf {
-    case.with_extension("")
 }
 
 /// Whether both paths lead to one file.

@@ -1,7 +1,8 @@
 //! `railcrack shakedown`.
 
-use super::run::{default_folder, is_same_file};
+use super::run::is_same_file;
 use crate::exit::{Exit, Failure};
+use crate::input::default_folder;
 use crate::print;
 use clap::Args;
 use railcrack::interruption::Interruption;

@@ -6,6 +6,8 @@ mod common;
 mod compare;
 mod documents;
 mod loads;
+mod options;
+mod packed;
 mod paper;
 mod plastic_stress;
 mod reliability;

@@ -73,18 +73,22 @@ fn runs_states_and_comparisons_are_built_again_bit_for_bit() {
 fn a_study_is_built_again_bit_for_bit() {
     let folder = folder("study");
     let study = case().replace("angle_deg = 40.0", "angle_deg = [20.0, 40.0]");
-    fs::write(folder.join("study.toml"), study.replace("steps = 2", "steps = 1")).unwrap();
+    fs::write(
+        folder.join("study.toml"),
+        study.replace("steps = 2", "steps = 1") + "[output]\nreport = true\n",
+    )
+    .unwrap();
     done(&folder, &["sweep", "study.toml", "--out", "study", "--quiet"]);
     again(&folder, "study", "study");
     let page = fs::read_to_string(folder.join("study/report.html")).unwrap();
     let rates = common::column(&folder.join("study/summary.csv"), "rate_mm_per_cycle");
-    assert!(page.contains("<a href=\"runs/001-angle_deg-20/report.html\">1</a>"), "no link to the first run");
+    assert!(page.contains("<a href=\"runs/001/report.html\">1</a>"), "no link to the first run");
     for rate in rates {
         let words = format!("{:.3e}", rate.parse::<f64>().unwrap()).replace('-', "\u{2212}");
         assert!(page.contains(&format!("<td class=\"number\">{words}</td>")), "{words}");
     }
     // What is no longer there is said to be missing, and its curves are not.
-    fs::remove_dir_all(folder.join("study/runs/002-angle_deg-40")).unwrap();
+    fs::remove_dir_all(folder.join("study/runs/002")).unwrap();
     done(&folder, &["report", "study"]);
     let page = fs::read_to_string(folder.join("study/report.html")).unwrap();
     assert!(page.contains("Not computed yet, or in another folder: run 2."), "nothing said of run 2");

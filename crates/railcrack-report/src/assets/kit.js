@@ -128,8 +128,13 @@ const railcrack = (() => {
   }
 
   /** Grid and axis of a logarithmic scale over data from `low` to `high`; the usual ones leave out labels by a rule of their own. */
-  function logarithmicAxis(name, title, [low, high]) {
-    const values = logarithmic(low, high);
+  function logarithmicAxis(name, title, [low, high], width) {
+    let values = logarithmic(low, high);
+    // Labels along a narrow axis: powers of ten, or every other value.
+    while (name === "x" && values.length > 2 && 64 * values.length > width) {
+      const powers = values.filter((value) => Number.isInteger(+Math.log10(value).toFixed(9)));
+      values = powers.length > 1 && powers.length < values.length ? powers : values.filter((_, i) => i % 2 === 0);
+    }
     const options = { text: short, label: title, labelAnchor: "center", labelArrow: "none" };
     return name === "x"
       ? [Plot.gridX(values), Plot.axisX(values, options)]
@@ -271,7 +276,7 @@ const railcrack = (() => {
           Plot.frame({ stroke: "var(--line)" }),
           // The running surface.
           data.equal && data.y.scale === "depth" ? Plot.ruleY([0], { stroke: "var(--ink)", strokeWidth: 2 }) : null,
-          ...["x", "y"].flatMap((name) => (log[name] && all.length ? logarithmicAxis(name, data[name].title, d3.extent(all, (point) => point[name])) : [])),
+          ...["x", "y"].flatMap((name) => (log[name] && all.length ? logarithmicAxis(name, data[name].title, d3.extent(all, (point) => point[name]), width - margin.left) : [])),
           ...areas,
           ...marks,
           ...notes,

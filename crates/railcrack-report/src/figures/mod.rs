@@ -19,4 +19,6 @@ pub(crate) use plot::{Plot, chart};
 pub(crate) use run::run_plots;
 pub(crate) use shakedown::shakedown_plots;
 pub(crate) use sif::far_chart;
-pub(crate) use study::{STUDY_PLOTS, StudyRun, Styles, stratified, study_charts, study_plots, values};
+pub(crate) use study::{
+    STUDY_PLOTS, StudyRun, Styles, band_charts, stratified, study_charts, study_plots, values,
+};

@@ -9,4 +9,4 @@ mod study;
 pub(crate) use compare::comparison_page;
 pub(crate) use run::{RunFolder, run_page};
 pub(crate) use shakedown::shakedown_page;
-pub(crate) use study::study_page;
+pub(crate) use study::{MANY, study_page};

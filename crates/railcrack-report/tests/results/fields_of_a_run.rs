@@ -42,6 +42,7 @@ fn meshio_reads_the_fields_of_a_run() {
         inspection: None,
         scatter: None,
         critical_length: None,
+        output: case.output,
         warnings: Vec::new(),
     };
     let files = CaseFiles { toml: case.to_toml(), companions: Vec::new() };

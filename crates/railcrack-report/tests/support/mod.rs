@@ -14,7 +14,7 @@ use railcrack::growth::{
     PieceKind, RunStop, SolverCounts, StepRecord, TipRecord, Warning, WarningKind,
 };
 use railcrack::math::{Stress, Vec2};
-use railcrack_case::{ContactSolver, Engine};
+use railcrack_case::{ContactSolver, Engine, Output};
 use railcrack_run::{CaseFiles, OutputError, Recorder, RunInfo};
 use std::path::{Path, PathBuf};
 
@@ -69,6 +69,7 @@ pub fn info() -> RunInfo {
         inspection: None,
         scatter: None,
         critical_length: None,
+        output: Output::ALL,
         warnings: Vec::new(),
     }
 }

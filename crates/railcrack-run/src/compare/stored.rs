@@ -2,11 +2,12 @@
 
 use crate::csv::{SifRow, Table, TipRow};
 use crate::files::{CASE_FILE, SUMMARY_FILE};
+use crate::folder::stored_case;
 use crate::histories::History;
 use crate::{OutputError, RunFolder, Summary};
 use railcrack::bulk::Boundary;
 use railcrack::growth::RunStop;
-use railcrack_case::{ContactSolver, Engine};
+use railcrack_case::{Case, ContactSolver, Engine, Kept};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -54,6 +55,11 @@ impl StoredRun {
     ///
     /// Errors: not a run folder; a file of it is damaged; the system refuses.
     pub(super) fn read(folder: &Path) -> Result<Self, OutputError> {
+        let case = stored_case(folder)?.unwrap_or_default();
+        let sif = Case::parse(&case, "", folder).map_or(Kept::All, |case| case.output.sif);
+        if sif == Kept::None {
+            return Err(OutputError::NoSif { folder: folder.to_path_buf() });
+        }
         for file in [CASE_FILE, SUMMARY_FILE, SifRow::FILE, TipRow::FILE] {
             if !folder.join(file).is_file() {
                 return Err(OutputError::NotARun { folder: folder.to_path_buf(), file });
@@ -61,9 +67,13 @@ impl StoredRun {
         }
         let folder = RunFolder::open(folder)?;
         let (histories, growth) = (folder.histories(folder.summary.steps_recorded)?, folder.growth()?);
+        let histories: BTreeMap<TipKey, History> =
+            histories.into_iter().map(|h| ((h.step, h.crack, h.tip), h)).collect();
+        let growth = growth.into_iter().map(|row| ((row.step, row.crack, row.tip), row));
         Ok(Self {
-            growth: growth.into_iter().map(|row| ((row.step, row.crack, row.tip), row)).collect(),
-            histories: histories.into_iter().map(|h| ((h.step, h.crack, h.tip), h)).collect(),
+            // A table of the first and the last step has no K of the others.
+            growth: growth.filter(|(key, _)| sif == Kept::All || histories.contains_key(key)).collect(),
+            histories,
             folder,
         })
     }

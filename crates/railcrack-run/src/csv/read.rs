@@ -3,8 +3,9 @@
 use super::fields::Layout;
 use super::table::Table;
 use crate::OutputError;
+use std::fmt;
 use std::fs::File;
-use std::io::{BufRead, BufReader};
+use std::io::{BufRead, BufReader, Cursor};
 use std::marker::PhantomData;
 use std::ops::Range;
 use std::path::Path;
@@ -12,19 +13,28 @@ use std::sync::Arc;
 
 /// The whole lines of a table behind its header. A last line without its end, left by a kill, is
 /// not a row.
-#[derive(Debug)]
 struct Lines {
     layout: Arc<Layout>,
-    reader: BufReader<File>,
+    reader: Box<dyn BufRead + Send>,
     line: usize,
     text: String,
+}
+
+impl fmt::Debug for Lines {
+    fn fmt(&self, out: &mut fmt::Formatter) -> fmt::Result {
+        out.debug_struct("Lines").field("layout", &self.layout).field("line", &self.line).finish()
+    }
 }
 
 impl Lines {
     fn open<T: Table>(path: &Path) -> Result<Self, OutputError> {
         let file = File::open(path).map_err(OutputError::io("read", path))?;
+        Self::of::<T>(path, Box::new(BufReader::with_capacity(1 << 18, file)))
+    }
+
+    /// The lines of `reader`, which errors call `path`.
+    fn of<T: Table>(path: &Path, reader: Box<dyn BufRead + Send>) -> Result<Self, OutputError> {
         let layout = Arc::new(Layout::of(path, &[], "")?);
-        let reader = BufReader::with_capacity(1 << 18, file);
         let mut lines = Self { layout, reader, line: 0, text: String::new() };
         let header = lines.advance()?.then(|| lines.text.trim_end().to_owned());
         // A run that was killed before the header stood there has no row.
@@ -99,6 +109,14 @@ impl<T: Table> StepBlocks<T> {
     /// Errors: a column is missing; the system refuses.
     pub fn open(folder: &Path, steps: Range<usize>) -> Result<Self, OutputError> {
         Ok(Self { lines: Lines::open::<T>(&folder.join(T::FILE))?, steps, next: None })
+    }
+
+    /// The same of a table with this `text`; errors call it a file of `folder`.
+    ///
+    /// Errors: a column is missing.
+    pub(crate) fn of_text(folder: &Path, text: String, steps: Range<usize>) -> Result<Self, OutputError> {
+        let lines = Lines::of::<T>(&folder.join(T::FILE), Box::new(Cursor::new(text)))?;
+        Ok(Self { lines, steps, next: None })
     }
 
     /// All rows of these steps.

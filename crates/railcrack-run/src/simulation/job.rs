@@ -45,6 +45,7 @@ impl Job {
                     || case.mix.iter().any(|mixed| mixed.wheel.load.track.is_some()),
                 toughness: case.fracture.as_ref().map(|fracture| fracture.at_rail),
                 axle_load: case.axle_load,
+                output: case.output,
                 mix: case.mix.iter().map(of_wheel).collect(),
                 inspection: case.inspection,
                 scatter: case.scatter,

@@ -11,7 +11,8 @@ use crate::{OutputError, Presentation, Summary, VERSION};
 use railcrack::growth::RunStop;
 use railcrack::shakedown::ShakedownError;
 use railcrack::words::Choice;
-use railcrack_case::{Axis, Study, StudyRun, Variation};
+use railcrack_case::{Axis, Keeping, Study, StudyRun, Variation};
+use std::collections::HashSet;
 use std::sync::{Mutex, PoisonError};
 
 /// Runs of a study that are to be computed, and where.
@@ -131,8 +132,14 @@ impl StudyFolder {
         own: &[usize],
     ) -> Result<(Vec<usize>, Vec<FailedRun>), OutputError> {
         let (mut waiting, mut failed) = (Vec::new(), Vec::new());
+        let own: HashSet<usize> = own.iter().copied().collect();
+        let packed = self.packed()?;
         for (i, (run, planned)) in study.runs.iter().zip(&self.plan().runs).enumerate() {
             if !own.contains(&run.number) {
+                continue;
+            }
+            if packed.has(run.number) {
+                self.clear_packed(planned)?;
                 continue;
             }
             match self.outcome(planned)? {
@@ -142,6 +149,8 @@ impl StudyFolder {
                         failed.push(FailedRun::of(run, RunEnd::CannotReadOrWrite, error.to_string()));
                     } else if let Some(reason) = outcome.reason {
                         failed.push(FailedRun::of(run, outcome.end, reason));
+                    } else {
+                        self.tidy(planned)?;
                     }
                 }
                 _ => waiting.push(i),
@@ -196,6 +205,7 @@ pub fn study_plan(study: &Study, options: Vec<String>) -> StudyPlan {
         combine: study.combine.word().to_owned(),
         axes: study.axes.iter().map(axis).collect(),
         colour_axis: study.colour_axis,
+        run_folders: study.keeping == Keeping::Folders,
         options,
         runs: study.runs.iter().map(run).collect(),
     }

@@ -1,16 +1,24 @@
 //! The folder of a study: entered by one process or by several at once.
 
-use super::outcome::Outcome;
+use super::csv_text::stabilised;
+use super::outcome::{Outcome, RunEnd};
+use super::packed::{PackWriter, PackedRuns, RunFiles, packed_files};
 use super::plan::{PlannedRun, StudyPlan};
 use crate::case_files::CaseFiles;
-use crate::files::{OUTCOME_FILE, PLAN_FILE};
+use crate::csv::{SifRow, Table};
+use crate::files::{
+    CASE_FILE, CHECKPOINT_FILE, OUTCOME_FILE, PLAN_FILE, RUN_FILES, RUN_LOG_FILE, SUMMARY_FILE,
+};
 use crate::folder::{
-    clear_run, json_text, read_if_there, read_json_if_there, remove, run_file_in, run_file_in_study,
+    clear_run, json_text, read_if_there, read_json, read_json_if_there, remove, run_file_in,
+    run_file_in_study,
 };
 use crate::same_case::check_case;
 use crate::stored_name::check_stored_name;
-use crate::{FolderLock, LOCK_FILE, OutputError, RunFolder};
+use crate::{FolderLock, LOCK_FILE, OutputError, RunFolder, Summary};
+use std::collections::HashSet;
 use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{SystemTime, UNIX_EPOCH};
 
 const STUDY_FILE: &str = "study.toml";
@@ -39,6 +47,8 @@ pub enum Entry {
 pub struct StudyFolder {
     path: PathBuf,
     plan: StudyPlan,
+    /// To which runs are appended, once one is.
+    pack: Arc<Mutex<Option<PackWriter>>>,
 }
 
 impl StudyFolder {
@@ -55,11 +65,18 @@ impl StudyFolder {
         own: &[usize],
         cases: &[CaseFiles],
     ) -> Result<Self, OutputError> {
-        let folder = Self { path: path.to_path_buf(), plan };
+        let folder = Self { path: path.to_path_buf(), plan, pack: Arc::default() };
         let stored = stored_plan(path)?;
         folder.may_enter(stored.as_ref(), entry)?;
-        let own = || folder.plan.runs.iter().filter(|run| own.contains(&run.number));
-        for run in own() {
+        let numbers: HashSet<usize> = own.iter().copied().collect();
+        let own = || folder.plan.runs.iter().filter(|run| numbers.contains(&run.number));
+        let packed = if entry == Entry::Replace { PackedRuns::default() } else { folder.packed()? };
+        for run in own().filter(|run| packed.has(run.number)) {
+            if matches!(entry, Entry::Begin | Entry::Join) {
+                return Err(folder.holds_study(format!("run {}, packed", run.number)));
+            }
+        }
+        for run in own().filter(|run| !packed.has(run.number)) {
             let of_run = folder.run_folder(run);
             match entry {
                 Entry::Begin | Entry::Join => {
@@ -89,6 +106,15 @@ impl StudyFolder {
             drop(FolderLock::take(run)?);
         }
         replaced.iter().try_for_each(|run| clear_run(run))?;
+        match entry {
+            Entry::Replace => packed_files(path)?.iter().try_for_each(|file| remove(file))?,
+            Entry::ReplacePart => {
+                for run in own().filter(|run| packed.has(run.number)) {
+                    folder.append(run.number, None)?;
+                }
+            }
+            _ => {}
+        }
         folder.put(STUDY_FILE, text.as_bytes())?;
         let text = json_text(&path.join(PLAN_FILE), &folder.plan)?;
         folder.put(PLAN_FILE, text.as_bytes())?;
@@ -130,7 +156,7 @@ impl StudyFolder {
     /// Errors: no study in the folder; its plan is damaged; the system refuses.
     pub fn open(path: &Path) -> Result<Self, OutputError> {
         let plan = stored_plan(path)?.ok_or_else(|| OutputError::NoStudy { folder: path.to_path_buf() })?;
-        Ok(Self { path: path.to_path_buf(), plan })
+        Ok(Self { path: path.to_path_buf(), plan, pack: Arc::default() })
     }
 
     /// The text of the study file.
@@ -154,11 +180,81 @@ impl StudyFolder {
         self.path.join(RUNS_FOLDER).join(&run.folder)
     }
 
-    /// The results of `run`.
+    /// The results of `run`, be they packed or in a folder.
     ///
     /// Errors: it has none yet; a file of it is damaged; the system refuses.
     pub fn run(&self, run: &PlannedRun) -> Result<RunFolder, OutputError> {
-        RunFolder::open(&self.run_folder(run))
+        self.run_in(run, &self.packed()?)
+    }
+
+    /// The same, where `packed` are the packed runs.
+    pub(super) fn run_in(&self, run: &PlannedRun, packed: &PackedRuns) -> Result<RunFolder, OutputError> {
+        let folder = self.run_folder(run);
+        match packed.read(run.number)? {
+            Some(files) => RunFolder::of_packed(&folder, files),
+            None => RunFolder::open(&folder),
+        }
+    }
+
+    /// The packed runs as they are now.
+    pub(crate) fn packed(&self) -> Result<PackedRuns, OutputError> {
+        PackedRuns::of(&self.path)
+    }
+
+    /// The folder of `run`, made of what is packed of it where it has none.
+    ///
+    /// Errors: the run is not there; the system refuses.
+    pub fn unpacked(&self, run: &PlannedRun) -> Result<PathBuf, OutputError> {
+        let folder = self.run_folder(run);
+        let Some(files) = self.packed()?.read(run.number)? else { return Ok(folder) };
+        for (name, text) in &files {
+            if !RUN_FILES.contains(&name.as_str()) {
+                check_stored_name(&self.path, name)?;
+            }
+            self.put(&format!("{RUNS_FOLDER}/{}/{name}", run.folder), text.as_bytes())?;
+        }
+        Ok(folder)
+    }
+
+    fn append(&self, number: usize, files: Option<&RunFiles>) -> Result<(), OutputError> {
+        let mut pack = self.pack.lock().unwrap_or_else(PoisonError::into_inner);
+        if pack.is_none() {
+            *pack = Some(PackWriter::open(&self.path)?);
+        }
+        match pack.as_mut() {
+            Some(pack) => pack.append(number, files),
+            None => Ok(()),
+        }
+    }
+
+    /// Packs `run`, which is done, and removes its folder.
+    fn pack(&self, run: &PlannedRun, outcome: &Outcome) -> Result<(), OutputError> {
+        let folder = self.run_folder(run);
+        let mut files = RunFiles::new();
+        let kept = RUN_FILES.into_iter().filter(|file| file.ends_with(".csv") || file.ends_with(".vtu"));
+        for file in std::iter::once(CASE_FILE).chain(kept) {
+            let Some(bytes) = read_if_there(&folder.join(file))? else { continue };
+            let text = String::from_utf8(bytes)
+                .map_err(|_| OutputError::damaged(&folder.join(file), "is not UTF-8 text"))?;
+            let text = if file == SifRow::FILE { stabilised(&text) } else { text };
+            files.insert(file.to_owned(), text);
+        }
+        let mut summary: Summary = read_json(&folder, SUMMARY_FILE)?;
+        summary.outcome = Some(outcome.clone());
+        // Those of the folder, which is no more; the record has one of its own.
+        summary.checksums.clear();
+        files.insert(SUMMARY_FILE.to_owned(), json_text(&folder.join(SUMMARY_FILE), &summary)?);
+        self.append(run.number, Some(&files))?;
+        self.clear_packed(run)
+    }
+
+    /// Removes what is left of the folder of a packed run that was being computed.
+    pub(crate) fn clear_packed(&self, run: &PlannedRun) -> Result<(), OutputError> {
+        let folder = self.run_folder(run);
+        if [CHECKPOINT_FILE, RUN_LOG_FILE].iter().any(|file| folder.join(file).is_file()) {
+            clear_run(&folder)?;
+        }
+        Ok(())
     }
 
     /// How `run` ended; none while it is not over.
@@ -169,8 +265,16 @@ impl StudyFolder {
     /// Remembers how `run` ended, once all its other files are written.
     pub fn settle(&self, run: &PlannedRun, outcome: &Outcome) -> Result<(), OutputError> {
         let folder = self.run_folder(run);
+        if !self.plan.run_folders && outcome.end == RunEnd::Done {
+            return self.pack(run, outcome);
+        }
         std::fs::create_dir_all(&folder).map_err(OutputError::io("create the run folder", &folder))?;
         outcome.write(&folder)
+    }
+
+    /// Removes what a kill has left of a run that is done.
+    pub fn tidy(&self, run: &PlannedRun) -> Result<(), OutputError> {
+        Outcome::tidy(&self.run_folder(run))
     }
 
     /// Forgets how `run` ended, before it goes on.
@@ -198,6 +302,11 @@ impl StudyFolder {
             let _ = std::fs::remove_file(&own);
             refused()(reason)
         })
+    }
+
+    /// Removes the folder of the runs where all are packed and none is in it.
+    pub(super) fn close_runs(&self) {
+        let _ = std::fs::remove_dir(self.path.join(RUNS_FOLDER));
     }
 
     /// Removes a file of the study that it no longer has.

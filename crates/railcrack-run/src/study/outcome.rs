@@ -1,8 +1,11 @@
 //! How a run of a study ended, in its run folder.
 
-use crate::files::OUTCOME_FILE;
-use crate::folder::{Durability, read_json_if_there, write_json};
-use crate::{OutputError, VERSION};
+use crate::checksum::Seal;
+use crate::files::{
+    CASE_FILE, CHECKPOINT_FILE, INPUTS_FOLDER, OUTCOME_FILE, RUN_FILES, RUN_LOG_FILE, SUMMARY_FILE,
+};
+use crate::folder::{Durability, read_json, read_json_if_there, remove, write_json};
+use crate::{OutputError, Summary, VERSION};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
@@ -52,10 +55,35 @@ impl Outcome {
 
     /// The outcome of the run in `folder`; none while it is not over.
     pub(super) fn read(folder: &Path) -> Result<Option<Self>, OutputError> {
-        read_json_if_there(folder, OUTCOME_FILE)
+        if let Some(failed) = read_json_if_there(folder, OUTCOME_FILE)? {
+            return Ok(Some(failed));
+        }
+        let summary: Option<Summary> = read_json_if_there(folder, SUMMARY_FILE)?;
+        Ok(summary.and_then(|summary| summary.outcome))
     }
 
+    /// A run that failed has it in a file of its own, whatever else is there; one that is done in
+    /// its summary, with which it is complete: nothing goes on from its checkpoint.
     pub(super) fn write(&self, folder: &Path) -> Result<(), OutputError> {
-        write_json(folder, OUTCOME_FILE, self, Durability::Synced)
+        if self.end != RunEnd::Done {
+            return write_json(folder, OUTCOME_FILE, self, Durability::Synced);
+        }
+        let mut summary: Summary = read_json(folder, SUMMARY_FILE)?;
+        summary.checksums.extend(case_checksums(folder)?);
+        summary.outcome = Some(self.clone());
+        write_json(folder, SUMMARY_FILE, &summary, Durability::Synced)?;
+        Self::tidy(folder)
     }
+
+    /// Removes from the folder of a run that is done what only one that goes on needs.
+    pub(super) fn tidy(folder: &Path) -> Result<(), OutputError> {
+        [CHECKPOINT_FILE, RUN_LOG_FILE].iter().try_for_each(|file| remove(&folder.join(file)))
+    }
+}
+
+/// Checksums of the case and of the files that it names.
+fn case_checksums(folder: &Path) -> Result<Vec<(String, String)>, OutputError> {
+    let inputs = RUN_FILES.into_iter().filter(|file| file.starts_with(INPUTS_FOLDER));
+    let there = std::iter::once(CASE_FILE).chain(inputs).filter(|file| folder.join(file).is_file());
+    there.map(|file| Ok((file.to_owned(), Seal::of_file(&folder.join(file))?.checksum.to_string()))).collect()
 }

@@ -15,10 +15,18 @@ pub struct StudyPlan {
     pub axes: Vec<StudyAxis>,
     /// The axis whose values have the colours of the plots, from 0.
     pub colour_axis: usize,
+    /// Whether each run has a folder of its own; if not, those that are done are packed.
+    #[serde(default = "with_folders")]
+    pub run_folders: bool,
     /// Options of the command in place of values of the file: `--steps 2`.
     pub options: Vec<String>,
     /// Every run.
     pub runs: Vec<PlannedRun>,
+}
+
+/// The value of studies without the entry.
+fn with_folders() -> bool {
+    true
 }
 
 /// Keys that vary together.

@@ -2,12 +2,14 @@
 
 use super::folder::StudyFolder;
 use super::outcome::RunEnd;
+use super::packed::PackedRuns;
 use super::plan::PlannedRun;
 use super::state::{RunState, StudyRow};
 use crate::files::SUMMARY_FILE;
 use crate::representative::RepresentativeTip;
 use crate::verify::check_numbers;
 use crate::{OutputError, RunFolder};
+use std::io::ErrorKind;
 
 /// The results of a study: a row per run, in the order of the runs.
 #[derive(Debug, Clone)]
@@ -21,25 +23,38 @@ impl StudyFolder {
     ///
     /// Errors: a file of a run is damaged; the system refuses.
     pub fn read_results(&self) -> Result<StudyResults, OutputError> {
-        let rows: Result<_, _> = self.plan().runs.iter().map(|run| self.row(run)).collect();
+        let packed = self.packed()?;
+        let rows: Result<_, _> = self.plan().runs.iter().map(|run| self.row(run, &packed)).collect();
         Ok(StudyResults { rows: rows? })
     }
 
     /// A damaged run is one that has failed: nothing of its numbers goes into the results.
-    fn row(&self, run: &PlannedRun) -> Result<StudyRow, OutputError> {
-        match self.whole_row(run) {
+    fn row(&self, run: &PlannedRun, packed: &PackedRuns) -> Result<StudyRow, OutputError> {
+        match self.whole_row(run, packed) {
             Err(error @ (OutputError::Damaged { .. } | OutputError::Field(_))) => {
                 let reason = error.to_string();
                 let state = RunState::Failed { end: RunEnd::CannotReadOrWrite, reason: reason.clone() };
                 let (number, damage) = (run.number, Some(reason));
                 Ok(StudyRow { number, state, summary: None, representative: None, damage })
             }
+            // Another process has packed the run since.
+            Err(error) if !self.plan().run_folders && is_gone(&error) => {
+                let packed = self.packed()?;
+                if packed.has(run.number) { self.whole_row(run, &packed) } else { Err(error) }
+            }
             row => row,
         }
     }
 
-    fn whole_row(&self, run: &PlannedRun) -> Result<StudyRow, OutputError> {
+    fn whole_row(&self, run: &PlannedRun, packed: &PackedRuns) -> Result<StudyRow, OutputError> {
         let folder = self.run_folder(run);
+        if packed.has(run.number) {
+            let open = self.run_in(run, packed)?;
+            let representative = RepresentativeTip::of(&open)?;
+            let state = RunState::of(open.summary.outcome.clone(), open.summary.steps_recorded);
+            let summary = Some(open.summary);
+            return Ok(StudyRow { number: run.number, state, summary, representative, damage: None });
+        }
         // In this order: a run that ends in between counts as one that has not.
         let outcome = self.outcome(run)?;
         if outcome.is_some() {
@@ -53,6 +68,15 @@ impl StudyFolder {
         let summary = open.map(|open| open.summary);
         let (number, state) = (run.number, RunState::of(outcome, steps));
         Ok(StudyRow { number, state, summary, representative, damage: None })
+    }
+}
+
+/// Whether a file of a run is no longer there.
+fn is_gone(error: &OutputError) -> bool {
+    match error {
+        OutputError::NotARun { .. } | OutputError::NoRun { .. } => true,
+        OutputError::Io { reason, .. } => reason.kind() == ErrorKind::NotFound,
+        _ => false,
     }
 }
 

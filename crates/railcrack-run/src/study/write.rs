@@ -19,10 +19,14 @@ impl StudyFolder {
             let results = self.read_results()?;
             self.put(StudySummaryRow::FILE, &results.table(self.plan())?)?;
             self.put(TimesRow::FILE, &results.times()?)?;
+            self.write_tables(&results)?;
             presentation.study(self, &results)?;
             // Another process may have finished the last run, and written all results, while this
             // one was about to: what has just been written would then hide what the other one
             // wrote.
+            if results.are_complete() {
+                self.close_runs();
+            }
             if results.are_complete() || !self.is_over()? {
                 return Ok(results);
             }
@@ -30,8 +34,9 @@ impl StudyFolder {
     }
 
     fn is_over(&self) -> Result<bool, OutputError> {
+        let packed = self.packed()?;
         for run in &self.plan().runs {
-            if self.outcome(run)?.is_none() {
+            if !packed.has(run.number) && self.outcome(run)?.is_none() {
                 return Ok(false);
             }
         }

@@ -4,8 +4,7 @@ use super::results::{Extent, Verification, same_bytes};
 use crate::OutputError;
 use crate::csv::Table;
 use crate::files::{
-    CASE_FILE, CHECKPOINT_FILE, COMPARE_FILE, OUTCOME_FILE, PLAN_FILE, RUN_LOG_FILE, SHAKEDOWN_FILE,
-    SUMMARY_FILE,
+    CASE_FILE, CHECKPOINT_FILE, COMPARE_FILE, PLAN_FILE, RUN_LOG_FILE, SHAKEDOWN_FILE, SUMMARY_FILE,
 };
 use crate::lock::FolderLock;
 use crate::study::{StudyFolder, StudySummaryRow};
@@ -44,7 +43,13 @@ fn verify_study(found: &mut Verification, folder: &Path) -> Result<(), OutputErr
     found.document(folder, PLAN_FILE)?;
     let study = StudyFolder::open(folder)?;
     let mut over = true;
+    let packed = study.packed()?;
     for run in &study.plan().runs {
+        // A record that does not hold what was written is none.
+        if packed.has(run.number) {
+            found.files += 1;
+            continue;
+        }
         let of_run = study.run_folder(run);
         if FolderLock::is_taken(&of_run) {
             found.notes.push(format!("{}: is being computed", of_run.display()));
@@ -53,7 +58,7 @@ fn verify_study(found: &mut Verification, folder: &Path) -> Result<(), OutputErr
         } else {
             found.notes.push(format!("{}: has not begun", of_run.display()));
         }
-        over &= of_run.join(OUTCOME_FILE).is_file();
+        over &= study.outcome(run).is_ok_and(|outcome| outcome.is_some());
     }
     if over && found.damages.is_empty() {
         let path = folder.join(StudySummaryRow::FILE);

@@ -4,7 +4,10 @@ use crate::checkpoint::{Checkpoint, LogFile};
 use crate::checksum::{Seal, is_signed};
 use crate::csv::{FaceRow, ResidualRow, Table, check_sealed};
 use crate::field_files::collection;
-use crate::files::{CASE_FILE, FIELDS_FILE, OUTCOME_FILE, ROLLED_FOLDER, SHAKEDOWN_FILE, SUMMARY_FILE};
+use crate::files::{
+    CASE_FILE, FIELDS_FILE, FIELDS_FOLDER, OUTCOME_FILE, ROLLED_FOLDER, RUN_FILES, SHAKEDOWN_FILE,
+    SUMMARY_FILE,
+};
 use crate::folder::read_if_there;
 use crate::stored_name::check_stored_name;
 use crate::{CaseFiles, OutputError};
@@ -105,6 +108,9 @@ impl Verification {
         if extent == Extent::All && folder.join(ROLLED_FOLDER).join(SHAKEDOWN_FILE).is_file() {
             self.documented(&folder.join(ROLLED_FOLDER), SHAKEDOWN_FILE)?;
         }
+        if self.is_closed(folder)? {
+            return self.closed(folder, extent);
+        }
         let checkpoint = match Checkpoint::read(folder) {
             Ok(Some(checkpoint)) => checkpoint,
             Ok(None) => {
@@ -145,6 +151,34 @@ impl Verification {
             if checkpoint.state.ended.is_some() && log.fields().next().is_some() {
                 let text = collection(&list, log.fields())?;
                 self.answer(same_bytes(&list, text.as_bytes()))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether the run in `folder` is one of a study that is done, whose summary stands for all.
+    fn is_closed(&self, folder: &Path) -> Result<bool, OutputError> {
+        let Some(text) = read_if_there(&folder.join(SUMMARY_FILE))? else { return Ok(false) };
+        let summary: Option<Value> = serde_json::from_slice(&text).ok();
+        Ok(summary.is_some_and(|summary| summary.get("outcome").is_some_and(Value::is_object)))
+    }
+
+    /// The files of which the summary has the checksums.
+    fn closed(&mut self, folder: &Path, extent: Extent) -> Result<(), OutputError> {
+        let path = folder.join(SUMMARY_FILE);
+        let text = std::fs::read(&path).map_err(OutputError::io("read", &path))?;
+        let summary: Value = serde_json::from_slice(&text)
+            .map_err(|reason| OutputError::damaged(&path, reason.to_string()))?;
+        for (name, sum) in summary.get("checksums").and_then(Value::as_object).into_iter().flatten() {
+            let is_large = name == FaceRow::FILE || name.starts_with(FIELDS_FOLDER);
+            if extent == Extent::All || !is_large {
+                let file = folder.join(name);
+                if !RUN_FILES.contains(&name.as_str()) {
+                    let field = name.strip_prefix(FIELDS_FOLDER).and_then(|name| name.strip_prefix('/'));
+                    check_stored_name(&path, field.unwrap_or(name))?;
+                }
+                let whole = |seal: Seal| sum.as_str() == Some(&seal.checksum.to_string());
+                self.answer(Seal::of_file(&file).and_then(|seal| sealed(&file, whole(seal))))?;
             }
         }
         Ok(())

@@ -2,13 +2,14 @@
 
 use super::progress::StudyProgress;
 use super::shard::Shard;
-use super::tell::{result_text, tell_failed};
-use crate::commands::run::{default_folder, listen};
+use super::tell::{result_json, result_text, tell_failed};
+use crate::commands::run::listen;
 use crate::display::Verbosity;
 use crate::exit::{Exit, Failure};
-use crate::print;
+use crate::input::{self, Set, default_folder};
+use crate::json::Json;
 use clap::Args;
-use railcrack_case::{Overrides, Study};
+use railcrack_case::{Overrides, SampleTable, Study};
 use railcrack_report::Pages;
 use railcrack_run::StudyFolder;
 use railcrack_run::budget::{Budget, Needs, OverBudget};
@@ -24,7 +25,7 @@ use std::path::PathBuf;
 /// others go on. An interrupted study keeps what was computed.
 #[derive(Debug, Args)]
 pub struct SweepArguments {
-    /// The study file
+    /// The study file; `-` is standard input
     #[arg(value_name = "STUDY")]
     study: PathBuf,
     /// The folder of the study [default: the study's name beside it]
@@ -34,6 +35,10 @@ pub struct SweepArguments {
     /// folder or others
     #[arg(long, value_name = "I/N")]
     shard: Option<Shard>,
+    /// A table of samples: a column for each key that varies (contact.friction,
+    /// crack[1].angle_deg), a row for each run; the file is then a case or a study
+    #[arg(long, value_name = "FILE")]
+    table: Option<PathBuf>,
     /// Engine in place of the study's: xfem or dislocation
     #[arg(long, value_name = "ENGINE")]
     engine: Option<String>,
@@ -43,6 +48,8 @@ pub struct SweepArguments {
     /// Number of increments of every run, in place of the study's
     #[arg(long, value_name = "N")]
     steps: Option<u64>,
+    #[command(flatten)]
+    set: Set,
     /// Number of threads [default: all]; results are the same with any
     #[arg(long, value_name = "N", value_parser = crate::commands::run::threads)]
     threads: Option<NonZeroUsize>,
@@ -58,6 +65,8 @@ pub struct SweepArguments {
     /// Compute what needs more memory or disk than there is
     #[arg(long)]
     no_limits: bool,
+    #[command(flatten)]
+    json: Json,
 }
 
 impl SweepArguments {
@@ -77,18 +86,25 @@ impl SweepArguments {
         let steps = self.steps.map(|steps| format!("--steps {steps}"));
         let engine = self.engine.as_ref().map(|engine| format!("--engine {engine}"));
         let contact = self.contact.as_ref().map(|contact| format!("--contact {contact}"));
-        [steps, engine, contact].into_iter().flatten().collect()
+        let settings = self.set.set.iter().map(|given| format!("--set {given}"));
+        [steps, engine, contact].into_iter().flatten().chain(settings).collect()
     }
 }
 
 /// Computes the study, or a part of it, and gathers the results.
 pub fn sweep(arguments: &SweepArguments) -> Result<Exit, Failure> {
+    arguments.json.told(|| compute(arguments))
+}
+
+fn compute(arguments: &SweepArguments) -> Result<Exit, Failure> {
     let overrides = Overrides {
         steps: arguments.steps,
         engine: arguments.engine.clone(),
         contact: arguments.contact.clone(),
+        settings: arguments.set.set.clone(),
     };
-    let study = Study::read_with(&arguments.study, &overrides)?;
+    let samples = arguments.table.as_deref().map(SampleTable::read).transpose()?;
+    let study = input::study(&arguments.study, &overrides, samples.as_ref())?;
     let interruption = listen()?;
     let own: Vec<usize> = study
         .runs
@@ -137,8 +153,12 @@ pub fn sweep(arguments: &SweepArguments) -> Result<Exit, Failure> {
     failed.extend(computed);
     failed.sort_by_key(|run| run.number);
     let ending = if interruption.asked() { Ending::Interrupted } else { Ending::Ended };
-    print::stdout(&result_text(&folder, &results, &failed, ending))?;
-    Ok(exit(&failed, ending))
+    let exit = exit(&failed, ending);
+    arguments.json.print(
+        || result_text(&folder, &results, &failed, ending),
+        || result_json(&folder, &results, &failed, exit),
+    )?;
+    Ok(exit)
 }
 
 /// Whether the runs `own` fit, the largest ones side by side.

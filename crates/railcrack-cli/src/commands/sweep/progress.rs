@@ -65,7 +65,7 @@ impl StudyObserver for StudyProgress<'_> {
 }
 
 fn bar(runs: usize, steps: usize) -> ProgressBar {
-    let template = "run {prefix} [{bar:36}] {percent}%  {elapsed} elapsed, {eta} left";
+    let template = "run {prefix} [{wide_bar}] {percent}%  {elapsed}, {eta} left";
     let bar = styled_bar(steps as u64 * PARTS as u64, template);
     bar.set_prefix(format!("0/{runs}"));
     bar

@@ -1,8 +1,10 @@
 //! Result of a study on standard output.
 
+use crate::exit::Exit;
 use railcrack_run::StudyFolder;
 use railcrack_run::simulation::{Ending, FailedRun};
 use railcrack_run::study::{RunState, StudyResults};
+use serde_json::{Value, json};
 use std::io::Write;
 
 /// Failed runs that are told one by one.
@@ -32,6 +34,24 @@ pub fn result_text(
         text.push_str("the same command with --resume goes on from here\n");
     }
     text
+}
+
+/// The same as one object.
+pub fn result_json(folder: &StudyFolder, results: &StudyResults, failed: &[FailedRun], exit: Exit) -> Value {
+    let failed: Vec<Value> = failed
+        .iter()
+        .map(|run| json!({ "run": run.number, "values": run.label, "reason": run.reason }))
+        .collect();
+    json!({
+        "exit": exit.code(),
+        "folder": folder.path(),
+        "ending": if exit == Exit::Interrupted { "interrupted" } else { "ended" },
+        "runs": results.rows.len(),
+        "done": results.count(|state| *state == RunState::Done),
+        "unfinished": results.count(|state| *state == RunState::Unfinished),
+        "missing": results.count(|state| *state == RunState::Missing),
+        "failed": failed,
+    })
 }
 
 /// The failed runs on standard error, whoever reads the result: with `--quiet`, too.

@@ -37,7 +37,9 @@ pub(crate) fn study_charts(runs: &[&StudyRun], styles: &Styles) -> Vec<Chart> {
     if with_tip.iter().any(|(_, tip)| tip.rows.len() > 1) {
         let lengths = of_tip(&|tip| tip.rows.iter().map(|row| [row.load_cycles, row.length]).collect());
         let lengths = lengths.into_iter().map(|curve| curve.with_dots(CurveDots::Last)).collect();
-        charts.push(cycles::chart("Crack length against load cycles.", lengths));
+        let chart = cycles::chart("Crack length against load cycles.", lengths);
+        // Lives differ by powers of ten: on a linear axis all curves but one stick to the other.
+        charts.push(Chart { x: ChartAxis::logarithmic(&chart.x.label, &chart.x.unit), ..chart });
         charts.push(Chart {
             id: "rate-length".to_owned(),
             caption: "Growth rate against crack length.".to_owned(),

@@ -1,11 +1,13 @@
 //! The plots of a study: all runs on one chart each.
 
+mod bands;
 mod charts;
 mod choice;
 mod plots;
 mod run;
 mod styles;
 
+pub(crate) use bands::band_charts;
 pub(crate) use charts::study_charts;
 pub(crate) use choice::stratified;
 pub(crate) use plots::{STUDY_PLOTS, study_plots};

@@ -1,10 +1,12 @@
 //! The SVG files of a study.
 
+use super::bands::band_charts;
 use super::charts::study_charts;
 use super::run::StudyRun;
 use super::styles::Styles;
 use crate::chart::{Chart, ChartSheet, CurveColour, CurveLook, LegendEntry, SheetLegend};
 use crate::figures::plot::Plot;
+use crate::pages::MANY;
 use railcrack_run::study::StudyPlan;
 
 /// Every plot that a study may have.
@@ -12,6 +14,9 @@ pub(crate) const STUDY_PLOTS: [&str; 4] = ["ki.svg", "kii.svg", "paths.svg", "le
 
 /// The plots of a study for its runs with a finished step; none where there is no such run.
 pub(crate) fn study_plots(plan: &StudyPlan, runs: &[StudyRun], styles: &Styles) -> Vec<Plot> {
+    if runs.len() > MANY {
+        return band_plots(plan, runs);
+    }
     let drawn: Vec<&StudyRun> = runs.iter().filter(|run| run.tip().is_some()).collect();
     let of_all = if drawn.len() == runs.len() { String::new() } else { format!(" of {}", runs.len()) };
     // With several tips in a run, whose K and length are shown.
@@ -38,4 +43,14 @@ pub(crate) fn study_plots(plan: &StudyPlan, runs: &[StudyRun], styles: &Styles) 
         ))
     };
     study_charts(&drawn, styles).into_iter().filter_map(sheet).collect()
+}
+
+/// The same of many runs: quantile bands; there are no paths.
+fn band_plots(plan: &StudyPlan, runs: &[StudyRun]) -> Vec<Plot> {
+    let sheet = |chart: Chart| {
+        let file = STUDY_PLOTS.into_iter().find(|file| file.strip_suffix(".svg") == Some(&chart.id))?;
+        let subtitle = format!("{} · {} runs", chart.caption.trim_end_matches('.'), runs.len());
+        Some(Plot::sheet(file, ChartSheet::of(&plan.title, &subtitle, chart)))
+    };
+    band_charts(runs).into_iter().filter_map(sheet).collect()
 }

@@ -1,6 +1,8 @@
 //! A run of a study with its place in the plan.
 
 use crate::direction::{Heading, heading};
+use railcrack_run::StudyFolder;
+use railcrack_run::files::REPORT_FILE;
 use railcrack_run::representative::RepresentativeTip;
 use railcrack_run::study::{PlannedRun, StudyPlan, StudyRow};
 
@@ -10,12 +12,16 @@ pub(crate) struct StudyRun<'a> {
     pub(crate) row: &'a StudyRow,
     /// `run 3: friction 0.4, angle_deg 15`, also the name of its curves.
     pub(crate) name: String,
+    /// Whether its folder has a report.
+    pub(crate) has_report: bool,
 }
 
 impl<'a> StudyRun<'a> {
     /// The run `planned` of `plan` with its results.
-    pub(crate) fn new(plan: &StudyPlan, planned: &'a PlannedRun, row: &'a StudyRow) -> Self {
-        Self { planned, row, name: format!("run {}: {}", planned.number, values(plan, planned)) }
+    pub(crate) fn new(folder: &StudyFolder, planned: &'a PlannedRun, row: &'a StudyRow) -> Self {
+        let name = format!("run {}: {}", planned.number, values(folder.plan(), planned));
+        let has_report = folder.run_folder(planned).join(REPORT_FILE).is_file();
+        Self { planned, row, name, has_report }
     }
 
     /// Its representative tip; none without a finished step.

@@ -2,7 +2,10 @@
 
 mod charts;
 mod facts;
+mod many;
 mod runs;
+
+pub(crate) use many::MANY;
 
 use crate::figures::{Plot, StudyRun, Styles};
 use crate::page::{Block, Page, Section};
@@ -19,8 +22,9 @@ pub(crate) fn study_page(
     study: &str,
     plots: &[Plot],
 ) -> Page {
-    let warnings = facts::warnings(runs);
-    let lead = if warnings.is_empty() { Vec::new() } else { vec![Block::Warnings(warnings)] };
+    if runs.len() > MANY {
+        return page(plan, runs, study, many::blocks(plan, runs));
+    }
     let table = Block::Table(runs::table(plan, runs));
     let mut together = vec![Block::Choices(styles.choices())];
     let charts = charts::charts(plan, runs, styles, plots);
@@ -31,6 +35,13 @@ pub(crate) fn study_page(
         together.extend(charts);
         together.push(table);
     }
+    page(plan, runs, study, together)
+}
+
+/// The page with what it shows of all runs `together`.
+fn page(plan: &StudyPlan, runs: &[StudyRun], study: &str, together: Vec<Block>) -> Page {
+    let warnings = facts::warnings(runs);
+    let lead = if warnings.is_empty() { Vec::new() } else { vec![Block::Warnings(warnings)] };
     Page {
         title: plan.title.clone(),
         kind: "Parametric study".to_owned(),

@@ -27,8 +27,8 @@ pub(super) fn table(plan: &StudyPlan, all: &[StudyRun]) -> Table {
     );
     let mut table = Table::new(headings);
     table.caption =
-        "Representative tip of each run, that of the crack that grew most; the number links to the report of \
-         the run"
+        "Representative tip of each run, that of the crack that grew most; `railcrack report` of \
+                     the folder of a run makes its report, to which its number then links"
             .to_owned();
     if all.len() > TABLE_ROWS {
         table.caption.push_str(&format!("; the first {TABLE_ROWS} rows of summary.csv"));
@@ -42,8 +42,10 @@ pub(super) fn table(plan: &StudyPlan, all: &[StudyRun]) -> Table {
 fn cells(plan: &StudyPlan, run: &StudyRun, has_tonnes: bool) -> Vec<Cell> {
     let number = run.number().to_string();
     let mut cells: Vec<Cell> = vec![match run.row.summary {
-        Some(_) => Cell::linked(&number, &format!("runs/{}/report.html", run.planned.folder)),
-        None => number.into(),
+        Some(_) if run.has_report => {
+            Cell::linked(&number, &format!("runs/{}/report.html", run.planned.folder))
+        }
+        _ => number.into(),
     }];
     cells.extend(plan.values_of(run.planned).map(|(_, value)| Cell::from(value)));
     let missing = || Cell::from(MISSING);

@@ -1,0 +1,78 @@
+//! One key of the case file, set from elsewhere: the command line, a column of a table.
+
+use crate::schema::{Fault, Key, Override, Raw, Report, Section, SectionPresence, nearest};
+use crate::tables::SECTIONS;
+use toml::de::DeTable;
+
+const EXAMPLE: &str = "such as contact.friction=0.2 or crack[1].angle_deg=30.0";
+
+/// The value that `given`, `section.key=value`, puts in place of the file's; none where it is
+/// wrong, which `report` then says.
+pub(super) fn setting(given: &str, report: &mut Report) -> Option<Override> {
+    let shown = format!("--set {given}");
+    let mut refuse = |says: String, help: String| {
+        report.add(Fault::new(format!("`{shown}`: {says}")).help(help));
+        None
+    };
+    let Some((path, written)) = given.split_once('=') else {
+        return refuse("must be section.key=value".into(), EXAMPLE.into());
+    };
+    let (section, number, key) = match place_of(path.trim()) {
+        Ok(place) => place,
+        Err((says, help)) => return refuse(says, help),
+    };
+    match raw(written.trim(), key) {
+        Some(value) => Some(Override { section: section.name, key: key.name, number, shown, value }),
+        None => refuse("the value is no TOML".into(), "numbers without, text with quotes".into()),
+    }
+}
+
+/// Section, number of its table where it is given, and key of `path`, `section.key`.
+///
+/// Errors: what is wrong, and a remedy.
+pub(crate) fn place_of(path: &str) -> Result<Place, (String, String)> {
+    let (table, name) = path.rsplit_once('.').unwrap_or(("", path));
+    let Some((section_name, number)) = numbered(table) else {
+        return Err(("crack[N] counts cracks from 1".into(), EXAMPLE.into()));
+    };
+    let Some(section) = SECTIONS.iter().find(|section| section.name == section_name) else {
+        let near = nearest(section_name, SECTIONS.iter().map(|section| section.name)).unwrap_or_default();
+        let says = format!("unknown section `{section_name}`");
+        return Err((says, format!("nearest known section: `{near}`")));
+    };
+    let Some(key) = section.key(name) else {
+        return Err((format!("unknown key `{name}`"), known(section, name)));
+    };
+    if number.is_some() && section.presence != SectionPresence::Repeated {
+        return Err((format!("there is one `{}`", section.header()), EXAMPLE.into()));
+    }
+    Ok((section, number, key))
+}
+
+type Place = (&'static Section, Option<usize>, &'static Key);
+
+/// `crack[2]` as name and number.
+fn numbered(table: &str) -> Option<(&str, Option<usize>)> {
+    match table.split_once('[') {
+        None => Some((table, None)),
+        Some((name, rest)) => {
+            let number = rest.strip_suffix(']')?.parse().ok().filter(|number| *number > 0)?;
+            Some((name, Some(number)))
+        }
+    }
+}
+
+fn known(section: &Section, name: &str) -> String {
+    let known: Vec<&str> = section.keys.iter().map(|key| key.name).collect();
+    let near = nearest(name, known.iter().copied()).unwrap_or_default();
+    format!("nearest known key: `{near}`; {} knows {}", section.header(), known.join(", "))
+}
+
+/// The value as TOML has it; a word that is none stands for itself where the key takes words.
+fn raw(written: &str, key: &Key) -> Option<Raw> {
+    let text = format!("value = {written}");
+    if let Ok(table) = DeTable::parse(&text) {
+        return table.get_ref().get("value").map(|value| Raw::read(value.get_ref()));
+    }
+    (key.kind.is_text() && !written.is_empty()).then(|| Raw::Text(written.to_owned()))
+}

@@ -1,0 +1,15 @@
+//! Values of a study that are drawn: distributions in place of values, and tables of samples.
+
+mod distribution;
+mod find;
+mod normal;
+mod points;
+mod sobol;
+mod substitute;
+mod table;
+
+pub(super) use find::{Sampled, find_sampled, is_sampled};
+pub(super) use points::points;
+pub(super) use sobol::DIMENSIONS;
+pub(super) use substitute::{Substitute, substituted};
+pub use table::SampleTable;

@@ -1,0 +1,103 @@
+//! A table of samples of the user's own: a row per run, a column per key.
+
+use super::substitute::Substitute;
+use crate::case::place_of;
+use crate::schema::{CaseErrors, Fault, Kind, Report, Source, read_file};
+use std::path::Path;
+
+/// A table whose columns are keys (`contact.friction`, `crack[1].angle_deg`) and whose rows are
+/// runs.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SampleTable {
+    pub(in crate::study) columns: Vec<(String, Substitute)>,
+}
+
+impl SampleTable {
+    /// The table in the file `path`: CSV with a header, `#` before comments.
+    ///
+    /// Errors: it cannot be read; a column is no key; a row has another number of fields.
+    pub fn read(path: &Path) -> Result<Self, CaseErrors> {
+        let source = read_file(path)?;
+        Self::parse(&source.text, &source.name)
+    }
+
+    /// The table with this `text`; errors call it `name`.
+    ///
+    /// Errors: see [`SampleTable::read`].
+    pub fn parse(text: &str, name: &str) -> Result<Self, CaseErrors> {
+        let mut report = Report::new(Source { name: name.into(), text: text.into() });
+        let table = read(text, &mut report);
+        match table {
+            Some(columns) if report.is_clean() => Ok(Self { columns }),
+            _ => Err(report.into_errors()),
+        }
+    }
+}
+
+fn read(text: &str, report: &mut Report) -> Option<Vec<(String, Substitute)>> {
+    let mut offset = 0;
+    let lines = text.split_inclusive('\n').map(|line| {
+        let at = offset;
+        offset += line.len();
+        (at, line.trim_end())
+    });
+    let mut lines = lines.filter(|(_, line)| !line.trim().is_empty() && !line.starts_with('#'));
+    let help = "a header of keys such as contact.friction,crack[1].angle_deg, then a row per run";
+    let Some((at, header)) = lines.next() else {
+        report.add(Fault::new("there is no header").help(help));
+        return None;
+    };
+    let mut columns = Vec::new();
+    for name in header.split(',').map(str::trim) {
+        match place_of(name) {
+            Ok((section, number, key)) if is_single(key.kind) => {
+                let substitute = Substitute {
+                    section: section.name,
+                    number: number.unwrap_or(1),
+                    key: key.name,
+                    values: Vec::new(),
+                    span: None,
+                };
+                columns.push((name.to_owned(), key.kind, substitute));
+            }
+            Ok(_) => {
+                let says = format!("`{name}` is a list, which no field of a table holds");
+                report.add(Fault { span: Some(at..at + header.len()), ..Fault::new(says).help(help) });
+            }
+            Err((says, near)) => {
+                let says = format!("column `{name}`: {says}");
+                report.add(Fault { span: Some(at..at + header.len()), ..Fault::new(says).help(near) });
+            }
+        }
+    }
+    for (at, line) in lines {
+        let fields: Vec<&str> = line.split(',').map(str::trim).collect();
+        if fields.len() != columns.len() {
+            let says = format!("{} fields below {} columns", fields.len(), columns.len());
+            report.add(Fault { span: Some(at..at + line.len()), ..Fault::new(says).help(help) });
+            return None;
+        }
+        for (field, (_, kind, substitute)) in fields.iter().zip(&mut columns) {
+            substitute.values.push(toml(field, *kind));
+        }
+    }
+    if columns.iter().any(|(_, _, substitute)| substitute.values.is_empty()) {
+        report.add(Fault::new("there is no row").help(help));
+    }
+    Some(columns.into_iter().map(|(name, _, substitute)| (name, substitute)).collect())
+}
+
+fn is_single(kind: Kind) -> bool {
+    !matches!(kind, Kind::Numbers { .. } | Kind::Points { .. } | Kind::Groups { .. })
+}
+
+/// A field as TOML: a number as it is written elsewhere, too, words with or without quotes.
+fn toml(field: &str, kind: Kind) -> String {
+    if kind.is_text() {
+        return format!("\"{}\"", field.trim_matches('"').replace('\\', "\\\\"));
+    }
+    match field.parse::<f64>() {
+        Ok(value) if matches!(kind, Kind::Number { .. }) => format!("{value:?}"),
+        _ => field.to_owned(),
+    }
+}

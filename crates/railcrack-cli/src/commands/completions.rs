@@ -1,0 +1,53 @@
+//! `railcrack completions` and `railcrack man`.
+
+use crate::arguments::Arguments;
+use crate::exit::{Exit, Failure};
+use crate::print;
+use clap::{Args, CommandFactory};
+use clap_complete::Shell;
+use std::path::PathBuf;
+
+/// Print the completions of a shell
+///
+/// For bash: railcrack completions bash > ~/.local/share/bash-completion/completions/railcrack
+#[derive(Debug, Args)]
+pub struct CompletionsArguments {
+    /// The shell
+    #[arg(value_name = "SHELL")]
+    shell: Shell,
+}
+
+/// Print the manual page, or write those of all commands into a folder
+#[derive(Debug, Args)]
+pub struct ManArguments {
+    /// The folder: railcrack.1, railcrack-run.1, …
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+}
+
+/// Prints the completions.
+pub fn completions(arguments: &CompletionsArguments) -> Result<Exit, Failure> {
+    let mut script = Vec::new();
+    clap_complete::generate(arguments.shell, &mut Arguments::command(), "railcrack", &mut script);
+    print::stdout(&String::from_utf8_lossy(&script))?;
+    Ok(Exit::Done)
+}
+
+/// Prints or writes the manual pages.
+pub fn man(arguments: &ManArguments) -> Result<Exit, Failure> {
+    let command = Arguments::command();
+    match &arguments.out {
+        None => {
+            let mut page = Vec::new();
+            clap_mangen::Man::new(command).render(&mut page).map_err(Failure::Stdout)?;
+            print::stdout(&String::from_utf8_lossy(&page))?;
+        }
+        Some(folder) => {
+            let refused = |source| Failure::CannotWrite { path: folder.clone(), source };
+            std::fs::create_dir_all(folder).map_err(refused)?;
+            clap_mangen::generate_to(command, folder).map_err(refused)?;
+            print::stdout(&format!("manual pages in {}\n", folder.display()))?;
+        }
+    }
+    Ok(Exit::Done)
+}

@@ -1,0 +1,182 @@
+//! `railcrack show`.
+
+use crate::exit::{Exit, Failure};
+use crate::print;
+use clap::Args;
+use railcrack_report::FolderKind;
+use railcrack_run::simulation::RunError;
+use std::path::{Path, PathBuf};
+
+/// Show a table of a folder of results, or some of its columns
+///
+/// The folder is that of a run, of a plastic state, of a comparison or of a study. Without --table
+/// the main table: growth, profile, compare, summary. Numbers have six significant digits unless
+/// --exact asks for all.
+#[derive(Debug, Args)]
+pub struct ShowArguments {
+    /// The folder
+    #[arg(value_name = "DIR")]
+    folder: PathBuf,
+    /// The table: growth, sif, faces, residual, summary, times, … [default: the main one]
+    #[arg(long, value_name = "NAME")]
+    table: Option<String>,
+    /// Its columns, with commas between them, in this order [default: all]
+    #[arg(long, value_name = "COLUMN,…", value_delimiter = ',')]
+    columns: Vec<String>,
+    /// The last N rows only
+    #[arg(long, value_name = "N")]
+    last: Option<usize>,
+    /// All digits, with commas between the fields: for other programs
+    #[arg(long)]
+    exact: bool,
+}
+
+/// Prints the table.
+pub fn show(arguments: &ShowArguments) -> Result<Exit, Failure> {
+    let folder = &arguments.folder;
+    let name = match &arguments.table {
+        Some(name) => name.strip_suffix(".csv").unwrap_or(name).to_owned(),
+        None => main_table(folder)?.to_owned(),
+    };
+    let path = folder.join(format!("{name}.csv"));
+    if name.contains(['/', '\\']) || !path.is_file() {
+        let there = tables(folder).join(", ");
+        return Err(Failure::Show(format!("{} has no table `{name}`: it has {there}", folder.display())));
+    }
+    let text = std::fs::read_to_string(&path).map_err(|reason| RunError::System {
+        action: format!("read {}", path.display()),
+        reason: reason.to_string(),
+    })?;
+    let mut lines = text.lines().filter(|line| !line.starts_with('#')).map(fields);
+    let headings = lines.next().unwrap_or_default();
+    let chosen = chosen(&headings, &arguments.columns)?;
+    let mut rows: Vec<Vec<String>> = lines.map(|row| picked(&row, &chosen)).collect();
+    rows.drain(..rows.len().saturating_sub(arguments.last.unwrap_or(usize::MAX)));
+    let headings = picked(&headings, &chosen);
+    let text = if arguments.exact { exact(&headings, &rows) } else { aligned(&headings, &rows) };
+    print::stdout(&text)?;
+    Ok(Exit::Done)
+}
+
+fn main_table(folder: &Path) -> Result<&'static str, Failure> {
+    Ok(match FolderKind::of(folder).map_err(RunError::from)? {
+        FolderKind::Run => "growth",
+        FolderKind::Shakedown => "profile",
+        FolderKind::Comparison => "compare",
+        FolderKind::Study => "summary",
+    })
+}
+
+/// The names of the tables in `folder`.
+fn tables(folder: &Path) -> Vec<String> {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    let mut names: Vec<String> = entries
+        .filter_map(|entry| entry.file_name().to_str()?.strip_suffix(".csv").map(str::to_owned))
+        .collect();
+    names.sort();
+    if names.is_empty() { vec!["none".to_owned()] } else { names }
+}
+
+/// Places of the wanted columns; all where none is named.
+fn chosen(headings: &[String], wanted: &[String]) -> Result<Vec<usize>, Failure> {
+    if wanted.is_empty() {
+        return Ok((0..headings.len()).collect());
+    }
+    wanted
+        .iter()
+        .map(|name| {
+            headings.iter().position(|heading| heading == name.trim()).ok_or_else(|| {
+                Failure::Show(format!("there is no column `{name}`: there are {}", headings.join(", ")))
+            })
+        })
+        .collect()
+}
+
+fn picked(row: &[String], chosen: &[usize]) -> Vec<String> {
+    chosen.iter().map(|&place| row.get(place).cloned().unwrap_or_default()).collect()
+}
+
+/// The fields of a line, quotes taken off (RFC 4180).
+fn fields(line: &str) -> Vec<String> {
+    let mut fields = vec![String::new()];
+    let (mut quoted, mut letters) = (false, line.chars().peekable());
+    while let Some(letter) = letters.next() {
+        let Some(field) = fields.last_mut() else { break };
+        match letter {
+            '"' if quoted && letters.peek() == Some(&'"') => {
+                letters.next();
+                field.push('"');
+            }
+            '"' => quoted = !quoted,
+            ',' if !quoted => fields.push(String::new()),
+            other => field.push(other),
+        }
+    }
+    fields
+}
+
+fn exact(headings: &[String], rows: &[Vec<String>]) -> String {
+    let quoted = |field: &String| {
+        if field.contains([',', '"']) { format!("\"{}\"", field.replace('"', "\"\"")) } else { field.clone() }
+    };
+    let line = |row: &[String]| row.iter().map(quoted).collect::<Vec<_>>().join(",") + "\n";
+    std::iter::once(line(headings)).chain(rows.iter().map(|row| line(row))).collect()
+}
+
+/// Columns below their headings: numbers to the right, words to the left.
+fn aligned(headings: &[String], rows: &[Vec<String>]) -> String {
+    let shown: Vec<Vec<String>> =
+        rows.iter().map(|row| row.iter().map(|field| short(field)).collect()).collect();
+    let column = |place: usize| shown.iter().map(move |row| row[place].as_str());
+    let is_number = |field: &str| field.is_empty() || field.parse::<f64>().is_ok();
+    let numeric: Vec<bool> = (0..headings.len()).map(|place| column(place).all(is_number)).collect();
+    let length = |field: &str| field.chars().count();
+    let widths: Vec<usize> = (0..headings.len())
+        .map(|place| column(place).map(length).chain([length(&headings[place])]).max().unwrap_or(0))
+        .collect();
+    let line = |row: &[String]| {
+        let cells = row.iter().zip(&widths).zip(&numeric).map(|((field, width), numeric)| {
+            let gap = " ".repeat(width - length(field));
+            if *numeric { gap + field } else { field.clone() + &gap }
+        });
+        cells.collect::<Vec<_>>().join("  ").trim_end().to_owned() + "\n"
+    };
+    std::iter::once(line(headings)).chain(shown.iter().map(|row| line(row))).collect()
+}
+
+/// A number with six significant digits; anything else as it is.
+fn short(field: &str) -> String {
+    let is_whole = field.bytes().all(|byte| byte.is_ascii_digit() || byte == b'-');
+    let Some(value) = field.parse::<f64>().ok().filter(|value| value.is_finite() && !is_whole) else {
+        return field.to_owned();
+    };
+    let magnitude = if value == 0.0 { 0 } else { value.abs().log10().floor() as i32 };
+    if !(-4..9).contains(&magnitude) {
+        return format!("{value:.5e}");
+    }
+    let text = format!("{value:.*}", (5 - magnitude).max(0) as usize);
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn fields_are_those_of_the_file() {
+        assert_eq!(fields("a,\"b, \"\"c\"\"\",,1"), ["a", "b, \"c\"", "", "1"]);
+    }
+
+    #[test]
+    fn numbers_are_short_and_aligned() {
+        let shown =
+            ["1234567", "0.1234567", "-2.5e-12", "3.0", "8312778.4", "arrest", "", "1.5e12"].map(short);
+        assert_eq!(
+            shown,
+            ["1234567", "0.123457", "-2.50000e-12", "3", "8312778", "arrest", "", "1.50000e12"]
+        );
+        let row = |fields: [&str; 2]| fields.map(str::to_owned).to_vec();
+        let text = aligned(&row(["length_mm", "stop"]), &[row(["6.25", "arrest"]), row(["", ""])]);
+        assert_eq!(text, "length_mm  stop\n     6.25  arrest\n\n");
+    }
+}

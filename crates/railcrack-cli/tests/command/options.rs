@@ -1,0 +1,219 @@
+//! Options that all commands share: values of the command line, standard input, JSON, tables,
+//! templates, completions.
+
+use super::common::{self, QUICK_CASE, command, done, ends, names, railcrack, read, stderr, stdout};
+use serde_json::Value;
+use std::fs;
+use std::io::Write;
+use std::process::Stdio;
+
+fn workplace(name: &str) -> std::path::PathBuf {
+    let folder = common::folder("options", name);
+    fs::write(folder.join("case.toml"), QUICK_CASE).unwrap();
+    folder
+}
+
+#[test]
+fn a_setting_is_the_value_of_the_file() {
+    let folder = workplace("settings");
+    let told =
+        done(&folder, &["check", "case.toml", "--set", "contact.friction=0.1", "--set", "growth.steps=7"]);
+    assert!(told.contains("friction             0.1") && told.contains("increments           7,"), "{told}");
+    // A word without quotes, a crack by its number, a section that the file does not have.
+    let line =
+        ["check", "case.toml", "--set", "solver.engine=dislocation", "--set", "crack[1].angle_deg=35.0"];
+    let told = done(&folder, &[&line[..], &["--set", "traffic.axle_load_t=17.0"]].concat());
+    for says in ["dislocation", " 35 ", "axle load            17 t"] {
+        assert!(told.contains(says), "{says}: {told}");
+    }
+    // The run remembers it.
+    done(
+        &folder,
+        &[
+            "run",
+            "case.toml",
+            "--set",
+            "growth.steps=0",
+            "--set",
+            "solver.engine=dislocation",
+            "--out",
+            "r",
+            "--quiet",
+        ],
+    );
+    let stored = read(&folder.join("r/case.toml"));
+    assert!(stored.contains("steps = 0") && stored.contains("engine = \"dislocation\""), "{stored}");
+    for (wrong, says) in [
+        ("contact.friction", "must be section.key=value"),
+        ("contact.frction=0.1", "nearest known key: `friction`"),
+        ("contct.friction=0.1", "nearest known section: `contact`"),
+        ("contact.friction=9.0", "`--set contact.friction=9.0`: must be a number in"),
+        ("contact.friction=\"x\"", "not a string"),
+        ("contact[2].friction=0.1", "there is one `[contact]`"),
+        ("crack[0].friction=0.1", "counts cracks from 1"),
+        ("contact.friction=[", "no TOML"),
+        ("solver.engine=fem", "nearest: \"xfem\""),
+    ] {
+        let output = ends(&folder, &["check", "case.toml", "--set", wrong], 2);
+        assert!(stderr(&output).contains(says), "{wrong}: {}", stderr(&output));
+    }
+}
+
+#[test]
+fn a_case_comes_by_standard_input() {
+    let folder = workplace("standard-input");
+    let mut child = command(&folder, &["check", "-", "--set", "growth.steps=3"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .unwrap();
+    child.stdin.take().unwrap().write_all(QUICK_CASE.as_bytes()).unwrap();
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(0));
+    assert!(stdout(&output).contains("increments           3,"));
+}
+
+#[test]
+fn results_and_failures_are_one_object() {
+    let folder = workplace("json");
+    let object = |arguments: &[&str], code: i32| -> Value {
+        serde_json::from_str(&stdout(&ends(&folder, arguments, code))).unwrap()
+    };
+    let quick = ["--set", "growth.steps=1", "--set", "solver.engine=dislocation"];
+    let checked = object(&["check", "case.toml", "--json"], 0);
+    assert_eq!((checked["kind"].as_str(), checked["tips"].as_u64()), (Some("case"), Some(1)));
+    let run = |out: &str, more: &[&str]| {
+        let line = [&["run", "case.toml", "--json", "--quiet", "--out", out], &quick[..], more].concat();
+        object(&line, 0)
+    };
+    let first = run("one", &[]);
+    assert_eq!((first["ending"].as_str(), first["summary"]["steps"].as_u64()), (Some("ended"), Some(1)));
+    run("other", &["--set", "contact.friction=0.1"]);
+    let compared = object(&["compare", "one", "other", "--tolerance", "0.1", "--json"], 1);
+    assert_eq!(compared["comparison"]["within_tolerance"].as_bool(), Some(false));
+    fs::write(folder.join("study.toml"), QUICK_CASE.replace("friction = 0.3", "friction = [0.1, 0.3]"))
+        .unwrap();
+    let swept = object(&[&["sweep", "study.toml", "--json", "--quiet"], &quick[..]].concat(), 0);
+    assert_eq!((swept["runs"].as_u64(), swept["done"].as_u64()), (Some(2), Some(2)));
+    assert_eq!(object(&["check", "study.toml", "--json"], 0)["runs"].as_array().unwrap().len(), 2);
+
+    fs::write(folder.join("wrong.toml"), QUICK_CASE.replace("friction = 0.2", "fiction = 0.2")).unwrap();
+    let wrong = object(&["run", "wrong.toml", "--json"], 2);
+    let error = &wrong["errors"][1];
+    assert_eq!((wrong["exit"].as_u64(), error["line"].as_u64()), (Some(2), Some(11)));
+    assert!(error["message"].as_str().unwrap().contains("unknown key"));
+}
+
+#[test]
+fn the_line_of_an_error_is_shown_with_its_place() {
+    let folder = workplace("caret");
+    fs::write(folder.join("wrong.toml"), QUICK_CASE.replace("angle_deg = 40.0", "angle_deg = 400.0"))
+        .unwrap();
+    let told = stderr(&ends(&folder, &["check", "wrong.toml"], 2));
+    assert!(told.contains("\n  10 | angle_deg = 400.0\n     |             ^^^^^\n"), "{told}");
+}
+
+#[test]
+fn a_table_is_shown_by_its_columns() {
+    let folder = workplace("show");
+    let quick = ["--set", "growth.steps=1", "--set", "solver.engine=dislocation", "--quiet"];
+    done(&folder, &[&["run", "case.toml", "--out", "run"], &quick[..]].concat());
+    let told = done(&folder, &["show", "run", "--columns", "step,length_mm,stop"]);
+    assert_eq!(told, "step  length_mm  stop\n   0          6\n   1       6.24  steps-done\n");
+    let exact = done(&folder, &["show", "run", "--columns", "step,length_mm", "--exact", "--last", "1"]);
+    assert_eq!(exact.lines().collect::<Vec<_>>(), ["step,length_mm", "1,6.24"]);
+    assert!(done(&folder, &["show", "run", "--table", "sif", "--last", "2"]).lines().count() == 3);
+    for (arguments, says) in [
+        (&["show", "run", "--table", "growt"][..], "it has faces, growth, sif"),
+        (&["show", "run", "--columns", "lenght_mm"], "no column `lenght_mm`: there are step, crack"),
+        (&["show", "run", "--table", "../case"], "has no table"),
+        (&["show", "nothing"], "there is no such folder"),
+    ] {
+        let output = railcrack(&folder, arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        assert!(stderr(&output).contains(says), "{arguments:?}: {}", stderr(&output));
+    }
+}
+
+#[test]
+fn every_template_is_a_case_that_is_accepted() {
+    let folder = common::folder("options", "templates");
+    for name in ["head-check", "squat", "curve", "network", "residual-stress", "study"] {
+        done(&folder, &["init", "--template", name]);
+        let file = format!("{name}.toml");
+        let told = done(&folder, &["check", &file]);
+        assert!(told.lines().count() > 10, "{told}");
+        assert_eq!(railcrack(&folder, &["init", "--template", name]).status.code(), Some(4), "not replaced");
+    }
+    assert!(folder.join("residual-stress.csv").is_file());
+    done(&folder, &["run", "head-check.toml", "--steps", "0", "--quiet"]);
+}
+
+#[test]
+fn shells_and_man_are_told_every_command() {
+    let folder = common::folder("options", "shells");
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        let script = done(&folder, &["completions", shell]);
+        assert!(script.contains("sweep") && script.contains("--shard"), "{shell}");
+    }
+    assert!(done(&folder, &["man"]).contains("railcrack"));
+    done(&folder, &["man", "--out", "pages"]);
+    let pages = names(&folder.join("pages"));
+    assert!(pages.contains(&"railcrack-sweep.1".to_owned()) && pages.len() >= 14, "{pages:?}");
+}
+
+#[test]
+fn a_run_writes_what_its_case_asks_for() {
+    let folder = workplace("output");
+    let quick = ["--set", "growth.steps=2", "--set", "solver.engine=dislocation", "--quiet"];
+    let run = |out: &str, more: &[&str]| {
+        done(&folder, &[&["run", "case.toml", "--out", out], &quick[..], more].concat());
+    };
+    run("whole", &[]);
+    run(
+        "least",
+        &[
+            "--set",
+            "output.faces=false",
+            "--set",
+            "output.sif=false",
+            "--set",
+            "output.plots=false",
+            "--set",
+            "output.report=false",
+        ],
+    );
+    let written = ["case.toml", "checkpoint.bin", "growth.csv", "run-log.bin", "summary.json"];
+    assert_eq!(names(&folder.join("least")), written);
+    assert_eq!(read(&folder.join("least/growth.csv")), read(&folder.join("whole/growth.csv")));
+    run(
+        "ends",
+        &["--set", "output.faces=ends", "--set", "output.sif=\"ends\"", "--set", "output.plots=false"],
+    );
+    assert!(folder.join("ends/report.html").is_file() && !folder.join("ends/plots").exists());
+    let steps = |run: &str, table: &str| {
+        let mut steps = common::column(&folder.join(run).join(table), "step");
+        steps.dedup();
+        steps
+    };
+    for table in ["faces.csv", "sif.csv"] {
+        assert_eq!(
+            (steps("ends", table), steps("whole", table)),
+            (vec!["0".into(), "2".into()], vec!["0".into(), "1".into(), "2".into()])
+        );
+    }
+
+    // Its plots are made again of its case: the same.
+    done(&folder, &["report", "least"]);
+    for plot in names(&folder.join("whole/plots")) {
+        let plot = format!("plots/{plot}");
+        assert!(read(&folder.join("least").join(&plot)) == read(&folder.join("whole").join(&plot)), "{plot}");
+    }
+    assert!(folder.join("least/report.html").is_file());
+    assert!(!folder.join("least/again.partial").exists());
+    // Runs without K cannot be compared, those with the ends at the ends.
+    let refused = ends(&folder, &["compare", "least", "whole"], 2);
+    assert!(stderr(&refused).contains("sif = \"none\""), "{}", stderr(&refused));
+    done(&folder, &["compare", "ends", "whole", "--tolerance", "0"]);
+    assert_eq!(done(&folder, &["verify", "least"]).lines().count(), 1);
+}

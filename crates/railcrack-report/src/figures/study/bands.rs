@@ -1,0 +1,162 @@
+//! Quantile bands in place of the curves of many runs.
+
+use super::run::StudyRun;
+use crate::chart::{Chart, ChartArea, ChartAxis, ChartScale, Curve, CurveColour, CurveLook, CurveWidth};
+use crate::figures::sif::Mode;
+use crate::figures::{cycles, sif};
+use railcrack_run::representative::{RepresentativeTip, cycles_to};
+
+/// Shares of the runs below each curve, with their names.
+const SHARES: [(f64, &str); 5] =
+    [(0.05, "5 % of the runs"), (0.25, "25 %"), (0.5, "median"), (0.75, "75 %"), (0.95, "95 %")];
+/// Lengths at which lives are taken.
+const LENGTHS: usize = 41;
+
+/// K of the initial cracks, and growth of `runs`; none where no run has a step.
+pub(crate) fn band_charts(runs: &[StudyRun]) -> Vec<Chart> {
+    let tips: Vec<&RepresentativeTip> = runs.iter().filter_map(StudyRun::tip).collect();
+    let mut charts: Vec<Chart> =
+        Mode::BOTH.into_iter().filter_map(|mode| over_passage(mode, &tips)).collect();
+    charts.extend(lives(&tips));
+    charts.extend(rates(&tips));
+    charts
+}
+
+/// The quantile of `sorted` at `share`; beyond numbers, infinity.
+fn quantile(sorted: &[f64], share: f64) -> f64 {
+    let place = share * (sorted.len() as f64 - 1.0);
+    let (low, high) = (place.floor() as usize, place.ceil() as usize);
+    let part = place - low as f64;
+    if part == 0.0 { sorted[low] } else { (1.0 - part) * sorted[low] + part * sorted[high] }
+}
+
+/// The quantiles of `values`, where there are any.
+fn quantiles(mut values: Vec<f64>) -> Option<[f64; 5]> {
+    values.retain(|value| !value.is_nan());
+    values.sort_by(f64::total_cmp);
+    (!values.is_empty()).then(|| SHARES.map(|(share, _)| quantile(&values, share)))
+}
+
+fn over_passage(mode: Mode, tips: &[&RepresentativeTip]) -> Option<Chart> {
+    let all: Vec<Vec<[f64; 2]>> =
+        tips.iter().map(|tip| mode.points(&tip.history)).filter(|points| points.len() > 1).collect();
+    let grid: Vec<f64> = all.first()?.iter().map(|point| point[0]).collect();
+    let rows = grid.iter().filter_map(|&x| {
+        let at_x = all.iter().map(|points| between(points, x)).collect();
+        Some((x, quantiles(at_x)?))
+    });
+    let caption =
+        format!("{} of the initial cracks over the passage: quantiles over the runs.", mode.symbol());
+    let rows: Vec<(f64, [f64; 5])> = rows.collect();
+    let chart = sif::chart(mode.id(), mode.symbol(), caption, Vec::new());
+    Some(banded(chart, &rows, |x, y| [x, y]))
+}
+
+/// The value of `points`, which go along x in either direction, at `x`; NaN beyond them.
+fn between(points: &[[f64; 2]], x: f64) -> f64 {
+    let pair = points.windows(2).find(|pair| (pair[0][0] - x) * (pair[1][0] - x) <= 0.0);
+    pair.map_or(f64::NAN, |pair| {
+        let span = pair[1][0] - pair[0][0];
+        if span == 0.0 {
+            pair[0][1]
+        } else {
+            pair[0][1] + (x - pair[0][0]) / span * (pair[1][1] - pair[0][1])
+        }
+    })
+}
+
+/// Lengths from the longest initial one to the longest of all.
+fn lengths(tips: &[&RepresentativeTip]) -> Vec<f64> {
+    let begin = tips.iter().map(|tip| tip.first.length).fold(f64::MIN, f64::max);
+    let end = tips.iter().map(|tip| tip.last().length).fold(f64::MIN, f64::max);
+    if end <= begin {
+        return Vec::new();
+    }
+    (1..=LENGTHS).map(|i| begin + (end - begin) * i as f64 / LENGTHS as f64).collect()
+}
+
+/// Load cycles to each length; a run that does not reach it has none, and counts as longer.
+fn lives(tips: &[&RepresentativeTip]) -> Option<Chart> {
+    let rows: Vec<(f64, [f64; 5])> = lengths(tips)
+        .into_iter()
+        .filter_map(|length| {
+            let life = |tip: &&RepresentativeTip| cycles_to(&tip.rows, length).unwrap_or(f64::INFINITY);
+            Some((length, quantiles(tips.iter().map(life).collect())?))
+        })
+        .collect();
+    if rows.is_empty() {
+        return None;
+    }
+    let caption = "Load cycles to a crack length: quantiles over all runs; a run that does not reach the length counts as longer.";
+    let chart = cycles::chart(caption, Vec::new());
+    let chart = Chart { x: ChartAxis::logarithmic(&chart.x.label, &chart.x.unit), ..chart };
+    Some(banded(chart, &rows, |length, cycles| [cycles, length]))
+}
+
+/// Growth rates at each length, of the runs that pass it.
+fn rates(tips: &[&RepresentativeTip]) -> Option<Chart> {
+    let rows: Vec<(f64, [f64; 5])> = lengths(tips)
+        .into_iter()
+        .filter_map(|length| {
+            let rate = |tip: &&RepresentativeTip| {
+                let points: Vec<[f64; 2]> = tip.rows.iter().map(|row| [row.length, row.rate]).collect();
+                between(&points, length)
+            };
+            Some((length, quantiles(tips.iter().map(rate).collect())?))
+        })
+        .collect();
+    let chart = Chart {
+        id: "rate-length".to_owned(),
+        caption: "Growth rate against crack length: quantiles over the runs that reach the length."
+            .to_owned(),
+        x: ChartAxis::linear("Crack length", "mm"),
+        y: ChartAxis::logarithmic("da/dN", "mm per load cycle"),
+        ..Chart::default()
+    };
+    (!rows.is_empty()).then(|| banded(chart, &rows, |x, y| [x, y]))
+}
+
+/// `chart` with the quantiles of `rows` as curves and the spaces between them as areas; `point`
+/// makes a point of the common coordinate and a value.
+fn banded(chart: Chart, rows: &[(f64, [f64; 5])], point: impl Fn(f64, f64) -> [f64; 2]) -> Chart {
+    let is_logarithmic = [&chart.x, &chart.y].iter().any(|axis| axis.scale == ChartScale::Logarithmic);
+    let is_shown = |value: f64| value.is_finite() && (!is_logarithmic || value > 0.0);
+    let curve = |i: usize| -> Vec<[f64; 2]> {
+        let own = rows.iter().filter(|(_, values)| is_shown(values[i]));
+        own.map(|(at, values)| point(*at, values[i])).collect()
+    };
+    let area = |name: &str, low: usize, high: usize| {
+        // Where both have a value: where only one has, there is no border on the other side.
+        let both = || rows.iter().filter(|(_, values)| is_shown(values[low]) && is_shown(values[high]));
+        let there = both().map(|(at, values)| point(*at, values[low]));
+        let back = both().rev().map(|(at, values)| point(*at, values[high]));
+        let outline = there.chain(back).collect();
+        ChartArea { name: name.to_owned(), outline }
+    };
+    let looks =
+        [CurveLook::FineDashed, CurveLook::Dashed, CurveLook::Line, CurveLook::Dashed, CurveLook::FineDashed];
+    let curves = SHARES.iter().zip(looks).enumerate().map(|(i, ((_, name), look))| {
+        let width = if i == 2 { CurveWidth::Wide } else { CurveWidth::Usual };
+        Curve::line(name, curve(i)).with_look(look).with_width(width).with_colour(CurveColour::Category(0))
+    });
+    Chart {
+        curves: curves.filter(|curve| !curve.points.is_empty()).collect(),
+        areas: vec![area("5 % to 95 %", 0, 4), area("25 % to 75 %", 1, 3)],
+        ..chart
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quantiles_are_those_of_the_sorted_values() {
+        let values: Vec<f64> = (0..=100).rev().map(f64::from).collect();
+        assert_eq!(quantiles(values), Some([5.0, 25.0, 50.0, 75.0, 95.0]));
+        let with_more = quantiles(vec![1.0, f64::INFINITY, 2.0, f64::INFINITY, f64::NAN]).unwrap();
+        assert!(with_more[1].is_finite() && with_more[3] == f64::INFINITY);
+        assert_eq!(between(&[[2.0, 5.0], [0.0, 1.0]], 0.5), 2.0);
+        assert!(between(&[[2.0, 5.0], [0.0, 1.0]], 3.0).is_nan());
+    }
+}

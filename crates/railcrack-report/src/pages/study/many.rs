@@ -1,0 +1,172 @@
+//! The page of a study with more runs than curves can show: bands, keys against each other, what
+//! results depend on, a table that sorts.
+
+use crate::figures::{StudyRun, band_charts};
+use crate::page::Block;
+use crate::sensitivity::{Estimate, first_order, rank_correlation};
+use crate::shown::Deflated;
+use railcrack::words::Choice;
+use railcrack_run::representative::{RepresentativeTip, cycles_to};
+use railcrack_run::study::StudyPlan;
+use serde_json::{Value, json};
+
+/// Runs above which the page is this one.
+pub(crate) const MANY: usize = 50;
+
+/// A column of the table, and a choice of what is drawn.
+struct Column {
+    /// Its name: a key, or a column of `summary.csv`.
+    name: String,
+    /// Its name with unit.
+    title: String,
+    /// Whether it is a key of the study.
+    is_key: bool,
+    /// Whether it is laid out by its logarithm.
+    is_logarithmic: bool,
+    /// By run; NaN where there is none. Of words, their places.
+    values: Vec<f64>,
+    words: Vec<String>,
+}
+
+/// Bands, and the viewer.
+pub(super) fn blocks(plan: &StudyPlan, runs: &[StudyRun]) -> Vec<Block> {
+    let mut blocks = Vec::new();
+    let mut charts = band_charts(runs).into_iter();
+    let passages: Vec<_> = charts.by_ref().take(2).collect();
+    blocks.push(Block::charts(passages));
+    blocks.push(Block::charts(charts));
+    blocks.push(Block::Heading("Keys and results".to_owned()));
+    blocks.push(Block::Viewer {
+        html: include_str!("../../assets/study.html"),
+        data_id: "study-data",
+        data: data(plan, runs),
+        script: include_str!("../../assets/study.js"),
+    });
+    blocks
+}
+
+fn data(plan: &StudyPlan, runs: &[StudyRun]) -> Value {
+    let columns = columns(plan, runs);
+    let results: Vec<Value> =
+        columns.iter().filter(|column| is_result(column)).map(|result| depends(result, &columns)).collect();
+    let (mut first, mut cycles, mut lengths) = (vec![0.0], Vec::new(), Vec::new());
+    for run in runs {
+        for row in run.tip().map_or(&[][..], |tip| &tip.rows) {
+            cycles.push(row.load_cycles);
+            lengths.push(row.length);
+        }
+        first.push(cycles.len() as f64);
+    }
+    json!({
+        "columns": columns.iter().map(column_data).collect::<Vec<_>>(),
+        "results": results,
+        "first": Deflated::singles(&first),
+        "cycles": Deflated::singles(&cycles),
+        "lengths": Deflated::singles(&lengths),
+    })
+}
+
+fn column_data(column: &Column) -> Value {
+    json!({
+        "name": column.name,
+        "title": column.title,
+        "key": column.is_key,
+        "log": column.is_logarithmic,
+        "words": if column.words.is_empty() { None } else { Some(&column.words) },
+        "data": Deflated::singles(&column.values),
+    })
+}
+
+fn is_result(column: &Column) -> bool {
+    !column.is_key && column.words.is_empty() && column.name != "run"
+}
+
+/// The keys on which `result` depends.
+fn depends(result: &Column, columns: &[Column]) -> Value {
+    let estimates = |of: fn(&[f64], &[f64]) -> Option<Estimate>, words_too: bool| -> Vec<Value> {
+        let keys = columns.iter().filter(|column| column.is_key && (words_too || column.words.is_empty()));
+        keys.map(|key| {
+            let pairs = key.values.iter().zip(&result.values);
+            let level = |value: f64| if result.is_logarithmic { value.ln() } else { value };
+            let pairs = pairs.map(|(x, y)| (*x, level(*y))).filter(|(x, y)| x.is_finite() && y.is_finite());
+            let (x, y): (Vec<f64>, Vec<f64>) = pairs.unzip();
+            let shown = |estimate: Estimate| {
+                [estimate.value, estimate.low, estimate.high].map(|x| (x * 1e4).round() / 1e4)
+            };
+            json!({ "key": key.name, "estimate": of(&x, &y).map(shown) })
+        })
+        .collect()
+    };
+    json!({
+        "name": result.name,
+        "title": result.title,
+        "rank": estimates(rank_correlation, false),
+        "sobol": estimates(first_order, true),
+    })
+}
+
+fn columns(plan: &StudyPlan, runs: &[StudyRun]) -> Vec<Column> {
+    let mut columns = vec![numbers("run", "Run", runs.iter().map(|run| run.number() as f64).collect())];
+    let keys: Vec<&str> = plan.axes.iter().flat_map(|axis| &axis.keys).map(|key| key.key.as_str()).collect();
+    for (place, key) in keys.into_iter().enumerate() {
+        let texts: Vec<&str> = runs
+            .iter()
+            .map(|run| plan.values_of(run.planned).nth(place).map_or("", |(_, value)| value))
+            .collect();
+        let parsed: Option<Vec<f64>> = texts.iter().map(|text| text.parse().ok()).collect();
+        columns.push(match parsed {
+            Some(values) => Column { is_key: true, ..numbers(key, key, values) },
+            None => Column { is_key: true, ..words(key, key, &texts) },
+        });
+    }
+    let of_tip = |value: &dyn Fn(&RepresentativeTip) -> f64| -> Vec<f64> {
+        runs.iter().map(|run| run.tip().map_or(f64::NAN, value)).collect()
+    };
+    if let Some(length) = common_length(runs) {
+        let title = format!("Load cycles to {length:.2} mm");
+        let lives = of_tip(&|tip| cycles_to(&tip.rows, length).unwrap_or(f64::NAN));
+        columns.push(Column { is_logarithmic: true, ..numbers("life", &title, lives) });
+    }
+    columns.extend([
+        logarithmic("rate_mm_per_cycle", "Initial rate (mm/cycle)", of_tip(&|tip| tip.first.rate)),
+        numbers("delta_keq_mpa_sqrt_m", "Initial ΔK_{eq} (MPa√m)", of_tip(&|tip| tip.first.delta_keq)),
+        numbers("length_mm", "Length (mm)", of_tip(&|tip| tip.last().length)),
+        numbers("tip_y_mm", "Height of the tip (mm)", of_tip(&|tip| tip.last().place[1])),
+        logarithmic("load_cycles", "Load cycles", of_tip(&|tip| tip.last().load_cycles)),
+    ]);
+    let state = |run: &StudyRun| -> String {
+        let stop = run.row.summary.as_ref().and_then(|summary| summary.stop);
+        stop.map_or_else(|| run.row.state.name().to_owned(), |stop| stop.word().to_owned())
+    };
+    let stops: Vec<String> = runs.iter().map(state).collect();
+    columns.push(words("stop", "Ended by", &stops.iter().map(String::as_str).collect::<Vec<_>>()));
+    columns
+}
+
+/// A length that most runs reach: nine tenths of them.
+fn common_length(runs: &[StudyRun]) -> Option<f64> {
+    let tips: Vec<&RepresentativeTip> = runs.iter().filter_map(StudyRun::tip).collect();
+    let begun = tips.iter().map(|tip| tip.first.length).reduce(f64::max)?;
+    let mut ends: Vec<f64> = tips.iter().map(|tip| tip.last().length).collect();
+    ends.sort_by(f64::total_cmp);
+    let length = ends[ends.len() / 10];
+    (length > begun).then_some(length)
+}
+
+fn numbers(name: &str, title: &str, values: Vec<f64>) -> Column {
+    let (name, title) = (name.to_owned(), title.to_owned());
+    Column { name, title, is_key: false, is_logarithmic: false, values, words: Vec::new() }
+}
+
+fn logarithmic(name: &str, title: &str, values: Vec<f64>) -> Column {
+    Column { is_logarithmic: true, ..numbers(name, title, values) }
+}
+
+fn words(name: &str, title: &str, texts: &[&str]) -> Column {
+    let mut known: Vec<String> = texts.iter().map(|text| (*text).to_owned()).collect();
+    known.sort();
+    known.dedup();
+    let place = |text: &&str| known.binary_search_by(|word| word.as_str().cmp(text)).unwrap_or(0) as f64;
+    let values = texts.iter().map(place).collect();
+    Column { words: known, ..numbers(name, title, values) }
+}

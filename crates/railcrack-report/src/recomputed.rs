@@ -1,0 +1,120 @@
+//! Plots and page of a run whose tables do not have all that these show: the steps are computed
+//! again from the stored case.
+
+use crate::pages::RunFolder;
+use crate::shown::{ShownRun, ShownStep};
+use railcrack::growth::StepRecord;
+use railcrack_case::{Case, Output};
+use railcrack_run::csv::{SifScale, TipRow};
+use railcrack_run::simulation::{RunEntry, RunError, Simulation};
+use railcrack_run::study::StudyResults;
+use railcrack_run::{OutputError, Presentation, RunPresentation, StudyFolder};
+use std::path::Path;
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// Folder, in that of the run, in which its steps are computed again.
+const SCRATCH: &str = "again.partial";
+
+/// The shown part of `run`, computed again.
+///
+/// Errors: it has not ended; what is computed is not what the folder has; it cannot be computed;
+/// the system refuses.
+pub(crate) fn recomputed(run: &RunFolder) -> Result<ShownRun, OutputError> {
+    let folder = &run.path;
+    if run.summary.stop.is_none() {
+        return Err(not_recomputed(folder, "it has not ended: --resume continues it"));
+    }
+    let scratch = folder.join(SCRATCH);
+    let shown = computed(&run.case, &scratch, &run.growth);
+    // Best effort: the error of the computation is the one to report.
+    let removed = std::fs::remove_dir_all(&scratch);
+    let shown = shown.map_err(|reason| not_recomputed(folder, reason))?;
+    removed.map_err(OutputError::io("remove", &scratch))?;
+    Ok(shown)
+}
+
+/// The shown part of the run of `case`, computed in `scratch`; `growth` is what it must come to.
+fn computed(case: &Case, scratch: &Path, growth: &[TipRow]) -> Result<ShownRun, String> {
+    let mut case = case.clone();
+    case.output = Output { report: true, ..Output::LEAST };
+    let gathering = Gathering::default();
+    let simulation = Simulation::new(&case).presented_by(&gathering);
+    simulation.run_in(scratch, RunEntry::Replace).map_err(|error: RunError| error.to_string())?;
+    let again = railcrack_run::RunFolder::open(scratch).and_then(|run| run.growth());
+    let again = again.map_err(|error| error.to_string())?;
+    if let Some((_, row)) = again.iter().zip(growth).find(|(again, stored)| again != stored) {
+        return Err(format!("step {} comes out different: another version computed it", row.step));
+    }
+    if again.len() != growth.len() {
+        return Err("it takes another number of steps: another version computed it".to_owned());
+    }
+    let shown = gathering.shown.lock().unwrap_or_else(PoisonError::into_inner).take();
+    Ok(shown.unwrap_or_default())
+}
+
+fn not_recomputed(folder: &Path, reason: impl Into<String>) -> OutputError {
+    OutputError::NotRecomputed { folder: folder.to_path_buf(), reason: reason.into() }
+}
+
+/// Where what is shown of a run comes when the run has ended.
+type Slot = Arc<Mutex<Option<ShownRun>>>;
+
+/// Gathers what is shown of a run, and writes nothing.
+#[derive(Debug, Default)]
+struct Gathering {
+    shown: Slot,
+}
+
+/// The same for one run.
+#[derive(Debug)]
+struct OfRun {
+    gathered: ShownRun,
+    taken: Option<ShownStep>,
+    slot: Slot,
+}
+
+impl RunPresentation for OfRun {
+    fn take(&mut self, record: &StepRecord, scale: SifScale) -> Result<(), OutputError> {
+        self.taken = Some(self.gathered.of_record(record, scale)?);
+        Ok(())
+    }
+
+    fn keep(&mut self) {
+        if let Some(step) = self.taken.take() {
+            self.gathered.push(step);
+        }
+    }
+
+    fn finish(&self, _: &Path) -> Result<(), OutputError> {
+        *self.slot.lock().unwrap_or_else(PoisonError::into_inner) = Some(self.gathered.clone());
+        Ok(())
+    }
+}
+
+impl Presentation for Gathering {
+    fn run(&self, _: Output) -> Box<dyn RunPresentation> {
+        let slot = Arc::clone(&self.shown);
+        Box::new(OfRun { gathered: ShownRun::default(), taken: None, slot })
+    }
+
+    fn resumed_run(
+        &self,
+        _: &Path,
+        _: usize,
+        output: Output,
+    ) -> Result<Box<dyn RunPresentation>, OutputError> {
+        Ok(self.run(output))
+    }
+
+    fn shakedown(&self, _: &Path) -> Result<(), OutputError> {
+        Ok(())
+    }
+
+    fn comparison(&self, _: &Path) -> Result<(), OutputError> {
+        Ok(())
+    }
+
+    fn study(&self, _: &StudyFolder, _: &StudyResults) -> Result<(), OutputError> {
+        Ok(())
+    }
+}
