@@ -108,12 +108,12 @@ fn the_surface_bears_the_table() {
             let shear = pair[0].shear + share * (pair[1].shear - pair[0].shear);
             let s = wheel.stress(Vec2::new(u + 3.0, 0.0), 3.0);
             let error = (s.yy + pressure).abs().max((s.xy - shear).abs());
-            assert!(error < 1e-7, "u = {u}: {error:e}"); // the summation
+            assert!(error < 1e-4, "u = {u}: {error:e}"); // the summation: 7e-8 of 845 MPa
         }
     }
     for u in [-40.0, -7.0, 6.9, 25.0] {
         let s = wheel.stress(Vec2::new(u, 0.0), 0.0);
-        assert!(s.yy.abs().max(s.xy.abs()) < 1e-7, "free surface at {u}: {s:?}");
+        assert!(s.yy.abs().max(s.xy.abs()) < 1e-4, "free surface at {u}: {s:?}");
     }
 }
 
