@@ -20,14 +20,19 @@ pub(super) fn closest(record: &PaperRecord) -> Option<String> {
     let [best, others] = [true, false].map(|is_best| {
         counts.iter().filter(|(_, count)| (*count == most) == is_best).copied().collect::<Vec<_>>()
     });
-    let names = best.iter().map(|(name, _)| format!("\u{201c}{name}\u{201d}")).collect::<Vec<_>>().join(" and ");
+    let names =
+        best.iter().map(|(name, _)| format!("\u{201c}{name}\u{201d}")).collect::<Vec<_>>().join(" and ");
     let rest = others.iter().map(|(name, count)| format!("{count} in \u{201c}{name}\u{201d}"));
     let rest = rest.collect::<Vec<_>>().join(", ");
     let all = decided.len();
     Some(if others.is_empty() {
-        format!("No main set-up is closest to the paper: of the {all} statements that all of them decide, {most} hold in each.")
+        format!(
+            "No main set-up is closest to the paper: of the {all} statements that all of them decide, {most} hold in each."
+        )
     } else {
-        format!("Closest to the paper is {names}: of the {all} statements that all main set-ups decide, {most} hold there, against {rest}.")
+        format!(
+            "Closest to the paper is {names}: of the {all} statements that all main set-ups decide, {most} hold there, against {rest}."
+        )
     })
 }
 

@@ -157,7 +157,8 @@ variant is named where it differs from the set-up that it varies.
 fn numbers(verdicts: &[Verdict], record: &PaperRecord) -> String {
     let mut text = "## Rules and numbers
 
-K in MPa\u{221a}m, depths in mm. Numbers of all set-ups, unrounded, are in `claims.csv`.
+K in MPa\u{221a}m, depths in mm. Numbers of all set-ups, unrounded, are in `claims.csv`; the texts of the
+warnings of the runs behind a decision are in `statements.json` and on the page.
 
 "
     .to_owned();
@@ -174,12 +175,16 @@ K in MPa\u{221a}m, depths in mm. Numbers of all set-ups, unrounded, are in `clai
         for (at, decision) in shown {
             let says = if decision.holds { "yes" } else { "no" };
             let name = SETUPS[*at].name;
-            text.push_str(&format!("* {name}: {says}; {}\n", decision.text()));
             let told = record.statements.iter().find(|statement| statement.id == claim.id);
             let warnings = told.and_then(|statement| statement.decision(name)).map(|d| d.warnings.as_slice());
-            for warning in warnings.unwrap_or_default() {
-                text.push_str(&format!("  * warning: {warning}\n"));
-            }
+            let runs: Vec<&str> = warnings
+                .unwrap_or_default()
+                .iter()
+                .filter_map(|warning| warning.split(", ").next())
+                .collect();
+            let warned =
+                if runs.is_empty() { String::new() } else { format!(" (warnings: {})", runs.join("; ")) };
+            text.push_str(&format!("* {name}: {says}; {}{warned}\n", decision.text()));
         }
         text.push('\n');
     }

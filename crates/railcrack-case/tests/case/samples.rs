@@ -38,7 +38,8 @@ fn samples_are_runs_with_values_of_their_distributions() {
     assert_eq!((study.axes.len(), study.runs.len()), (1, 16));
     let keys: Vec<&str> = study.axes[0].variations.iter().map(|v| v.key.as_str()).collect();
     assert_eq!(keys, ["contact.friction", "crack[1].angle_deg", "crack[1].friction", "solver.engine"]);
-    let mut frictions: Vec<f64> = study.runs.iter().map(|run| run.case.wheel.load.contact.adhesion()).collect();
+    let mut frictions: Vec<f64> =
+        study.runs.iter().map(|run| run.case.wheel.load.contact.adhesion()).collect();
     frictions.sort_by(f64::total_cmp);
     // One in each sixteenth of the range.
     for (i, friction) in frictions.iter().enumerate() {

@@ -7,7 +7,9 @@ use crate::print;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use railcrack::growth::Observer;
-use railcrack_paper::{Earlier, Overlay, PaperError, Reproduction, SETUPS, Telling, parse_figures, reproduce};
+use railcrack_paper::{
+    Earlier, Overlay, PaperError, Reproduction, SETUPS, Telling, parse_figures, reproduce,
+};
 use std::io::{IsTerminal, Write};
 use std::path::PathBuf;
 use std::sync::Mutex;

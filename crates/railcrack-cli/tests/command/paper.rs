@@ -18,7 +18,7 @@ fn one_figure() {
         "claims.csv",
         "figures/fig13.svg",
         "figures/fig13.csv",
-        "cases/fig13-half-plane-with.toml",
+        "cases/fig13-half-plane-along.toml",
     ] {
         assert!(folder.join(file).is_file(), "{file}");
     }
@@ -33,7 +33,7 @@ fn one_figure() {
     assert!(std::fs::read(folder.join("report.html")).unwrap() == page);
 
     // The case files are there to be run and changed.
-    let case = folder.join("cases/fig13-half-plane-with.toml");
+    let case = folder.join("cases/fig13-half-plane-along.toml");
     let check = railcrack(&place, &["check", case.to_str().unwrap()]);
     assert_eq!(check.status.code(), Some(0), "{}", stderr(&check));
 

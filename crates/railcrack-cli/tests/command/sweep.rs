@@ -400,7 +400,7 @@ fn another_study_does_not_enter_the_folder() {
     names.sort();
     assert_eq!(names.len(), 6, "{names:?}");
     assert_eq!(names[0], "001");
-    assert!(files(&folder.join("study/runs").join(&names[0])).keys().eq(["mine.txt"]));
+    assert!(files(&folder.join("study/runs").join(&names[0])).contains_key("mine.txt"));
     // Nor does a study enter the folder of a run.
     let run = folder.join("study/runs").join(&names[2]).display().to_string();
     refused(&["--out", &run, "--resume"], "already holds a run");

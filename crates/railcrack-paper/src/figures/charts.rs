@@ -1,7 +1,6 @@
 //! Charts of the quantities in the table of a figure.
 
-use super::overlay::DIGITISED;
-use super::tables::FigureTable;
+use super::tables::{DIGITISED, FigureTable};
 use crate::figure::{Figure, Kind};
 use railcrack_report::{Chart, ChartAspect, ChartAxis, ChartRange, Curve, CurveColour, CurveLook};
 

@@ -1,7 +1,7 @@
 //! Digitised curves of a figure of the paper, drawn with ours, and their distance from these.
 
 use super::charts::{Quantity, TableCurve};
-use super::tables::FigureTable;
+use super::tables::{DIGITISED, FigureTable};
 use crate::error::PaperError;
 use crate::figure::{FIGURES, Figure, parse_figures};
 use railcrack_run::OutputError;
@@ -9,8 +9,6 @@ use std::path::{Path, PathBuf};
 
 /// The folder of digitised curves in that of the results.
 const OVERLAYS: &str = "overlays";
-/// The set-up of digitised curves in tables and charts.
-pub(crate) const DIGITISED: &str = "digitised";
 /// The columns of `overlays.csv`.
 pub(crate) const OVERLAY_COLUMNS: &str = "figure,curve,crack,quantity,setup,points,largest,mean";
 
@@ -50,7 +48,8 @@ impl Overlay {
         let quantities = Quantity::of(figure);
         let mut count = 0;
         for quantity in quantities {
-            let curves = quantity.curves(&table).map_err(|value| refused(format!("`{value}` is no number")))?;
+            let curves =
+                quantity.curves(&table).map_err(|value| refused(format!("`{value}` is no number")))?;
             for curve in curves.unwrap_or_default() {
                 let known = figure.curves;
                 if !known.is_empty() && !known.contains(&curve.name.as_str()) {
@@ -132,11 +131,7 @@ pub(crate) fn kept(
 }
 
 /// The distance of each curve of `ours` from the one of `digitised` with its name and crack.
-pub(crate) fn distances(
-    quantity: Quantity,
-    ours: &[TableCurve],
-    digitised: &[TableCurve],
-) -> Vec<Distance> {
+pub(crate) fn distances(quantity: Quantity, ours: &[TableCurve], digitised: &[TableCurve]) -> Vec<Distance> {
     let mut distances = Vec::new();
     for given in digitised {
         for curve in ours.iter().filter(|curve| curve.name == given.name && curve.crack == given.crack) {
@@ -198,7 +193,8 @@ mod tests {
     fn distances_are_those_of_plane_geometry() {
         let path = curve("ours", &[[0.0, 0.0], [4.0, 0.0], [4.0, 3.0]]);
         let digitised = curve(DIGITISED, &[[1.0, 1.0], [5.0, 2.0], [7.0, 7.0]]);
-        let of = |quantity| distances(quantity, std::slice::from_ref(&path), std::slice::from_ref(&digitised));
+        let of =
+            |quantity| distances(quantity, std::slice::from_ref(&path), std::slice::from_ref(&digitised));
         let on_paths = of(Quantity::Paths).remove(0);
         // One beside the first part, one beside the second, one beyond the end: 3, 4, 5.
         assert_eq!((on_paths.points, on_paths.largest), (3, 5.0));

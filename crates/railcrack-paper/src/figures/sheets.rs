@@ -1,7 +1,7 @@
 //! The SVG files of the figures: the main set-ups, both bodies and both ways of travel.
 
 use super::charts::{Quantity, TableCurve, cracks, drawn};
-use super::overlay::DIGITISED;
+use super::tables::DIGITISED;
 use crate::figure::{Figure, Kind};
 use crate::setup::SETUPS;
 use crate::verdict::MAIN;
@@ -48,9 +48,8 @@ pub(crate) fn sheet(figure: &Figure, quantities: &[(Quantity, Vec<TableCurve>)])
 fn is_long(panel: &Chart) -> bool {
     let points = || panel.curves.iter().flat_map(|curve| &curve.points);
     let extent = |c: usize| {
-        let ends = points().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], p| {
-            [low.min(p[c]), high.max(p[c])]
-        });
+        let ends = points()
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], p| [low.min(p[c]), high.max(p[c])]);
         ends[1] - ends[0]
     };
     extent(0) > LONG * extent(1)

@@ -1,5 +1,8 @@
 //! The tables of the figures, read: CSV whose names are in quotes where they have commas.
 
+/// The set-up of digitised curves in tables and charts.
+pub(crate) const DIGITISED: &str = "digitised";
+
 /// A table of strings and numbers.
 pub(crate) struct FigureTable {
     columns: Vec<String>,

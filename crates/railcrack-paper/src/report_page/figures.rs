@@ -3,9 +3,7 @@
 use super::{look, symbols};
 use crate::document::{PaperRecord, SetupRecord};
 use crate::figure::{FIGURES, Figure};
-use crate::figures::{
-    DIGITISED, Distance, FigureTable, Quantity, TableCurve, distances, kept, page_chart,
-};
+use crate::figures::{DIGITISED, Distance, FigureTable, Quantity, TableCurve, distances, kept, page_chart};
 use railcrack_report::{Block, Cell, Chart, Curve, CurveLook, Table, significant};
 use railcrack_run::OutputError;
 use std::collections::{BTreeMap, BTreeSet};
@@ -79,7 +77,9 @@ pub(super) fn blocks(folder: &Path, record: &PaperRecord) -> Result<Vec<Block>, 
 fn distance_table(distances: &[&Distance]) -> Table {
     let mut table =
         Table::new(["Digitised curve", "Crack", "Quantity", "Set-up", "Points", "Largest", "Mean", "Unit"]);
-    table.caption = "Distance from the digitised curves: of paths to the nearest place, else at the same position".to_owned();
+    table.caption =
+        "Distance from the digitised curves: of paths to the nearest place, else at the same position"
+            .to_owned();
     for d in distances {
         table.row([
             d.curve.clone(),

@@ -38,8 +38,8 @@ pub(super) fn verdict(record: &PaperRecord) -> String {
     )
 }
 
-/// The matrix of statements and main set-ups, that of all set-ups, then each statement with its rule
-/// and its numbers.
+/// The matrix of statements and main set-ups, that of all set-ups, then each statement with its
+/// rule and its numbers.
 pub(super) fn blocks(record: &PaperRecord) -> Vec<Block> {
     let main: Vec<&SetupRecord> = record.main_setups().collect();
     let mut table = matrix(record, &main, &["Statement", "Where"], &["Why not everywhere"], |statement| {

@@ -7,7 +7,7 @@ use super::plan::{PlannedRun, StudyPlan};
 use crate::case_files::CaseFiles;
 use crate::csv::{SifRow, Table};
 use crate::files::{
-    CASE_FILE, CHECKPOINT_FILE, OUTCOME_FILE, PLAN_FILE, RUN_FILES, RUN_LOG_FILE, SUMMARY_FILE,
+    CASE_FILE, CHECKPOINT_FILE, OUTCOME_FILE, PLAN_FILE, REPORT_FILE, RUN_FILES, RUN_LOG_FILE, SUMMARY_FILE,
 };
 use crate::folder::{
     clear_run, json_text, read_if_there, read_json, read_json_if_there, remove, run_file_in,
@@ -248,11 +248,15 @@ impl StudyFolder {
         self.clear_packed(run)
     }
 
-    /// Removes what is left of the folder of a packed run that was being computed.
+    /// Removes what is left of the folder of a packed run that was being computed, or whose removal
+    /// was cut short: a folder that was made for its page has one.
     pub(crate) fn clear_packed(&self, run: &PlannedRun) -> Result<(), OutputError> {
         let folder = self.run_folder(run);
-        if [CHECKPOINT_FILE, RUN_LOG_FILE].iter().any(|file| folder.join(file).is_file()) {
+        let has = |file: &str| folder.join(file).is_file();
+        if folder.is_dir() && (has(CHECKPOINT_FILE) || has(RUN_LOG_FILE) || !has(REPORT_FILE)) {
             clear_run(&folder)?;
+            // One without any file of a run is removed, too; the user's files stay.
+            let _ = std::fs::remove_dir(&folder);
         }
         Ok(())
     }
