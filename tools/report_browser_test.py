@@ -207,8 +207,7 @@ def check_explorer(browser, checks, name, folder):
         browser.settle()
         check_k(shown[-1])
         rows = [row for row in growth if int(row["step"]) == shown[-1]]
-        for figure, columns in [("length-cycles", ("load_cycles", "length_mm")), ("rate-length", ("length_mm", "rate_mm_per_cycle")),
-                                ("rate-delta-k", ("delta_keq_mpa_sqrt_m", "rate_mm_per_cycle"))]:
+        for figure, columns in [("length-cycles", ("load_cycles", "length_mm")), ("rate-length", ("length_mm", "rate_mm_per_cycle"))]:
             rows_shown = rows if figure == "length-cycles" else [row for row in rows if float(row["rate_mm_per_cycle"]) > 0]
             there = marks(browser, figure)
             checks.that(len(there) == len(rows_shown), f"{name}: {figure} marks the step", there)
