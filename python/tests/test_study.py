@@ -19,7 +19,7 @@ from conftest import SMALL
 
 STUDY = SMALL.replace("friction = 0.1", "friction = [0.1, 0.2, 0.3]", 1).replace("angle_deg = 20.0", "angle_deg = [20.0, 25.0]")
 STUDY = STUDY.replace("steps = 2", "steps = 0")
-TABLES = ["sif.csv", "growth.csv", "faces.csv"]
+TABLES = ["sif.csv", "growth.csv"]
 
 
 @pytest.fixture(scope="module")
