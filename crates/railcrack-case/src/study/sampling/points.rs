@@ -30,7 +30,7 @@ pub(in crate::study) fn points(
 }
 
 /// Stream of the generator (O'Neill 2014): any odd constant.
-const STREAM: u128 = 0xa02b_dbf7_bb3c_0a7a_c28f_a16a_64ab_f96;
+const STREAM: u128 = 0x0a02_bdbf_7bb3_c0a7_ac28_fa16_a64a_bf96;
 
 /// A number of (0, 1), its 52 bits followed by a half: never 0 or 1.
 fn share(random: &mut Pcg64) -> f64 {
