@@ -51,7 +51,8 @@ impl Steel {
                 peak_pressure: case.wheel.contact().peak_pressure(),
                 half_width: case.half_width(),
                 friction: self.wheel_friction,
-            },
+            }
+            .into(),
             travel: Travel::Forward,
             initial: None,
         };

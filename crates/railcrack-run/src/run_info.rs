@@ -34,6 +34,8 @@ pub struct RunInfo {
     pub bends: bool,
     /// K_Ic, MPa √m, where the case gives it.
     pub toughness: Option<f64>,
+    /// ΔK_eq (MPa√m) of the first and the last row of the growth law, where it is a table.
+    pub law_table: Option<(f64, f64)>,
     /// Mean axle load in tonnes, for million gross tonnes.
     pub axle_load: Option<f64>,
     /// The wheels of a mix; empty for one wheel.

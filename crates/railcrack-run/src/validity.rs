@@ -66,7 +66,7 @@ pub(crate) fn of_steps(info: &RunInfo, log: &RunLog) -> Vec<Warning> {
     let growth = |step: &StepDigest| {
         let fastest = step.tips.iter().filter(|tip| tip.increment > 0.0);
         let fastest = fastest.max_by(|a, b| a.rate.total_cmp(&b.rate))?;
-        validity::growth(fastest.delta_keq / MPA_SQRT_MM)
+        validity::growth(fastest.delta_keq / MPA_SQRT_MM, info.law_table)
     };
     [first(&depth), first(&toughness), first(&growth)].into_iter().flatten().collect()
 }

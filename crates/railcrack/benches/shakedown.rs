@@ -21,7 +21,7 @@ fn rail(peak_pressure: f64) -> RolledRail {
     RolledRail {
         steel: IsotropicElastic::new(210e3, 0.3).unwrap(),
         hardening: KinematicHardening::new(500.0, 20e3).unwrap(),
-        contact: HertzianContact { peak_pressure, half_width: 6.75, friction: 0.1 },
+        contact: HertzianContact { peak_pressure, half_width: 6.75, friction: 0.1 }.into(),
         travel: Travel::Forward,
         initial: None,
     }

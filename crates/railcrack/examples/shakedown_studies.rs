@@ -54,7 +54,7 @@ fn solve(
     let rail = RolledRail {
         steel: IsotropicElastic::new(210e3, 0.3)?,
         hardening: KinematicHardening::new(500.0, modulus)?,
-        contact: HertzianContact { peak_pressure, half_width: 6.75, friction },
+        contact: HertzianContact { peak_pressure, half_width: 6.75, friction }.into(),
         travel: Travel::Forward,
         initial: None,
     };

@@ -12,7 +12,7 @@ pub enum ValidityWarning {
     /// Pressure beyond first yield, and no residual stress is given.
     #[error(
         "the peak pressure of {peak_pressure:.0} MPa is beyond first yield at {limit:.0} MPa (Q/P {adhesion:.3}, \
-         yield stress {yield_stress:.0} MPa of [shakedown]), and no residual stress is given: the rail shakes down to a state with one"
+         yield stress {yield_stress:.0} MPa{}), and no residual stress is given: the rail shakes down to a state with one", if_default(*yield_stress)
     )]
     BeyondFirstYield {
         /// p0, MPa.
@@ -27,8 +27,8 @@ pub enum ValidityWarning {
     /// Pressure beyond elastic shakedown.
     #[error(
         "the peak pressure of {peak_pressure:.0} MPa is beyond the limit of elastic shakedown at {limit:.0} MPa \
-         (Q/P {adhesion:.3}, yield stress {yield_stress:.0} MPa of [shakedown]): the rail yields in every passage, and K of an elastic \
-         rail does not describe it"
+         (Q/P {adhesion:.3}, yield stress {yield_stress:.0} MPa{}): the rail yields in every passage, and K of an elastic \
+         rail does not describe it", if_default(*yield_stress)
     )]
     BeyondShakedown {
         /// p0, MPa.
@@ -63,8 +63,8 @@ pub enum ValidityWarning {
     },
     /// Ranges of K that no test of the law had.
     #[error(
-        "Delta K_eq of {delta_k:.1} MPa\u{221a}m is {where_} the {least} to {most} MPa\u{221a}m in which the growth of rail steel is measured: \
-         the rate is an extrapolation", where_ = if delta_k < least { "below" } else { "above" }
+        "Delta K_eq of {delta_k:.1} MPa\u{221a}m is {where_} the {least} to {most} MPa\u{221a}m {from}: the rate is an extrapolation",
+        where_ = if delta_k < least { "below" } else { "above" }, from = measured.words()
     )]
     OutsideLaw {
         /// ΔK_eq, MPa√m.
@@ -73,6 +73,8 @@ pub enum ValidityWarning {
         least: f64,
         /// The most with data, MPa√m.
         most: f64,
+        /// How the range is known.
+        measured: Measured,
     },
     /// A deep crack under bending.
     #[error(
@@ -114,6 +116,38 @@ impl ValidityWarning {
     }
 }
 
+/// How the ranges of K are known in which a growth law was measured.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Measured {
+    /// From the table of the law.
+    InTable,
+    /// Not at all: an assumption about rail steel.
+    Assumed,
+}
+
+impl Measured {
+    fn words(self) -> &'static str {
+        match self {
+            Self::InTable => "of the table of the law",
+            Self::Assumed => {
+                "in which rail steel is usually tested (an assumption: the law does not say where it was measured)"
+            }
+        }
+    }
+}
+
+/// The yield stress (MPa) of `[shakedown]` where a case gives none.
+const DEFAULT_YIELD_STRESS: f64 = 500.0;
+
+/// What is said of a yield stress (MPa).
+fn if_default(yield_stress: f64) -> &'static str {
+    if yield_stress == DEFAULT_YIELD_STRESS {
+        ", the default of [shakedown] and not that of this rail unless it is given as such"
+    } else {
+        " of [shakedown]"
+    }
+}
+
 /// Whether a residual stress is given.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ResidualStress {
@@ -133,7 +167,7 @@ pub const SHORTEST_CRACK: f64 = 0.05;
 /// |q|/p that dry steel on steel does not exceed.
 pub const DRY_FRICTION: f64 = 0.6;
 /// ΔK_eq (MPa√m) between the threshold of rail steel and the end of stable growth: tests of da/dN
-/// lie within.
+/// usually lie within. An assumption, for laws that do not say where they were measured.
 pub const MEASURED_GROWTH: (f64, f64) = (4.0, 50.0);
 
 /// The largest pressure of `contact` against first yield and the limit of elastic shakedown, which
@@ -175,10 +209,13 @@ pub fn toughness(k1: f64, toughness: f64, steel: &'static str) -> Option<Validit
     (k1 > toughness).then_some(ValidityWarning::BeyondToughness { k1, toughness, steel })
 }
 
-/// ΔK_eq (MPa√m) = `delta_k` of a tip that grows against [`MEASURED_GROWTH`].
-pub fn growth(delta_k: f64) -> Option<ValidityWarning> {
-    let (least, most) = MEASURED_GROWTH;
-    (delta_k < least || delta_k > most).then_some(ValidityWarning::OutsideLaw { delta_k, least, most })
+/// ΔK_eq (MPa√m) = `delta_k` of a tip that grows against the range of the `table` that is its law,
+/// or [`MEASURED_GROWTH`].
+pub fn growth(delta_k: f64, table: Option<(f64, f64)>) -> Option<ValidityWarning> {
+    let (least, most) = table.unwrap_or(MEASURED_GROWTH);
+    let measured = if table.is_some() { Measured::InTable } else { Measured::Assumed };
+    let outside = delta_k < least || delta_k > most;
+    outside.then_some(ValidityWarning::OutsideLaw { delta_k, least, most, measured })
 }
 
 /// The `depth` (mm) of the deepest tip of a rail that bends.
@@ -227,6 +264,7 @@ mod tests {
         assert_eq!(of(1160.0, ResidualStress::Given), Some("beyond-shakedown"));
         let text = warned(1600.0, 0.4, ResidualStress::Absent).unwrap().to_string();
         assert!(text.starts_with("the peak pressure of 1600 MPa is beyond the limit of elastic"), "{text}");
+        assert!(text.contains("500 MPa, the default of [shakedown]"), "{text}");
     }
 
     #[test]
@@ -237,8 +275,11 @@ mod tests {
         assert_eq!(depth_in_bending(25.0).unwrap().name(), "deep-crack-in-bending");
         let metres = half_width(0.006).unwrap().to_string();
         assert_eq!(metres, "the half-width of the contact is 0.006 mm: if 0.006 m is meant, write 6 mm");
-        assert_eq!((growth(4.0), growth(50.0)), (None, None));
-        let below = growth(2.0).unwrap().to_string();
+        assert_eq!((growth(4.0, None), growth(50.0, None)), (None, None));
+        let below = growth(2.0, None).unwrap().to_string();
+        assert!(below.contains("an assumption"), "{below}");
+        let in_table = growth(2.0, Some((3.0, 30.0))).unwrap().to_string();
+        assert!(in_table.contains("is below the 3 to 30 MPa\u{221a}m of the table"), "{in_table}");
         assert!(below.contains("of 2.0 MPa\u{221a}m is below the 4 to 50 MPa"), "{below}");
     }
 }

@@ -8,16 +8,15 @@ use crate::files::read_profile;
 use crate::schema::{Report, SectionValues, Sections, Value, Written};
 use crate::tables::{
     AXLE_LOAD, CENTRE, CONTACT, CRACK, ENGINE, Engine, FOUNDATION, FRACTURE, FROM, FieldOutput, Fracture,
-    GROWTH, GivenWheel, INSPECTION, KIND, LAW_KEYS, MESH, MeshSettings, OUTPUT, Output, PASSAGE,
-    PLASTIC_STRESS, PROFILE, PlasticSource, RAIL, RAIL_TEMPERATURE, RESIDUAL_STRESS, Rail, SCATTER,
-    SHAKEDOWN, SOLVER, SOLVER_CONTACT, ShakedownSettings, TEMPERATURE, TITLE, TO, TOP, TRACK, TRAFFIC, WHEEL,
-    WheelSections, read_growth, read_inspection, read_passage, read_passages, read_scatter, read_steel,
-    read_travel,
+    GROWTH, GivenWheel, INSPECTION, LAW_KEYS, MESH, MeshSettings, OUTPUT, Output, PASSAGE, PLASTIC_STRESS,
+    PROFILE, PlasticSource, RAIL, RAIL_TEMPERATURE, RESIDUAL_STRESS, Rail, SCATTER, SHAKEDOWN, SOLVER,
+    SOLVER_CONTACT, ShakedownSettings, TEMPERATURE, TITLE, TO, TOP, TRACK, TRAFFIC, WHEEL, WheelSections,
+    read_growth, read_inspection, read_passage, read_passages, read_scatter, read_steel, read_travel,
 };
 use railcrack::bulk::Boundary;
 use railcrack::crack::CrackNetwork;
 use railcrack::growth::GrowthSettings;
-use railcrack::load::{Contact, Passage, Temperature};
+use railcrack::load::{Passage, Temperature};
 use railcrack::material::IsotropicElastic;
 use railcrack::math::MPA_SQRT_MM;
 use std::path::Path;
@@ -71,10 +70,8 @@ pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) 
     {
         refuse_counting_twice(section, report);
     }
-    if let (Some(PlasticSource::Rolled), Some(wheel), Some(section)) =
-        (&plastic_stress, &wheel, sections.one(&CONTACT))
-    {
-        check_rolled(wheel, section, report);
+    if matches!(plastic_stress, Some(PlasticSource::Rolled)) {
+        check_rolled(&sections, report);
     }
     if let (Some(PlasticSource::Rolled), Some(section), true) =
         (&plastic_stress, plastic_section, mix.as_ref().is_some_and(|mix| !mix.is_empty()))
@@ -189,14 +186,18 @@ fn read_fracture(
     }
 }
 
-/// The plastic state is computed under one kind of contact.
-fn check_rolled(wheel: &GivenWheel, contact: &SectionValues, report: &mut Report) {
-    if matches!(wheel.contact(), Contact::Hertz(_)) {
-        return;
+/// The plastic state is that of the contact alone.
+fn check_rolled(sections: &Sections, report: &mut Report) {
+    let help = "a field or profile in [plastic_stress], of the same rail without this section";
+    if let Some(track) = sections.one(&TRACK) {
+        let says =
+            "bends the rail, and the plastic state that [plastic_stress] wants is that of the contact alone";
+        report.add(track.fault(FOUNDATION, says).help(help));
     }
-    let says = "the plastic state that [plastic_stress] wants is computed under \"hertz\" only";
-    let help = "a field or profile in [plastic_stress], or kind = \"hertz\" with the traction as friction";
-    report.add(contact.fault(KIND, says).help(help));
+    if let Some(temperature) = sections.one(&TEMPERATURE) {
+        let says = "stresses the rail, and the plastic state that [plastic_stress] wants is that of the contact alone";
+        report.add(temperature.fault(RAIL_TEMPERATURE, says).help(help));
+    }
 }
 
 /// Smallest gap between the contact and the side of a block, over the half-width: closer, the sides

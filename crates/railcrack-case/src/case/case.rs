@@ -10,7 +10,6 @@ use crate::tables::{
 use railcrack::crack::CrackNetwork;
 use railcrack::fatigue::RailSteel;
 use railcrack::growth::{GrowthSettings, PassageSettings};
-use railcrack::load::Contact;
 use railcrack::material::IsotropicElastic;
 use railcrack::shakedown::{ContactBounds, RolledRail, Stabilisation};
 use thiserror::Error;
@@ -70,32 +69,36 @@ pub struct Case {
     pub(super) written: Written,
 }
 
-/// A wheel under which no plastic state is computed.
+/// A load under which no plastic state is computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 #[error(
-    "contact.kind = \"{kind}\": the plastic state is computed under kind = \"hertz\" only, a pressure with a shear in \
-     proportion; its friction may be the traction of this contact"
+    "[{section}]: the plastic state is that of the contact alone, whose stress passes and leaves; {reason}. Without \
+     [{section}] it is computed"
 )]
 pub struct RolledRailError {
-    /// The word of its contact.
-    pub kind: &'static str,
+    /// The section that gives it.
+    pub section: &'static str,
+    /// Why not.
+    pub reason: &'static str,
 }
 
 impl Case {
-    /// The rail without its cracks under the repeated passage of the wheel. Bending and temperature
-    /// are no part of it.
+    /// The rail without its cracks under the repeated passage of the contact.
     ///
-    /// Errors: a contact that is not Hertzian and fully sliding.
+    /// Errors: a rail that bends, or that is not at its neutral temperature.
     pub fn rolled_rail(&self) -> Result<RolledRail, RolledRailError> {
-        let contact = match self.wheel.contact() {
-            Contact::Hertz(contact) => *contact,
-            Contact::Carter(_) => return Err(RolledRailError { kind: "carter" }),
-            Contact::Table(_) => return Err(RolledRailError { kind: "table" }),
-        };
+        if self.wheel.load.track.is_some() {
+            let reason = "bending is no field of the half-plane that yields, and reaches metres beyond it";
+            return Err(RolledRailError { section: "track", reason });
+        }
+        if self.wheel.load.temperature.is_some() {
+            let reason = "years of rolling see all temperatures, not the one of this section";
+            return Err(RolledRailError { section: "temperature", reason });
+        }
         Ok(RolledRail {
             steel: self.steel,
             hardening: self.shakedown.hardening,
-            contact,
+            contact: self.wheel.contact().clone(),
             travel: self.passages.passage.travel(),
             initial: self.shakedown.initial_residual.as_ref().map(|file| file.content().clone()),
         })

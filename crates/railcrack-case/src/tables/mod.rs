@@ -36,7 +36,7 @@ pub use stress::PlasticSource;
 pub use study::{Combine, STUDY, Sampling};
 pub use wheel_load::GivenWheel;
 
-pub(crate) use contact::{CONTACT, KIND};
+pub(crate) use contact::CONTACT;
 pub(crate) use crack::{ANGLE, ANGLES, COUNT, CRACK, CRACK_FRICTION, LENGTH, MOUTH, POINTS, SPACING};
 pub(crate) use file::CASE_FILE;
 pub(crate) use fracture::FRACTURE;

@@ -677,15 +677,18 @@ fn loads() {
             "half-plane",
         ),
         wrong(
-            Both(
-                "friction = 0.025\n",
-                "kind = \"carter\"\ntraction = 0.5\nfriction = 0.3\n",
-                "[plastic_stress]\n",
-            ),
-            4,
-            "contact.kind",
-            "computed under \"hertz\" only",
-            "as friction",
+            Append("[plastic_stress]\n[temperature]\nrail_c = -5\nneutral_c = 25"),
+            12,
+            "temperature.rail_c",
+            "is that of the contact alone",
+            "without this section",
+        ),
+        wrong(
+            Append("[plastic_stress]\n[track]\nwheel_load_kn = 100\nfoundation_mpa = 50\nsection = \"60E1\""),
+            13,
+            "track.foundation_mpa",
+            "is that of the contact alone",
+            "without this section",
         ),
     ]);
 }

@@ -139,11 +139,19 @@ fn shipped_loads_run_and_say_what_came_out() {
 }
 
 #[test]
-fn the_plastic_state_is_that_of_full_sliding() {
+fn the_plastic_state_is_that_of_the_contact_whatever_it_is() {
     let folder = common::folder("loads", "shakedown");
-    let case = format!("[contact]\nkind = \"carter\"\n{SIZE}friction = 0.3\ntraction = 0.5\n{CRACK}");
-    std::fs::write(folder.join("carter.toml"), case).unwrap();
-    let output = ends(&folder, &["shakedown", "carter.toml"], 2);
-    assert!(stderr(&output).contains("contact.kind = \"carter\": the plastic state is computed under"));
-    assert!(!folder.join("carter").exists(), "nothing is written");
+    let partial = format!("[contact]\nkind = \"carter\"\n{SIZE}friction = 0.3\ntraction = 0.5\n{CRACK}");
+    std::fs::write(folder.join("carter.toml"), &partial).unwrap();
+    let output = ends(&folder, &["shakedown", "carter.toml"], 0);
+    assert!(stdout(&output).contains("shakedown"), "{}", stdout(&output));
+    let state: serde_json::Value =
+        serde_json::from_str(&read(&folder.join("carter/shakedown.json"))).unwrap();
+    assert_eq!((state["contact"].as_str(), state["friction"].as_f64()), (Some("carter"), Some(0.15)));
+    let page = read(&folder.join("carter/report.html"));
+    assert!(page.contains("rolling contact in partial slip") && page.contains("Q/P 0.15"));
+    let winter = shipped("winter-rail.toml");
+    let output = ends(&folder, &["shakedown", winter.to_str().unwrap(), "--out", "winter"], 2);
+    assert!(stderr(&output).contains("[track]: the plastic state is that of the contact alone"));
+    assert!(!folder.join("winter").exists(), "nothing is written");
 }

@@ -162,10 +162,16 @@ fn facts(summary: &ShakedownSummary) -> Vec<Fact> {
 fn assumptions(summary: &ShakedownSummary) -> Vec<String> {
     vec![
         format!(
-            "Wheel: Hertzian line contact in full sliding, p_{{0}} = {} MPa, half-width a = {} mm, wheel–rail \
-             friction {}; the same in every passage, on a rail that is virgin at first.",
+            "Wheel: {}, p_{{0}} = {} MPa, half-width a = {} mm, {} {}; the same in every passage, on a rail that is \
+             virgin at first.",
+            match summary.contact.as_str() {
+                "carter" => "Carter's rolling contact in partial slip",
+                "table" => "pressure and shear of a table",
+                _ => "Hertzian line contact in full sliding",
+            },
             fixed(summary.peak_pressure_mpa, 0),
             fixed(summary.half_width_mm, 2),
+            if summary.contact == "hertz" { "wheel–rail friction" } else { "Q/P" },
             summary.friction.to_string().replace('-', "\u{2212}")
         ),
         "Steel: linear kinematic hardening without bound, which leads to shakedown, elastic or plastic, and \

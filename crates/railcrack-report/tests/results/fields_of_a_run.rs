@@ -36,6 +36,7 @@ fn meshio_reads_the_fields_of_a_run() {
         half_width: case.half_width(),
         passage: [-1e9, 1e9],
         bends: false,
+        law_table: None,
         toughness: None,
         axle_load: None,
         mix: Vec::new(),

@@ -63,6 +63,7 @@ pub fn info() -> RunInfo {
         half_width: HALF_WIDTH,
         passage: [-1e9, 1e9],
         bends: false,
+        law_table: None,
         toughness: None,
         axle_load: Some(17.0),
         mix: Vec::new(),

@@ -3,10 +3,9 @@
 use super::results::ShakedownResults;
 use crate::VERSION;
 use railcrack::fatigue::DepthValue;
+use railcrack::load::Contact;
 use railcrack::math::Stress;
-use railcrack::shakedown::{
-    DepthBounds, LayerState, MapPoint, Method, RailState, first_yield_ratio, shakedown_limit_ratio,
-};
+use railcrack::shakedown::{DepthBounds, LayerState, MapPoint, Method, RailState};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -31,8 +30,11 @@ pub struct ShakedownSummary {
     pub peak_pressure_mpa: f64,
     /// Half-width a of the wheel contact, mm.
     pub half_width_mm: f64,
-    /// Friction of the wheel, signed.
+    /// Q/P, signed: the friction of the wheel in full sliding.
     pub friction: f64,
+    /// `contact.kind`.
+    #[serde(default = "hertz")]
+    pub contact: String,
     /// p0 over the yield stress in shear.
     pub p0_over_k: f64,
     /// First yield without residual stress.
@@ -228,9 +230,8 @@ pub struct MethodComparison {
 impl ShakedownSummary {
     pub(super) fn of(results: &ShakedownResults) -> Self {
         let (rail, state) = (&results.rail, &results.stabilised);
-        let a = rail.contact.half_width;
-        let (friction, poisson) = (rail.contact.friction, rail.steel.poisson());
-        let (first, limit) = (first_yield_ratio(friction, poisson), shakedown_limit_ratio(friction, poisson));
+        let a = rail.contact.half_width();
+        let (first, limit) = (results.first_yield, results.limit);
         let longest = state.profile.iter().map(|layer| layer.plastic_per_pass).fold(0.0, f64::max);
         let ratio = rail.pressure_ratio();
         Self {
@@ -240,9 +241,10 @@ impl ShakedownSummary {
             method: state.method,
             passes: state.passes.len(),
             redistributions: state.iterations(),
-            peak_pressure_mpa: rail.contact.peak_pressure,
+            peak_pressure_mpa: rail.contact.peak_pressure(),
             half_width_mm: a,
-            friction,
+            friction: rail.contact.adhesion(),
+            contact: contact_word(&rail.contact).to_owned(),
             p0_over_k: ratio,
             first_yield: Bound { p0_over_k: first.ratio, depth_mm: first.depth_over_a * a },
             shakedown_limit: Bound { p0_over_k: limit.ratio, depth_mm: limit.depth_over_a * a },
@@ -280,6 +282,20 @@ impl ShakedownSummary {
             warnings: results.warnings.clone(),
             checksums: BTreeMap::new(),
         }
+    }
+}
+
+/// The contact of folders that do not say it.
+fn hertz() -> String {
+    "hertz".to_owned()
+}
+
+/// `contact.kind` of `contact`.
+fn contact_word(contact: &Contact) -> &'static str {
+    match contact {
+        Contact::Hertz(_) => "hertz",
+        Contact::Carter(_) => "carter",
+        Contact::Table(_) => "table",
     }
 }
 

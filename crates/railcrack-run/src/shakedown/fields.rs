@@ -41,7 +41,7 @@ pub(super) fn plastic_grid(results: &ShakedownResults) -> UnstructuredGrid {
 pub(super) fn cycle_grid(results: &ShakedownResults) -> UnstructuredGrid {
     let (state, cycle) = (&results.stabilised, &results.stabilised.cycle);
     let layers = state.profile.len();
-    let reach = AROUND * results.rail.contact.half_width;
+    let reach = AROUND * results.rail.contact.half_width();
     let mut shown: Vec<usize> =
         (0..cycle.abscissae.len()).filter(|&i| cycle.abscissae[i].abs() <= reach).collect();
     shown.sort_by(|&a, &b| cycle.abscissae[a].total_cmp(&cycle.abscissae[b]));

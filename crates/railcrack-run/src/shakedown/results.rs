@@ -2,7 +2,7 @@
 
 use railcrack::fatigue::{DangVan, Initiation};
 use railcrack::math::RailBox;
-use railcrack::shakedown::{DepthBounds, MapPoint, RolledRail, StabilisedRail};
+use railcrack::shakedown::{DepthBounds, FirstYield, MapPoint, RolledRail, ShakedownLimit, StabilisedRail};
 
 /// Everything that the folder shows.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,6 +19,10 @@ pub(crate) struct ShakedownResults {
     pub dang_van: DangVan,
     /// The criterion at the surface, then in every layer.
     pub initiation: Initiation,
+    /// First yield under the contact.
+    pub first_yield: FirstYield,
+    /// Limit of elastic shakedown under it.
+    pub limit: ShakedownLimit,
     /// Shakedown limits by depth.
     pub bounds: Vec<DepthBounds>,
     /// First yield and limit of shakedown over friction.

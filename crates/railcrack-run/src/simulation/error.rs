@@ -18,7 +18,7 @@ pub enum RunError {
     /// The plastic state.
     #[error(transparent)]
     Shakedown(#[from] ShakedownError),
-    /// A contact under which no plastic state is computed.
+    /// A load under which no plastic state is computed.
     #[error(transparent)]
     Contact(#[from] RolledRailError),
     /// The residual stress.

@@ -7,8 +7,8 @@ use crate::{Existing, FolderLock, OutputError, Presentation};
 use railcrack::fatigue::Initiation;
 use railcrack::interruption::Interruption;
 use railcrack::shakedown::{
-    Method, PassRecord, RailState, RolledRail, Stabilisation, StabilisedRail, bounds_by_depth, check_rail,
-    shakedown_map, stabilise_unless,
+    Method, PassRecord, RailState, RolledRail, Stabilisation, StabilisedRail, check_rail, shakedown_map,
+    stabilise_unless,
 };
 use railcrack_case::Case;
 use std::path::Path;
@@ -80,11 +80,13 @@ fn results(
     let surface = (0.0, stabilised.surface_path(&rail));
     let initiation =
         Initiation::by_depth(&dang_van, std::iter::once(surface).chain(layers)).ok_or(RunError::NoLayers)?;
-    let (friction, poisson) = (rail.contact.friction, rail.steel.poisson());
+    let (friction, poisson) = (rail.contact.adhesion(), rail.steel.poisson());
     let depths: Vec<f64> = (0..BOUNDS).map(|i| BOUNDS_DEPTH * i as f64 / (BOUNDS - 1) as f64).collect();
     Ok(ShakedownResults {
         title: case.title.clone(),
-        bounds: bounds_by_depth(friction, poisson, &depths),
+        first_yield: rail.first_yield()?,
+        limit: rail.shakedown_limit()?,
+        bounds: rail.bounds_by_depth(&depths)?,
         map: shakedown_map((1.2 * friction.abs()).max(MAP_FRICTION), MAP, poisson),
         extent: case.rail.extent,
         warnings: warnings(&stabilised, pass_by_pass.as_ref(), settings),

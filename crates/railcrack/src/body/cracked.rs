@@ -3,7 +3,8 @@
 use super::{BodyError, BodyFields, FaceMesh, FieldLoad};
 use crate::crack::CrackTip;
 use crate::field::RailEnds;
-use crate::math::Matrix;
+use crate::fracture::Sif;
+use crate::math::{Matrix, Stress, Vec2};
 use serde::{Deserialize, Serialize};
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -74,6 +75,16 @@ impl CrackedBody {
             times: BodyTimes::default(),
             remarks: Vec::new(),
         }
+    }
+}
+
+impl CrackedBody {
+    /// K of each tip (MPa √mm) under a `stress` (MPa) of the uncracked rail with the faces free:
+    /// closed faces would bear a part, and K_I < 0 means that they are closed.
+    #[must_use]
+    pub fn sifs_of_free_faces(&self, stress: impl Fn(Vec2) -> Stress) -> Vec<Sif> {
+        let k = self.sif_influence.times(&self.faces.nodal_forces(stress));
+        k.chunks_exact(2).map(|k| Sif { ki: k[0], kii: k[1] }).collect()
     }
 }
 

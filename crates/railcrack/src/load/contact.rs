@@ -78,12 +78,39 @@ impl Contact {
         }
     }
 
+    /// The middle of the contact, mm from x_c: a table need not lie evenly about it.
+    pub fn middle(&self) -> f64 {
+        match self {
+            Self::Table(contact) => contact.middle(),
+            _ => 0.0,
+        }
+    }
+
+    /// The mirror image: of a wheel that runs the other way.
+    #[must_use]
+    pub fn mirrored(&self) -> Self {
+        match self {
+            Self::Hertz(contact) => Self::Hertz(HertzianContact { friction: -contact.friction, ..*contact }),
+            Self::Carter(contact) => {
+                let (traction, travel) = (-contact.traction, contact.travel.opposite());
+                Self::Carter(CarterContact { traction, travel, ..*contact })
+            }
+            Self::Table(contact) => Self::Table(contact.mirrored()),
+        }
+    }
+
     /// The contact in Hertzian line contact and full sliding, where it is one.
     pub fn sliding(&self) -> Option<&HertzianContact> {
         match self {
             Self::Hertz(contact) => Some(contact),
             _ => None,
         }
+    }
+}
+
+impl From<HertzianContact> for Contact {
+    fn from(contact: HertzianContact) -> Self {
+        Self::Hertz(contact)
     }
 }
 

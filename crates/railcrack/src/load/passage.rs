@@ -20,6 +20,15 @@ impl Travel {
             Self::Backward => -1.0,
         }
     }
+
+    /// The other way.
+    #[must_use]
+    pub fn opposite(self) -> Self {
+        match self {
+            Self::Forward => Self::Backward,
+            Self::Backward => Self::Forward,
+        }
+    }
 }
 
 /// Wheel positions of one passage at which results are wanted: `positions` abscissae evenly spaced

@@ -87,6 +87,13 @@ impl TableContact {
         Ok(Self { rows: self.rows.iter().map(times).collect() })
     }
 
+    /// The mirror image, of a wheel that runs the other way.
+    #[must_use]
+    pub fn mirrored(&self) -> Self {
+        let mirror = |row: &ContactRow| ContactRow { u: -row.u, shear: -row.shear, ..*row };
+        Self { rows: self.rows.iter().rev().map(mirror).collect() }
+    }
+
     /// The rows by increasing u.
     pub fn rows(&self) -> &[ContactRow] {
         &self.rows

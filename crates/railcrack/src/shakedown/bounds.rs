@@ -90,11 +90,8 @@ pub struct ContactBounds<'a> {
 impl<'a> ContactBounds<'a> {
     /// Of `contact`, whose field is `wheel`.
     pub fn new(contact: &Contact, wheel: &'a dyn Wheel) -> Self {
-        let middle = match contact {
-            Contact::Table(table) => table.middle(),
-            _ => 0.0,
-        };
-        Self { wheel, peak_pressure: contact.peak_pressure(), half_width: contact.half_width(), middle }
+        let (peak_pressure, half_width) = (contact.peak_pressure(), contact.half_width());
+        Self { wheel, peak_pressure, half_width, middle: contact.middle() }
     }
 
     /// As [`first_yield_ratio`].
@@ -176,22 +173,21 @@ pub fn shakedown_map(most: f64, points: usize, poisson: f64) -> Vec<MapPoint> {
     (0..points).map(at).collect()
 }
 
-/// Depth and value of the largest √(3/2) |s + s0| over σ_y of the elastic passage of `contact`, s0
+/// Depth and value of the largest √(3/2) |s + s0| over σ_y of the elastic passage of a contact of
+/// half-width `a` (mm), whose `field` is that at x and depth (mm), s0
 /// the deviator of the initial stress at a depth (mm): the rail yields where it exceeds 1. Searched
 /// down to `DEEPEST` half-widths.
 pub(super) fn utilisation(
-    contact: &HertzianContact,
-    poisson: f64,
+    field: UnitField,
+    a: f64,
     yield_radius: f64,
     initial: impl Fn(f64) -> [f64; 3],
 ) -> (f64, f64) {
-    let field = HertzField::new(contact, poisson);
-    let a = contact.half_width;
     let path = path_abscissae();
     let (depth, largest) = maximum_over_depth(|depth| {
         let offset = initial(depth * a);
         let size = |x: f64| {
-            let wheel = field.stress(Vec2::new(x * a, -depth * a), 0.0).deviator();
+            let wheel = field(x * a, depth * a).deviator();
             [0, 1, 2].map(|c| wheel[c] + offset[c]).iter().map(|c| c * c).sum::<f64>()
         };
         let unloaded = offset.iter().map(|c| c * c).sum();

@@ -1,13 +1,14 @@
 //! The stabilised cycle from the columns of the last passage.
 
 use super::eigenstress::Columns;
+use super::error::ShakedownError;
 use super::grid::Grid;
 use super::rail::{RolledRail, Travel};
 use super::state::{Admissibility, Cycle};
 use super::steady::{SteadyPassage, SteadyProblem, first_column};
 use super::strain::PlasticStrain;
 use crate::material::IsotropicElastic;
-use crate::math::{Stress, Vec2};
+use crate::math::Stress;
 
 /// Zero strain or stress on all columns of `grid`.
 pub(super) fn zeros(grid: &Grid) -> Columns {
@@ -34,13 +35,13 @@ pub(super) fn mirror(travel: Travel) -> f64 {
     }
 }
 
-/// Stress and strain of `passage`, and their admissibility.
+/// Stress and strain of `passage`, and their admissibility. Errors: a contact that is none.
 pub(super) fn of(
     rail: &RolledRail,
     grid: &Grid,
     problem: &mut SteadyProblem,
     passage: &SteadyPassage,
-) -> (Cycle, Admissibility) {
+) -> Result<(Cycle, Admissibility), ShakedownError> {
     let depths = grid.layers.middles();
     let layers = depths.len();
     let strain_at = |at: usize| [0, 1, 2].map(|c| passage.strain[c][at]);
@@ -48,7 +49,7 @@ pub(super) fn of(
     let mut residual = zeros(grid);
     problem.eigenstress.stress(&passage.strain, entering, &mut residual);
     let imbalance = problem.eigenstress.imbalance(&passage.strain, entering);
-    let field = rail.forward_field();
+    let field = rail.forward_field()?;
     let (poisson, young) = (rail.steel.poisson(), rail.steel.young());
     let (radius, back) = (rail.hardening.yield_radius(), rail.hardening.back_stress_modulus());
     let side = mirror(rail.travel);
@@ -64,7 +65,7 @@ pub(super) fn of(
             let strain = PlasticStrain::from_deviator(strain_at(at));
             let (xx, yy) = (residual[0][at], residual[1][at]);
             let own = Stress { xx, yy, zz: poisson * (xx + yy) - young * strain.zz, xy: residual[2][at] };
-            let wheel = field.stress(Vec2::new(grid.abscissa(i), -depth), 0.0);
+            let wheel = field.stress(grid.abscissa(i), depth);
             let stress = own + wheel + rail.initial_stress(depth);
             let (s, e) = (stress.deviator(), strain_at(at));
             let size = [0, 1, 2].map(|c| s[c] - back * e[c]).iter().map(|c| c * c).sum::<f64>().sqrt();
@@ -78,5 +79,5 @@ pub(super) fn of(
         .zip(entering)
         .map(|(a, b)| PlasticStrain::from_deviator([0, 1, 2].map(|c| a[c] - b[c])).equivalent())
         .fold(0.0, f64::max);
-    (cycle, Admissibility { overshoot, drift, imbalance: imbalance / radius })
+    Ok((cycle, Admissibility { overshoot, drift, imbalance: imbalance / radius }))
 }

@@ -1,6 +1,7 @@
 //! Errors of the stabilised plastic state.
 
 use crate::interruption::Interrupted;
+use crate::math::OutOfRange;
 use thiserror::Error;
 
 /// Errors of the stabilised plastic state.
@@ -59,4 +60,10 @@ pub enum ShakedownError {
     /// Given up on request.
     #[error("{0}")]
     Interrupted(#[from] Interrupted),
+}
+
+impl From<OutOfRange> for ShakedownError {
+    fn from(OutOfRange { quantity, value, accepted }: OutOfRange) -> Self {
+        Self::Contact { quantity, value, accepted }
+    }
 }

@@ -3,7 +3,6 @@
 use super::layers::Layers;
 use super::rail::RolledRail;
 use super::{bounds, error::ShakedownError};
-use crate::math::Vec2;
 
 /// Resolution of stress and strain around the contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -57,8 +56,8 @@ impl Grid {
     /// deeper.
     pub(super) fn of(rail: &RolledRail, resolution: Resolution) -> Result<Self, ShakedownError> {
         Self::check_load(rail)?;
-        let a = rail.contact.half_width;
-        let depth = yield_depth(rail).max(a);
+        let a = rail.contact.half_width();
+        let depth = yield_depth(rail)?.max(a);
         Ok(Self::down_to(rail, resolution, SPREAD * depth + SPREAD_OVER_A * a))
     }
 
@@ -71,7 +70,7 @@ impl Grid {
 
     /// For `rail`: even layers down to `fine_depth` (mm).
     pub(super) fn down_to(rail: &RolledRail, resolution: Resolution, fine_depth: f64) -> Self {
-        let a = rail.contact.half_width;
+        let a = rail.contact.half_width();
         let mut spacing = a / f64::from(resolution.per_half_width.next_power_of_two());
         let mut reach = COARSER_BEYOND * a;
         while fine_depth > reach {
@@ -94,22 +93,22 @@ impl Grid {
 }
 
 /// The greatest depth (mm) at which the elastic passage reaches the yield stress; 0 for none.
-fn yield_depth(rail: &RolledRail) -> f64 {
+fn yield_depth(rail: &RolledRail) -> Result<f64, ShakedownError> {
     // Step of the search over a, and its end: beyond a depth d the stress of the wheel is at most
     // p0 a/d.
     const STEP: f64 = 0.05;
-    let a = rail.contact.half_width;
-    let field = rail.forward_field();
+    let a = rail.contact.half_width();
+    let field = rail.forward_field()?;
     let limit = rail.hardening.yield_radius().powi(2);
     let path: Vec<f64> = bounds::path_abscissae().into_iter().map(|x| x * a).collect();
     let yields = |depth: f64| {
         let offset = rail.initial_stress(depth);
         let size = |x: f64| {
-            let s = (field.stress(Vec2::new(x, -depth), 0.0) + offset).deviator();
+            let s = (field.stress(x, depth) + offset).deviator();
             s.iter().map(|c| c * c).sum::<f64>()
         };
         path.iter().any(|&x| size(x) > limit)
     };
     let deepest = (rail.pressure_ratio() / STEP).ceil() as usize;
-    (1..=deepest).rev().map(|i| STEP * i as f64 * a).find(|&depth| yields(depth)).unwrap_or(0.0)
+    Ok((1..=deepest).rev().map(|i| STEP * i as f64 * a).find(|&depth| yields(depth)).unwrap_or(0.0))
 }

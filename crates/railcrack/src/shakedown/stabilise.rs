@@ -1,6 +1,6 @@
 //! Iteration over passages to the stabilised state.
 
-use super::bounds::{shakedown_limit_ratio, utilisation};
+use super::bounds::{ShakedownLimit, utilisation};
 use super::cycle;
 use super::eigenstress::{Columns, Eigenstress};
 use super::error::ShakedownError;
@@ -11,7 +11,7 @@ use super::steady::{SteadyPassage, SteadyProblem, Upstream, first_column};
 use super::strain::PlasticStrain;
 use super::streamline::FlowLaw;
 use crate::interruption::Interruption;
-use crate::math::{Stress, Vec2};
+use crate::math::{OutOfRange, Stress};
 
 /// Settings of the computation.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -87,10 +87,10 @@ pub fn stabilise_unless(
     check_rail(rail)?;
     let mut grid = Grid::of(rail, settings.resolution)?;
     for _ in 0..EXTENSIONS {
-        let mut run = Run::new(rail, settings, &grid);
+        let mut run = Run::new(rail, settings, &grid)?;
         let flown = run.all_passes(interruption, &mut watch)?;
         if flown <= grid.fine_depth {
-            return Ok(run.finish());
+            return run.finish();
         }
         grid = Grid::down_to(rail, settings.resolution, 1.25 * flown);
     }
@@ -103,20 +103,11 @@ pub fn stabilise_unless(
 pub fn check_rail(rail: &RolledRail) -> Result<(), ShakedownError> {
     Grid::check_load(rail)?;
     let contact = &rail.contact;
-    let positive = |quantity, value: f64| {
-        let accepted = "positive and finite";
-        if value > 0.0 && value.is_finite() {
-            Ok(())
-        } else {
-            Err(ShakedownError::Contact { quantity, value, accepted })
-        }
-    };
-    positive("peak pressure (MPa)", contact.peak_pressure)?;
-    positive("half width (mm)", contact.half_width)?;
-    if !(-1.0..=1.0).contains(&contact.friction) {
-        let (quantity, value) = ("friction", contact.friction);
-        return Err(ShakedownError::Contact { quantity, value, accepted: "between -1 and 1" });
-    }
+    OutOfRange::unless_positive("peak pressure (MPa)", contact.peak_pressure())?;
+    OutOfRange::unless_positive("half width (mm)", contact.half_width())?;
+    let within = (-1.0..=1.0).contains(&contact.adhesion());
+    OutOfRange::unless(within, "friction", contact.adhesion(), "between -1 and 1")?;
+    contact.check()?;
     // The profile is linear between its rows, and |s| convex: its largest value is at a row.
     for &(depth, xx, zz) in rail.initial.iter().flat_map(|profile| profile.rows()) {
         let s = Stress { xx, zz, ..Stress::ZERO }.deviator();
@@ -143,20 +134,24 @@ struct Run<'a> {
 }
 
 impl<'a> Run<'a> {
-    fn new(rail: &'a RolledRail, settings: &'a Stabilisation, grid: &'a Grid) -> Self {
-        let field = rail.forward_field();
+    fn new(
+        rail: &'a RolledRail,
+        settings: &'a Stabilisation,
+        grid: &'a Grid,
+    ) -> Result<Self, ShakedownError> {
+        let field = rail.forward_field()?;
         let layers = grid.layers.middles();
         let mut background = cycle::zeros(grid);
         for (j, &depth) in layers.iter().enumerate() {
             let initial = rail.initial_stress(depth);
             for i in 0..grid.columns {
-                let stress = field.stress(Vec2::new(grid.abscissa(i), -depth), 0.0) + initial;
+                let stress = field.stress(grid.abscissa(i), depth) + initial;
                 for (component, value) in background.iter_mut().zip(stress.deviator()) {
                     component[i * layers.len() + j] = value;
                 }
             }
         }
-        let half_window = (WINDOW * rail.contact.half_width / grid.spacing).round() as usize;
+        let half_window = (WINDOW * rail.contact.half_width() / grid.spacing).round() as usize;
         let middle = grid.columns / 2;
         let problem = SteadyProblem {
             eigenstress: Eigenstress::new(&rail.steel, grid.columns, grid.spacing, grid.layers.clone()),
@@ -171,7 +166,7 @@ impl<'a> Run<'a> {
             max_iterations: MOST_ITERATIONS,
         };
         let entering = vec![[0.0; 3]; layers.len()];
-        Self {
+        Ok(Self {
             rail,
             settings,
             grid,
@@ -181,7 +176,7 @@ impl<'a> Run<'a> {
             entering,
             passes: Vec::new(),
             stabilised: false,
-        }
+        })
     }
 
     /// All passages; returns the greatest depth with plastic strain, mm. Ends early where this lies
@@ -293,7 +288,7 @@ impl<'a> Run<'a> {
         deepest.map_or(0.0, |j| self.grid.layers.interfaces()[j + 1])
     }
 
-    fn finish(mut self) -> StabilisedRail {
+    fn finish(mut self) -> Result<StabilisedRail, ShakedownError> {
         let layers = self.entering.len();
         let passage = self.last.take().unwrap_or_else(|| SteadyPassage {
             strain: cycle::zeros(self.grid),
@@ -302,7 +297,7 @@ impl<'a> Run<'a> {
             iterations: 0,
             change: 0.0,
         });
-        let (cycle, admissibility) = cycle::of(self.rail, self.grid, &mut self.problem, &passage);
+        let (cycle, admissibility) = cycle::of(self.rail, self.grid, &mut self.problem, &passage)?;
         let depths = self.grid.layers.middles();
         let mirror = cycle::mirror(self.rail.travel);
         let layer = |j: usize| {
@@ -316,12 +311,13 @@ impl<'a> Run<'a> {
             }
         };
         let profile: Vec<LayerState> = (0..layers).map(layer).collect();
-        let state = self.state();
+        let limit = self.rail.shakedown_limit()?;
+        let state = self.state(limit)?;
         let alternating = match state {
-            RailState::PlasticShakedown => Some(self.alternating(&passage)),
+            RailState::PlasticShakedown => Some(self.alternating(&passage, limit)),
             _ => None,
         };
-        StabilisedRail {
+        Ok(StabilisedRail {
             state,
             method: self.settings.method,
             passes: self.passes,
@@ -330,21 +326,21 @@ impl<'a> Run<'a> {
             alternating,
             cycle,
             admissibility,
-        }
+        })
     }
 
     /// Unlimited linear kinematic hardening cannot ratchet, and where a constant backstress and
     /// residual stress exist with which the passage is elastic, it becomes elastic in the end
     /// (Melan 1938); both are known at every depth without layers. So once the passages repeat, the
     /// loads alone distinguish the states, without discretisation error.
-    fn state(&self) -> RailState {
+    fn state(&self, limit: ShakedownLimit) -> Result<RailState, ShakedownError> {
         let rail = self.rail;
         let initial = |depth: f64| rail.initial_stress(depth).deviator();
         let radius = rail.hardening.yield_radius();
-        let contact = rail.forward_contact();
-        let (_, utilisation) = utilisation(&contact, rail.steel.poisson(), radius, initial);
-        let limit = shakedown_limit_ratio(contact.friction, rail.steel.poisson());
-        if !self.stabilised {
+        let field = rail.forward_field()?;
+        let (_, utilisation) =
+            utilisation(&|x, depth| field.stress(x, depth), rail.contact.half_width(), radius, initial);
+        Ok(if !self.stabilised {
             RailState::NotStabilised
         } else if utilisation <= 1.0 && self.passes.iter().all(|pass| pass.plastic_path == 0.0) {
             RailState::Elastic
@@ -352,12 +348,12 @@ impl<'a> Run<'a> {
             RailState::ElasticShakedown
         } else {
             RailState::PlasticShakedown
-        }
+        })
     }
 
     /// Where plastic strain alternates: according to the layers, and where the zone is thinner than
     /// these, according to the elastic paths.
-    fn alternating(&self, passage: &SteadyPassage) -> DepthRange {
+    fn alternating(&self, passage: &SteadyPassage, limit: ShakedownLimit) -> DepthRange {
         let layers = self.entering.len();
         let (came, leaving) = (&passage.entering, first_column(&passage.strain, layers));
         let longest = passage.path.iter().copied().fold(0.0, f64::max);
@@ -369,10 +365,8 @@ impl<'a> Run<'a> {
         let interfaces = self.grid.layers.interfaces();
         let from = (0..layers).find(|&j| alternates(j)).map(|j| interfaces[j]);
         let to = (0..layers).rfind(|&j| alternates(j)).map(|j| interfaces[j + 1]);
-        let contact = self.rail.forward_contact();
-        let limit = || shakedown_limit_ratio(contact.friction, self.rail.steel.poisson());
         let (from, to) = from.zip(to).unwrap_or_else(|| {
-            let depth = limit().depth_over_a * contact.half_width;
+            let depth = limit.depth_over_a * self.rail.contact.half_width();
             (depth, depth)
         });
         DepthRange { from, to }

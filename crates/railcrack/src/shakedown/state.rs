@@ -3,8 +3,7 @@
 use super::layers::Layers;
 use super::rail::RolledRail;
 use super::strain::PlasticStrain;
-use crate::field::HertzField;
-use crate::math::{Stress, Vec2};
+use crate::math::Stress;
 use crate::words::{Choice, Word};
 
 /// The asymptotic response to repeated passages.
@@ -191,11 +190,10 @@ impl StabilisedRail {
     /// The same at the running surface: the stress of the wheel there, and the residual stress of
     /// the uppermost layer. `rail` is the rail that was computed.
     pub fn surface_path(&self, rail: &RolledRail) -> Vec<Stress> {
-        let field = HertzField::new(&rail.contact, rail.steel.poisson());
-        let Some(top) = self.profile.first() else { return Vec::new() };
+        let (Some(top), Ok(field)) = (self.profile.first(), rail.field()) else { return Vec::new() };
         let mut path = self.stress_path(0);
         for (stress, &x) in path.iter_mut().zip(&self.cycle.abscissae) {
-            let wheel = |depth: f64| field.stress(Vec2::new(x, -depth), 0.0);
+            let wheel = |depth: f64| field.stress(x, depth);
             *stress = *stress + wheel(0.0) - wheel(top.depth);
         }
         path

@@ -54,7 +54,7 @@ struct Element {
 
 /// Rolls `passes` times over `rail`.
 pub fn march(rail: &RolledRail, mesh: March, passes: usize) -> Marched {
-    let a = rail.contact.half_width;
+    let a = rail.contact.half_width();
     let h = a / mesh.per_half_width;
     let xs = abscissae(h, EVEN * a, mesh.run * a);
     let ys = depths(h, mesh.fine_depth * a, DEEP * a);
@@ -88,7 +88,7 @@ pub fn march(rail: &RolledRail, mesh: March, passes: usize) -> Marched {
     }
     system.factor();
     let (radius, back) = (rail.hardening.yield_radius(), rail.hardening.back_stress_modulus());
-    let field = HertzField::new(&rail.contact, poisson);
+    let field = HertzField::new(rail.contact.sliding().unwrap(), poisson);
     let mut strain = vec![[[0.0; 3]; POINTS]; elements.len()];
     let mut displacement = vec![0.0; size];
     let (mut profiles, mut solutions) = (Vec::new(), 0);

@@ -23,7 +23,7 @@ pub fn rail(peak_pressure: f64, friction: f64, modulus: f64) -> RolledRail {
     RolledRail {
         steel: IsotropicElastic::new(210e3, 0.3).unwrap(),
         hardening: KinematicHardening::new(YIELD, modulus).unwrap(),
-        contact: HertzianContact { peak_pressure, half_width: 6.75, friction },
+        contact: HertzianContact { peak_pressure, half_width: 6.75, friction }.into(),
         travel: Travel::Forward,
         initial: None,
     }
