@@ -139,7 +139,7 @@ impl Measured {
 /// The yield stress (MPa) of `[shakedown]` where a case gives none.
 const DEFAULT_YIELD_STRESS: f64 = 500.0;
 
-/// What is said of a yield stress (MPa).
+/// Words about a yield stress (MPa).
 fn if_default(yield_stress: f64) -> &'static str {
     if yield_stress == DEFAULT_YIELD_STRESS {
         ", the default of [shakedown] and not that of this rail unless it is given as such"
