@@ -74,7 +74,7 @@ def check_page(browser, checks, name, path):
     """What every page must hold."""
     checks.that(path.stat().st_size < 5_000_000, f"{name}: at most 5 MB", path.stat().st_size)
     for theme in ["light", "dark"]:
-        for width in [1280, 420]:
+        for width in [1280, 390]:
             browser.open(path, width=width, theme=theme)
             what = f"{name}, {theme}, {width} px"
             checks.that(not browser.complaints, f"{what}: no complaints of the browser", browser.complaints)

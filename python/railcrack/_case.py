@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from . import _railcrack, errors
 from ._progress import Progress, teller
-from ._source import Source, read_text
+from ._source import Source, Sourced
 
 if TYPE_CHECKING:
     from ._run import Run
@@ -55,7 +55,7 @@ class Check:
         return f"<pre>{escape(self.text)}</pre>"
 
 
-class Case:
+class Case(Sourced):
     """A case: rail, wheel, cracks, growth, checked.
 
     >>> case = Case({"contact": {"peak_pressure_mpa": 845.0, "half_width_mm": 6.75},
@@ -68,34 +68,17 @@ class Case:
     """
 
     _core: _railcrack.Case
-    _source: Source
+    _parse = staticmethod(_railcrack.Case.parse)
 
     def __init__(self, sections: Mapping[str, Any] | str) -> None:
         """A case of a dictionary of sections, or of the text of a case file. File names are
         relative to the working folder."""
-        folder = Path()
-        source = Source.gathered(sections, "case", folder) if isinstance(sections, str) else Source.of(sections, folder)
-        self._set(source)
-
-    def _set(self, source: Source) -> None:
-        self._source = source
-        self._core = _railcrack.Case.parse(source.text, source.name, Path(), list(source.files))
-
-    @classmethod
-    def _of(cls, source: Source) -> Case:
-        case = cls.__new__(cls)
-        case._set(source)
-        return case
+        self._set(Source.of(sections, "case"))
 
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> Case:
         """The case in the file `path`."""
-        path = Path(path)
-        text = read_text(path)
-        case = cls.__new__(cls)
-        case._core = _railcrack.Case.parse(text, str(path), path.parent, [])
-        case._source = Source.gathered(text, str(path), path.parent)
-        return case
+        return cls._read(path)
 
     def with_(self, **sections: Mapping[str, Any] | list[Any] | str | None) -> Case:
         """The case with other values: `case.with_(growth={"steps": 5}, crack={"friction": 0.2})`.
@@ -124,11 +107,6 @@ class Case:
     def cracks(self) -> list[NDArray[np.float64]]:
         """Each crack: shape (points, 2), x and y in mm, from the first point on."""
         return [np.array(points) for points in self._core.cracks]
-
-    @property
-    def text(self) -> str:
-        """The case as it was given."""
-        return self._source.text
 
     def to_toml(self) -> str:
         """The case with every default filled in."""
@@ -185,9 +163,6 @@ class Case:
 
     def __hash__(self) -> int:
         return hash(self.to_toml())
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return Case._of, (self._source,)
 
     def __repr__(self) -> str:
         return f"<railcrack.Case {self.title!r}: {len(self._core.cracks)} cracks, {self.steps} steps, {self.engine}>"

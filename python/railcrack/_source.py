@@ -6,7 +6,7 @@ import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
-from typing import Any
+from typing import Any, TypeVar
 
 from . import _toml
 from .errors import CaseError
@@ -21,15 +21,10 @@ class Source:
     files: tuple[tuple[str, bytes], ...] = ()
 
     @classmethod
-    def read(cls, path: str | os.PathLike[str]) -> Source:
-        """The file `path` with the files that it names."""
-        path = Path(path)
-        return cls.gathered(read_text(path), str(path), path.parent)
-
-    @classmethod
-    def of(cls, sections: Mapping[str, Any], folder: Path) -> Source:
-        """The text of `sections`, whose file names are relative to `folder`."""
-        return cls.gathered(_toml.write(sections), "case", folder)
+    def of(cls, sections: Mapping[str, Any] | str, name: str) -> Source:
+        """A text, or that of a dictionary of sections, whose file names are relative to the working
+        folder."""
+        return cls.gathered(sections if isinstance(sections, str) else _toml.write(sections), name, Path())
 
     @classmethod
     def gathered(cls, text: str, name: str, folder: Path, under: str = "") -> Source:
@@ -62,7 +57,49 @@ class Source:
         return Source(text, self.name, (*self.files, *new.files))
 
 
-def read_text(path: Path) -> str:
+Made = TypeVar("Made", bound="Sourced")
+
+
+class Sourced:
+    """What a text says, checked: a case or a study. It can be pickled, by its source."""
+
+    _core: Any
+    _source: Source
+
+    @staticmethod
+    def _parse(text: str, name: str, folder: Path, files: list[tuple[str, bytes]]) -> Any:
+        """What `text` says in Rust; relative file names lead to `files`, or to `folder` without them."""
+        raise NotImplementedError
+
+    @classmethod
+    def _of(cls: type[Made], source: Source, core: Any = None) -> Made:
+        """What `source` says: `core`, where that is known."""
+        made = cls.__new__(cls)
+        made._set(source, core)
+        return made
+
+    def _set(self, source: Source, core: Any = None) -> None:
+        self._source = source
+        self._core = core or self._parse(source.text, source.name, Path(), list(source.files))
+
+    @classmethod
+    def _read(cls: type[Made], path: str | os.PathLike[str]) -> Made:
+        """What the file `path` says, with the files that it names."""
+        path = Path(path)
+        text = _read_text(path)
+        core = cls._parse(text, str(path), path.parent, [])
+        return cls._of(Source.gathered(text, str(path), path.parent), core)
+
+    @property
+    def text(self) -> str:
+        """The text as it was given."""
+        return self._source.text
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self)._of, (self._source,)
+
+
+def _read_text(path: Path) -> str:
     """The text of a case or study file."""
     try:
         return path.read_bytes().decode("utf-8")

@@ -16,7 +16,7 @@ from . import _railcrack, errors
 from ._case import Case
 from ._progress import Progress, teller
 from ._run import Run
-from ._source import Source, read_text
+from ._source import Source, Sourced
 from ._table import Table
 
 if TYPE_CHECKING:
@@ -28,7 +28,7 @@ Files = dict[str, bytes]
 Failed = tuple[int, str, str]
 
 
-class Study:
+class Study(Sourced):
     """A study: a case with lists in place of values, and what was computed of it.
 
     `map` computes it, here or by several processes; `table` has a row per run. A study can be
@@ -38,37 +38,19 @@ class Study:
     """
 
     _core: _railcrack.Study
-    _source: Source
+    _parse = staticmethod(_railcrack.Study.parse)
+    _out: Path | None = None
+    _keeps: object = None
 
     def __init__(self, sections: Mapping[str, Any] | str) -> None:
         """A study of a dictionary of sections with lists in place of values, or of the text of a
         study file. File names are relative to the working folder."""
-        folder = Path()
-        source = Source.gathered(sections, "study", folder) if isinstance(sections, str) else Source.of(sections, folder)
-        self._set(source)
-
-    def _set(self, source: Source) -> None:
-        self._source = source
-        self._core = _railcrack.Study.parse(source.text, source.name, Path(), list(source.files))
-        self._out: Path | None = None
-        self._keeps: object = None
-
-    @classmethod
-    def _of(cls, source: Source) -> Study:
-        study = cls.__new__(cls)
-        study._set(source)
-        return study
+        self._set(Source.of(sections, "study"))
 
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> Study:
         """The study in the file `path`."""
-        path = Path(path)
-        text = read_text(path)
-        study = cls.__new__(cls)
-        study._core = _railcrack.Study.parse(text, str(path), path.parent, [])
-        study._source = Source.gathered(text, str(path), path.parent)
-        study._out = study._keeps = None
-        return study
+        return cls._read(path)
 
     @classmethod
     def open(cls, folder: str | os.PathLike[str]) -> Study:
@@ -101,10 +83,8 @@ class Study:
         core = self._core.case(number)
         if core is None:
             raise errors.BadInput(f"run {number}: must be from 1 to {len(self)}")
-        case = Case.__new__(Case)
-        case._core = core
-        case._source = Source(core.to_toml(), f"run {number}", tuple((n, t.encode()) for n, t in core.companions()))
-        return case
+        files = tuple((name, text.encode()) for name, text in core.companions())
+        return Case._of(Source(core.to_toml(), f"run {number}", files), core)
 
     def map(
         self,
@@ -204,9 +184,6 @@ class Study:
 
         return StudyPlots(self)
 
-    def __reduce__(self) -> tuple[Any, ...]:
-        return Study._of, (self._source,)
-
     def __repr__(self) -> str:
         where = "not computed" if self._out is None else str(self._out)
         return f"<railcrack.Study {self.title!r}: {len(self)} runs, {where}>"
@@ -296,9 +273,9 @@ def _next(over: queue.SimpleQueue[tuple[int, Any]]) -> tuple[int, Any]:
 
 
 def _put(study: Path, folder: str, files: Files) -> None:
-    """Puts the files of a run into its folder, the one that says how it ended last."""
+    """Puts the files of a run into its folder, those that say how it ended last."""
     run = study / "runs" / folder
-    for name in sorted(files, key=lambda name: (name == "outcome.json", name)):
+    for name in sorted(files, key=lambda name: (name in ("summary.json", "outcome.json"), name)):
         path = run / name
         path.parent.mkdir(parents=True, exist_ok=True)
         partial = path.with_name(path.name + ".partial")

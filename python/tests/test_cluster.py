@@ -4,11 +4,8 @@ from __future__ import annotations
 
 import os
 import shutil
-import signal
 import subprocess
 import sys
-import textwrap
-import time
 from collections.abc import Callable
 from pathlib import Path
 
@@ -17,6 +14,7 @@ import pytest
 
 import railcrack as rc
 
+from dying import Dying, killed
 from test_study import assert_same_study
 
 pytestmark = pytest.mark.cluster
@@ -57,19 +55,13 @@ def swept(command: Callable[..., str], tmp_path_factory: pytest.TempPathFactory)
 def test_dask_computes_again_what_a_killed_worker_had(swept: Path, tmp_path: Path) -> None:
     distributed = pytest.importorskip("distributed")
     study = rc.Study(MANY)
-    killed: list[int] = []
+    out = tmp_path / "study"
     with distributed.LocalCluster(n_workers=3, threads_per_worker=1, processes=True, dashboard_address=None) as cluster:
         with distributed.Client(cluster) as client:
-            workers = client.run(os.getpid)
-
-            def kill(step: rc.Step) -> None:
-                if step.done >= 60 and not killed:
-                    killed.append(next(iter(workers.values())))
-                    os.kill(killed[0], signal.SIGKILL)
-
-            done = study.map(client, out=tmp_path / "study", progress=kill)
-            now = client.run(os.getpid)
-    assert killed and killed[0] not in now.values()
+            before = set(client.run(os.getpid).values())
+            done = study.map(Dying(client, 150, out), out=out)
+            now = set(client.run(os.getpid).values())
+    assert killed(out).exists() and before - now, "a worker was killed"
     assert len(done) == 300
     assert_same_study(done.folder, swept)
     assert np.array_equal(done.results["kii_peak_mpa_sqrt_m"], rc.Study.open(swept).results["kii_peak_mpa_sqrt_m"])
@@ -77,12 +69,15 @@ def test_dask_computes_again_what_a_killed_worker_had(swept: Path, tmp_path: Pat
 
 PROGRAM = """\
 import sys
+from pathlib import Path
 from mpi4py.futures import MPIPoolExecutor
+from dying import Dying
 import railcrack as rc
 
 if __name__ == "__main__":
+    study, out = sys.argv[1:]
     with MPIPoolExecutor() as executor:
-        rc.Study.read(sys.argv[1]).map(executor, out=sys.argv[2], resume=True)
+        rc.Study.read(study).map(Dying(executor, 150, Path(out)), out=out, resume=True)
 """
 
 
@@ -93,47 +88,18 @@ def test_mpi_goes_on_after_a_killed_worker(swept: Path, tmp_path: Path) -> None:
     if mpiexec is None:
         pytest.skip("no mpiexec")
     (tmp_path / "study.toml").write_text(MANY)
-    (tmp_path / "job.py").write_text(textwrap.dedent(PROGRAM))
+    (tmp_path / "job.py").write_text(PROGRAM)
     out = tmp_path / "study"
     # OpenMPI refuses root and more processes than cores.
     names = ("OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "OMPI_MCA_rmaps_base_oversubscribe")
-    environment = {**os.environ, **dict.fromkeys(names, "1")}
-    line = [mpiexec, "-n", "3", sys.executable, "-m", "mpi4py.futures", str(tmp_path / "job.py"), str(tmp_path / "study.toml"), str(out)]
+    environment = {**os.environ, **dict.fromkeys(names, "1"), "PYTHONPATH": str(Path(__file__).parent)}
+    line = [mpiexec, "-n", "3", sys.executable, "-m", "mpi4py.futures", *map(str, (tmp_path / "job.py", tmp_path / "study.toml", out))]
 
-    def start() -> subprocess.Popen[bytes]:
-        return subprocess.Popen(line, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    def job() -> int:
+        return subprocess.run(line, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=300).returncode
 
-    job = start()
-    until = time.monotonic() + 120.0
-    while len(list(out.glob("runs/*/outcome.json"))) < 60 and job.poll() is None and time.monotonic() < until:
-        time.sleep(0.05)
-    kill_a_worker(job.pid)
-    job.wait(timeout=120)
-    before = len(list(out.glob("runs/*/outcome.json")))
-    assert 60 <= before < 300, "the worker was killed on the way"
-    again = start()
-    assert again.wait(timeout=300) == 0
+    assert job() != 0 and killed(out).exists(), "a worker was killed"
+    before = len(list(out.glob("runs/*/summary.json")))
+    assert 0 < before < 300, "on the way"
+    assert job() == 0
     assert_same_study(out, swept)
-
-
-def kill_a_worker(job: int) -> None:
-    """Kills a process of the MPI job that computes: the youngest Python below it."""
-    children: dict[int, list[int]] = {}
-    for stat in Path("/proc").glob("[0-9]*/stat"):
-        try:
-            text = stat.read_text()
-        except OSError:
-            continue
-        parent = int(text.rpartition(")")[2].split()[1])
-        children.setdefault(parent, []).append(int(stat.parent.name))
-    below, found = [job], []
-    while below:
-        process = below.pop()
-        below.extend(children.get(process, []))
-        try:
-            if b"mpi4py.futures" in Path(f"/proc/{process}/cmdline").read_bytes() and process != job:
-                found.append(process)
-        except OSError:
-            continue
-    assert found, "no process of the job"
-    os.kill(max(found), signal.SIGKILL)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import concurrent.futures
 import filecmp
 import multiprocessing
-import os
 import pickle
 from collections.abc import Callable
 from pathlib import Path
@@ -16,6 +15,7 @@ import pytest
 import railcrack as rc
 
 from conftest import SMALL
+from dying import Dying
 
 STUDY = SMALL.replace("friction = 0.1", "friction = [0.1, 0.2, 0.3]", 1).replace("angle_deg = 20.0", "angle_deg = [20.0, 25.0]")
 STUDY = STUDY.replace("steps = 2", "steps = 0")
@@ -75,22 +75,12 @@ def test_by_an_executor(kind: str, swept: Path, tmp_path: Path) -> None:
     assert_same_study(done.folder, swept)
 
 
-class _Dying:
-    """An executor of which the worker with the third run is killed."""
-
-    def __init__(self, executor: concurrent.futures.Executor) -> None:
-        self.executor = executor
-
-    def submit(self, task: Callable[[int], object], number: int) -> concurrent.futures.Future[object]:
-        return self.executor.submit(os._exit, 9) if number == 3 else self.executor.submit(task, number)
-
-
 def test_a_killed_worker_loses_nothing_that_was_computed(swept: Path, tmp_path: Path) -> None:
     context = multiprocessing.get_context("spawn")
     study = rc.Study(STUDY)
     with concurrent.futures.ProcessPoolExecutor(1, mp_context=context) as executor:
         with pytest.raises(rc.StudyIncomplete) as raised:
-            study.map(_Dying(executor), out=tmp_path / "study")
+            study.map(Dying(executor, 3, tmp_path / "study"), out=tmp_path / "study")
     assert 3 in raised.value.missing and raised.value.study is not None
     states = raised.value.study.results["state"].tolist()
     assert states.count("missing") == len(raised.value.missing) and states[2] == "missing"
@@ -100,10 +90,9 @@ def test_a_killed_worker_loses_nothing_that_was_computed(swept: Path, tmp_path: 
 
 
 def test_runs_that_fail_are_named_and_the_others_are_there(tmp_path: Path) -> None:
-    wrong = rc.Study(
-        STUDY.replace('"dislocation"', '"xfem"').replace("angle_deg = [20.0, 25.0]", "angle_deg = 20.0")
-        + "[mesh]\nelement_size_mm = 1.0\ninterface_spacing_mm = [1.0, 0.02]\n"
-    )
+    # Points of the faces so close that the elements do not tell them apart.
+    upright = STUDY.replace("angle_deg = [20.0, 25.0]", "angle_deg = 90.0").replace('"dislocation"', '"xfem"')
+    wrong = rc.Study(upright + "[mesh]\nelement_size_mm = 0.3\ninterface_spacing_mm = [0.3, 0.1]\n")
     with pytest.raises(rc.StudyIncomplete) as raised:
         wrong.map(out=tmp_path / "study")
     assert len(raised.value.failed) == 3 and "interface_spacing_mm" in str(raised.value)

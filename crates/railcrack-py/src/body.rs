@@ -1,14 +1,16 @@
 //! Cracked bodies: two matrices at the face points.
 
+use crate::background::{Watch, compute};
 use crate::case::Case;
 use crate::errors::{bad_input, not_converged};
 use crate::grid::matrix;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2};
 use pyo3::prelude::*;
-use railcrack::body::{BodyEngine, BodyError, CrackedBody, FaceMesh, FacePoint, FieldSolver};
+use railcrack::body::{BodyEngine, CrackedBody, FaceMesh, FacePoint, FieldSolver};
 use railcrack::crack::{Crack, CrackNetwork, CrackTip};
 use railcrack::dislocation::{DislocationEngine, FaceResolution};
 use railcrack::field::RailEnds;
+use railcrack::interruption::Interruption;
 use railcrack::material::IsotropicElastic;
 use railcrack::math::{Matrix, Vec2};
 use railcrack::xfem::{RailEnd, Window, XfemEngine, XfemSettings, default_element_sizes};
@@ -223,15 +225,23 @@ fn steel(py: Python<'_>, young: f64, poisson: f64) -> PyResult<IsotropicElastic>
     IsotropicElastic::new(young, poisson).map_err(|error| bad_input(py, error))
 }
 
+/// The body of `network`, made without holding the interpreter; Ctrl-C gives it up.
 fn made(
     py: Python<'_>,
-    mut engine: impl BodyEngine + Send,
+    mut engine: impl BodyEngine + Send + 'static,
     network: &CrackNetwork,
     steel: IsotropicElastic,
     threads: Option<usize>,
 ) -> PyResult<Body> {
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.unwrap_or(0)).build();
-    let pool = pool.map_err(|error| bad_input(py, error))?;
-    let body: Result<CrackedBody, BodyError> = py.detach(|| pool.install(|| engine.body(network)));
-    Body::new(py, body.map_err(|error| not_converged(py, error))?, steel)
+    let (watch, told) = Watch::new();
+    let (network, observer) = (network.clone(), Arc::clone(&watch));
+    let over = compute(py, threads, (watch, told), None, move || {
+        let asked = || observer.is_interrupted();
+        engine.body_unless(Interruption::when(&asked), &network)
+    })?;
+    match (over.result, over.signal) {
+        (Ok(body), _) => Body::new(py, body, steel),
+        (Err(_), Some(signal)) => Err(signal),
+        (Err(error), None) => Err(not_converged(py, error)),
+    }
 }

@@ -35,9 +35,8 @@ impl Case {
         folder: PathBuf,
         files: Vec<(String, Vec<u8>)>,
     ) -> PyResult<Self> {
-        let scratch = if files.is_empty() { None } else { Some(Scratch::with_files(files)?) };
-        let folder = scratch.as_ref().map_or(folder.as_path(), Scratch::path);
-        let case = railcrack_case::Case::parse(text, name, folder);
+        let case =
+            Scratch::reading(&folder, files, |folder| railcrack_case::Case::parse(text, name, folder))?;
         Ok(Self { case: Arc::new(case.map_err(|errors| case_error(py, &errors))?) })
     }
 

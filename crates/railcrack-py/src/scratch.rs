@@ -25,8 +25,22 @@ impl Scratch {
         &self.0
     }
 
+    /// What `read` reads in `folder`, or in one that has `files` where there are any.
+    ///
+    /// Errors: a file cannot be written.
+    pub fn reading<T>(
+        folder: &Path,
+        files: Vec<(String, Vec<u8>)>,
+        read: impl FnOnce(&Path) -> T,
+    ) -> PyResult<T> {
+        if files.is_empty() {
+            return Ok(read(folder));
+        }
+        Ok(read(Self::with_files(files)?.path()))
+    }
+
     /// The folder with `files` in it, by their names relative to it.
-    pub fn with_files(files: Vec<(String, Vec<u8>)>) -> PyResult<Self> {
+    fn with_files(files: Vec<(String, Vec<u8>)>) -> PyResult<Self> {
         let scratch = Self::new();
         for (name, content) in files {
             let path = scratch.0.join(&name);

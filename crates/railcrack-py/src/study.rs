@@ -39,9 +39,9 @@ impl Study {
         folder: PathBuf,
         files: Vec<(String, Vec<u8>)>,
     ) -> PyResult<Self> {
-        let scratch = if files.is_empty() { None } else { Some(Scratch::with_files(files)?) };
-        let folder = scratch.as_ref().map_or(folder.as_path(), Scratch::path);
-        let study = railcrack_case::Study::parse_with(text, name, folder, &Overrides::default());
+        let study = Scratch::reading(&folder, files, |folder| {
+            railcrack_case::Study::parse_with(text, name, folder, &Overrides::default())
+        })?;
         Ok(Self { study: Arc::new(study.map_err(|errors| case_error(py, &errors))?) })
     }
 

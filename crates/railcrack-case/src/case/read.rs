@@ -4,7 +4,7 @@ use super::build::build;
 use super::case::Case;
 use super::overrides::Overrides;
 use crate::schema::{
-    CaseErrors, Chosen, Fault, Reading, Report, Sections, Source, parse_document, read_file, read_sections,
+    CaseErrors, Chosen, Fault, Reading, Report, Sections, Source, from_file, parse_document, read_sections,
 };
 use crate::tables::{CASE_FILE, OUTPUT, RUN_FOLDERS, STUDY};
 use std::path::Path;
@@ -22,8 +22,7 @@ impl Case {
 
     /// As [`Case::read`], with `overrides` in place of the values in the file.
     pub fn read_with(path: &Path, overrides: &Overrides) -> Result<Self, CaseErrors> {
-        let source = read_file(path)?;
-        Self::parse_with(&source.text, &source.name, path.parent().unwrap_or(Path::new("")), overrides)
+        from_file(path, |text, name, folder| Self::parse_with(text, name, folder, overrides))
     }
 
     /// The case written in `text`; errors call it `name`, relative file names are relative to

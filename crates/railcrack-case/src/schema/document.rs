@@ -24,6 +24,18 @@ pub(crate) fn read_file(path: &Path) -> Result<Source, CaseErrors> {
     })
 }
 
+/// What `parse(text, name, folder)` makes of the file `path`: errors call it by its path, relative file
+/// names in it are relative to its folder.
+///
+/// Errors: it cannot be read, or is no text; those of `parse`.
+pub(crate) fn from_file<T>(
+    path: &Path,
+    parse: impl FnOnce(&str, &str, &Path) -> Result<T, CaseErrors>,
+) -> Result<T, CaseErrors> {
+    let source = read_file(path)?;
+    parse(&source.text, &source.name, path.parent().unwrap_or(Path::new("")))
+}
+
 /// Most bytes of a case, a study or a profile: a hundred thousand rows of a profile fit.
 pub(crate) const MOST_TEXT: u64 = 4 << 20;
 

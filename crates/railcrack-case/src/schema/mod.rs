@@ -30,7 +30,9 @@ pub(crate) use value::{FromValue, read_by_word};
 
 pub(crate) use accept::Raw;
 pub(crate) use declaration::short;
-pub(crate) use document::{parse_document, read_bytes, read_file, read_sections, read_text, tables};
+pub(crate) use document::{
+    from_file, parse_document, read_bytes, read_file, read_sections, read_text, tables,
+};
 pub(crate) use error::{Fault, Report, Source};
 pub(crate) use json_schema::{file_schema, section_schema};
 pub(crate) use markdown::page;

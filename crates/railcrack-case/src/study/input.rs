@@ -3,7 +3,7 @@
 use super::expand::Study;
 use super::variation::is_study;
 use crate::case::{Case, Overrides};
-use crate::schema::{CaseErrors, Report, Source, parse_document, read_file};
+use crate::schema::{CaseErrors, Report, Source, from_file, parse_document};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -17,26 +17,15 @@ pub enum Input {
 }
 
 impl Input {
-    /// The case or study in the file `path`.
+    /// The case or study in the file `path`, with `overrides` in place of the values in it.
     ///
     /// Errors: all of the file.
-    pub fn read(path: &Path) -> Result<Self, CaseErrors> {
-        Self::read_with(path, &Overrides::default())
-    }
-
-    /// The same with `overrides` in place of the values in the file.
     pub fn read_with(path: &Path, overrides: &Overrides) -> Result<Self, CaseErrors> {
-        let source = read_file(path)?;
-        Self::parse_with(&source.text, &source.name, path.parent().unwrap_or(Path::new("")), overrides)
+        from_file(path, |text, name, folder| Self::parse_with(text, name, folder, overrides))
     }
 
-    /// The case or study written in `text`; errors call it `name`, relative file names are relative
-    /// to `folder`.
-    pub fn parse(text: &str, name: &str, folder: &Path) -> Result<Self, CaseErrors> {
-        Self::parse_with(text, name, folder, &Overrides::default())
-    }
-
-    /// The same with `overrides` in place of the values in the text.
+    /// The case or study written in `text`, with `overrides` in place of the values in it; errors
+    /// call it `name`, relative file names are relative to `folder`.
     pub fn parse_with(
         text: &str,
         name: &str,

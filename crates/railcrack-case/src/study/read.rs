@@ -8,7 +8,7 @@ use super::sampling::{DIMENSIONS, SampleTable, Sampled, Substitute, find_sampled
 use super::variation::{Variation, find_variations};
 use crate::case::{Case, Overrides, build};
 use crate::schema::{
-    CaseErrors, Chosen, Fault, Override, Reading, Report, SectionValues, Source, parse_document, read_file,
+    CaseErrors, Chosen, Fault, Override, Reading, Report, SectionValues, Source, from_file, parse_document,
     read_section, read_sections, tables,
 };
 use crate::tables::{
@@ -34,9 +34,7 @@ impl Study {
         overrides: &Overrides,
         table: Option<&SampleTable>,
     ) -> Result<Self, CaseErrors> {
-        let source = read_file(path)?;
-        let folder = path.parent().unwrap_or(Path::new(""));
-        Self::parse_with_samples(&source.text, &source.name, folder, overrides, table)
+        from_file(path, |text, name, folder| Self::parse_with_samples(text, name, folder, overrides, table))
     }
 
     /// The study written in `text`; errors call it `name`, relative file names are relative to

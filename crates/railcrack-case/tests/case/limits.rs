@@ -1,6 +1,6 @@
 //! Sizes, ranges and files that are refused before anything is made of them.
 
-use railcrack_case::{Case, CaseErrors, Input};
+use railcrack_case::{Case, CaseErrors, Input, Overrides};
 use std::fmt::Write;
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -124,7 +124,7 @@ fn many_errors_are_counted_and_a_few_told() {
 fn a_file_without_end_is_read_no_further() {
     let started = Instant::now();
     if Path::new("/dev/zero").exists() {
-        let errors = Input::read(Path::new("/dev/zero")).unwrap_err();
+        let errors = Input::read_with(Path::new("/dev/zero"), &Overrides::default()).unwrap_err();
         assert!(errors.to_string().contains("more than 4 MB"), "{errors}");
         let field = one(SHORT, "[plastic_stress]\nfield = \"/dev/zero\"\n");
         let errors = Case::parse(&field, "case.toml", Path::new("")).unwrap_err();

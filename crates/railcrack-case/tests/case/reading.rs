@@ -68,10 +68,11 @@ fn every_shipped_case_is_good_and_survives_a_run_folder() {
     for entry in std::fs::read_dir(shipped("")).unwrap() {
         let path = entry.unwrap().path();
         if path.extension().is_some_and(|e| e == "toml") {
-            let cases: Vec<Case> = match Input::read(&path).unwrap_or_else(|e| panic!("{e}")) {
-                Input::Case(case) => vec![*case],
-                Input::Study(study) => study.runs.into_iter().map(|run| run.case).collect(),
-            };
+            let cases: Vec<Case> =
+                match Input::read_with(&path, &Overrides::default()).unwrap_or_else(|e| panic!("{e}")) {
+                    Input::Case(case) => vec![*case],
+                    Input::Study(study) => study.runs.into_iter().map(|run| run.case).collect(),
+                };
             let name = path.file_stem().unwrap().to_string_lossy().into_owned();
             for case in cases {
                 assert_eq!(rewritten(&case, &temporary(&name)), case, "{name}");

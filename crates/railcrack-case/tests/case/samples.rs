@@ -48,7 +48,10 @@ fn samples_are_runs_with_values_of_their_distributions() {
     }
     let engines = study.runs.iter().filter(|run| run.case.engine == railcrack_case::Engine::Xfem).count();
     assert_eq!(engines, 4);
-    assert!(matches!(Input::parse(STUDY, "study.toml", Path::new("")), Ok(Input::Study(_))));
+    assert!(matches!(
+        Input::parse_with(STUDY, "study.toml", Path::new(""), &Overrides::default()),
+        Ok(Input::Study(_))
+    ));
 }
 
 #[test]

@@ -124,7 +124,7 @@ fn lists_vary_as_lists_of_lists() {
     assert_eq!(last.folder, "012");
     // A list that is a value does not vary.
     assert!(
-        matches!(Input::parse("[output]\nfields_over_a = []", "x", Path::new("")), Err(errors) if errors.errors().len() == 2)
+        matches!(Input::parse_with("[output]\nfields_over_a = []", "x", Path::new(""), &Overrides::default()), Err(errors) if errors.errors().len() == 2)
     );
 }
 
@@ -148,11 +148,13 @@ fn options_take_the_place_of_single_values() {
 
 #[test]
 fn cases_and_studies_are_told_apart() {
-    let is_study = |text: &str| matches!(Input::parse(text, "x", Path::new("")), Ok(Input::Study(_)));
+    let is_study = |text: &str| {
+        matches!(Input::parse_with(text, "x", Path::new(""), &Overrides::default()), Ok(Input::Study(_)))
+    };
     let single = replaced("[0.025, 0.4]", "0.1").replace("[15.0, 30.0, 45.0]", "15.0");
     assert!(is_study(GOOD));
     assert!(!is_study(&single));
-    assert!(Input::parse(&single, "x", Path::new("")).is_ok());
+    assert!(Input::parse_with(&single, "x", Path::new(""), &Overrides::default()).is_ok());
     let as_case = Case::parse(GOOD, "s.toml", Path::new("")).unwrap_err();
     assert_eq!(as_case.errors().len(), 2, "{as_case}");
     assert!(as_case.errors()[0].help().unwrap().contains("railcrack sweep"), "{as_case}");

@@ -4,6 +4,7 @@ use crate::exit::{Exit, Failure};
 use crate::print;
 use clap::Args;
 use railcrack_report::FolderKind;
+use railcrack_run::csv::{line_field, line_fields};
 use railcrack_run::simulation::RunError;
 use std::path::{Path, PathBuf};
 
@@ -47,7 +48,7 @@ pub fn show(arguments: &ShowArguments) -> Result<Exit, Failure> {
         action: format!("read {}", path.display()),
         reason: reason.to_string(),
     })?;
-    let mut lines = text.lines().filter(|line| !line.starts_with('#')).map(fields);
+    let mut lines = text.lines().filter(|line| !line.starts_with('#')).map(line_fields);
     let headings = lines.next().unwrap_or_default();
     let chosen = chosen(&headings, &arguments.columns)?;
     let mut rows: Vec<Vec<String>> = lines.map(|row| picked(&row, &chosen)).collect();
@@ -96,30 +97,9 @@ fn picked(row: &[String], chosen: &[usize]) -> Vec<String> {
     chosen.iter().map(|&place| row.get(place).cloned().unwrap_or_default()).collect()
 }
 
-/// The fields of a line, quotes taken off (RFC 4180).
-fn fields(line: &str) -> Vec<String> {
-    let mut fields = vec![String::new()];
-    let (mut quoted, mut letters) = (false, line.chars().peekable());
-    while let Some(letter) = letters.next() {
-        let Some(field) = fields.last_mut() else { break };
-        match letter {
-            '"' if quoted && letters.peek() == Some(&'"') => {
-                letters.next();
-                field.push('"');
-            }
-            '"' => quoted = !quoted,
-            ',' if !quoted => fields.push(String::new()),
-            other => field.push(other),
-        }
-    }
-    fields
-}
-
 fn exact(headings: &[String], rows: &[Vec<String>]) -> String {
-    let quoted = |field: &String| {
-        if field.contains([',', '"']) { format!("\"{}\"", field.replace('"', "\"\"")) } else { field.clone() }
-    };
-    let line = |row: &[String]| row.iter().map(quoted).collect::<Vec<_>>().join(",") + "\n";
+    let line =
+        |row: &[String]| row.iter().map(|field| line_field(field)).collect::<Vec<_>>().join(",") + "\n";
     std::iter::once(line(headings)).chain(rows.iter().map(|row| line(row))).collect()
 }
 
@@ -161,11 +141,6 @@ fn short(field: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn fields_are_those_of_the_file() {
-        assert_eq!(fields("a,\"b, \"\"c\"\"\",,1"), ["a", "b, \"c\"", "", "1"]);
-    }
 
     #[test]
     fn numbers_are_short_and_aligned() {

@@ -1,7 +1,7 @@
 //! The documents: what they link to is there, and the case files and studies that they show are
 //! accepted.
 
-use railcrack_case::Input;
+use railcrack_case::{Input, Overrides};
 use std::path::{Path, PathBuf};
 
 fn workspace() -> PathBuf {
@@ -82,7 +82,12 @@ fn every_case_in_the_documents_is_accepted() {
                 continue;
             }
             // Files that a block names are looked for among the shipped cases.
-            let parsed = Input::parse(&completed(&block), "block", &workspace().join("cases"));
+            let parsed = Input::parse_with(
+                &completed(&block),
+                "block",
+                &workspace().join("cases"),
+                &Overrides::default(),
+            );
             if let Err(errors) = parsed {
                 let errors: Vec<String> = errors.errors().iter().map(|error| error.one_line()).collect();
                 panic!("{}:{line}: {}", document.display(), errors.join("\n"));

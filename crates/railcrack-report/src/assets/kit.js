@@ -141,6 +141,16 @@ const railcrack = (() => {
       : [Plot.gridY(values), Plot.axisY(values, options)];
   }
 
+  /** What an axis covers: `values`, widened where they are one and the same, so that it has more than one tick. */
+  function extent(values, isLog) {
+    const [low, high] = d3.extent(values);
+    // Round-off is not a range.
+    if (!(high - low <= 1e-9 * Math.max(Math.abs(low), Math.abs(high)))) return [low, high];
+    if (isLog) return [0.5 * low, 2 * high];
+    const half = 0.05 * Math.abs(low) || 0.5;
+    return [low - half, high + half];
+  }
+
   const drawn = [];
 
   /** Draws again whenever the width of `element` changes. */
@@ -229,9 +239,12 @@ const railcrack = (() => {
     /** What the curves that are shown span; of none, what all do. */
     const points = () => (shown.length ? shown : curves).flatMap((curve) => curve.points);
 
+    /** What the axis `name` covers of `all`; its zero counts. */
+    const covered = (name, all) => extent([...all.map((point) => point[name]), ...(data[name].zero ? [0] : [])], log[name]);
+
     // Room for the ticks and the title beside them, from the usual width of digits.
     function room(all) {
-      const [low, high] = data.y.range ?? d3.extent(all, (point) => point.y);
+      const [low, high] = data.y.range ?? covered("y", all);
       const letters = log.y ? 6 : d3.max(d3.ticks(low ?? 0, high ?? 1, 6), (value) => ticks(value).length) ?? 4;
       return 36 + 7.4 * Math.max(3, letters);
     }
@@ -241,6 +254,13 @@ const railcrack = (() => {
       const axes = { x: scale(data.x), y: scale(data.y) };
       const margin = { left: room(all), right: 20, top: 22, bottom: 44 };
       let height = Math.round(Math.min(320, Math.max(230, 0.55 * width)));
+      for (const name of ["x", "y"]) {
+        // Values that are one and the same; otherwise the marks say what is covered.
+        const [low, high] = covered(name, all);
+        if (axes[name].domain || data.equal || !all.length || all.some((point) => point[name] === low || point[name] === high)) continue;
+        axes[name].domain = axes[name].reverse ? [high, low] : [low, high];
+        axes[name].reverse = false;
+      }
       if (data.equal) {
         const fit = toScale(all, width - margin.left - margin.right);
         axes.x.domain = fit.x;
@@ -276,7 +296,7 @@ const railcrack = (() => {
           Plot.frame({ stroke: "var(--line)" }),
           // The running surface.
           data.equal && data.y.scale === "depth" ? Plot.ruleY([0], { stroke: "var(--ink)", strokeWidth: 2 }) : null,
-          ...["x", "y"].flatMap((name) => (log[name] && all.length ? logarithmicAxis(name, data[name].title, d3.extent(all, (point) => point[name]), width - margin.left) : [])),
+          ...["x", "y"].flatMap((name) => (log[name] && all.length ? logarithmicAxis(name, data[name].title, covered(name, all), width - margin.left) : [])),
           ...areas,
           ...marks,
           ...notes,
@@ -413,5 +433,5 @@ const railcrack = (() => {
   theme();
   for (const figure of document.querySelectorAll("figure.chart")) chart(figure);
 
-  return { words, plain, typeset, singles, levels, quantised, unpack, legend, scale, ticks, onWidth, tools, charts, png, bringOut, DASHES };
+  return { words, plain, typeset, singles, levels, quantised, unpack, legend, scale, ticks, onWidth, tools, charts, png, bringOut, extent, DASHES };
 })();

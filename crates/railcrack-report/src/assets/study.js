@@ -2,7 +2,7 @@
 "use strict";
 
 (async () => {
-  const { words, plain, typeset, singles, onWidth, tools } = railcrack;
+  const { words, plain, typeset, singles, onWidth, tools, extent } = railcrack;
   const data = JSON.parse(document.getElementById("study-data").textContent);
   const byId = (id) => document.getElementById(`study-${id}`);
   const columns = await Promise.all(data.columns.map(async (column) => {
@@ -27,7 +27,7 @@
   options(byId("result"), data.results, data.results[0]?.name);
 
   const picked = (id) => named.get(byId(id).value);
-  const axis = (column) => ({ label: plain(column.title), labelAnchor: "center", labelArrow: "none", ...(column.log ? { type: "log", ticks: 4, tickFormat: (value) => words(value) } : { tickFormat: railcrack.ticks }) });
+  const axis = (column, there) => ({ label: plain(column.title), labelAnchor: "center", labelArrow: "none", domain: there.length ? extent(there.map((i) => column.values[i]), column.log) : [1, 10], ...(column.log ? { type: "log", ticks: 4, tickFormat: (value) => words(value) } : { tickFormat: railcrack.ticks }) });
   const good = (column, i) => !Number.isNaN(column.values[i]) && (!column.log || column.values[i] > 0);
   const common = (width) => ({
     width, height: Math.round(Math.min(340, Math.max(240, 0.62 * width))), marginLeft: 74, marginRight: 20, marginBottom: 44, marginTop: 22,
@@ -47,7 +47,7 @@
     const every = Math.max(1, Math.ceil(there.length / MOST));
     const shown = there.filter((i) => (i * 2654435761 >>> 0) % every === 0);
     const svg = Plot.plot({
-      ...common(width), x: axis(x), y: axis(y), color: colours(z),
+      ...common(width), x: axis(x, there), y: axis(y, there), color: colours(z),
       marks: [
         Plot.frame({ stroke: "var(--line)" }),
         Plot.dot(shown, { x: (i) => x.values[i], y: (i) => y.values[i], fill: (i) => z.values[i], r: 2.4, fillOpacity: 0.8 }),
@@ -64,19 +64,19 @@
     const [x, y, z] = ["x", "y", "z"].map(picked);
     const there = rows.filter((i) => good(x, i) && good(y, i) && good(z, i));
     const cut = (column) => {
-      const [low, high] = d3.extent(there, (i) => column.values[i]);
+      const [low, high] = extent(there.map((i) => column.values[i]), column.log);
       const flat = column.log ? Math.log10 : (value) => value;
       const steps = Math.max(2, Math.min(14, new Set(there.map((i) => column.values[i])).size));
       const [a, b] = [flat(low), flat(high)];
       const edge = (k) => (column.log ? 10 ** (a + ((b - a) * k) / steps) : a + ((b - a) * k) / steps);
-      return { of: (i) => Math.min(steps - 1, Math.floor(((flat(column.values[i]) - a) / ((b - a) || 1)) * steps)), edge };
+      return { of: (i) => Math.min(steps - 1, Math.floor(((flat(column.values[i]) - a) / (b - a)) * steps)), edge };
     };
     if (!there.length) return;
     const [cx, cy] = [cut(x), cut(y)];
     const cells = d3.rollups(there, (group) => ({ z: middle(group.map((i) => z.values[i])), n: group.length }), (i) => `${cx.of(i)},${cy.of(i)}`)
       .map(([key, cell]) => { const [i, j] = key.split(",").map(Number); return { ...cell, x1: cx.edge(i), x2: cx.edge(i + 1), y1: cy.edge(j), y2: cy.edge(j + 1) }; });
     const svg = Plot.plot({
-      ...common(width), x: axis(x), y: axis(y), color: colours(z),
+      ...common(width), x: axis(x, there), y: axis(y, there), color: colours(z),
       marks: [
         Plot.frame({ stroke: "var(--line)" }),
         Plot.rect(cells, { x1: "x1", x2: "x2", y1: "y1", y2: "y2", fill: "z", inset: 0.5, title: (cell) => `${plain(z.title)}: ${words(cell.z)} (median of ${cell.n} runs)` }),

@@ -1,5 +1,6 @@
 //! Rows of a table as text: shortest decimal that reads back to the same bits.
 
+use super::line::line_field;
 use crate::OutputError;
 
 /// Rows under construction. Fields are pushed left to right; [`Rows::end`] closes a row.
@@ -70,11 +71,7 @@ impl Rows {
 
     /// A text, in quotes where it has commas, quotes or line ends (RFC 4180).
     pub fn quoted(&mut self, text: &str) {
-        if text.contains([',', '"', '\n', '\r', '#']) {
-            self.name(&format!("\"{}\"", text.replace('"', "\"\"").replace(['\n', '\r'], " ")));
-        } else {
-            self.name(text);
-        }
+        self.name(&line_field(text));
     }
 
     /// Closes the row.

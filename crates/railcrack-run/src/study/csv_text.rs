@@ -1,6 +1,7 @@
 //! Tables of a study as text: their rows appended to Parquet files, and the stabilised passages
 //! among them.
 
+use crate::csv::line_fields;
 use crate::parquet::{ColumnKind, ParquetFile};
 use std::collections::HashMap;
 
@@ -8,12 +9,12 @@ use std::collections::HashMap;
 /// column that the text does not have stays empty.
 pub(super) fn append(file: &mut ParquetFile, before: &[&str], text: &str) {
     let mut lines = text.lines().filter(|line| !line.starts_with('#'));
-    let names = lines.next().map(fields).unwrap_or_default();
+    let names = lines.next().map(line_fields).unwrap_or_default();
     let own = file.columns().iter().skip(before.len());
     let places: Vec<Option<usize>> =
         own.map(|(name, _)| names.iter().position(|other| other == name)).collect();
     for line in lines {
-        let row = fields(line);
+        let row = line_fields(line);
         let own = places.iter().map(|place| place.and_then(|at| row.get(at)).map_or("", String::as_str));
         file.row(before.iter().copied().chain(own));
     }
@@ -27,28 +28,6 @@ pub(super) fn kind_of(column: &str) -> ColumnKind {
         "folder" | "state" | "stop" | "status" | "reason" => ColumnKind::Text,
         _ => ColumnKind::Number,
     }
-}
-
-/// The fields of a line, quotes taken off (RFC 4180).
-fn fields(line: &str) -> Vec<String> {
-    if !line.contains('"') {
-        return line.split(',').map(str::to_owned).collect();
-    }
-    let mut fields = vec![String::new()];
-    let (mut quoted, mut letters) = (false, line.chars().peekable());
-    while let Some(letter) = letters.next() {
-        let Some(field) = fields.last_mut() else { break };
-        match letter {
-            '"' if quoted && letters.peek() == Some(&'"') => {
-                letters.next();
-                field.push('"');
-            }
-            '"' => quoted = !quoted,
-            ',' if !quoted => fields.push(String::new()),
-            other => field.push(other),
-        }
-    }
-    fields
 }
 
 /// The rows of the stabilised passage of each step (and of each wheel, where there are several) of

@@ -10,6 +10,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// Runs on the charts; of more, chosen ones that show every value.
 const MOST_SHOWN: usize = 150;
+/// Choices of keys that vary together on the chart of the effect of an axis: samples are no curve.
+const MOST_TOGETHER: usize = 12;
 /// Curves on the chart of the effect of an axis.
 const MOST_COMBINATIONS: usize = 7;
 
@@ -68,11 +70,14 @@ fn left_out(plan: &StudyPlan, all: &[&StudyRun], shown: &[&StudyRun]) -> String 
 }
 
 /// Growth rate of the initial cracks against the values of the axis with the colours, a curve for
-/// each choice of the others; none where these values are no numbers, or where there are too many
-/// curves.
+/// each choice of the others; none where these values are no numbers, where many keys that vary
+/// together have each its part in it, or where there are too many curves.
 fn effect(plan: &StudyPlan, runs: &[&StudyRun]) -> Option<Chart> {
     let axis: &StudyAxis = plan.axes.get(plan.colour_axis)?;
     let numbers = axis.numbers().filter(|numbers| numbers.len() > 1)?;
+    if axis.keys.len() > 1 && numbers.len() > MOST_TOGETHER {
+        return None;
+    }
     let mut by_others: BTreeMap<Vec<usize>, Vec<[f64; 2]>> = BTreeMap::new();
     for run in runs {
         let mut others = run.planned.choice.clone();
