@@ -25,7 +25,7 @@ impl Scratch {
         &self.0
     }
 
-    /// What `read` reads in `folder`, or in one that has `files` where there are any.
+    /// Has `read` read in `folder`, or in one that has `files` where there are any.
     ///
     /// Errors: a file cannot be written.
     pub fn reading<T>(

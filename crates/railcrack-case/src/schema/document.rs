@@ -24,10 +24,10 @@ pub(crate) fn read_file(path: &Path) -> Result<Source, CaseErrors> {
     })
 }
 
-/// What `parse(text, name, folder)` makes of the file `path`: errors call it by its path, relative file
+/// Has `parse(text, name, folder)` read the file `path`: errors call it by its path, relative file
 /// names in it are relative to its folder.
 ///
-/// Errors: it cannot be read, or is no text; those of `parse`.
+/// Errors: the file cannot be read, or is no text; those of `parse`.
 pub(crate) fn from_file<T>(
     path: &Path,
     parse: impl FnOnce(&str, &str, &Path) -> Result<T, CaseErrors>,
