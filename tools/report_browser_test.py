@@ -16,21 +16,93 @@ from pathlib import Path
 
 from browser import Browser
 
+# Text over text: within the drawing of a figure, and of a drawing over the words beside it.
 OVERLAPS = """
 (() => {
   const bad = [];
-  for (const svg of document.querySelectorAll('figure .drawing svg')) {
-    const texts = [...svg.querySelectorAll('text')].filter((t) => t.textContent.trim() && !t.closest('[aria-label="tip"]'));
-    const boxes = texts.map((t) => t.getBoundingClientRect());
-    for (let i = 0; i < texts.length; i++)
-      for (let j = 0; j < i; j++) {
-        const across = Math.min(boxes[i].right, boxes[j].right) - Math.max(boxes[i].left, boxes[j].left);
-        const down = Math.min(boxes[i].bottom, boxes[j].bottom) - Math.max(boxes[i].top, boxes[j].top);
-        if (across > 1 && down > 3) bad.push(`${svg.closest('figure').id}: "${texts[i].textContent}" and "${texts[j].textContent}"`);
-      }
+  const meet = (a, b) => Math.min(a.right, b.right) - Math.max(a.left, b.left) > 1 && Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 3;
+  for (const figure of document.querySelectorAll('figure')) {
+    const seen = (e) => e.textContent.trim() && e.getBoundingClientRect().width > 0;
+    const drawn = [...figure.querySelectorAll('svg text')].filter((t) => seen(t) && !t.closest('[aria-label="tip"]'));
+    const written = [...figure.querySelectorAll('h3, figcaption, .legend li, .tools button')].filter(seen);
+    const all = [...drawn, ...written].map((e) => {
+      if (!e.matches('h3, figcaption')) return [e, e.getBoundingClientRect()];
+      // As wide as its words, not as its place.
+      const range = document.createRange();
+      range.selectNodeContents(e);
+      return [e, range.getBoundingClientRect()];
+    });
+    for (let i = 0; i < all.length; i++)
+      for (let j = 0; j < i; j++)
+        if (meet(all[i][1], all[j][1])) bad.push(`${figure.id}: "${all[i][0].textContent.slice(0, 30)}" and "${all[j][0].textContent.slice(0, 30)}"`);
   }
   return bad;
 })()
+"""
+# Elements that end beyond the page, those apart that scroll within it.
+BEYOND = """
+[...document.body.querySelectorAll('*')].filter((e) => {
+  const box = e.getBoundingClientRect();
+  const scrolled = e.parentElement?.closest('.wide, pre, select');
+  return box.width > 0 && !scrolled && (box.right > innerWidth + 1 || box.left < -1) && !e.closest('[aria-label="tip"]');
+}).map((e) => `${e.tagName} ${e.id || e.className.baseVal || e.className || ''} "${e.textContent.trim().slice(0, 30)}"`)
+"""
+# Tables and pictures that must be scrolled sideways.
+SCROLLED = "[...document.querySelectorAll('.wide')].filter((e) => e.clientWidth > 0 && !e.closest('details:not([open])') && e.scrollWidth > e.clientWidth + 1).map((e) => e.textContent.trim().slice(0, 40))"
+# Words that are broken into two lines between their letters: words end at spaces, hyphens and where the page allows a break.
+BROKEN = """
+(() => {
+  const bad = [];
+  for (const cell of document.querySelectorAll('th, td, .facts dt, .facts dd, .legend li, h2, h3, figcaption')) {
+    if (!cell.getBoundingClientRect().width) continue;
+    const walker = document.createTreeWalker(cell, NodeFilter.SHOW_TEXT);
+    while (walker.nextNode()) {
+      const text = walker.currentNode;
+      for (const word of text.textContent.matchAll(/[^\\s\u2013/-]+/g)) {
+        const range = document.createRange();
+        range.setStart(text, word.index);
+        range.setEnd(text, word.index + word[0].length);
+        const lines = new Set([...range.getClientRects()].map((box) => Math.round(box.top / 4)));
+        if (lines.size > 1) bad.push(word[0]);
+      }
+    }
+  }
+  return bad;
+})()
+"""
+# The smallest distance (Oklab, Ottosson 2020) between two of the nine colours of things without order, and which two.
+NEAREST_COLOURS = """
+(() => {
+  const linear = (c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4);
+  const lab = (colour) => {
+    const { r, g, b } = d3.rgb(colour);
+    const [R, G, B] = [r, g, b].map((c) => linear(c / 255));
+    const l = Math.cbrt(0.4122214708 * R + 0.5363325363 * G + 0.0514459929 * B);
+    const m = Math.cbrt(0.2119034982 * R + 0.6806995451 * G + 0.1073969566 * B);
+    const s = Math.cbrt(0.0883024619 * R + 0.2817188376 * G + 0.6299787005 * B);
+    return [0.2104542553 * l + 0.793617785 * m - 0.0040720468 * s, 1.9779984951 * l - 2.428592205 * m + 0.4505937099 * s,
+      0.0259040371 * l + 0.7827717662 * m - 0.808675766 * s];
+  };
+  const style = getComputedStyle(document.documentElement);
+  const names = d3.range(9).map((i) => style.getPropertyValue(`--c${i}`).trim());
+  const pairs = d3.cross(d3.range(9), d3.range(9)).filter(([i, j]) => i < j);
+  const apart = ([i, j]) => Math.hypot(...lab(names[i]).map((c, k) => c - lab(names[j])[k]));
+  const nearest = d3.least(pairs, apart);
+  return [apart(nearest), names[nearest[0]], names[nearest[1]]];
+})()
+"""
+# Curves of one chart that look alike: of the same colour, dashes and width under different names. Quantiles are told by their order.
+ALIKE = """
+[...railcrack.charts].flatMap(([id, chart]) => {
+  const looks = new Map();
+  for (const { name, note, stroke, look, wide, dots } of chart.curves.filter((curve) => !/ %( of the runs)?$/.test(curve.name))) {
+    const key = `${stroke} ${look} ${wide} ${dots}`;
+    if (!looks.has(key)) looks.set(key, new Set());
+    looks.get(key).add(`${name} ${note}`);
+  }
+  const names = new Set(chart.curves.map((curve) => `${curve.name} ${curve.note}`));
+  return names.size > 9 ? [] : [...looks.values()].filter((names) => names.size > 1).map((names) => `${id}: ${[...names].join(' and ')}`);
+})
 """
 OUTSIDE = """
 [...document.querySelectorAll('figure .drawing svg')].filter((svg) => {
@@ -38,6 +110,11 @@ OUTSIDE = """
   return box.width > 0 && (box.right > inside.right + 2 || box.left < inside.left - 2);
 }).map((svg) => svg.closest('figure').id)
 """
+
+
+# A phone, a tablet, a desk; and A4 within its margins.
+WIDTHS = [390, 800, 1400]
+PAPER = 688
 
 
 class Checks:
@@ -74,7 +151,7 @@ def check_page(browser, checks, name, path):
     """What every page must hold."""
     checks.that(path.stat().st_size < 5_000_000, f"{name}: at most 5 MB", path.stat().st_size)
     for theme in ["light", "dark"]:
-        for width in [1280, 390]:
+        for width in WIDTHS:
             browser.open(path, width=width, theme=theme)
             what = f"{name}, {theme}, {width} px"
             checks.that(not browser.complaints, f"{what}: no complaints of the browser", browser.complaints)
@@ -84,6 +161,13 @@ def check_page(browser, checks, name, path):
             checks.that(not overlaps, f"{what}: no text overlaps another", overlaps[:3])
             wide = browser.run("document.scrollingElement.scrollWidth - innerWidth")
             checks.that(wide <= 0, f"{what}: nothing sticks out sideways", wide)
+            beyond = browser.run(BEYOND)
+            checks.that(not beyond, f"{what}: no element is wider than the page", beyond[:5])
+            if width == max(WIDTHS):
+                scrolled = browser.run(SCROLLED)
+                checks.that(not scrolled, f"{what}: nothing has to be scrolled sideways", scrolled)
+            broken = browser.run(BROKEN)
+            checks.that(not broken, f"{what}: no word is broken", broken[:8])
             undrawn = browser.run(
                 "[...document.querySelectorAll('figure.chart')].filter((f) => !f.querySelector('.drawing svg [aria-label=line] path,"
                 " .drawing svg [aria-label=dot] circle')).map((f) => f.id)")
@@ -102,6 +186,10 @@ def check_page(browser, checks, name, path):
                 "[...document.querySelectorAll('figure .drawing svg')].filter((s) => !s.querySelector('[aria-label*=\"axis label\"]'))"
                 ".map((s) => s.closest('figure').id)")
             checks.that(not untitled, f"{what}: every chart has titles at its axes", untitled)
+        apart, *which = browser.run(NEAREST_COLOURS)
+        checks.that(apart > 0.09, f"{name}, {theme}: nine colours are told apart", apart, which)
+        alike = browser.run(ALIKE)
+        checks.that(not alike, f"{name}: no two curves of up to nine look alike", alike[:3])
         ground = browser.run("getComputedStyle(document.body).backgroundColor")
         light = sum(int(part) for part in ground.strip("rgb()").split(",")[:3]) > 382
         checks.that(light == (theme == "light"), f"{name}: {theme} follows the system", ground)
@@ -131,9 +219,19 @@ def check_page(browser, checks, name, path):
     checks.that(not cut, f"{name}: on paper, tables end before what stands beside them", cut)
     cut = browser.run(
         "(() => { dispatchEvent(new Event('beforeprint')); const edge = document.body.getBoundingClientRect().right;"
-        " const wide = [...document.querySelectorAll('section > .wide table')].filter((t) => t.getBoundingClientRect().right > edge + 8)"
+        " const wide = [...document.querySelectorAll('section > .table table')].filter((t) => t.getBoundingClientRect().right > edge + 8)"
         ".map((t) => t.textContent.slice(0, 40)); dispatchEvent(new Event('afterprint')); return wide; })()")
     checks.that(not cut, f"{name}: on paper, tables end within the page", cut)
+    browser.size(PAPER, 1000)
+    browser.run("dispatchEvent(new Event('beforeprint'))")
+    browser.settle()
+    for what, expression in [("no word is broken", BROKEN), ("no text overlaps another", OVERLAPS), ("nothing is wider than the paper", BEYOND)]:
+        found = browser.run(expression)
+        checks.that(not found, f"{name}: on paper, {what}", found[:8])
+    text = browser.run("document.body.innerText")
+    for screen in ["Point at a map", "Keys:", "Drawn with d3", "A click on"]:
+        checks.that(screen not in text, f"{name}: on paper there is no {screen!r}")
+    browser.run("dispatchEvent(new Event('afterprint'))")
     browser.media()
     check_without_scripts(browser, checks, name, path)
 
@@ -144,7 +242,7 @@ def check_without_scripts(browser, checks, name, path):
     document = browser.send("DOM.getDocument", depth=0)["root"]["nodeId"]
     count = lambda selector: len(browser.send("DOM.querySelectorAll", nodeId=document, selector=selector)["nodeIds"])
     checks.that(count(".verdict") == 1 and count(".facts div") > 2, f"{name}: without scripts the result is there")
-    checks.that(count("noscript img, .picture img") > 0 or count("#explorer, #choices") == 0 or count("a[href$='.svg']") > 0, f"{name}: without scripts there are pictures")
+    checks.that(count("noscript img, .picture svg") > 0 or count("#explorer, #choices") == 0 or count("a[href$='.svg']") > 0, f"{name}: without scripts there are pictures")
     browser.send("Emulation.setScriptExecutionDisabled", value=False)
 
 
@@ -163,7 +261,7 @@ def check_explorer(browser, checks, name, folder):
 
     def check_k(step):
         here = [row for row in sif if int(row["step"]) == step and int(row["position"]) == position]
-        many = len(here) > 7
+        many = len(here) > 9
         here = [row for row in here if not many or row["crack"] == "1"]
         for figure, column in [("ki", "ki_mpa_sqrt_m"), ("kii", "kii_mpa_sqrt_m")]:
             there = marks(browser, figure)

@@ -1,6 +1,7 @@
 //! Text and data in HTML.
 
 use super::markup::{Piece, pieces};
+use super::svg::{GREY, INK, LIGHT};
 use railcrack_vtu::base64;
 pub(crate) use railcrack_vtu::escaped;
 use serde_json::Value;
@@ -15,6 +16,28 @@ pub(crate) fn typeset(text: &str) -> String {
     pieces(text).into_iter().map(set).collect()
 }
 
+/// [`typeset`], with places at which long names may be broken into lines: after the dots and the
+/// underscores of `contact.peak_pressure_mpa`.
+pub(crate) fn typeset_in_parts(text: &str) -> String {
+    let mut parts = vec![String::new()];
+    let letters: Vec<char> = text.chars().collect();
+    for (place, &letter) in letters.iter().enumerate() {
+        let before = place.checked_sub(1).map(|before| letters[before]);
+        let after = letters.get(place + 1);
+        let joins = |letter: &char| letter.is_ascii_alphabetic() || "])".contains(*letter);
+        let is_end = matches!(letter, '.' | '_')
+            && before.as_ref().is_some_and(joins)
+            && after.is_some_and(char::is_ascii_alphabetic);
+        if let Some(part) = parts.last_mut() {
+            part.push(letter);
+        }
+        if is_end {
+            parts.push(String::new());
+        }
+    }
+    parts.iter().map(|part| typeset(part)).collect::<Vec<_>>().join("<wbr>")
+}
+
 /// An SVG as an image of its own: its names cannot meet those of another picture, nor its content
 /// the page.
 pub(crate) fn still(svg: &str, description: &str) -> String {
@@ -24,6 +47,19 @@ pub(crate) fn still(svg: &str, description: &str) -> String {
     let data = String::from_utf8(data).unwrap_or_default();
     format!("<img src=\"data:image/svg+xml;base64,{data}\" alt=\"{}\">", escaped(description))
 }
+
+/// An SVG as a part of the page, in the colours of the page's light or dark. There is one on a page
+/// at most: names in it are not made unique.
+pub(crate) fn inlined(svg: &str, description: &str) -> String {
+    let label = format!("<svg role=\"img\" aria-label=\"{}\" ", escaped(description));
+    PAGE_COLOURS.iter().fold(svg.replacen("<svg ", &label, 1), |svg, (fixed, name)| {
+        svg.replace(&format!("\"{fixed}\""), &format!("\"var(--{name})\""))
+    })
+}
+
+/// Colours of the files that are others in the dark, and their names on a page.
+const PAGE_COLOURS: [(&str, &str); 4] =
+    [("#ffffff", "ground"), (INK, "ink"), (GREY, "quiet"), (LIGHT, "line")];
 
 /// `value` for a `<script type="application/json">`, which nothing in it can end.
 pub(crate) fn json_for_script(value: &Value) -> String {
@@ -47,6 +83,13 @@ mod tests {
         assert_eq!(typeset("<K_{II}> (MPa√m)"), "&lt;K<sub>II</sub>&gt; (MPa√m)");
         assert_eq!(typeset("K_{I"), "K_{I");
         assert_eq!(typeset("10^{6} K_{I} <"), "10<sup>6</sup> K<sub>I</sub> &lt;");
+    }
+
+    #[test]
+    fn names_break_between_their_parts() {
+        assert_eq!(typeset_in_parts("crack[1].friction 0.025"), "crack[1].<wbr>friction 0.025");
+        assert_eq!(typeset_in_parts("[mesh] element_size_mm"), "[mesh] element_<wbr>size_<wbr>mm");
+        assert_eq!(typeset_in_parts("ΔK_{eq} of 1.5e-6, a.<b>"), "ΔK<sub>eq</sub> of 1.5e-6, a.&lt;b&gt;");
     }
 
     #[test]

@@ -50,6 +50,17 @@ pub fn significant(value: f64) -> String {
     .replace('-', "\u{2212}")
 }
 
+/// Letters of a value of a key that somebody has written; drawn ones have more.
+const WRITTEN: usize = 9;
+
+/// The value of a key as people read it: one that was drawn has four significant digits.
+pub(crate) fn brief(value: &str) -> String {
+    match value.parse::<f64>() {
+        Ok(number) if value.len() > WRITTEN && number.is_finite() => significant(number),
+        _ => value.to_owned(),
+    }
+}
+
 /// A value with a fixed number of decimals and a true minus sign.
 pub fn fixed(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
@@ -90,6 +101,7 @@ mod tests {
             [0.123_46, 12.346, 1234.56, -0.5].map(significant),
             ["0.1235", "12.35", "1234.6", "\u{2212}0.5000"]
         );
+        assert_eq!(["0.29368231828", "0.123456", "60E1"].map(brief), ["0.2937", "0.123456", "60E1"]);
         assert_eq!(significant(2.5e-6), "2.500e\u{2212}6");
         assert_eq!([fixed(-0.04, 1), fixed(-1.25, 1)], ["0.0", "\u{2212}1.2"]);
     }

@@ -2,7 +2,7 @@
 
 use super::chart::Chart;
 use super::choices::Choices;
-use super::html::{escaped, json_for_script, still, typeset};
+use super::html::{escaped, inlined, json_for_script, still, typeset, typeset_in_parts};
 use super::table::Table;
 use railcrack_run::VERSION;
 use serde_json::Value;
@@ -142,7 +142,8 @@ impl Page {
         let _ = writeln!(page, "<p class=\"verdict\">{}</p>", typeset(&self.verdict));
         page.push_str("<dl class=\"facts\">\n");
         for fact in &self.facts {
-            let [name, value, note] = [&fact.name, &fact.value, &fact.note].map(|text| typeset(text));
+            let [name, value, note] =
+                [&fact.name, &fact.value, &fact.note].map(|text| typeset_in_parts(text));
             let _ = write!(page, "<div><dt>{name}</dt><dd>{value}");
             if !note.is_empty() {
                 let _ = write!(page, "<small>{note}</small>");
@@ -155,9 +156,11 @@ impl Page {
         page.push_str("</section>\n");
         for section in &self.sections {
             let (id, heading) = (escaped(&section.id), typeset(&section.heading));
+            let is_folded = section.blocks.iter().all(|block| matches!(block, Block::Folded { .. }));
+            let class = if is_folded { " class=\"folded\"" } else { "" };
             let _ = writeln!(
                 page,
-                "<section id=\"{id}\" aria-labelledby=\"{id}-heading\">\n<h2 id=\"{id}-heading\">{heading}</h2>"
+                "<section id=\"{id}\"{class} aria-labelledby=\"{id}-heading\">\n<h2 id=\"{id}-heading\">{heading}</h2>"
             );
             write_blocks(page, &section.blocks, &mut scripts);
             page.push_str("</section>\n");
@@ -203,10 +206,17 @@ fn write_blocks(page: &mut String, blocks: &[Block], scripts: &mut Vec<&'static 
                 write_blocks(page, blocks, scripts);
                 writeln!(page, "</div>")
             }
-            Block::Picture { svg, caption } => write_picture(page, svg, caption),
+            Block::Picture { svg, caption } => {
+                let (picture, caption) = (inlined(svg, caption), typeset(caption));
+                writeln!(
+                    page,
+                    "<figure class=\"picture\"><div class=\"wide\">{picture}</div><figcaption>{caption}</figcaption></figure>"
+                )
+            }
             Block::Still { svg, caption } => {
                 page.push_str("<noscript>");
-                let _ = write_picture(page, svg, caption);
+                let (image, caption) = (still(svg, caption), typeset(caption));
+                let _ = writeln!(page, "<figure>{image}<figcaption>{caption}</figcaption></figure>");
                 writeln!(page, "</noscript>")
             }
             Block::Verbatim(text) => writeln!(page, "<pre tabindex=\"0\">{}</pre>", escaped(text)),
@@ -222,11 +232,6 @@ fn write_blocks(page: &mut String, blocks: &[Block], scripts: &mut Vec<&'static 
             }
         };
     }
-}
-
-fn write_picture(page: &mut String, svg: &str, caption: &str) -> std::fmt::Result {
-    let (image, caption) = (still(svg, caption), typeset(caption));
-    writeln!(page, "<figure class=\"picture\">{image}<figcaption>{caption}</figcaption></figure>")
 }
 
 fn write_list(page: &mut String, class: &str, items: &[String]) -> std::fmt::Result {

@@ -1,6 +1,7 @@
 //! Tables of a page.
 
-use super::html::{escaped, typeset};
+use super::html::{escaped, typeset, typeset_in_parts};
+use super::markup::plain;
 use std::fmt::Write;
 
 /// The ground of a cell.
@@ -89,12 +90,16 @@ impl Table {
 
     /// Appends the table to `page`. The first cell of a row names it.
     pub(super) fn write(&self, page: &mut String) {
-        page.push_str("<div class=\"wide\"><table>\n");
-        if !self.caption.is_empty() {
-            // Writing to a string does not fail.
-            let _ = writeln!(page, "<caption>{}</caption>", typeset(&self.caption));
-        }
-        page.push_str("<thead><tr>");
+        // The caption is not scrolled with the table. Writing to a string does not fail.
+        page.push_str("<div class=\"table\">");
+        let _ = if self.caption.is_empty() {
+            write!(page, "<div class=\"wide\"><table>\n<thead><tr>")
+        } else {
+            let (caption, label) = (typeset(&self.caption), escaped(&plain(&self.caption)));
+            let table = format!("<div class=\"wide\"><table aria-label=\"{label}\">");
+            write!(page, "<p class=\"caption\">{caption}</p>\n{table}\n<thead><tr>")
+        };
+        let short: Vec<bool> = (0..self.headings.len()).map(|column| self.is_short(column)).collect();
         for (column, heading) in self.headings.iter().enumerate() {
             // A heading stands above its numbers.
             let mut cells =
@@ -102,7 +107,7 @@ impl Table {
             let is_numbers =
                 column > 0 && cells.clone().next().is_some() && cells.all(|cell| is_number(&cell.text));
             let class = if is_numbers { " class=\"number\"" } else { "" };
-            let _ = write!(page, "<th scope=\"col\"{class}>{}</th>", typeset(heading));
+            let _ = write!(page, "<th scope=\"col\"{class}>{}</th>", typeset_in_parts(heading));
         }
         page.push_str("</tr></thead>\n<tbody>\n");
         for (place, row) in self.rows.iter().enumerate() {
@@ -116,7 +121,7 @@ impl Table {
             }
             for (column, cell) in row.iter().enumerate() {
                 let text = if cell.link.is_empty() {
-                    typeset(&cell.text)
+                    typeset_in_parts(&cell.text)
                 } else {
                     format!("<a href=\"{}\">{}</a>", escaped(&cell.link), typeset(&cell.text))
                 };
@@ -125,14 +130,28 @@ impl Table {
                     (_, CellTone::Holds, _) => write!(page, "<td class=\"holds\">{text}</td>"),
                     (_, CellTone::Fails, _) => write!(page, "<td class=\"fails\">{text}</td>"),
                     (_, CellTone::Plain, true) => write!(page, "<td class=\"number\">{text}</td>"),
+                    (_, CellTone::Plain, false) if short.get(column) == Some(&true) => {
+                        write!(page, "<td class=\"short\">{text}</td>")
+                    }
                     (_, CellTone::Plain, false) => write!(page, "<td>{text}</td>"),
                 };
             }
             page.push_str("</tr>\n");
         }
-        page.push_str("</tbody></table></div>\n");
+        page.push_str("</tbody></table></div></div>\n");
+    }
+
+    /// Whether the words of a column stand on one line each.
+    fn is_short(&self, column: usize) -> bool {
+        self.rows
+            .iter()
+            .filter_map(|row| row.get(column))
+            .all(|cell| plain(&cell.text).chars().count() <= SHORT)
     }
 }
+
+/// Letters of a cell that are not broken into lines on a screen.
+const SHORT: usize = 40;
 
 /// A cell of numbers without one.
 pub const MISSING: &str = "\u{2013}";

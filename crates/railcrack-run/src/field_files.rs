@@ -24,14 +24,18 @@ pub(crate) struct FieldFileEntry {
     pub seal: Seal,
 }
 
+/// The field file of a step and a wheel position (from 1), in the run folder.
+pub fn field_file(step: usize, position: usize) -> String {
+    format!("{FIELDS_FOLDER}/{}", name(step, position))
+}
+
 /// The fields of a step: of each wheel position its number (from 1), the name of its file in the
 /// run folder, and what the file holds.
 pub fn field_grids(record: &StepRecord) -> impl Iterator<Item = (usize, String, UnstructuredGrid)> {
     record.fields.iter().flat_map(|fields| {
         fields.snapshots.iter().map(|snapshot| {
             let position = snapshot.position + 1;
-            let file = format!("{FIELDS_FOLDER}/{}", name(record.step, position));
-            (position, file, grid_of(&fields.grid, snapshot))
+            (position, field_file(record.step, position), grid_of(&fields.grid, snapshot))
         })
     })
 }

@@ -47,7 +47,7 @@ pub use case_files::CaseFiles;
 pub use compare::Comparison;
 pub use csv::ResidualRow;
 pub use error::OutputError;
-pub use field_files::field_grids;
+pub use field_files::{field_file, field_grids};
 pub use folder::Existing;
 pub use lock::{FolderLock, LOCK_FILE};
 pub use presentation::{Presentation, RunPresentation, TablesOnly};

@@ -2,7 +2,7 @@
 "use strict";
 
 (() => {
-  const { charts, legend, plain, bringOut, DASHES } = railcrack;
+  const { charts, legend, plain, inParts, bringOut, DASHES } = railcrack;
   const place = document.getElementById("choices");
   const groups = JSON.parse(document.getElementById("choices-data").textContent);
   const on = groups.map((group) => new Set(group.values.flatMap((value, i) => (value.shown ? [i] : []))));
@@ -16,7 +16,7 @@
   groups.forEach((group, place_of_group) => {
     const set = document.createElement("fieldset");
     const name = document.createElement("legend");
-    name.textContent = plain(group.name);
+    inParts(name, plain(group.name));
     set.append(name);
     const boxes = group.values.map((value, i) => {
       const label = document.createElement("label");

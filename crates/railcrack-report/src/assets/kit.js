@@ -12,6 +12,13 @@ const railcrack = (() => {
     return d3.format(".3~e")(value).replaceAll("-", "\u2212");
   }
 
+  /** Puts `text` into `element`; a long name may be broken into lines after its dots and underscores. */
+  function inParts(element, text) {
+    const parts = text.split(/(?<=[A-Za-z\])][._])(?=[A-Za-z])/);
+    element.append(...parts.flatMap((part, i) => (i ? [document.createElement("wbr"), part] : [part])));
+    return element;
+  }
+
   /** Marks of indices and powers left out: for places that take plain text only. */
   const plain = (text) => text.replace(/[_^]\{([^}]*)\}/g, "$1");
 
@@ -433,5 +440,5 @@ const railcrack = (() => {
   theme();
   for (const figure of document.querySelectorAll("figure.chart")) chart(figure);
 
-  return { words, plain, typeset, singles, levels, quantised, unpack, legend, scale, ticks, onWidth, tools, charts, png, bringOut, extent, DASHES };
+  return { words, plain, inParts, typeset, singles, levels, quantised, unpack, legend, scale, ticks, onWidth, tools, charts, png, bringOut, extent, DASHES };
 })();

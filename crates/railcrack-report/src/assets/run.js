@@ -13,18 +13,18 @@
   const isNear = (position) => position >= nearFirst && position <= nearLast;
   const shown = data.steps;
   const faceStride = data.face_stride;
-  // Beyond seven tips colours would repeat: then the chosen crack has one, and the others are quiet.
-  const many = shown[0].tips.length > 7;
+  // Beyond nine tips colours would repeat: then the chosen crack has one, and the others are quiet.
+  const many = shown[0].tips.length > 9;
   const crackColour = (crack) => {
     if (data.cracks.length === 1) return "var(--c0)";
     if (many) return crack === state.crack ? "var(--c0)" : "var(--quiet)";
     const first = shown[0].tips.findIndex((tip) => tip.crack === crack);
-    return `var(--c${Math.max(first, 0) % 7})`;
+    return `var(--c${Math.max(first, 0) % 9})`;
   };
   /** Tips of one crack have colours of their own where there are enough. */
   const tipColour = (tip) => {
     if (many) return crackColour(tip.crack);
-    return `var(--c${Math.max(shown[0].tips.findIndex((other) => other.crack === tip.crack && other.tip === tip.tip), 0) % 7})`;
+    return `var(--c${Math.max(shown[0].tips.findIndex((other) => other.crack === tip.crack && other.tip === tip.tip), 0) % 9})`;
   };
   const STATUS = ["open", "stick", "slip"];
   const STATUS_COLOURS = ["#e9ecef", "#0072b2", "#e69f00"];
@@ -202,7 +202,8 @@
       marks.push(Plot.ruleX([xc], { y1: 0, y2: -view.load, stroke: "var(--c1)", strokeDasharray: "3 3" }));
       if (mu) marks.push(Plot.arrow([arrow], { x1: "x1", x2: "x2", y1: "y", y2: "y", stroke: "var(--c1)", strokeWidth: 2, headLength: 9, clip: true }));
       const middle = Math.min(Math.max(xc, x[0] + 0.14 * (x[1] - x[0])), x[1] - 0.14 * (x[1] - x[0]));
-      marks.push(Plot.text([label], { x: middle, y: -1.42 * view.load, fill: "var(--c1)" }));
+      // Above the arrow by the height of the letters, whatever the scale.
+      marks.push(Plot.text([label], { x: middle, y: arrow.y, dy: mu ? -13 : -6, fill: "var(--c1)" }));
     } else {
       marks.push(Plot.text([away < 0 ? `\u2190 wheel at x = ${signed(xc, 1)} mm` : `wheel at x = ${signed(xc, 1)} mm \u2192`], {
         x: away < 0 ? x[0] : x[1], y: -0.6 * view.load, dx: -8 * away, textAnchor: away < 0 ? "start" : "end", fill: "var(--c1)",
@@ -252,6 +253,7 @@
         colour: several ? tipColour(tip) : colour,
         dashed,
         tip,
+        step: shown[index].step,
         points: Array.from(histories[index][i][mode], (k, p) => ({ x: positions[p], k, at: p })).slice(nearFirst, nearLast + 1),
       }));
     const kept = state.kept.filter((index) => index !== state.step);
@@ -302,7 +304,14 @@
     show(mode, svg);
     const chosen = many ? curves.filter((curve) => curve.tip.crack === state.crack) : curves;
     const others = many ? [{ name: "other cracks", colour: "var(--quiet)" }] : [];
-    find(mode).querySelector(".legends").replaceChildren(legend([...chosen, ...others]));
+    // Of several tips the colours are explained once, and a kept step by its dashes.
+    const now = shown[state.step].step;
+    const tips = chosen.filter((curve) => !curve.dashed).map((curve) => ({ ...curve, name: tipName(curve.tip) }));
+    const entries = shown[0].tips.length > 1
+      ? [...tips, ...others, ...[...new Set(chosen.filter((curve) => curve.dashed).map((curve) => curve.step))]
+        .map((step) => ({ name: `step ${step}`, colour: "var(--quiet)", dashed: true })), { name: `step ${now}`, colour: "var(--quiet)" }]
+      : chosen;
+    find(mode).querySelector(".legends").replaceChildren(legend(entries));
     kCharts[mode] = { svg, curves: chosen.filter((curve) => !curve.dashed) };
     markK(mode);
   }
@@ -399,7 +408,7 @@
     const slips = stations.map(({ jump }) => Math.abs(jump[0]));
     find("deformed-caption").textContent =
       `Crack ${faces.crack}. Displacement jump magnified ${words(magnified)} times, half of it drawn on each face. ` +
-      `At this position the largest opening is ${words(1e3 * d3.max(openings))} \u00b5m, the largest slip ${words(1e3 * d3.max(slips))} \u00b5m.`;
+      `At this position the largest opening is ${microns(d3.max(openings))}, the largest slip ${microns(d3.max(slips))}.`;
   }
 
   // ---- Face maps -----------------------------------------------------------------------------------------------
@@ -430,6 +439,9 @@
 
   /** The first and the last column of the faces within the passage of the contact. */
   const nearColumns = (faces) => [Math.ceil(nearFirst / faceStride), faceColumn(faces, nearLast)];
+
+  /** A jump in micrometres: hundredths are known, no more. */
+  const microns = (mm) => `${signed(1e3 * mm, 2)} \u00b5m`;
 
   const nearestPoint = (faces, s) => {
     const right = Math.min(d3.bisectLeft(faces.s, s), faces.s.length - 1);
@@ -478,7 +490,7 @@
     const at = point * faces.row + column;
     return `x_{c}/a = ${signed(positions[position], 3)}, s = ${words(faces.s[point])} mm: ${STATUS[faces.status[at]]}, ` +
       `pressure ${words(faces.pressure[at])} MPa, shear ${words(faces.shear[at])} MPa, ` +
-      `opening ${words(1e3 * faces.opening[at])} \u00b5m, slip ${words(1e3 * faces.slip[at])} \u00b5m`;
+      `opening ${microns(faces.opening[at])}, slip ${microns(faces.slip[at])}`;
   }
 
   function markMap(id) {
@@ -550,17 +562,18 @@
     find("wheel").value = state.position;
     find("step").setAttribute("aria-valuetext", `step ${stepText}`);
     find("wheel").setAttribute("aria-valuetext", plain(wheelText));
+    const name = (tip) => (data.cracks.length > 1 || step.tips.length > 1 ? tipName(tip) : "");
     const k = step.tips.map((tip, i) => {
       const { ki, kii } = histories[state.step][i];
-      const name = data.cracks.length > 1 || step.tips.length > 1 ? `${tipName(tip)}: ` : "";
-      return `${name}K_{I} = ${signed(ki[state.position] ?? 0, 3)}, K_{II} = ${signed(kii[state.position] ?? 0, 3)} MPa\u221am`;
+      return `${name(tip) && `${name(tip)}: `}K_{I} = ${signed(ki[state.position] ?? 0, 3)}, K_{II} = ${signed(kii[state.position] ?? 0, 3)} MPa\u221am`;
     });
     const shownK = k.length <= 4 ? k.join("; ") : k[Math.max(0, step.tips.indexOf(tip))];
-    const direction = tip.kink === null ? "no kink, the tip is not loaded" : `a kink of ${signed(tip.kink, 1)}\u00b0`;
+    const whose = name(tip) || "the crack";
+    const direction = tip.kink === null ? `${whose} is not loaded and does not kink` : `${whose} kinks by ${signed(tip.kink, 1)}\u00b0 at the end of the step`;
     const rival = tip.rival === null ? "" : ` (secondary maximum at ${signed(tip.rival, 1)}\u00b0, ${signed(tip.ratio, 3)} times the chosen one)`;
     const joined = data.junctions.filter(({ crack, step: from }) => crack === state.crack && step.step >= from);
     const event = joined.length && !step.tips.some((tip) => tip.crack === state.crack) ? `Crack ${state.crack} has joined crack ${joined[0].onto}. ` : "";
-    say("readout", `${event}${shownK}. The step ends with ${direction}${rival}${tip.stop ? `; stop: ${tip.stop}` : ""}.`);
+    say("readout", `${event}${shownK}. ${direction[0].toUpperCase()}${direction.slice(1)}${rival}${tip.stop ? `; stop: ${tip.stop}` : ""}.`);
     find("keep").disabled = state.kept.includes(state.step);
     find("clear").hidden = state.kept.length === 0;
   }

@@ -2,7 +2,7 @@
 "use strict";
 
 (async () => {
-  const { words, plain, typeset, singles, onWidth, tools, extent } = railcrack;
+  const { words, plain, inParts, typeset, singles, onWidth, tools, extent } = railcrack;
   const data = JSON.parse(document.getElementById("study-data").textContent);
   const byId = (id) => document.getElementById(`study-${id}`);
   const columns = await Promise.all(data.columns.map(async (column) => {
@@ -113,7 +113,7 @@
   const head = document.createElement("tr");
   for (const column of columns) {
     const cell = document.createElement("th");
-    const button = Object.assign(document.createElement("button"), { type: "button", textContent: plain(column.title) });
+    const button = inParts(Object.assign(document.createElement("button"), { type: "button" }), plain(column.title));
     button.addEventListener("click", () => {
       [down, order] = [order === column ? !down : false, column];
       page = 0;

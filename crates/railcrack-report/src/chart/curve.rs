@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 /// Number of colours of things without order.
-pub(crate) const CATEGORIES: usize = 7;
+pub(crate) const CATEGORIES: usize = 9;
 /// The last colour of the ordered scale of a page, from 0.
 const ORDERED: f64 = 20.0;
 
@@ -49,7 +49,7 @@ pub enum CurveWidth {
 /// Colour of a curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum CurveColour {
-    /// A number in the palette of things without order; it repeats after 7.
+    /// A number in the palette of things without order; it repeats after 9.
     Category(usize),
     /// A place, 0 to 1, along the palette of an ordered scale.
     Along(f64),

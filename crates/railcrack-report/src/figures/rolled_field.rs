@@ -33,7 +33,7 @@ const PANELS: [Panel; 2] = [
     },
     Panel {
         name: "Equivalent plastic strain",
-        unit: "10⁻³",
+        unit: "10^{\u{2212}3}",
         value: |cycle, at| 1e3 * cycle.strain[at].equivalent(),
     },
 ];
@@ -44,7 +44,7 @@ pub(super) fn rolled_field(state: &ShakedownFolder) -> String {
     let layers = cycle.depths.len().saturating_sub(1);
     let (depths, borders) = (&cycle.depths, &cycle.borders);
     let columns = shown_columns(borders, AROUND * a);
-    let (left, width, height, gap) = (72.0, 400.0, 200.0, 62.0);
+    let (left, width, height, gap) = (72.0, 400.0, 200.0, 78.0);
     let mut svg = Svg::new(left + width + 240.0, HEADING + 20.0 + 2.0 * (height + gap));
     draw_heading(
         &mut svg,
@@ -87,4 +87,16 @@ fn shown_columns(borders: &[f64], reach: f64) -> Range<usize> {
     let first = borders.iter().skip(1).take_while(|&&right| right <= -reach).count();
     let last = borders.iter().take(borders.len().saturating_sub(1)).take_while(|&&left| left < reach).count();
     first..last.max(first)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn powers_are_raised_not_letters_that_fonts_lack() {
+        for Panel { unit, .. } in PANELS {
+            assert!(!unit.chars().any(|letter| ('\u{2070}'..='\u{209f}').contains(&letter)), "{unit}");
+        }
+    }
 }

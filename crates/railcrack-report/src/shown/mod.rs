@@ -12,6 +12,5 @@ mod run;
 mod thinned;
 
 pub(crate) use faces::{CrackFaces, StepFaces};
-pub(crate) use neighbourhood::ShownFields;
 pub(crate) use pack::Deflated;
 pub(crate) use run::{ShownRun, ShownStep};

@@ -25,8 +25,16 @@ struct Grid {
     corners: Vec<u16>,
 }
 
-/// The fields of a step; none where their grid has more cells than a page takes.
-pub(crate) type PackedFields = Option<Value>;
+/// The fields of a step.
+#[derive(Debug, Clone)]
+pub(crate) struct PackedFields {
+    step: usize,
+    /// Wheel positions that have a file, from 1.
+    positions: Vec<usize>,
+    /// Cells and what they hold at the first positions; none where there are more cells than a page
+    /// takes.
+    cells: Option<Value>,
+}
 
 /// The fields of the first and the last step that have any.
 #[derive(Debug, Clone, Default)]
@@ -41,7 +49,11 @@ impl ShownFields {
     /// Errors: they are not of one grid.
     pub(crate) fn of_record(record: &StepRecord) -> Result<Option<PackedFields>, OutputError> {
         let grids = field_grids(record).map(|(position, file, grid)| Ok((position, file.into(), grid)));
-        record.fields.as_ref().map(|_| packed_fields(record.step, grids)).transpose()
+        let packed = |fields: &railcrack::growth::FieldRecord| {
+            let positions = fields.snapshots.iter().map(|snapshot| snapshot.position + 1).collect();
+            packed_fields(record.step, positions, grids)
+        };
+        record.fields.as_ref().map(packed).transpose()
     }
 
     /// Those in the folder of a run with `steps` finished steps.
@@ -54,12 +66,13 @@ impl ShownFields {
         }
         let ends = [files.pop_first(), files.pop_last()];
         let mut shown = Self::default();
-        for (step, positions) in ends.into_iter().flatten() {
-            let grids = positions.into_iter().map(|file| {
+        for (step, files) in ends.into_iter().flatten() {
+            let positions = files.iter().map(|file| file.position).collect();
+            let grids = files.into_iter().map(|file| {
                 let grid = file.read()?;
                 Ok((file.position, file.path, grid))
             });
-            shown.push(packed_fields(step, grids)?);
+            shown.push(packed_fields(step, positions, grids)?);
         }
         Ok(shown)
     }
@@ -75,19 +88,25 @@ impl ShownFields {
         self.ends.is_empty()
     }
 
+    /// Steps and wheel positions (from 1) of the files.
+    pub(crate) fn files(&self) -> impl Iterator<Item = (usize, usize)> {
+        self.ends.iter().flat_map(|end| end.positions.iter().map(|&position| (end.step, position)))
+    }
+
     /// For the page; none where nothing can be shown.
     pub(crate) fn data(&self) -> Option<Value> {
-        let steps: Vec<&Value> = self.ends.iter().flatten().collect();
+        let steps: Vec<&Value> = self.ends.iter().filter_map(|end| end.cells.as_ref()).collect();
         (!steps.is_empty()).then(|| json!({ "steps": steps }))
     }
 }
 
-/// The fields of a step of which `grids` are the wheel position (from 1), the file and what it
+/// The fields of a step with files at wheel `positions`, of which `grids` are the wheel position (from 1), the file and what it
 /// holds.
 ///
 /// Errors: those of `grids`; another grid than at the first position, or no fields on it.
 fn packed_fields(
     step: usize,
+    positions: Vec<usize>,
     grids: impl Iterator<Item = Result<(usize, PathBuf, UnstructuredGrid), OutputError>>,
 ) -> Result<PackedFields, OutputError> {
     let mut first: Option<(Grid, [Quantised; 2])> = None;
@@ -97,7 +116,9 @@ fn packed_fields(
         let (cells, _) = match &mut first {
             Some(first) => first,
             None => {
-                let Some(cells) = cells(&grid) else { return Ok(None) };
+                let Some(cells) = cells(&grid) else {
+                    return Ok(PackedFields { step, positions, cells: None });
+                };
                 let along = |value: fn(Vec2) -> f64| packed(&cells, |point| value(grid.points[point]));
                 let places = [along(|p| p.x), along(|p| p.y)];
                 first.insert((cells, places))
@@ -122,7 +143,7 @@ fn packed_fields(
             "stress": packed(cells, von_mises),
         }));
     }
-    Ok(first.map(|(cells, [x, y])| {
+    let cells = first.map(|(cells, [x, y])| {
         json!({
             "step": step,
             "x": x,
@@ -130,7 +151,8 @@ fn packed_fields(
             "corners": Deflated::levels(&cells.corners, cells.corners.len()),
             "snapshots": snapshots,
         })
-    }))
+    });
+    Ok(PackedFields { step, positions, cells })
 }
 
 /// A value of every point that the page has.

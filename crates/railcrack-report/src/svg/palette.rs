@@ -11,9 +11,10 @@ pub(crate) const BLUE: &str = "#0072b2";
 /// Orange of [`CATEGORIES`].
 pub(crate) const ORANGE: &str = "#e69f00";
 
-/// Colours for things without order (Okabe and Ito 2008, yellow left out: too light on white).
-pub(crate) const CATEGORIES: [&str; 7] =
-    [BLUE, "#d55e00", "#009e73", "#cc79a7", ORANGE, "#56b4e9", "#000000"];
+/// Colours for things without order (Okabe and Ito 2008, yellow left out: too light on white; violet
+/// and brown added).
+pub(crate) const CATEGORIES: [&str; 9] =
+    [BLUE, "#d55e00", "#009e73", "#cc79a7", ORANGE, "#56b4e9", "#000000", "#6f43cf", "#8a4b2f"];
 
 /// Anchors of viridis (Smith and van der Walt 2015), dark to light; the lightest tenth is left out
 /// on white.

@@ -44,7 +44,7 @@ pub(crate) fn study_charts(runs: &[&StudyRun], styles: &Styles) -> Vec<Chart> {
             id: "rate-length".to_owned(),
             caption: "Growth rate against crack length.".to_owned(),
             x: ChartAxis::linear("Crack length", "mm"),
-            y: ChartAxis::logarithmic("da/dN", "mm per load cycle"),
+            y: ChartAxis::logarithmic("da/dN", "mm/cycle"),
             curves: of_tip(&|tip| tip.rows.iter().map(|row| [row.length, row.rate]).collect()),
             ..Chart::default()
         });

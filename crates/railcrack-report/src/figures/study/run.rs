@@ -1,6 +1,7 @@
 //! A run of a study with its place in the plan.
 
 use crate::direction::{Heading, heading};
+use crate::numbers::brief;
 use railcrack_run::StudyFolder;
 use railcrack_run::files::REPORT_FILE;
 use railcrack_run::representative::RepresentativeTip;
@@ -43,6 +44,6 @@ impl<'a> StudyRun<'a> {
 
 /// The values of a run: `friction 0.4, angle_deg 15`.
 pub(crate) fn values(plan: &StudyPlan, run: &PlannedRun) -> String {
-    let values = plan.values_of(run).map(|(key, value)| format!("{} {value}", key.name));
+    let values = plan.values_of(run).map(|(key, value)| format!("{} {}", key.name, brief(value)));
     values.collect::<Vec<_>>().join(", ")
 }

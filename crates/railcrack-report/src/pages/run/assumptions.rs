@@ -186,13 +186,31 @@ fn rate(case: &Case) -> String {
     let law = &case.growth.law;
     let shown = |formula: String| {
         let formula = formula.replace("dKII", "ΔK_{II}").replace("dKI", "ΔK_{I}");
-        formula.replace("dK", "ΔK_{eq}").replace("Kmax", "K_{max}")
+        raised(&formula.replace("dK", "ΔK_{eq}").replace("Kmax", "K_{max}"))
     };
     format!(
         "Growth rate: {}, mm per load cycle and MPa√m, with {}.",
         shown(law.rate.formula()),
         shown(law.equivalent.formula())
     )
+}
+
+/// `formula` with the numbers after `^` as powers.
+fn raised(formula: &str) -> String {
+    let mut parts = formula.split('^');
+    let mut text = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let end = part.find(|letter: char| !letter.is_ascii_digit() && letter != '.').unwrap_or(part.len());
+        // A full stop belongs to the sentence.
+        let power = part[..end].trim_end_matches('.');
+        if power.is_empty() {
+            text.push('^');
+        } else {
+            text.push_str(&format!("^{{{power}}}"));
+        }
+        text.push_str(&part[power.len()..]);
+    }
+    text
 }
 
 fn direction(case: &Case) -> String {

@@ -1,24 +1,16 @@
-//! The first screen of the report of a run: the result in a sentence, key figures, cycles to each
-//! length.
+//! The first screen of the report of a run: the result in a sentence, key figures, the state of the
+//! tips.
 
 use super::events;
 use super::stored::RunFolder;
 use crate::direction::Heading;
 use crate::numbers::{fixed, grouped, significant, tonnage};
 use crate::page::Fact;
-use crate::svg::round_step;
-use crate::table::{MISSING, Table};
+use crate::table::Table;
 use railcrack::growth::{RunStop, TipStop};
 use railcrack::words::Choice;
 use railcrack_run::csv::TipRow;
-use railcrack_run::representative::{cycles_to, representative_tip as representative};
-use std::collections::BTreeSet;
-
-/// Rows of the table of lengths, about: of a single crack, and for each of several.
-const LENGTHS: usize = 8;
-const LENGTHS_OF_SEVERAL: usize = 5;
-/// Cracks in the table of lengths.
-const LENGTH_CRACKS: usize = 9;
+use railcrack_run::representative::representative_tip as representative;
 
 /// The first and the last row of the representative tip.
 fn representative_tip(run: &RunFolder) -> Option<(&TipRow, &TipRow)> {
@@ -79,7 +71,8 @@ fn stop_sentence(run: &RunFolder) -> String {
         None => format!("The run has not ended: step {steps} is the last finished one."),
         Some("steps-done") if steps == 0 => "The case asks for the initial geometry only.".to_owned(),
         Some("steps-done") => {
-            format!("The run ended after the {steps} increments of the case; growth would continue.")
+            let increments = if steps == 1 { "increment".to_owned() } else { format!("{steps} increments") };
+            format!("The run ended after the {increments} of the case; growth would continue.")
         }
         Some("cycles") => "The run ended at the load cycles of the case; growth would continue.".to_owned(),
         Some("critical-length") => {
@@ -170,87 +163,6 @@ fn fracture(run: &RunFolder) -> Option<Fact> {
     })
 }
 
-/// Load cycles (and tonnage) until every crack has each of some round lengths; none without growth.
-/// Between two steps cycles are taken as linear in the length.
-pub(super) fn lengths(run: &RunFolder) -> Option<Table> {
-    let tips: Vec<(usize, usize)> =
-        run.tips().into_iter().filter(|&(_, tip)| tip == 1).take(LENGTH_CRACKS).collect();
-    let histories: Vec<Vec<&TipRow>> =
-        tips.iter().map(|&(crack, tip)| run.history(crack, tip).collect()).collect();
-    let ends: Vec<[f64; 2]> =
-        histories.iter().filter_map(|rows| Some([rows.first()?.length, rows.last()?.length])).collect();
-    let milestones = milestones(&ends);
-    if milestones.is_empty() {
-        return None;
-    }
-    let load = run.case.axle_load;
-    let mut headings = vec!["Length (mm)".to_owned()];
-    for &(crack, _) in &tips {
-        headings.push(if tips.len() == 1 {
-            "Load cycles".to_owned()
-        } else {
-            let tonnes = if load.is_some() { "; million gross tonnes" } else { "" };
-            format!("Crack {crack} (load cycles{tonnes})")
-        });
-    }
-    if load.is_some() && tips.len() == 1 {
-        headings.push("Million gross tonnes".to_owned());
-    }
-    let mut table = Table::new(headings);
-    table.caption = match load {
-        Some(load) if tips.len() > 1 => {
-            format!("Load cycles to each length; one cycle is one axle of {load} t")
-        }
-        _ => "Load cycles to each length; one cycle is one axle".to_owned(),
-    };
-    for length in milestones {
-        let cycles: Vec<Option<f64>> = histories.iter().map(|rows| cycles_to(rows, length)).collect();
-        let mut cells = vec![fixed(length, 2)];
-        let shown = |cycles: f64| match load {
-            Some(load) if tips.len() > 1 => format!("{}; {}", grouped(cycles), tonnage(1e-6 * load * cycles)),
-            _ => grouped(cycles),
-        };
-        cells.extend(cycles.iter().map(|cycles| cycles.map_or_else(|| MISSING.to_owned(), shown)));
-        if let (Some(load), [cycles]) = (load, &cycles[..]) {
-            cells.push(cycles.map_or_else(|| MISSING.to_owned(), |cycles| tonnage(cycles * load / 1e6)));
-        }
-        table.row(cells);
-    }
-    Some(table)
-}
-
-/// Round lengths through which cracks grow, given the first and the last length of each, and the
-/// last length of the one that grows most.
-fn milestones(ends: &[[f64; 2]]) -> Vec<f64> {
-    let grown = |ends: &[f64; 2]| ends[1] - ends[0];
-    let Some(most) = ends.iter().copied().reduce(|a, b| if grown(&b) > grown(&a) { b } else { a }) else {
-        return Vec::new();
-    };
-    if grown(&most) <= 0.0 {
-        return Vec::new();
-    }
-    let step = round_step(grown(&most), if ends.len() == 1 { LENGTHS } else { LENGTHS_OF_SEVERAL });
-    // A crack of 3 mm up to round-off does not grow through 3 mm.
-    let below = |length: &f64| (length / step + 1e-9).floor() as i64;
-    let round = |[from, to]: &[f64; 2]| below(from) + 1..=below(to);
-    let places: BTreeSet<i64> = ends.iter().flat_map(round).collect();
-    let last = most[1];
-    let mut lengths: Vec<f64> = places
-        .into_iter()
-        .map(|i| multiple(i, step))
-        .filter(|length| (length - last).abs() > 0.2 * step)
-        .collect();
-    lengths.push(last);
-    lengths.sort_by(f64::total_cmp);
-    lengths
-}
-
-/// `i` times a round `step`, as people write it: steps below 1 are whole parts of 1, of which the
-/// quotient is the nearest number.
-fn multiple(i: i64, step: f64) -> f64 {
-    if step < 1.0 { i as f64 / (1.0 / step).round() } else { i as f64 * step }
-}
-
 /// State of every tip in the last step; none for a single one.
 pub(super) fn cracks(run: &RunFolder) -> Option<Table> {
     if run.tips().len() < 2 {
@@ -283,19 +195,4 @@ pub(super) fn cracks(run: &RunFolder) -> Option<Table> {
         ]);
     }
     Some(table)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn milestones_are_round_and_end_at_the_last_length() {
-        assert_eq!(milestones(&[[6.0, 15.995]]), [8.0, 10.0, 12.0, 14.0, 15.995]);
-        // Each crack has its own, the end is that of the one that grew most.
-        assert_eq!(milestones(&[[3.0, 6.54], [9.03, 12.5]]), [4.0, 5.0, 6.0, 6.54, 10.0, 11.0, 12.0]);
-        assert_eq!(milestones(&[[3.0 - 1e-12, 3.25]])[0], 3.05);
-        assert_eq!(milestones(&[[6.0, 6.0]]), [0.0; 0]);
-        assert_eq!(milestones(&[]), [0.0; 0]);
-    }
 }

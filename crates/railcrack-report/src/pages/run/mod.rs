@@ -1,11 +1,13 @@
 //! The page of a growth run.
 
+mod around;
 mod assumptions;
 mod data;
 mod decision;
 mod events;
 mod facts;
 mod far;
+mod lengths;
 mod stored;
 mod warnings;
 
@@ -14,7 +16,7 @@ use crate::chart::{Chart, ChartAxis, Curve, CurveColour, CurveDots};
 use crate::figures::{Plot, chart};
 use crate::numbers::{fixed, grouped, significant, tonnage};
 use crate::page::{Block, Page, Section};
-use crate::shown::{ShownFields, ShownRun};
+use crate::shown::ShownRun;
 use crate::table::Table;
 use railcrack_run::csv::TipRow;
 use railcrack_run::decision::Quantiles;
@@ -25,8 +27,6 @@ pub(crate) use stored::RunFolder;
 
 const EXPLORER: &str = include_str!("../../assets/run.html");
 const EXPLORER_SCRIPT: &str = include_str!("../../assets/run.js");
-const FIELDS: &str = include_str!("../../assets/fields.html");
-const FIELDS_SCRIPT: &str = include_str!("../../assets/fields.js");
 /// Columns of a table that leave room for a chart beside it, on paper too.
 const BESIDE_COLUMNS: usize = 5;
 /// Rows of the table of steps; `growth.csv` has all.
@@ -48,7 +48,7 @@ pub(crate) fn run_page(run: &RunFolder, shown: &ShownRun, plots: &[Plot]) -> Pag
     }
     page.lead.extend(depth_by_tonnage(run).map(|chart| Block::charts([chart])));
     page.lead.extend(decision::decision(run));
-    if let Some(table) = facts::lengths(run) {
+    if let Some(table) = lengths::lengths(run) {
         let chart = Block::charts(chart(plots, "length-cycles"));
         // A table of many cracks takes the whole width.
         if table.headings.len() <= BESIDE_COLUMNS {
@@ -64,7 +64,7 @@ pub(crate) fn run_page(run: &RunFolder, shown: &ShownRun, plots: &[Plot]) -> Pag
     if run.summary.steps_recorded > 0 {
         page.sections.push(explorer(data::explorer(run, shown), plots));
         page.sections.extend(far::section(run, plots));
-        page.sections.extend(around(&shown.fields));
+        page.sections.extend(around::section(shown));
         page.sections.push(growth(run, warnings::remarks(run, shown)));
         page.sections.push(steps(run));
     }
@@ -88,21 +88,6 @@ fn explorer(data: Value, plots: &[Plot]) -> Section {
     Section { id: "passage".to_owned(), heading: "Passage of the wheel".to_owned(), blocks }
 }
 
-fn around(fields: &ShownFields) -> Option<Section> {
-    if fields.is_empty() {
-        return None;
-    }
-    let block = match fields.data() {
-        None => Block::Text(
-            "The fields in fields/ have too many cells for this page; open fields.pvd in ParaView."
-                .to_owned(),
-        ),
-        Some(data) => Block::Viewer { html: FIELDS, data_id: "field-data", data, script: FIELDS_SCRIPT },
-    };
-    let (id, heading) = ("around".to_owned(), "Around the cracks, deformed".to_owned());
-    Some(Section { id, heading, blocks: vec![block] })
-}
-
 fn growth(run: &RunFolder, remarks: Vec<String>) -> Section {
     let mut blocks = Vec::new();
     if run.summary.steps_recorded > 1 {
@@ -110,7 +95,7 @@ fn growth(run: &RunFolder, remarks: Vec<String>) -> Section {
             id: id.to_owned(),
             caption: caption.to_owned(),
             x,
-            y: ChartAxis::logarithmic("da/dN", "mm per load cycle"),
+            y: ChartAxis::logarithmic("da/dN", "mm/cycle"),
             curves: curves(run, point),
             ..Chart::default()
         };

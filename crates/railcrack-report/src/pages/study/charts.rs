@@ -13,7 +13,7 @@ const MOST_SHOWN: usize = 150;
 /// Choices of keys that vary together on the chart of the effect of an axis: samples are no curve.
 const MOST_TOGETHER: usize = 12;
 /// Curves on the chart of the effect of an axis.
-const MOST_COMBINATIONS: usize = 7;
+const MOST_COMBINATIONS: usize = 9;
 
 /// The charts; none where no run has a step.
 pub(super) fn charts(plan: &StudyPlan, runs: &[StudyRun], styles: &Styles, plots: &[Plot]) -> Vec<Block> {
@@ -105,7 +105,7 @@ fn effect(plan: &StudyPlan, runs: &[&StudyRun]) -> Option<Chart> {
             axis.name()
         ),
         x: ChartAxis::linear(&axis.name(), ""),
-        y: ChartAxis::logarithmic("da/dN of the initial crack", "mm per load cycle"),
+        y: ChartAxis::logarithmic("Initial da/dN", "mm/cycle"),
         curves: by_others.into_iter().enumerate().map(curve).collect(),
         ..Chart::default()
     })

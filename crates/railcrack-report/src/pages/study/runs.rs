@@ -1,7 +1,7 @@
 //! The table of the runs.
 
 use crate::figures::StudyRun;
-use crate::numbers::{fixed, grouped, significant, tonnage};
+use crate::numbers::{brief, fixed, grouped, significant, tonnage};
 use crate::table::{Cell, MISSING, Table};
 use railcrack::growth::RunStop;
 use railcrack::words::Choice;
@@ -27,8 +27,8 @@ pub(super) fn table(plan: &StudyPlan, all: &[StudyRun]) -> Table {
     );
     let mut table = Table::new(headings);
     table.caption =
-        "Representative tip of each run, that of the crack that grew most; `railcrack report` of \
-                     the folder of a run makes its report, to which its number then links"
+        "The tip of the crack that grew most, of each run. The number of a run leads to its page, which \
+         railcrack report makes of its folder"
             .to_owned();
     if all.len() > TABLE_ROWS {
         table.caption.push_str(&format!("; the first {TABLE_ROWS} rows of summary.csv"));
@@ -47,7 +47,7 @@ fn cells(plan: &StudyPlan, run: &StudyRun, has_tonnes: bool) -> Vec<Cell> {
         }
         _ => number.into(),
     }];
-    cells.extend(plan.values_of(run.planned).map(|(_, value)| Cell::from(value)));
+    cells.extend(plan.values_of(run.planned).map(|(_, value)| Cell::from(brief(value))));
     let missing = || Cell::from(MISSING);
     let (tip, summary) = (run.tip(), run.row.summary.as_ref());
     let of_tip = |text: &dyn Fn(&railcrack_run::representative::RepresentativeTip) -> String| {

@@ -1,0 +1,75 @@
+//! The deformed surroundings of the cracks, and the files that hold them.
+
+use crate::numbers::fixed;
+use crate::page::{Block, Section};
+use crate::shown::{CrackFaces, ShownRun};
+use crate::table::{Cell, MISSING, Table};
+use railcrack::contact::FaceStatus;
+use railcrack_run::field_file;
+use railcrack_run::files::FIELDS_FILE;
+
+const FIELDS: &str = include_str!("../../assets/fields.html");
+const FIELDS_SCRIPT: &str = include_str!("../../assets/fields.js");
+/// Rows of the table of files; the collection lists all.
+const ROWS: usize = 24;
+
+/// The section; none where the run has no fields.
+pub(super) fn section(shown: &ShownRun) -> Option<Section> {
+    let fields = &shown.fields;
+    if fields.is_empty() {
+        return None;
+    }
+    let picture = match fields.data() {
+        None => Block::Text(format!(
+            "The fields in fields/ have too many cells for this page; open {FIELDS_FILE} in ParaView."
+        )),
+        Some(data) => Block::Viewer { html: FIELDS, data_id: "field-data", data, script: FIELDS_SCRIPT },
+    };
+    let (id, heading) = ("around".to_owned(), "Around the cracks, deformed".to_owned());
+    Some(Section { id, heading, blocks: vec![picture, Block::Table(files(shown))] })
+}
+
+/// The files, and where the cracks are open in them.
+fn files(shown: &ShownRun) -> Table {
+    let mut table = Table::new(["File", "Step", "x_{c}/a", "Crack faces", "Largest K_{I} (MPa√m)"]);
+    table.caption = "Fields for ParaView and PyVista, and where the cracks are open: a warp of \
+                     displacement_mm opens them there and nowhere else; closed faces only move along \
+                     each other"
+        .to_owned();
+    table.row([Cell::linked(FIELDS_FILE, FIELDS_FILE), "all of them".into()]);
+    for (step, position) in shown.fields.files().take(ROWS) {
+        let file = field_file(step, position);
+        let histories = shown.histories(step);
+        let at = position - 1;
+        let place = histories.first().and_then(|history| history.xc_over_a.get(at));
+        let ki = histories.iter().filter_map(|history| history.ki.get(at)).copied().reduce(f64::max);
+        let faces = shown.end_faces().find(|(end, _)| *end == step).map(|(_, faces)| open(&faces.cracks, at));
+        table.row([
+            Cell::linked(file.rsplit('/').next().unwrap_or(&file), &file),
+            step.to_string().into(),
+            place.map_or_else(|| MISSING.to_owned(), |place| fixed(*place, 2)).into(),
+            faces.unwrap_or_else(|| MISSING.to_owned()).into(),
+            ki.map_or_else(|| MISSING.to_owned(), |ki| fixed(ki, 2)).into(),
+        ]);
+    }
+    table
+}
+
+/// How much of the faces is open at a position (from 0).
+fn open(cracks: &[CrackFaces], position: usize) -> String {
+    let [mut open, mut whole] = [0.0, 0.0];
+    for faces in cracks.iter().filter(|faces| position < faces.positions()) {
+        for place in 1..faces.s.len() {
+            let length = faces.s[place] - faces.s[place - 1];
+            let ends = [place - 1, place].map(|point| faces.state(position, point).0 == FaceStatus::Open);
+            // An element with one open end is open over half of it.
+            open += 0.5 * length * ends.map(|is_open| f64::from(u8::from(is_open))).iter().sum::<f64>();
+            whole += length;
+        }
+    }
+    if open == 0.0 {
+        "closed".to_owned()
+    } else {
+        format!("open over {} of {} mm", fixed(open, 2), fixed(whole, 2))
+    }
+}
