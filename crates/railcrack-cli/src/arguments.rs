@@ -4,7 +4,7 @@ use crate::commands::{
     calibrate::CalibrateArguments, check::CheckArguments, compare::CompareArguments,
     completions::CompletionsArguments, completions::ManArguments, init::InitArguments, paper::PaperArguments,
     report::ReportArguments, run::RunArguments, schema::SchemaArguments, shakedown::ShakedownArguments,
-    show::ShowArguments, sweep::SweepArguments, verify::VerifyArguments,
+    show::ShowArguments, sweep::SweepArguments, verify::VerifyArguments, view::ViewArguments,
 };
 use clap::{Parser, Subcommand};
 
@@ -26,6 +26,7 @@ Start:
   railcrack show DIR           its main table, or some columns of any
   railcrack calibrate case.toml --measured depths.csv   the growth law fitted to a rail
   railcrack report DIR         plots and HTML report again, from the folder alone
+  railcrack view DIR           the same page in a browser, while the run computes
   railcrack verify DIR         whether its files hold what was written
   railcrack shakedown case.toml   the stabilised plastic state under the same wheel
   railcrack paper              the figures and statements of Trolle et al. (2014) recomputed
@@ -54,6 +55,7 @@ pub enum Command {
     Calibrate(CalibrateArguments),
     Report(ReportArguments),
     Shakedown(ShakedownArguments),
+    View(ViewArguments),
     Verify(VerifyArguments),
     Paper(PaperArguments),
     Schema(SchemaArguments),

@@ -62,24 +62,33 @@ impl Interruption {
 
     #[cfg(not(unix))]
     fn install(&self) -> std::io::Result<()> {
-        use signal_hook::flag;
-        for signal in SIGNALS {
-            // In this order: the first signal finds the flag down and raises it, the second finds
-            // it up.
-            flag::register_conditional_shutdown(
-                signal,
-                i32::from(Exit::Interrupted.code()),
-                Arc::clone(&self.asked),
-            )?;
-            flag::register(signal, Arc::clone(&self.asked))?;
-        }
-        Ok(())
+        raise_on_signal(&self.asked)
     }
 
     /// Whether a signal has come.
     pub fn asked(&self) -> bool {
         self.asked.load(Ordering::Relaxed)
     }
+}
+
+/// A flag that SIGINT and SIGTERM raise from now on, for what ends in this way as a rule. The second
+/// signal ends the program at once.
+///
+/// Errors: the system refuses to install the handlers.
+pub fn end_on_signal() -> std::io::Result<Arc<AtomicBool>> {
+    let asked = Arc::default();
+    raise_on_signal(&asked)?;
+    Ok(asked)
+}
+
+fn raise_on_signal(asked: &Arc<AtomicBool>) -> std::io::Result<()> {
+    use signal_hook::flag;
+    for signal in SIGNALS {
+        // In this order: the first signal finds the flag down and raises it, the second finds it up.
+        flag::register_conditional_shutdown(signal, i32::from(Exit::Interrupted.code()), Arc::clone(asked))?;
+        flag::register(signal, Arc::clone(asked))?;
+    }
+    Ok(())
 }
 
 /// How long a computation has to stop by itself, and the writing of what it has then.

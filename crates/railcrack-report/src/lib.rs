@@ -41,6 +41,7 @@ mod direction;
 mod figures;
 mod html;
 mod markup;
+mod now;
 mod numbers;
 mod page;
 mod pages;
@@ -56,6 +57,7 @@ pub use chart::{
     Curve, CurveColour, CurveDots, CurveLook, CurveWidth, LegendEntry, LegendMark, SheetLegend,
 };
 pub use choices::{AtFirst, Choice, ChoiceGroup, ChoiceMark, Choices};
+pub use now::{PageNow, page_now};
 pub use numbers::{fixed, grouped, significant, tonnage};
 pub use page::{Block, Fact, Page, Section};
 pub use rebuild::{FolderKind, Pages, put, rebuild_report};

@@ -15,6 +15,7 @@ pub mod show;
 pub mod sweep;
 mod template;
 pub mod verify;
+pub mod view;
 
 use crate::arguments::Command;
 use crate::exit::{Exit, Failure};
@@ -31,6 +32,7 @@ pub fn dispatch(command: Command) -> Result<Exit, Failure> {
         Command::Report(arguments) => report::report(&arguments),
         Command::Shakedown(arguments) => shakedown::shakedown(&arguments),
         Command::Verify(arguments) => verify::verify(&arguments),
+        Command::View(arguments) => view::view(&arguments),
         Command::Paper(arguments) => paper::paper(&arguments),
         Command::Show(arguments) => show::show(&arguments),
         Command::Schema(arguments) => schema::schema(&arguments),

@@ -100,8 +100,8 @@ impl ShownFields {
     }
 }
 
-/// The fields of a step with files at wheel `positions`, of which `grids` are the wheel position (from 1), the file and what it
-/// holds.
+/// The fields of a step with files at wheel `positions` (from 1); `grids` are position, file and
+/// what it holds.
 ///
 /// Errors: those of `grids`; another grid than at the first position, or no fields on it.
 fn packed_fields(

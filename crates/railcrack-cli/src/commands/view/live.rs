@@ -1,0 +1,98 @@
+//! The page of a folder that follows its results.
+
+use super::answer::Answer;
+use railcrack_report::{Page, PageNow, page_now};
+use railcrack_run::OutputError;
+use railcrack_run::files::REPORT_FILE;
+use serde_json::json;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::path::PathBuf;
+use std::sync::{Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+/// The script that follows.
+const SCRIPT: &str = include_str!("live.js");
+/// The results are read again after this time at the soonest, and after so many times what reading
+/// them took: a viewer must not slow down what it looks at.
+const REST: Duration = Duration::from_millis(500);
+const SHARE: u32 = 8;
+
+/// The page of a folder, read again as asked for.
+#[derive(Debug)]
+pub(super) struct LivePage {
+    folder: PathBuf,
+    last: Mutex<Option<Reading>>,
+}
+
+/// What was read.
+#[derive(Debug, Clone)]
+struct Reading {
+    page: PageNow,
+    /// Of the page: another one has another number.
+    stamp: String,
+    at: Instant,
+    took: Duration,
+}
+
+impl LivePage {
+    pub(super) fn of(folder: PathBuf) -> Self {
+        Self { folder, last: Mutex::new(None) }
+    }
+
+    /// The page, with the script that follows it.
+    pub(super) fn answer(&self) -> Answer {
+        let Reading { page, stamp, .. } = self.reading();
+        let script = format!("<script data-stamp=\"{stamp}\">\n{SCRIPT}</script>\n</body>");
+        let (before, after) = page.html.rsplit_once("</body>").unwrap_or((&page.html, ""));
+        Answer::page(format!("{before}{script}{after}"))
+    }
+
+    /// How far it is.
+    pub(super) fn state(&self) -> Answer {
+        let Reading { page, stamp, .. } = self.reading();
+        Answer::json(&json!({ "stamp": stamp, "progress": page.progress, "over": page.is_over }))
+    }
+
+    /// The results as they are now, or were a moment ago.
+    fn reading(&self) -> Reading {
+        let mut last = self.last.lock().unwrap_or_else(PoisonError::into_inner);
+        let is_fresh = |reading: &&Reading| {
+            reading.page.is_over || reading.at.elapsed() < REST.max(SHARE * reading.took)
+        };
+        if let Some(reading) = last.as_ref().filter(is_fresh) {
+            return reading.clone();
+        }
+        let begun = Instant::now();
+        let page = match (page_now(&self.folder), &*last) {
+            (Ok(page), _) => page,
+            // What is just being written is whole the next time.
+            (Err(_), Some(before)) => before.page.clone(),
+            (Err(error), None) => self.stand_in(&error),
+        };
+        let mut hasher = DefaultHasher::new();
+        (&page.html, page.is_over).hash(&mut hasher);
+        let stamp = format!("{:016x}", hasher.finish());
+        let reading = Reading { page, stamp, at: Instant::now(), took: begun.elapsed() };
+        *last = Some(reading.clone());
+        reading
+    }
+
+    /// What is shown where there is no page yet: that of the folder, if it has one, or why not.
+    fn stand_in(&self, error: &OutputError) -> PageNow {
+        if let Ok(html) = std::fs::read_to_string(self.folder.join(REPORT_FILE)) {
+            return PageNow { html, progress: "as report.html has it".to_owned(), is_over: false };
+        }
+        let is_empty = matches!(error, OutputError::NothingToReport { .. });
+        let (verdict, progress) = match is_empty {
+            true => ("No step is finished yet.".to_owned(), "waiting for the first results".to_owned()),
+            false => (format!("The results cannot be shown: {error}."), "waiting".to_owned()),
+        };
+        let page = Page {
+            title: self.folder.display().to_string(),
+            kind: "Results to come".to_owned(),
+            verdict,
+            ..Page::default()
+        };
+        PageNow { html: page.html(), progress, is_over: false }
+    }
+}

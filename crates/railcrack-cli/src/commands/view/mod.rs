@@ -1,0 +1,10 @@
+//! `railcrack view`.
+
+mod answer;
+mod command;
+mod live;
+mod request;
+mod server;
+mod site;
+
+pub use command::{ViewArguments, view};
