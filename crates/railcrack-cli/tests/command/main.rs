@@ -15,3 +15,4 @@ mod report;
 mod run;
 mod shakedown;
 mod sweep;
+mod view;

@@ -42,6 +42,43 @@ fn one_figure() {
     assert!(stderr(&again).contains("--force"), "{}", stderr(&again));
 }
 
+/// The curve of a set-up itself, moved up by half a unit, is half a unit away from it.
+#[test]
+fn a_digitised_curve_is_drawn_and_measured() {
+    let place = common::folder("paper-command", "overlay");
+    common::done(&place, &["paper", "--only", "13", "--out", "plain", "--quiet"]);
+    let table = std::fs::read_to_string(place.join("plain/figures/fig13.csv")).unwrap();
+    let rows = table.lines().filter_map(|line| line.strip_prefix("\"half-plane, along\",fig13,1,"));
+    let moved = rows.step_by(8).map(|row| {
+        let values: Vec<f64> = row.split(',').map(|value| value.parse().unwrap()).collect();
+        format!("fig13,{},{}\n", values[0], values[2] + 0.5)
+    });
+    let text = format!("curve,xc_over_a,kii_mpa_sqrt_m\n{}", moved.collect::<String>());
+    std::fs::write(place.join("fig13.csv"), text).unwrap();
+
+    common::done(&place, &["paper", "--only", "13", "--overlay", "fig13.csv", "--out", "paper", "--quiet"]);
+    let distances = std::fs::read_to_string(place.join("paper/overlays.csv")).unwrap();
+    let own = distances.lines().find(|line| line.contains("\"half-plane, along\""));
+    let values: Vec<f64> = own.unwrap().rsplitn(3, ',').take(2).map(|value| value.parse().unwrap()).collect();
+    assert!(values.iter().all(|value| (value - 0.5).abs() < 1e-9), "{distances}");
+    let page = std::fs::read_to_string(place.join("paper/report.html")).unwrap();
+    assert!(page.contains("igitised"), "the page does not tell of the curve");
+    assert!(place.join("paper/overlays/fig13.csv").is_file());
+
+    // Curves and figures that are not there are named.
+    let refused = |file: &str, content: &str| {
+        std::fs::write(place.join(file), content).unwrap();
+        let refused = railcrack(&place, &["paper", "--only", "14", "--overlay", file, "--out", "none"]);
+        assert_eq!(refused.status.code(), Some(2));
+        assert!(!place.join("none").exists(), "something was written");
+        stderr(&refused)
+    };
+    let said = refused("fig14.csv", "curve,xc_over_a,kii_mpa_sqrt_m\nfig13,0,1\n");
+    assert!(said.contains("`fig13` is no curve of Fig. 14: must be one of reference"), "{said}");
+    let said = refused("fig13.csv", "curve,xc_over_a,kii_mpa_sqrt_m\nfig13,0,1\n");
+    assert!(said.contains("not among those that are recomputed"), "{said}");
+}
+
 #[test]
 fn a_figure_that_is_not_there() {
     let place = common::folder("paper-command", "none");
