@@ -71,8 +71,8 @@ impl Interruption {
     }
 }
 
-/// A flag that SIGINT and SIGTERM raise from now on, for what ends in this way as a rule. The second
-/// signal ends the program at once.
+/// A flag that SIGINT and SIGTERM raise from now on, for commands that end in this way as a rule.
+/// The second signal ends the program at once.
 ///
 /// Errors: the system refuses to install the handlers.
 pub fn end_on_signal() -> std::io::Result<Arc<AtomicBool>> {
@@ -84,7 +84,8 @@ pub fn end_on_signal() -> std::io::Result<Arc<AtomicBool>> {
 fn raise_on_signal(asked: &Arc<AtomicBool>) -> std::io::Result<()> {
     use signal_hook::flag;
     for signal in SIGNALS {
-        // In this order: the first signal finds the flag down and raises it, the second finds it up.
+        // In this order: the first signal finds the flag down and raises it, the second finds
+        // it up.
         flag::register_conditional_shutdown(signal, i32::from(Exit::Interrupted.code()), Arc::clone(asked))?;
         flag::register(signal, Arc::clone(asked))?;
     }

@@ -68,9 +68,21 @@ pub fn run(arguments: &RunArguments) -> Result<Exit, Failure> {
             Ending::Ended => Exit::Done,
             Ending::Interrupted => Exit::Interrupted,
         };
-        arguments.json.print(|| result_text(&finished), || result_json(&finished, exit))?;
+        let text = || format!("{}{}", result_text(&finished), beside_case(arguments, &finished.folder));
+        arguments.json.print(text, || result_json(&finished, exit))?;
         Ok(exit)
     })
+}
+
+/// A word on the place of the results, where that is neither what was asked for nor the current
+/// folder.
+fn beside_case(arguments: &RunArguments, folder: &Path) -> &'static str {
+    let is_here = folder.parent().is_none_or(|parent| parent == Path::new("") || parent == Path::new("."));
+    if arguments.out.is_some() || is_here {
+        ""
+    } else {
+        "(beside the case file, not in this folder; --out DIR puts them elsewhere)\n"
+    }
 }
 
 /// The result as one object: exit code, folder, `summary.json`.

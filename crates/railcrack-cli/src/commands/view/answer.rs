@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-/// What a browser gets.
+/// The answer to a request: status, kind of content, content.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Answer {
     status: &'static str,

@@ -24,7 +24,7 @@ pub(super) struct LivePage {
     last: Mutex<Option<Reading>>,
 }
 
-/// What was read.
+/// The page as it was read at one time.
 #[derive(Debug, Clone)]
 struct Reading {
     page: PageNow,
@@ -77,7 +77,8 @@ impl LivePage {
         reading
     }
 
-    /// What is shown where there is no page yet: that of the folder, if it has one, or why not.
+    /// The page where there are no results to read yet: `report.html`, if it is there, or a word of
+    /// why not.
     fn stand_in(&self, error: &OutputError) -> PageNow {
         if let Ok(html) = std::fs::read_to_string(self.folder.join(REPORT_FILE)) {
             return PageNow { html, progress: "as report.html has it".to_owned(), is_over: false };

@@ -5,7 +5,7 @@ use super::answer::Answer;
 /// Headers of a request; a browser sends about twenty.
 const HEADERS: usize = 64;
 
-/// What a browser asks for.
+/// The request of a browser for a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Request {
     /// The names from the folder to the file: none for the folder itself. None of them leaves it.

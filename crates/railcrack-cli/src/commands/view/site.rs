@@ -1,4 +1,4 @@
-//! What is served of a folder: its page as it is now, and its files.
+//! A folder as a site: its page as it is now, and its files.
 
 use super::answer::Answer;
 use super::live::LivePage;
