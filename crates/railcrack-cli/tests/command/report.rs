@@ -61,7 +61,7 @@ fn runs_states_and_comparisons_are_built_again_bit_for_bit() {
     again(&folder, "both", "comparison");
     let page = |run: &str| fs::read_to_string(folder.join(run).join("report.html")).unwrap();
     assert!(page("both").contains("within the tolerance of 0.5 %"));
-    assert!(page("both").contains("solver.contact"));
+    assert!(page("both").contains("solver.<wbr>contact"));
     // The state's own words of what it found.
     let summary: serde_json::Value =
         serde_json::from_slice(&fs::read(folder.join("state/shakedown.json")).unwrap()).unwrap();
