@@ -169,8 +169,8 @@ impl RunObserver for Progress<'_> {
 }
 
 fn bar(increments: usize) -> ProgressBar {
-    // The message is cut where the terminal ends.
-    let template = "step {prefix} [{bar:12}] {elapsed}  {wide_msg}";
+    // The message is cut where the terminal ends: 40 columns show the time that is left.
+    let template = "step {prefix} [{bar:8}] {elapsed}  {wide_msg}";
     styled_bar((increments as u64 + 1) * PARTS, template)
 }
 

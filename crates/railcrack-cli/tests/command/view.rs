@@ -89,7 +89,7 @@ fn a_page_follows_its_study() {
     let place = folder("view", "study");
     let study = common::DISLOCATION_CASE.replace("angle_deg = 40.0", "angle_deg = [30.0, 40.0]");
     // By itself a study leaves out what the pages of its runs show.
-    let study = format!("{study}\n[output]\nfaces = \"all\"\n");
+    let study = format!("{study}\n[output]\nfaces = \"all\"\nsif = \"all\"\n");
     std::fs::write(place.join("study.toml"), study).unwrap();
     common::done(&place, &["sweep", "study.toml", "--out", "study", "--quiet"]);
     let viewer = Viewer::of(&place, "study");
