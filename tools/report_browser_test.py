@@ -44,7 +44,7 @@ BEYOND = """
 [...document.body.querySelectorAll('*')].filter((e) => {
   const box = e.getBoundingClientRect();
   const scrolled = e.parentElement?.closest('.wide, pre, select');
-  return box.width > 0 && !scrolled && (box.right > innerWidth + 1 || box.left < -1) && !e.closest('[aria-label="tip"]');
+  return box.width > 0 && !scrolled && (box.right > innerWidth + 1 || box.left < -1) && !e.closest('[aria-label="tip"], [clip-path]');
 }).map((e) => `${e.tagName} ${e.id || e.className.baseVal || e.className || ''} "${e.textContent.trim().slice(0, 30)}"`)
 """
 # Tables and pictures that must be scrolled sideways.
@@ -213,8 +213,8 @@ def check_page(browser, checks, name, path):
     # What is wider than its place could be scrolled to on a screen.
     cut = browser.run(
         "(() => { dispatchEvent(new Event('beforeprint')); const wide = [...document.querySelectorAll('.beside .wide')]"
-        ".filter((e) => e.firstElementChild.getBoundingClientRect().right > e.parentElement.getBoundingClientRect().left"
-        " + 0.5 * e.parentElement.clientWidth + 10).map((e) => e.textContent.slice(0, 40));"
+        ".filter((e) => e.firstElementChild.getBoundingClientRect().right > e.closest('.beside').getBoundingClientRect().left"
+        " + 0.5 * e.closest('.beside').clientWidth + 10).map((e) => e.textContent.slice(0, 40));"
         " dispatchEvent(new Event('afterprint')); return wide; })()")
     checks.that(not cut, f"{name}: on paper, tables end before what stands beside them", cut)
     cut = browser.run(

@@ -201,7 +201,10 @@
       marks.push(Plot.areaY(pressure, { x: "x", y1: 0, y2: "y", fill: "var(--c1)", fillOpacity: 0.3, stroke: "var(--c1)", clip: true }));
       marks.push(Plot.ruleX([xc], { y1: 0, y2: -view.load, stroke: "var(--c1)", strokeDasharray: "3 3" }));
       if (mu) marks.push(Plot.arrow([arrow], { x1: "x1", x2: "x2", y1: "y", y2: "y", stroke: "var(--c1)", strokeWidth: 2, headLength: 9, clip: true }));
-      const middle = Math.min(Math.max(xc, x[0] + 0.14 * (x[1] - x[0])), x[1] - 0.14 * (x[1] - x[0]));
+      // The label ends within the picture: half its width, from the usual one of letters.
+      const perMm = (widths.scene - sceneMargin.left - sceneMargin.right) / (x[1] - x[0]);
+      const half = Math.min(3.5 * plain(label).length / perMm, 0.5 * (x[1] - x[0]));
+      const middle = Math.min(Math.max(xc, x[0] + half), x[1] - half);
       // Above the arrow by the height of the letters, whatever the scale.
       marks.push(Plot.text([label], { x: middle, y: arrow.y, dy: mu ? -13 : -6, fill: "var(--c1)" }));
     } else {
