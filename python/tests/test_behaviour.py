@@ -59,6 +59,30 @@ def test_ctrl_c_keeps_the_finished_steps_and_the_run_goes_on(run: rc.Run) -> Non
     assert np.array_equal(whole.sif.kii_mpa_sqrt_m, rest.sif.kii_mpa_sqrt_m)
 
 
+FINE_MM = 0.02
+"""Elements so small that the first body takes seconds."""
+
+
+@pytest.mark.parametrize("what", ["body", "run"])
+def test_ctrl_c_ends_the_assembly_of_a_body(what: str) -> None:
+    case = rc.Case(SMALL).with_(solver={"engine": "xfem"}, mesh={"element_size_mm": FINE_MM})
+    signalled: list[float] = []
+
+    def interrupt() -> None:
+        signalled.append(time.monotonic())
+        os.kill(os.getpid(), signal.SIGINT)
+
+    timer = threading.Timer(0.2, interrupt)
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        if what == "run":
+            case.run()
+        else:
+            rc.XfemBody(rc.crack(0.0, 6.0, 20.0), element_size_mm=FINE_MM)
+    # Within a second of a core of one's own; the whole takes several.
+    assert time.monotonic() - signalled[0] < 2.0
+
+
 def test_a_run_that_does_not_converge() -> None:
     # Points of the faces so close that the elements do not tell them apart.
     upright = SMALL.replace("angle_deg = 20.0", "angle_deg = 90.0").replace("friction = 0.3", "friction = 0.2")

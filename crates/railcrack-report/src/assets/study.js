@@ -27,7 +27,7 @@
   options(byId("result"), data.results, data.results[0]?.name);
 
   const picked = (id) => named.get(byId(id).value);
-  const axis = (column, there) => ({ label: plain(column.title), labelAnchor: "center", labelArrow: "none", domain: there.length ? extent(there.map((i) => column.values[i]), column.log) : [1, 10], ...(column.log ? { type: "log", ticks: 4, tickFormat: (value) => words(value) } : { tickFormat: railcrack.ticks }) });
+  const axis = (column, there) => ({ label: plain(column.title), labelAnchor: "center", labelArrow: "none", domain: there.length ? extent(there.map((i) => column.values[i]), column.log) : [1, 10], ...(column.log ? { type: "log", ticks: 4, tickFormat: (value) => words(value) } : { ticks: 5, tickFormat: railcrack.ticks }) });
   const good = (column, i) => !Number.isNaN(column.values[i]) && (!column.log || column.values[i] > 0);
   const common = (width) => ({
     width, height: Math.round(Math.min(340, Math.max(240, 0.62 * width))), marginLeft: 74, marginRight: 20, marginBottom: 44, marginTop: 22,
@@ -41,11 +41,16 @@
 
   // More dots than this tell no more, and take seconds.
   const MOST = 1500;
+  /** A number in [0, 1) for run `i`, the same on every page. Low bits of the number of a sample say where it lies: every fourth one leaves out half of a key. */
+  function chance(i) {
+    let bits = i + 1;
+    for (let round = 0; round < 2; round++) bits = Math.imul(bits ^ (bits >>> 16), 0x45d9f3b);
+    return ((bits ^ (bits >>> 16)) >>> 0) / 2 ** 32;
+  }
   function scatter(width) {
     const [x, y, z] = ["x", "y", "z"].map(picked);
     const there = rows.filter((i) => good(x, i) && good(y, i) && good(z, i));
-    const every = Math.max(1, Math.ceil(there.length / MOST));
-    const shown = there.filter((i) => (i * 2654435761 >>> 0) % every === 0);
+    const shown = there.filter((i) => chance(i) * there.length < MOST);
     const svg = Plot.plot({
       ...common(width), x: axis(x, there), y: axis(y, there), color: colours(z),
       marks: [
@@ -128,8 +133,9 @@
   function list() {
     const sorted = order ? rows.toSorted((a, b) => {
       const [one, other] = order.words ? [order.text(a), order.text(b)] : [order.values[a], order.values[b]];
-      const by = Number.isNaN(one) ? 1 : Number.isNaN(other) ? -1 : d3.ascending(one, other);
-      return down ? -by : by;
+      // What is not there comes last either way.
+      const [none, nor] = [one, other].map((value) => value === "" || Number.isNaN(value));
+      return none || nor ? none - nor : down ? d3.descending(one, other) : d3.ascending(one, other);
     }) : rows;
     const pages = Math.max(1, Math.ceil(sorted.length / SHOWN));
     page = Math.max(0, Math.min(page, pages - 1));
