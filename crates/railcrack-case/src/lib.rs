@@ -24,6 +24,6 @@ pub use schema::{
 pub use study::{Axis, Input, Keeping, SampleTable, Study, StudyRun, Variation, study_schema};
 pub use tables::{
     Combine, ContactOrigin, ContactSolver, Engine, FieldOutput, Fracture, GivenWheel, Inspection, Kept,
-    MeshSettings, Output, PlasticSource, Rail, SECTIONS, STUDY, Scatter, ShakedownSettings, init_text,
-    json_schema, markdown,
+    MaintenancePlan, MeshSettings, Output, PlasticSource, Rail, SECTIONS, STUDY, Scatter, ShakedownSettings,
+    init_text, json_schema, markdown,
 };

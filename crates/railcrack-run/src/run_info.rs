@@ -2,7 +2,7 @@
 
 use railcrack::bulk::Boundary;
 use railcrack::growth::Warning;
-use railcrack_case::{ContactSolver, Engine, Inspection, Output, Scatter};
+use railcrack_case::{ContactSolver, Engine, Inspection, MaintenancePlan, Output, Scatter};
 
 /// A wheel of a mix.
 #[derive(Debug, Clone, PartialEq)]
@@ -11,6 +11,8 @@ pub struct MixInfo {
     pub name: String,
     /// Share of the axles.
     pub share: f64,
+    /// Load of one of its axles, t.
+    pub axle_load: Option<f64>,
     /// Half-width of its contact, mm.
     pub half_width: f64,
 }
@@ -40,6 +42,8 @@ pub struct RunInfo {
     pub axle_load: Option<f64>,
     /// The wheels of a mix; empty for one wheel.
     pub mix: Vec<MixInfo>,
+    /// Wear and grinding, where the case has them.
+    pub maintenance: Option<MaintenancePlan>,
     /// The inspection, where the case has one.
     pub inspection: Option<Inspection>,
     /// The scatter, where the case gives it.
@@ -57,6 +61,7 @@ impl RunInfo {
     /// mix.
     pub fn sections(&self) -> Vec<&'static str> {
         let traffic = self.axle_load.map(|_| "traffic");
-        traffic.into_iter().chain(self.mix.iter().map(|_| "wheel")).collect()
+        let maintenance = self.maintenance.map(|_| "maintenance");
+        traffic.into_iter().chain(self.mix.iter().map(|_| "wheel")).chain(maintenance).collect()
     }
 }

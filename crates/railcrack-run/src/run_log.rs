@@ -7,6 +7,7 @@ use railcrack::crack::{Crack, Junction};
 use railcrack::fatigue::LargestK1;
 use railcrack::fracture::SifHistory;
 use railcrack::growth::{PhaseTimes, Piece, RunStop, SolverCounts, StepRecord, TipRecord, Warning};
+use railcrack::math::Vec2;
 use serde::{Deserialize, Serialize};
 
 /// A finished growth step: an entry of the run log, appended once and never changed.
@@ -14,6 +15,8 @@ use serde::{Deserialize, Serialize};
 pub(crate) struct StepDigest {
     pub step: usize,
     pub load_cycles: f64,
+    /// Removed of the running surface so far, mm.
+    pub removed: f64,
     pub tips: Vec<TipRecord>,
     /// x_c (mm) of the output position at which k1 of the step is largest.
     pub largest_k1_at: Option<f64>,
@@ -33,6 +36,9 @@ pub(crate) struct StepDigest {
 pub(crate) struct Present {
     /// The cracks of step 0.
     pub initial_cracks: Vec<Crack>,
+    /// The whole path of each crack, what is removed of it included, in the coordinates of the
+    /// initial surface; empty as long as nothing is.
+    pub paths: Vec<Vec<Vec2>>,
     /// The cracks of the last finished step.
     pub cracks: Vec<Crack>,
     /// Where they have joined each other.
@@ -60,6 +66,14 @@ fn largest_k1_at(record: &StepRecord) -> Option<f64> {
     passage.xc.get(LargestK1::of(&SifHistory { samples })?.sample).copied()
 }
 
+/// The path of `crack` below a surface that has come down by `removed` (mm), from the mouth that it
+/// had at first: what is above its mouth is taken from the path `before`.
+fn whole_path(before: &[Vec2], crack: &Crack, removed: f64) -> Vec<Vec2> {
+    let lowered = crack.points().iter().map(|point| Vec2::new(point.x, point.y - removed));
+    let above = before.iter().take_while(|point| crack.is_surface_breaking() && point.y > -removed);
+    above.copied().chain(lowered).collect()
+}
+
 /// All finished growth steps.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct RunLog {
@@ -73,11 +87,20 @@ impl RunLog {
         if self.steps.is_empty() {
             self.now.initial_cracks.clone_from(&record.cracks);
         }
+        if record.removed > 0.0 {
+            let before = |i: usize| match self.now.paths.get(i) {
+                Some(path) => &path[..],
+                None => self.now.cracks.get(i).map_or(&[][..], Crack::points),
+            };
+            let whole = |(i, crack): (usize, &Crack)| whole_path(before(i), crack, record.removed);
+            self.now.paths = record.cracks.iter().enumerate().map(whole).collect();
+        }
         self.now.cracks.clone_from(&record.cracks);
         self.now.junctions.clone_from(&record.junctions);
         self.steps.push(StepDigest {
             step: record.step,
             load_cycles: record.load_cycles,
+            removed: record.removed,
             tips: record.tips.clone(),
             largest_k1_at: largest_k1_at(record),
             dofs: record.dofs,

@@ -11,6 +11,7 @@ use crate::words;
 use railcrack::bulk::Boundary;
 use railcrack::crack::{CrackEnd, End, Junction};
 use railcrack::growth::{Piece, PieceKind, RunStop, StepRecord, TipStop, Warning, WarningKind};
+use railcrack::math::Vec2;
 use railcrack_case::{ContactSolver, Engine};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -70,6 +71,10 @@ pub struct CrackSummary {
     pub initial_points_mm: Vec<[f64; 2]>,
     /// In the last finished step.
     pub points_mm: Vec<[f64; 2]>,
+    /// The whole path with what wear and grinding have removed of it, in the coordinates of the
+    /// initial surface; left out where nothing is removed.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub path_mm: Option<Vec<[f64; 2]>>,
 }
 
 /// A piece of the rail that cracks, or cracks and the running surface, enclose.
@@ -278,10 +283,11 @@ impl Summary {
                 .collect(),
             fracture: fracture(info, log),
             tips: last.map_or_else(Vec::new, |step| step.tips.iter().map(tip_summary).collect()),
-            cracks: (log.now.initial_cracks.iter().zip(&log.now.cracks))
-                .map(|(initial, now)| CrackSummary {
-                    initial_points_mm: points(initial),
-                    points_mm: points(now),
+            cracks: (log.now.initial_cracks.iter().zip(&log.now.cracks).enumerate())
+                .map(|(i, (initial, now))| CrackSummary {
+                    initial_points_mm: points(initial.points()),
+                    points_mm: points(now.points()),
+                    path_mm: log.now.paths.get(i).map(|path| points(path)),
                 })
                 .collect(),
             junctions: log.now.junctions.iter().map(|junction| junction_summary(junction, log)).collect(),
@@ -347,8 +353,8 @@ fn tip_summary(tip: &railcrack::growth::TipRecord) -> TipSummary {
     }
 }
 
-fn points(crack: &railcrack::crack::Crack) -> Vec<[f64; 2]> {
-    crack.points().iter().map(|point| [point.x, point.y]).collect()
+fn points(points: &[Vec2]) -> Vec<[f64; 2]> {
+    points.iter().map(|point| [point.x, point.y]).collect()
 }
 
 /// Checks what has no column in a table and yet goes into the summary.

@@ -1,8 +1,11 @@
 //! Passages of the default settings over the crack of Table 1 under every kind of wheel, and tables
-//! of more and more rows: one of 200 rows may cost a passage twice of what full sliding does.
+//! of more and more rows: one of 200 rows may cost a passage twice of what full sliding does. A
+//! growth step under one wheel and under three: on two cores, three wheels of equal cost are two
+//! passages after one another beside each other.
 
 use divan::Bencher;
-use railcrack::dislocation::{FaceResolution, cracked_body};
+use railcrack::dislocation::cracked_body;
+use railcrack::growth::MixedWheel;
 use railcrack::load::ContactRow;
 use railcrack::prelude::*;
 
@@ -41,6 +44,33 @@ fn passage(bencher: Bencher, wheel: &dyn Wheel) {
     let settings = PassageSettings::default();
     bencher.bench_local(|| {
         stabilised_passage(&faces, &Newton::default(), load, &settings, &Unobserved).unwrap()
+    });
+}
+
+/// The initial crack under a mix of so many wheels.
+#[divan::bench(sample_count = 10, args = [1, 2, 3])]
+fn mix(bencher: Bencher, wheels: usize) {
+    let contacts = [(1000.0, 6.75, 0.1), (800.0, 5.5, 0.3), (950.0, 6.5, -0.35)];
+    let share = 1.0 / wheels as f64;
+    let of = |(peak_pressure, half_width, friction)| {
+        HertzWheel::new(&HertzianContact { peak_pressure, half_width, friction }, &steel()).unwrap()
+    };
+    let crack: CrackNetwork = Crack::surface_breaking(0.0, 4.0, 30f64.to_radians()).unwrap().into();
+    bencher.bench_local(|| {
+        let engine = DislocationEngine { steel: steel(), resolution: FaceResolution::default() };
+        let mut problem = GrowthProblem::new(engine, of(contacts[0]), vec![0.3]);
+        problem.share = share;
+        problem.growth.steps = 0;
+        let beside = |&contact: &(f64, f64, f64)| MixedWheel {
+            wheel: Box::new(of(contact)),
+            share,
+            residual: None,
+            passages: PassageSettings::default(),
+            toughness: None,
+        };
+        problem.others = contacts[1..wheels].iter().map(beside).collect();
+        let mut growth = Growth::new(problem, GrowthState::initial(&crack));
+        growth.next_step(&Unobserved).unwrap()
     });
 }
 

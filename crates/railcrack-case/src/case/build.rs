@@ -8,10 +8,11 @@ use crate::files::read_profile;
 use crate::schema::{Report, SectionValues, Sections, Value, Written};
 use crate::tables::{
     AXLE_LOAD, CENTRE, CONTACT, CRACK, ENGINE, Engine, FOUNDATION, FRACTURE, FROM, FieldOutput, Fracture,
-    GROWTH, GivenWheel, INSPECTION, LAW_KEYS, MESH, MeshSettings, OUTPUT, Output, PASSAGE, PLASTIC_STRESS,
-    PROFILE, PlasticSource, RAIL, RAIL_TEMPERATURE, RESIDUAL_STRESS, Rail, SCATTER, SHAKEDOWN, SOLVER,
-    SOLVER_CONTACT, ShakedownSettings, TEMPERATURE, TITLE, TO, TOP, TRACK, TRAFFIC, WHEEL, WheelSections,
-    read_growth, read_inspection, read_passage, read_passages, read_scatter, read_steel, read_travel,
+    GROWTH, GivenWheel, INSPECTION, LAW_KEYS, MAINTENANCE, MESH, MeshSettings, OUTPUT, Output, PASSAGE,
+    PLASTIC_STRESS, PROFILE, PlasticSource, RAIL, RAIL_TEMPERATURE, RESIDUAL_STRESS, Rail, SCATTER,
+    SHAKEDOWN, SOLVER, SOLVER_CONTACT, Scattering, ShakedownSettings, TEMPERATURE, TITLE, TO, TOP, TRACK,
+    TRAFFIC, WHEEL, WheelSections, read_growth, read_inspection, read_maintenance, read_passage,
+    read_passages, read_scatter, read_steel, read_travel,
 };
 use railcrack::bulk::Boundary;
 use railcrack::crack::CrackNetwork;
@@ -91,13 +92,26 @@ pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) 
         mix.iter().map(|wheel| Some(wheel.share * wheel.axle_load?)).sum()
     };
     let axle_load = mix.as_ref().and_then(|mix| if mix.is_empty() { traffic } else { mean(mix) });
+    let maintenance = sections.one(&MAINTENANCE);
+    let maintenance = maintenance.map(|s| read_maintenance(s, axle_load.is_some(), report));
     let inspection = sections.one(&INSPECTION);
     let inspection = inspection.map(|s| read_inspection(s, axle_load.is_some(), report));
     let toughness = fracture.as_ref().and_then(|fracture| Some(fracture.as_ref()?.at_rail));
     let steel_of_law = growth.as_ref().and_then(|growth| growth.steel);
     let scatter = sections.one(&SCATTER);
-    let scatter = scatter.map(|s| read_scatter(s, (toughness, steel_of_law), axle_load.is_some(), report));
+    let scattering = Scattering {
+        toughness,
+        steel: steel_of_law,
+        has_tonnes: axle_load.is_some(),
+        is_maintained: maintenance.is_some(),
+        is_mix: mix.as_ref().is_none_or(|mix| mix.len() > 1),
+    };
+    let scatter = scatter.map(|s| read_scatter(s, scattering, report));
     let (placed, rail) = (placed?, rail?);
+    let maintenance = match maintenance {
+        Some(read) => Some(read?),
+        None => None,
+    };
     // A stored case says where the middle of the rail was.
     sections.settle(&RAIL, CENTRE, Value::Number(rail.extent.centre));
     let solver = sections.one(&SOLVER)?;
@@ -114,6 +128,7 @@ pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) 
         shakedown: shakedown?,
         growth: GrowthSettings {
             toughness: fracture.as_ref()?.as_ref().map(|fracture| MPA_SQRT_MM * fracture.at_rail),
+            maintenance: maintenance.zip(axle_load).map(|(plan, tonnes)| plan.per_axle(tonnes)),
             ..growth.as_ref()?.settings.clone()
         },
         growth_steel: growth.as_ref()?.steel,
@@ -126,6 +141,7 @@ pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) 
         output: Output::read(sections.one(&OUTPUT)?)?,
         axle_load,
         mix: mix?,
+        maintenance,
         inspection: match inspection {
             Some(read) => Some(read?),
             None => None,

@@ -4,8 +4,8 @@ use super::mix::MixedWheel;
 use crate::files::{Companion, ProfileFile, RatesFile, ToughnessFile};
 use crate::schema::{Value, Written};
 use crate::tables::{
-    ContactSolver, Engine, FieldOutput, Fracture, GivenWheel, Inspection, MeshSettings, OUTPUT, Output,
-    PlasticSource, RUN_FOLDERS, Rail, Scatter, ShakedownSettings, TITLE, TOP,
+    ContactSolver, Engine, FieldOutput, Fracture, GivenWheel, Inspection, MaintenancePlan, MeshSettings,
+    OUTPUT, Output, PlasticSource, RUN_FOLDERS, Rail, Scatter, ShakedownSettings, TITLE, TOP,
 };
 use railcrack::crack::CrackNetwork;
 use railcrack::fatigue::RailSteel;
@@ -61,6 +61,8 @@ pub struct Case {
     pub axle_load: Option<f64>,
     /// The wheels of a mix, the first of which is `wheel`; empty for one wheel.
     pub mix: Vec<MixedWheel>,
+    /// Wear and grinding, where they are given.
+    pub maintenance: Option<MaintenancePlan>,
     /// The inspection, where it is given.
     pub inspection: Option<Inspection>,
     /// The scatter, where it is given.

@@ -35,15 +35,18 @@ pub(crate) fn place_of(path: &str) -> Result<Place, (String, String)> {
     let Some((section_name, number)) = numbered(table) else {
         return Err(("crack[N] counts cracks from 1".into(), EXAMPLE.into()));
     };
-    let Some(section) = SECTIONS.iter().find(|section| section.name == section_name) else {
-        let near = nearest(section_name, SECTIONS.iter().map(|section| section.name)).unwrap_or_default();
+    let parts = || SECTIONS.iter().flat_map(|section| section.parts);
+    let Some(section) = SECTIONS.iter().chain(parts()).find(|section| section.name == section_name) else {
+        let near = nearest(&section_name, SECTIONS.iter().map(|section| section.name)).unwrap_or_default();
         let says = format!("unknown section `{section_name}`");
         return Err((says, format!("nearest known section: `{near}`")));
     };
     let Some(key) = section.key(name) else {
         return Err((format!("unknown key `{name}`"), known(section, name)));
     };
-    if number.is_some() && section.presence != SectionPresence::Repeated {
+    let outer = section.name.split('.').next().unwrap_or_default();
+    let outer = SECTIONS.iter().find(|section| section.name == outer).unwrap_or(section);
+    if number.is_some() && !matches!(outer.presence, SectionPresence::Repeated | SectionPresence::Several) {
         return Err((format!("there is one `{}`", section.header()), EXAMPLE.into()));
     }
     Ok((section, number, key))
@@ -51,13 +54,14 @@ pub(crate) fn place_of(path: &str) -> Result<Place, (String, String)> {
 
 type Place = (&'static Section, Option<usize>, &'static Key);
 
-/// `crack[2]` as name and number.
-fn numbered(table: &str) -> Option<(&str, Option<usize>)> {
+/// `crack[2]` as name and number, `wheel[1].contact` as `wheel.contact` and the number of the wheel.
+fn numbered(table: &str) -> Option<(String, Option<usize>)> {
     match table.split_once('[') {
-        None => Some((table, None)),
+        None => Some((table.to_owned(), None)),
         Some((name, rest)) => {
-            let number = rest.strip_suffix(']')?.parse().ok().filter(|number| *number > 0)?;
-            Some((name, Some(number)))
+            let (number, inner) = rest.split_once(']')?;
+            let number = number.parse().ok().filter(|number| *number > 0)?;
+            Some((format!("{name}{inner}"), Some(number)))
         }
     }
 }

@@ -121,7 +121,8 @@ pub(crate) fn read_sections(root: &DeTable, reading: Reading, report: &mut Repor
             let help = format!("{} {}", section.doc, reading.file.start);
             report.add(Fault::of(section.name, end..end, message).help(help));
         }
-        let is_given = reading.overrides_in(section.name) && section.presence != SectionPresence::Repeated;
+        let repeats = matches!(section.presence, SectionPresence::Repeated | SectionPresence::Several);
+        let is_given = reading.overrides_in(section.name) && !repeats;
         if tables.is_empty() && (section.presence == SectionPresence::Defaulted || is_given) {
             sections.push(read_section(section, 1, None, reading, report));
         }

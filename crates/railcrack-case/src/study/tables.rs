@@ -1,6 +1,7 @@
 //! The tables of a section in a document.
 
 use crate::schema::{Section, SectionPresence};
+use crate::tables::SECTIONS;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -21,4 +22,32 @@ pub(super) fn tables_of<'d, 'i>(section: &Section, root: &'d DeTable<'i>) -> Vec
         (_, Some(DeValue::Table(table))) => vec![(section.name.to_owned(), table)],
         _ => Vec::new(),
     }
+}
+
+/// A table of a document.
+pub(super) struct TableOf<'d, 'i> {
+    pub section: &'static Section,
+    /// Which table of its section, from 1; of a part that of the section around it.
+    pub number: usize,
+    /// Its dotted name.
+    pub path: String,
+    pub table: &'d DeTable<'i>,
+}
+
+/// All tables of a document, sections within sections included.
+pub(super) fn all_tables<'d, 'i>(root: &'d DeTable<'i>) -> Vec<TableOf<'d, 'i>> {
+    let mut all = Vec::new();
+    for section in SECTIONS {
+        for (i, (path, table)) in tables_of(section, root).into_iter().enumerate() {
+            let number = i + 1;
+            for part in section.parts {
+                if let Some(DeValue::Table(within)) = table.get(part.own_name()).map(Spanned::get_ref) {
+                    let path = format!("{path}.{}", part.own_name());
+                    all.push(TableOf { section: part, number, path, table: within });
+                }
+            }
+            all.push(TableOf { section, number, path, table });
+        }
+    }
+    all
 }

@@ -1,9 +1,9 @@
 //! Lists in place of values.
 
 use super::sampling::is_sampled;
-use super::tables::tables_of;
+use super::tables::{TableOf, all_tables};
 use crate::schema::{Fault, Key, Kind, Override, Raw, Report, Section, Value};
-use crate::tables::{CASE_FILE, RUN_FOLDERS, SECTIONS, STUDY};
+use crate::tables::{CASE_FILE, RUN_FOLDERS, STUDY};
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -31,27 +31,20 @@ pub(super) fn find_variations(
     report: &mut Report,
 ) -> (Vec<Variation>, Vec<Range<usize>>) {
     let (mut found, mut refused) = (Vec::new(), Vec::new());
-    for section in SECTIONS {
-        for (path, table) in tables_of(section, root) {
-            for (name, value) in table {
-                let Some(key) = section.key(name.get_ref()) else { continue };
-                let dotted = if path.is_empty() { key.name.into() } else { format!("{path}.{}", key.name) };
-                let Some(items) = list_in_place(key.kind, value.get_ref()) else { continue };
-                if let Some(fault) = fault(section, key, &dotted, value, items, overrides, report) {
-                    report.add(fault);
-                    refused.push(value.span());
-                    continue;
-                }
-                let values = items.iter().map(|item| value_of(key, item, report)).collect();
-                let elements = items.iter().map(Spanned::span).collect();
-                found.push(Variation {
-                    key: dotted,
-                    name: String::new(),
-                    values,
-                    span: value.span(),
-                    elements,
-                });
+    for TableOf { section, path, table, .. } in all_tables(root) {
+        for (name, value) in table {
+            let Some(key) = section.key(name.get_ref()) else { continue };
+            let dotted = if path.is_empty() { key.name.into() } else { format!("{path}.{}", key.name) };
+            let Some(items) = list_in_place(key.kind, value.get_ref()) else { continue };
+            if let Some(fault) = fault(section, key, &dotted, value, items, overrides, report) {
+                report.add(fault);
+                refused.push(value.span());
+                continue;
             }
+            let values = items.iter().map(|item| value_of(key, item, report)).collect();
+            let elements = items.iter().map(Spanned::span).collect();
+            let name = String::new();
+            found.push(Variation { key: dotted, name, values, span: value.span(), elements });
         }
     }
     found.sort_by_key(|variation| variation.span.start);
@@ -62,12 +55,10 @@ pub(super) fn find_variations(
 pub(super) fn is_study(root: &DeTable) -> bool {
     root.contains_key(STUDY.name)
         || is_sampled(root)
-        || SECTIONS.iter().any(|section| {
-            tables_of(section, root).iter().any(|(_, table)| {
-                table.iter().any(|(name, value)| {
-                    let key = section.key(name.get_ref());
-                    key.is_some_and(|key| list_in_place(key.kind, value.get_ref()).is_some())
-                })
+        || all_tables(root).iter().any(|TableOf { section, table, .. }| {
+            table.iter().any(|(name, value)| {
+                let key = section.key(name.get_ref());
+                key.is_some_and(|key| list_in_place(key.kind, value.get_ref()).is_some())
             })
         })
 }

@@ -5,6 +5,7 @@ use super::crack::CRACK;
 use super::fracture::FRACTURE;
 use super::growth::GROWTH;
 use super::inspection::{INSPECTION, SCATTER};
+use super::maintenance::MAINTENANCE;
 use super::mesh::MESH;
 use super::output::OUTPUT;
 use super::passage::PASSAGE;
@@ -36,6 +37,7 @@ pub const SECTIONS: &[Section] = &[
     MESH,
     SOLVER,
     TRAFFIC,
+    MAINTENANCE,
     INSPECTION,
     SCATTER,
     OUTPUT,

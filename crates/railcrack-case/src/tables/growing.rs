@@ -23,6 +23,7 @@ pub(crate) fn read_growth(section: &SectionValues, folder: &Path, report: &mut R
     let given = read_law(section, folder, report)?;
     let settings = GrowthSettings {
         toughness: None,
+        maintenance: None,
         steps: section.get(STEPS)?,
         increment: section.get(INCREMENT)?,
         law: given.law,

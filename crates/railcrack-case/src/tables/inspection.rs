@@ -30,6 +30,10 @@ section! {
         "Standard deviation of the toughness of [fracture]: samples may break before the run does.");
     DETECTABLE_DEPTH_STD: f64 = number("detectable_depth_std", "mm", closed(0.0, 100.0), 0.0,
         "Standard deviation of the detectable depth.");
+    WEAR_STD: f64 = number("wear_std", "mm/MGT", closed(0.0, 100.0), 0.0,
+        "Standard deviation of the wear of [maintenance]; samples with less than none have none.");
+    SHARE_LOG_STD: f64 = number("share_log_std", "", closed(0.0, 5.0), 0.0,
+        "Standard deviation of the logarithm of the share of each [[wheel]], before the shares are made to add up to 1.");
 }
 
 /// Inspection of the rail.
@@ -69,6 +73,10 @@ pub struct Scatter {
     pub toughness_std: f64,
     /// Standard deviation of the detectable depth, mm.
     pub detectable_depth_std: f64,
+    /// Standard deviation of the wear, mm per million gross tonnes.
+    pub wear_std: f64,
+    /// Standard deviation of the logarithm of the share of each wheel.
+    pub share_log_std: f64,
 }
 
 /// Scatter of ln C where nothing else is known.
@@ -97,15 +105,35 @@ pub(crate) fn read_inspection(
     Some(read)
 }
 
-/// The scatter; `toughness` (MPa√m) and `steel` are those of the case, `has_tonnes` says whether
-/// axle loads are given.
-pub(crate) fn read_scatter(
-    section: &SectionValues,
-    (toughness, steel): (Option<f64>, Option<&RailSteel>),
-    has_tonnes: bool,
-    report: &mut Report,
-) -> Option<Scatter> {
+/// What scatters of a case.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Scattering<'a> {
+    /// K_Ic, MPa√m.
+    pub toughness: Option<f64>,
+    pub steel: Option<&'a RailSteel>,
+    /// Whether axle loads are given.
+    pub has_tonnes: bool,
+    /// Whether the surface is removed.
+    pub is_maintained: bool,
+    /// Whether there is a mix of wheels.
+    pub is_mix: bool,
+}
+
+/// The scatter of a case.
+pub(crate) fn read_scatter(section: &SectionValues, of: Scattering, report: &mut Report) -> Option<Scatter> {
+    let Scattering { toughness, steel, has_tonnes, is_maintained, is_mix } = of;
     needs_tonnes(section, has_tonnes, report)?;
+    let (wear_std, share_log_std) = (section.get(WEAR_STD)?, section.get(SHARE_LOG_STD)?);
+    if wear_std > 0.0 && !is_maintained {
+        let help = "a [maintenance] section with the wear that scatters";
+        report.add(section.fault(WEAR_STD, "no [maintenance] gives wear").help(help));
+        return None;
+    }
+    if share_log_std > 0.0 && !is_mix {
+        let says = "there is one wheel, whose share is 1";
+        report.add(section.fault(SHARE_LOG_STD, says).help("a mix of [[wheel]]s with shares"));
+        return None;
+    }
     let toughness_std = section.get(TOUGHNESS_STD)?;
     if toughness_std > 0.0 && toughness.is_none() {
         let help = "a [fracture] section with the toughness that scatters";
@@ -121,11 +149,13 @@ pub(crate) fn read_scatter(
         toughness,
         toughness_std,
         detectable_depth_std: section.get(DETECTABLE_DEPTH_STD)?,
+        wear_std,
+        share_log_std,
     })
 }
 
 /// Intervals are in million gross tonnes.
-fn needs_tonnes(section: &SectionValues, has_tonnes: bool, report: &mut Report) -> Option<()> {
+pub(super) fn needs_tonnes(section: &SectionValues, has_tonnes: bool, report: &mut Report) -> Option<()> {
     if has_tonnes {
         return Some(());
     }

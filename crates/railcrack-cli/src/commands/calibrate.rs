@@ -1,5 +1,6 @@
 //! `railcrack calibrate`.
 
+use super::calibrate_parameter::{calibrate_parameter, range};
 use super::run::{is_same_file, listen};
 use crate::display::Verbosity;
 use crate::exit::{Exit, Failure};
@@ -10,16 +11,18 @@ use clap::Args;
 use railcrack_case::Case;
 use railcrack_report::{Chart, ChartAxis, ChartSheet, Curve, CurveDots, CurveLook, Pages};
 use railcrack_run::RunFolder;
-use railcrack_run::calibration::{Calibration, Measure, Measured, calibrate as fit, read_measured};
+use railcrack_run::calibration::{
+    Calibration, CalibrationError, Measure, Measured, calibrate as fit, read_measured,
+};
 use railcrack_run::csv::TipRow;
 use railcrack_run::simulation::{Ending, RunEntry, Simulation};
 use std::path::{Path, PathBuf};
 
-/// Fit the coefficient of the growth law to measured depths or lengths over traffic
+/// Fit the growth law, or another number of the case, to measured depths or lengths over traffic
 ///
-/// The case is computed, and each measurement gives a coefficient: cycles are in proportion to 1/C.
-/// The run folder gets calibration.csv, calibration.svg and calibrated.toml, the case with the
-/// fitted value.
+/// The case is computed, and each measurement gives a coefficient of the growth law: cycles are in
+/// proportion to 1/C. Another number is fitted by runs with several values of it. The run folder
+/// gets calibration.csv, calibration.svg and calibrated.toml, the case with the fitted value.
 #[derive(Debug, Args)]
 pub struct CalibrateArguments {
     /// The case file: its crack is the one from which the tonnes of the measurements count
@@ -28,6 +31,12 @@ pub struct CalibrateArguments {
     /// CSV with the header mgt,depth_mm or mgt,length_mm
     #[arg(long, value_name = "FILE")]
     pub measured: PathBuf,
+    /// The number that is fitted in place of the coefficient: crack.friction, wheel[1].share
+    #[arg(long, value_name = "SECTION.KEY")]
+    pub parameter: Option<String>,
+    /// Its range [default: from half to twice the value of the case]
+    #[arg(long, value_name = "LOW,HIGH", requires = "parameter", value_parser = range, allow_hyphen_values = true)]
+    pub between: Option<(f64, f64)>,
     /// The run folder [default: the case's name beside it]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
@@ -37,6 +46,10 @@ pub struct CalibrateArguments {
     /// Replace the run in the folder
     #[arg(long)]
     pub force: bool,
+}
+
+fn refuse_text(arguments: &CalibrateArguments, reason: &str) -> Failure {
+    Failure::Calibration { reason: format!("{}: {reason}", arguments.case.display()) }
 }
 
 /// Keys of the coefficient of each law.
@@ -49,16 +62,21 @@ pub fn calibrate(arguments: &CalibrateArguments) -> Result<Exit, Failure> {
         let reason = "a calibration over tonnes needs axle_load_t, in [traffic] or of every [[wheel]]";
         return Err(Failure::Calibration { reason: format!("{}: {reason}", arguments.case.display()) });
     };
-    let (key, coefficient) = coefficient(&case.to_toml()).ok_or_else(|| Failure::Calibration {
-        reason: "[growth]: a steel or a table has no coefficient to fit; give law and constants".to_owned(),
-    })?;
     let file = arguments.measured.display().to_string();
     let text = std::fs::read_to_string(&arguments.measured)
         .map_err(|reason| Failure::Calibration { reason: format!("{file}: cannot be read: {reason}") })?;
-    let refuse = |error: railcrack_run::calibration::CalibrationError| Failure::Calibration {
-        reason: error.to_string(),
-    };
+    let refuse = |error: CalibrationError| Failure::Calibration { reason: error.to_string() };
     let (measure, measured) = read_measured(&file, &text).map_err(refuse)?;
+    if let Some(key) = &arguments.parameter {
+        return calibrate_parameter(arguments, &case, key, (measure, &measured));
+    }
+    if case.maintenance.is_some() {
+        let reason = "with [maintenance] tonnages are not in proportion to 1/C: --parameter growth.paris_c fits it by runs";
+        return Err(refuse_text(arguments, reason));
+    }
+    let (key, coefficient) = coefficient(&case.to_toml()).ok_or_else(|| Failure::Calibration {
+        reason: "[growth]: a steel or a table has no coefficient to fit; give law and constants".to_owned(),
+    })?;
     let folder = arguments.out.clone().unwrap_or_else(|| default_folder(&arguments.case));
     if is_same_file(&arguments.case, &folder.join("case.toml")) {
         return Err(Failure::CaseInRunFolder { path: arguments.case.clone() });
@@ -79,7 +97,13 @@ pub fn calibrate(arguments: &CalibrateArguments) -> Result<Exit, Failure> {
     write(
         &folder,
         "calibration.svg",
-        &plot(&case.title, &rows, tonnes, measure, (&measured, calibration.factor)),
+        &plot(
+            &case.title,
+            tonnes,
+            measure,
+            &measured,
+            &[("case", &rows, 1.0), ("fitted", &rows, calibration.factor)],
+        ),
     )?;
     let old = format!("{key} = {coefficient:?}");
     write(&folder, "calibrated.toml", &case.to_toml().replacen(&old, &format!("{key} = {fitted:?}"), 1))?;
@@ -88,7 +112,7 @@ pub fn calibrate(arguments: &CalibrateArguments) -> Result<Exit, Failure> {
     Ok(Exit::Done)
 }
 
-fn from_output(error: railcrack_run::OutputError) -> Failure {
+pub(super) fn from_output(error: railcrack_run::OutputError) -> Failure {
     Failure::Run(error.into())
 }
 
@@ -102,7 +126,7 @@ fn coefficient(toml: &str) -> Option<(&'static str, f64)> {
 }
 
 /// The rows of the tip that is deepest in the last step.
-fn deepest(growth: &[TipRow]) -> Vec<TipRow> {
+pub(super) fn deepest(growth: &[TipRow]) -> Vec<TipRow> {
     let last = growth.last().map_or(0, |row| row.step);
     let tips = growth.iter().filter(|row| row.step == last);
     let Some(deepest) = tips.reduce(|a, b| if b.place[1] < a.place[1] { b } else { a }) else {
@@ -129,34 +153,38 @@ fn table(calibration: &Calibration, measure: Measure, coefficient: f64) -> Strin
     text
 }
 
-fn plot(
+/// A run: its name, its rows, and how many times as fast it is drawn.
+pub(super) type Drawn<'a> = (&'a str, &'a [TipRow], f64);
+
+/// Measured and computed sizes over traffic.
+pub(super) fn plot(
     title: &str,
-    rows: &[TipRow],
     tonnes: f64,
     measure: Measure,
-    (measured, factor): (&[Measured], f64),
+    measured: &[Measured],
+    runs: &[Drawn],
 ) -> String {
     let (what, size): (&str, fn(&TipRow) -> f64) = match measure {
         Measure::Depth => ("Depth", |row| -row.place[1]),
         Measure::Length => ("Length", |row| row.length),
     };
-    let curve = |name: &str, factor: f64| {
+    let curve = |(name, rows, factor): &Drawn| {
         let points = rows.iter().map(|row| [1e-6 * tonnes * row.load_cycles / factor, size(row)]);
         Curve::line(name, points.collect())
     };
     let points = measured.iter().map(|one| [one.mgt, one.size]).collect();
     let chart = Chart {
         id: "calibration".to_owned(),
-        caption: format!(
-            "{what} over traffic: measured, computed, and computed with the fitted coefficient."
-        ),
+        caption: format!("{what} over traffic: measured, computed, and computed with the fitted value."),
         x: ChartAxis::linear("Traffic", "million gross tonnes"),
         y: ChartAxis::linear(what, "mm"),
-        curves: vec![
-            curve("case", 1.0),
-            curve("fitted", factor),
-            Curve { look: CurveLook::Dots, ..Curve::line("measured", points) }.with_dots(CurveDots::All),
-        ],
+        curves: runs
+            .iter()
+            .map(curve)
+            .chain([
+                Curve { look: CurveLook::Dots, ..Curve::line("measured", points) }.with_dots(CurveDots::All)
+            ])
+            .collect(),
         ..Chart::default()
     };
     ChartSheet::of(title, &format!("{what} over traffic"), chart).svg()
@@ -179,7 +207,7 @@ fn told(calibration: &Calibration, key: &str, coefficient: f64, measured: usize)
     text
 }
 
-fn write(folder: &Path, name: &str, text: &str) -> Result<(), Failure> {
+pub(super) fn write(folder: &Path, name: &str, text: &str) -> Result<(), Failure> {
     let path = folder.join(name);
     std::fs::write(&path, text).map_err(|source| Failure::CannotWrite { path, source })
 }

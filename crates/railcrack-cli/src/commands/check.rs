@@ -110,6 +110,7 @@ fn parts(case: &Case, folder: &Path) -> Vec<(&'static str, Vec<Row>)> {
         ("plastic stress", plastic_stress(case)),
         ("solution", solution(case)),
         ("growth", growth(case)),
+        ("maintenance", maintenance(case)),
         ("plastic state", plastic_state(case)),
         ("bounds", bounds(case)),
         ("machine", machine(&Needs::of(case), folder)),
@@ -427,6 +428,24 @@ fn acceptance(law: &RateLaw) -> String {
 }
 
 /// Summary of the stabilised plastic state that `railcrack shakedown` would compute.
+fn maintenance(case: &Case) -> Vec<Row> {
+    let Some(plan) = &case.maintenance else { return Vec::new() };
+    let mut rows = vec![("wear", format!("{} mm/MGT", number(plan.wear)))];
+    if let Some((depth, interval)) = plan.grinding {
+        rows.push(("grinding", format!("{} mm every {} MGT", number(depth), number(interval))));
+    }
+    rows.push(("removal", format!("{} mm/MGT in the mean", number(plan.removal()))));
+    let first = case.cracks.cracks().first().filter(|crack| crack.is_surface_breaking());
+    let wheels = case.axle_load.zip(first);
+    rows.extend(wheels.map(|(tonnes, crack)| {
+        let (mouth, next) = crack.segment(0);
+        let sine = (mouth.y - next.y) / (next - mouth).length();
+        let rate = 1e-6 * tonnes * plan.removal() / sine;
+        ("balance", format!("the first crack grows where its tip makes more than {rate:.3e} mm per cycle"))
+    }));
+    rows
+}
+
 fn plastic_state(case: &Case) -> Vec<Row> {
     let shakedown = &case.shakedown;
     let hardening = &shakedown.hardening;

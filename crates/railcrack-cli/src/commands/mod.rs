@@ -1,6 +1,7 @@
 //! The commands, one file each.
 
 pub mod calibrate;
+mod calibrate_parameter;
 pub mod check;
 mod check_study;
 pub mod compare;

@@ -97,6 +97,7 @@
   // ---- Geometry ------------------------------------------------------------------------------------------------
 
   const polyline = (crack, index) => {
+    if (shown[index].lines) return shown[index].lines[crack - 1];
     const [from, to] = shown[index].cracks[crack - 1];
     return data.cracks[crack - 1].points.slice(from, to + 1);
   };
@@ -116,7 +117,7 @@
     return { at: points[0], t: [1, 0], n: [0, 1] };
   }
 
-  const everyPoint = [...data.cracks.flatMap((crack) => crack.points), ...data.pieces.flatMap((piece) => piece.outline)];
+  const everyPoint = [...data.cracks.flatMap((crack) => crack.points), ...data.pieces.flatMap((piece) => piece.outline), ...shown.flatMap((step) => (step.lines ?? []).flat())];
 
   // ---- Drawing -------------------------------------------------------------------------------------------------
 

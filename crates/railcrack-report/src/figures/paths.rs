@@ -18,13 +18,18 @@ pub(super) fn by_depth(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
 
 /// The path of `crack`: `name` and other looks are given afterwards.
 pub(super) fn path(name: &str, crack: &CrackSummary) -> Curve {
-    Curve::line(name, by_depth(&crack.points_mm))
+    Curve::line(name, by_depth(whole(crack)))
+}
+
+/// The whole path of `crack`, in the coordinates of the surface that it began at.
+pub(super) fn whole(crack: &CrackSummary) -> &[[f64; 2]] {
+    crack.path_mm.as_deref().unwrap_or(&crack.points_mm)
 }
 
 /// Dots at the ends of the increments of `crack`.
 pub(super) fn increments(crack: &CrackSummary) -> CurveDots {
     let initial = &crack.initial_points_mm;
-    let from = crack.points_mm.iter().position(|point| initial.contains(point)).unwrap_or(0);
+    let from = whole(crack).iter().position(|point| initial.contains(point)).unwrap_or(0);
     CurveDots::AllBut(from..from + initial.len())
 }
 
@@ -54,7 +59,7 @@ pub(super) fn chart<'a>(
 pub(super) fn plot(summary: &Summary, model: &str) -> Plot {
     let cracks = &summary.cracks;
     let curve = |(i, crack): (usize, &CrackSummary)| {
-        let grown = crack.points_mm.len() > crack.initial_points_mm.len();
+        let grown = whole(crack).len() > crack.initial_points_mm.len();
         let name = match cracks.len() {
             _ if !grown => String::new(),
             1 => format!("growth, {} increments", summary.steps),

@@ -40,6 +40,7 @@ fn meshio_reads_the_fields_of_a_run() {
         toughness: None,
         axle_load: None,
         mix: Vec::new(),
+        maintenance: None,
         inspection: None,
         scatter: None,
         critical_length: None,

@@ -67,6 +67,7 @@ pub fn info() -> RunInfo {
         toughness: None,
         axle_load: Some(17.0),
         mix: Vec::new(),
+        maintenance: None,
         inspection: None,
         scatter: None,
         critical_length: None,
@@ -140,6 +141,7 @@ pub fn step(size: Size, step: usize) -> (StepRecord, GrowthState) {
         faces: faces(size, &now, &xc),
         fields: step.is_multiple_of(2).then(|| fields(step)),
         load_cycles: cycles(step),
+        removed: 0.0,
         dofs: 30_000 + step,
         counts: SolverCounts {
             passages: 2,
@@ -167,6 +169,7 @@ pub fn step(size: Size, step: usize) -> (StepRecord, GrowthState) {
         junctions: Vec::new(),
         break_outs: Vec::new(),
         interval: None,
+        worn: Default::default(),
         load_cycles: cycles(if is_last { step } else { step + 1 }),
         stopped: vec![vec![None]; size.cracks],
         deferred: vec![vec![DeferredGrowth::default()]; size.cracks],
@@ -229,6 +232,7 @@ fn tip_record(i: usize, crack: &Crack, step: usize, is_last: bool) -> TipRecord 
         stop: None,
         shares: Default::default(),
         turned_by: None,
+        mouth_sine: Some(0.5),
         opened_by: 0,
     }
 }

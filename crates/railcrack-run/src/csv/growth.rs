@@ -67,6 +67,9 @@ table! {
             "share_wheel_6" "share_wheel_7" "share_wheel_8" "share_wheel_9" "share_wheel_10" "share_wheel_11"
             "share_wheel_12" "share_wheel_13" "share_wheel_14" "share_wheel_15" "share_wheel_16" "share_wheel_17"
             "share_wheel_18" "share_wheel_19" "share_wheel_20", with "wheel";
+        /// Removed of the running surface by wear and grinding up to the start of the step, mm:
+        /// coordinates and depths count from the surface that is left. With `[maintenance]`.
+        removed: Option<f64> = "removed_mm", with "maintenance";
     }
 }
 
@@ -76,6 +79,7 @@ impl TipRow {
         record.tips.iter().map(move |tip| Self {
             stop: tip.stop.map(RunStop::NoTipGrows).or(record.stop),
             mgt: axle_load.map(|tonnes| 1e-6 * tonnes * record.load_cycles),
+            removed: Some(record.removed),
             ..Self::of_tip(record.step, record.load_cycles, tip)
         })
     }
@@ -102,6 +106,7 @@ impl TipRow {
             depth: Some(-(tip.y + tip.deferred.direction.y * tip.deferred.length)),
             mgt: None,
             shares: tip.shares,
+            removed: None,
         }
     }
 
@@ -147,6 +152,7 @@ mod tests {
             depth: None,
             mgt: None,
             shares: WheelShares::default(),
+            removed: None,
         }
     }
 

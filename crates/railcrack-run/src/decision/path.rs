@@ -1,7 +1,7 @@
 //! Depth of one tip over traffic.
 
 use crate::run_log::StepDigest;
-use railcrack::growth::RunStop;
+use railcrack::growth::{RunStop, TipStop, WheelShares};
 
 /// A tip at the start of a growth step.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,6 +18,10 @@ pub struct PathPoint {
     pub delta_keq: f64,
     /// The largest k1 of a virtual kink, MPa√m.
     pub largest_k1: f64,
+    /// Sine of the angle of the crack at its mouth; none for a buried crack.
+    pub mouth_sine: Option<f64>,
+    /// Shares of the wheels of a mix in the rate.
+    pub shares: WheelShares,
 }
 
 /// The deepest tip of a run from step to step.
@@ -29,6 +33,8 @@ pub struct GrowthPath {
     pub points: Vec<PathPoint>,
     /// Whether the rail breaks at its end.
     pub breaks: bool,
+    /// Whether wear and grinding take the crack away at its end.
+    pub is_worn_away: bool,
 }
 
 impl GrowthPath {
@@ -48,12 +54,18 @@ impl GrowthPath {
                 rate: tip.rate,
                 delta_keq: tip.delta_keq / railcrack::math::MPA_SQRT_MM,
                 largest_k1: tip.largest_k1.map_or(0.0, |largest| largest.k1_mpa_sqrt_m()),
+                mouth_sine: tip.mouth_sine,
+                shares: tip.shares,
             })
         };
         Some(Self {
             tip: (deepest.crack + 1, deepest.tip + 1),
             points: steps.iter().filter_map(point).collect(),
             breaks: last.stop == Some(RunStop::Fracture),
+            is_worn_away: last
+                .tips
+                .iter()
+                .any(|tip| (tip.tip.crack, tip.stop) == (deepest.crack, Some(TipStop::WornAway))),
         })
     }
 
@@ -76,7 +88,7 @@ impl GrowthPath {
 
     /// The value at a place on the path of `values`, one for each point.
     pub fn at((i, share): (usize, f64), values: &[f64]) -> f64 {
-        let next = values.get(i + 1).unwrap_or(&values[i]);
+        let next = values.get(i + 1).filter(|_| share > 0.0).unwrap_or(&values[i]);
         values[i] + share * (next - values[i])
     }
 }

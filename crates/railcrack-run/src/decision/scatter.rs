@@ -2,7 +2,10 @@
 
 use super::inspection::{CriticalBy, InspectionSummary, Place, detectable};
 use super::path::GrowthPath;
-use railcrack_case::{Inspection, Scatter};
+use super::walk::{SampledRates, SampledShares, Walk};
+use crate::run_info::MixInfo;
+use railcrack::growth::MOST_WHEELS;
+use railcrack_case::{Inspection, MaintenancePlan, Scatter};
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 use serde::{Deserialize, Serialize};
@@ -51,6 +54,10 @@ pub struct ScatterSummary {
     /// Probability that a crack that was just missed is critical before the next inspection, one
     /// interval later; null without an interval.
     pub probability_critical_before_inspection: Option<f64>,
+    /// Probability that the crack grows faster at first than wear and grinding take it away; left
+    /// out without them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub probability_growing: Option<f64>,
     /// Depth over traffic.
     pub depth: Vec<DepthQuantiles>,
     /// Of each quantity that scatters, the largest first.
@@ -59,9 +66,6 @@ pub struct ScatterSummary {
 
 /// Tonnages at which quantiles of the depth are given.
 const TONNAGES: usize = 41;
-
-/// ΔK_eq (MPa√m) about which the exponent of the law scatters: there the rate keeps its scatter.
-const PIVOT: f64 = 10.0;
 
 /// Standard normal deviates, two at a time (Box & Muller), the same on any machine.
 struct Deviates {
@@ -92,94 +96,124 @@ impl Deviates {
 
 /// One sample.
 struct Sample {
-    /// Deviates of C, m, toughness and detectable depth.
+    /// Deviates of C, m, toughness, detectable depth and wear, and of the share of each wheel.
     deviates: [f64; KEYS.len()],
+    shares: [f64; MOST_WHEELS],
+    /// Whether the crack grows faster at first than it is removed.
+    grows: bool,
     /// Million gross tonnes until critical and from detectable to critical; infinite beyond the
     /// path.
     to_critical: f64,
     way: f64,
 }
 
-/// Keys of the quantities that scatter.
-const KEYS: [&str; 4] = ["c_log_std", "m_std", "toughness_std", "detectable_depth_std"];
+/// Keys of the quantities that scatter by one deviate each.
+const KEYS: [&str; 5] = ["c_log_std", "m_std", "toughness_std", "detectable_depth_std", "wear_std"];
 
-/// The samples of `path` under axles of `tonnes`.
+/// Another stream of random numbers for what came later: the samples of the first four quantities
+/// stay what they were.
+const LATER: usize = 0x5EED_0000_0000;
+
+/// What is sampled.
+#[derive(Debug, Clone, Copy)]
+pub struct Sampling<'a> {
+    /// The crack.
+    pub path: &'a GrowthPath,
+    /// Standard deviations.
+    pub scatter: &'a Scatter,
+    /// The inspection, where there is one.
+    pub inspection: Option<&'a Inspection>,
+    /// A length that is critical, mm.
+    pub critical_length: Option<f64>,
+    /// Mean load of an axle, t.
+    pub tonnes: f64,
+    /// Wear and grinding, where there are any.
+    pub maintenance: Option<&'a MaintenancePlan>,
+    /// The wheels of a mix.
+    pub mix: &'a [MixInfo],
+}
+
+/// The samples.
 ///
-/// The histories of K along the path do not depend on C, nor on m as long as the path is the same:
-/// each sample has the rates of the path times e^(σ_C z) (ΔK_eq/10)^(σ_m z′), and its cycles follow
-/// by the same rule as those of the run.
-pub fn sampled(
-    path: &GrowthPath,
-    scatter: &Scatter,
-    inspection: Option<&Inspection>,
-    critical_length: Option<f64>,
-    tonnes: f64,
-) -> ScatterSummary {
+/// The histories of K along the path do not depend on C, nor on m, the wear and the shares of the
+/// wheels as long as the path is the same: each sample has the rates of the path times
+/// e^(σ_C z) (ΔK_eq/10)^(σ_m z′), and those of each wheel of a mix by its share; its cycles follow
+/// by the same rule as those of the run. Where the surface is removed, the length follows
+/// dl/dN = da/dN − w/sin θ with the rates that the run has at each length, grinding as wear in the
+/// mean.
+pub fn sampled(of: Sampling) -> ScatterSummary {
+    let Sampling { path, scatter, inspection, critical_length, tonnes, maintenance, mix } = of;
+    // Shares that do not scatter leave the rates as they are, to the last bit.
+    let mix = if scatter.share_log_std > 0.0 { mix } else { &[] };
     let mean = inspection.copied().unwrap_or_default();
     let nominal = InspectionSummary::of(path, &mean, critical_length, tonnes);
-    let last = path.points.len() - 1;
-    let critical = CriticalBy::first(path, &mean, critical_length).map(|(_, place)| place);
-    let end: Place = critical.unwrap_or((last, 0.0));
-    let longest = 1e-6 * tonnes * path.points[last].axles;
+    let removal = maintenance.filter(|plan| plan.removal() > 0.0 || scatter.wear_std > 0.0);
+    let walk = Walk::of(path, removal.is_some());
+    let longest = 1e-6 * tonnes * path.points.last().map_or(0.0, |point| point.axles);
     let spread = 1.0 + 2.0 * scatter.c_log_std;
     let tonnages: Vec<f64> =
         (0..TONNAGES).map(|i| spread * longest * i as f64 / (TONNAGES - 1) as f64).collect();
     let mut depths: Vec<Vec<f64>> = (0..TONNAGES).map(|_| Vec::with_capacity(scatter.samples)).collect();
     let mut deviates = Deviates::new(scatter.seed);
+    let mut later = Deviates::new(scatter.seed ^ LATER);
     let mut samples = Vec::with_capacity(scatter.samples);
-    let mut mgt = vec![0.0; path.points.len()];
+    let mut mgt = Vec::new();
+    let up = walk.up();
+    let critical = CriticalBy::first(up, &mean, critical_length).map(|(_, place)| place);
+    let end: Place = critical.unwrap_or((up.points.len() - 1, 0.0));
     for _ in 0..scatter.samples {
-        let z = [0; KEYS.len()].map(|_| deviates.next());
-        tonnage(path, scatter, z, tonnes, &mut mgt);
-        let to = |place: Place| GrowthPath::at(place, &mgt);
-        let breaks = scatter.toughness.and_then(|toughness| {
-            let toughness = toughness + scatter.toughness_std * z[2];
-            path.reaches(|point| point.largest_k1, toughness)
+        let [c, m, toughness, detected] = [0; 4].map(|_| deviates.next());
+        let wear = if scatter.wear_std > 0.0 { later.next() } else { 0.0 };
+        let mut z_shares = [0.0; MOST_WHEELS];
+        if scatter.share_log_std > 0.0 {
+            z_shares.iter_mut().take(mix.len()).for_each(|z| *z = later.next());
+        }
+        let shares = SampledShares::of(mix, z_shares.map(|z| (scatter.share_log_std * z).exp()), tonnes);
+        let sample = SampledRates {
+            faster: (scatter.c_log_std * c).exp(),
+            steeper: scatter.m_std * m,
+            shares,
+            removal: removal.map(|plan| {
+                let wear = (plan.wear + scatter.wear_std * wear).max(0.0);
+                wear + (plan.removal() - plan.wear)
+            }),
+        };
+        let grows = walk.tonnage(&sample, &mut mgt);
+        let along = if grows { up } else { walk.down() };
+        let to = |place: Place| if grows { GrowthPath::at(place, &mgt) } else { f64::INFINITY };
+        let breaks = scatter.toughness.and_then(|value| {
+            let toughness = value + scatter.toughness_std * toughness;
+            up.reaches(|point| point.largest_k1, toughness)
         });
         let to_critical = breaks.map_or(to(end), |place| to(place).min(to(end)));
-        let depth = mean.detectable_depth.map(|depth| (depth + scatter.detectable_depth_std * z[3]).max(0.0));
-        let from = detectable(path, &mean, depth).map_or(f64::INFINITY, to);
+        let depth =
+            mean.detectable_depth.map(|depth| (depth + scatter.detectable_depth_std * detected).max(0.0));
+        let from = detectable(up, &mean, depth).map_or(f64::INFINITY, to);
         let way = if from.is_finite() { (to_critical - from).max(0.0) } else { f64::INFINITY };
-        samples.push(Sample { deviates: z, to_critical, way });
+        let deviates = [c, m, toughness, detected, wear];
+        samples.push(Sample { deviates, shares: z_shares, grows, to_critical, way });
         for (i, at) in tonnages.iter().enumerate() {
-            depths[i].push(depth_at(path, &mgt, *at));
+            depths[i].push(depth_at(along, &mgt, *at));
         }
     }
-    let before = |interval: f64| {
-        samples.iter().filter(|sample| sample.way < interval).count() as f64 / scatter.samples as f64
+    let share_of = |is_it: &dyn Fn(&Sample) -> bool| {
+        samples.iter().filter(|sample| is_it(sample)).count() as f64 / scatter.samples as f64
     };
     ScatterSummary {
         samples: scatter.samples,
         seed: scatter.seed,
         mgt_to_critical: quantiles(samples.iter().map(|sample| sample.to_critical).collect()),
         mgt_detectable_to_critical: quantiles(samples.iter().map(|sample| sample.way).collect()),
-        probability_critical_before_inspection: nominal.interval_mgt.map(before),
+        probability_critical_before_inspection: nominal
+            .interval_mgt
+            .map(|interval| share_of(&|sample| sample.way < interval)),
+        probability_growing: removal.map(|_| share_of(&|sample| sample.grows)),
         depth: tonnages
             .into_iter()
             .zip(depths)
             .map(|(mgt, depths)| DepthQuantiles { mgt, depth_mm: quantiles(depths) })
             .collect(),
-        sensitivities: sensitivities(&samples, scatter),
-    }
-}
-
-/// Million gross tonnes at each point of the path in a sample with the deviates `z`.
-fn tonnage(path: &GrowthPath, scatter: &Scatter, z: [f64; 4], tonnes: f64, mgt: &mut [f64]) {
-    let faster = (scatter.c_log_std * z[0]).exp();
-    let steeper = scatter.m_std * z[1];
-    let factor = |delta_keq: f64| {
-        if steeper == 0.0 { faster } else { faster * (delta_keq.max(1e-3) / PIVOT).powf(steeper) }
-    };
-    let mut before = factor(path.points[0].delta_keq);
-    mgt[0] = 0.0;
-    for (i, pair) in path.points.windows(2).enumerate() {
-        let after = factor(pair[1].delta_keq);
-        let inverse = |rate: f64| if rate > 0.0 { rate.recip() } else { 0.0 };
-        let (start, end) = (inverse(pair[0].rate), inverse(pair[1].rate));
-        let slower =
-            if start + end > 0.0 { (start / before + end / after) / (start + end) } else { before.recip() };
-        mgt[i + 1] = mgt[i] + 1e-6 * tonnes * (pair[1].axles - pair[0].axles) * slower;
-        before = after;
+        sensitivities: sensitivities(&samples, scatter, mix.len()),
     }
 }
 
@@ -210,8 +244,14 @@ fn quantiles(mut values: Vec<f64>) -> Quantiles {
 }
 
 /// Squared correlations of the deviates with the logarithm of the tonnage.
-fn sensitivities(samples: &[Sample], scatter: &Scatter) -> Vec<Sensitivity> {
-    let spread = [scatter.c_log_std, scatter.m_std, scatter.toughness_std, scatter.detectable_depth_std];
+fn sensitivities(samples: &[Sample], scatter: &Scatter, wheels: usize) -> Vec<Sensitivity> {
+    let spread = [
+        scatter.c_log_std,
+        scatter.m_std,
+        scatter.toughness_std,
+        scatter.detectable_depth_std,
+        scatter.wear_std,
+    ];
     let reached: Vec<(&Sample, f64)> = samples
         .iter()
         .filter(|sample| sample.way.is_finite() && sample.way > 0.0)
@@ -221,14 +261,19 @@ fn sensitivities(samples: &[Sample], scatter: &Scatter) -> Vec<Sensitivity> {
     let mean = |of: &dyn Fn(&(&Sample, f64)) -> f64| reached.iter().map(of).sum::<f64>() / count;
     let middle = mean(&|(_, way)| *way);
     let variance = mean(&|(_, way)| (way - middle) * (way - middle));
-    let of = |i: usize| {
-        let centre = mean(&|(sample, _)| sample.deviates[i]);
-        let covariance = mean(&|(sample, way)| (sample.deviates[i] - centre) * (way - middle));
-        let own = mean(&|(sample, _)| (sample.deviates[i] - centre).powi(2));
+    let share = |deviate: &dyn Fn(&Sample) -> f64| {
+        let centre = mean(&|(sample, _)| deviate(sample));
+        let covariance = mean(&|(sample, way)| (deviate(sample) - centre) * (way - middle));
+        let own = mean(&|(sample, _)| (deviate(sample) - centre).powi(2));
         let share = covariance * covariance / (variance * own);
-        Sensitivity { key: KEYS[i].to_owned(), share: if share.is_finite() { share } else { 0.0 } }
+        if share.is_finite() { share } else { 0.0 }
     };
+    let of = |i: usize| Sensitivity { key: KEYS[i].to_owned(), share: share(&|sample| sample.deviates[i]) };
     let mut all: Vec<Sensitivity> = (0..KEYS.len()).filter(|&i| spread[i] > 0.0).map(of).collect();
+    if scatter.share_log_std > 0.0 {
+        let of_wheels = (0..wheels).map(|wheel| share(&|sample| sample.shares[wheel])).sum();
+        all.push(Sensitivity { key: "share_log_std".to_owned(), share: of_wheels });
+    }
     all.sort_by(|a, b| b.share.total_cmp(&a.share));
     all
 }

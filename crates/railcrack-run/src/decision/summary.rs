@@ -1,8 +1,9 @@
 //! The decision block of `summary.json`.
 
 use super::inspection::InspectionSummary;
+use super::maintenance::MaintenanceSummary;
 use super::path::{GrowthPath, PathPoint};
-use super::scatter::{ScatterSummary, sampled};
+use super::scatter::{Sampling, ScatterSummary, sampled};
 use super::wheels::WheelSummary;
 use crate::run_info::RunInfo;
 use crate::run_log::RunLog;
@@ -19,6 +20,9 @@ pub struct Decision {
     pub axle_load_t: f64,
     /// The crack from step to step.
     pub rows: Vec<DecisionRow>,
+    /// Growth against wear and grinding, where the case has them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub maintenance: Option<MaintenanceSummary>,
     /// The inspection interval, where the case asks for one.
     pub inspection: Option<InspectionSummary>,
     /// The wheels of a mix.
@@ -54,7 +58,6 @@ impl Decision {
         let tonnes = info.axle_load?;
         let path = GrowthPath::of(&log.steps)?;
         let per_mgt = 1e6 / tonnes;
-        let mouth_sine = mouth_sine(log, path.tip.0 - 1);
         let mgt = |axles: f64| axles / per_mgt;
         let row = |(i, point): (usize, &PathPoint)| {
             let next = path.points.get(i + 1);
@@ -69,9 +72,14 @@ impl Decision {
                 mgt: mgt(point.axles),
                 length_mm_per_mgt: point.rate * per_mgt,
                 depth_mm_per_mgt: next.and_then(until),
-                balance_mm_per_mgt: mouth_sine.map(|sine| point.rate * per_mgt * sine),
+                balance_mm_per_mgt: point.mouth_sine.map(|sine| point.rate * per_mgt * sine),
             }
         };
+        let rows: Vec<DecisionRow> = path.points.iter().enumerate().map(row).collect();
+        let removed = log.steps.last().map_or(0.0, |step| step.removed);
+        let maintenance = info.maintenance.as_ref();
+        let maintenance =
+            maintenance.map(|plan| MaintenanceSummary::of(plan, &rows, path.is_worn_away, removed));
         let inspection = info.inspection.as_ref();
         let has_ended = log.steps.last().is_some_and(|step| step.stop.is_some());
         let scatter = info.scatter.as_ref().filter(|_| has_ended && path.points.len() > 1);
@@ -79,18 +87,22 @@ impl Decision {
             crack: path.tip.0,
             tip: path.tip.1,
             axle_load_t: tonnes,
-            rows: path.points.iter().enumerate().map(row).collect(),
+            rows,
+            maintenance,
             inspection: inspection
                 .map(|inspection| InspectionSummary::of(&path, inspection, info.critical_length, tonnes)),
             wheels: WheelSummary::of(&info.mix, &path, &log.steps),
-            scatter: scatter.map(|scatter| sampled(&path, scatter, inspection, info.critical_length, tonnes)),
+            scatter: scatter.map(|scatter| {
+                sampled(Sampling {
+                    path: &path,
+                    scatter,
+                    inspection,
+                    critical_length: info.critical_length,
+                    tonnes,
+                    maintenance: info.maintenance.as_ref(),
+                    mix: &info.mix,
+                })
+            }),
         })
     }
-}
-
-/// Sine of the angle of a crack at its mouth; none where its first point is not on the surface.
-fn mouth_sine(log: &RunLog, crack: usize) -> Option<f64> {
-    let [mouth, next, ..] = log.now.initial_cracks.get(crack)?.points() else { return None };
-    let down = *next - *mouth;
-    (mouth.y == 0.0).then(|| down.y.abs() / down.length())
 }

@@ -48,6 +48,7 @@ impl Job {
                 axle_load: case.axle_load,
                 output: case.output,
                 mix: case.mix.iter().map(of_wheel).collect(),
+                maintenance: case.maintenance,
                 inspection: case.inspection,
                 scatter: case.scatter,
                 critical_length: case.growth.critical_length,
@@ -58,7 +59,12 @@ impl Job {
 }
 
 fn of_wheel(wheel: &MixedWheel) -> MixInfo {
-    MixInfo { name: wheel.name.clone(), share: wheel.share, half_width: wheel.wheel.half_width() }
+    MixInfo {
+        name: wheel.name.clone(),
+        share: wheel.share,
+        axle_load: wheel.axle_load,
+        half_width: wheel.wheel.half_width(),
+    }
 }
 
 /// `case.toml` and the files that it names.

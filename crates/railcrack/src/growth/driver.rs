@@ -1,12 +1,14 @@
 //! Growth as an iterator of steps that can be stored and resumed.
 
 use super::face_load::FaceLoad;
+use super::maintenance::Uncovered;
 use super::mix::{MixedTip, MixedWheel, histories_of, turned_by as turned_by_wheel};
 use super::solvers::Solvers;
+use super::worn::mouth_sine;
 use super::{
     FieldRecord, FieldSettings, GrowthError, GrowthSettings, GrowthState, Observer, PassageSettings,
-    PhaseTimes, RailLoad, StabilisedPassage, StepRecord, StepState, TipDrive, TipJudge, TipRecord, Warning,
-    WarningKind, advance, fields,
+    PhaseTimes, RailLoad, StabilisedPassage, StepRecord, StepState, StressMoves, TipDrive, TipJudge,
+    TipRecord, Warning, WarningKind, advance, fields,
 };
 use crate::body::{BodyEngine, BodyError, CrackedBody};
 use crate::contact::{ContactSolver, FaceProblem, Latin, Newton};
@@ -120,7 +122,7 @@ impl Growth {
         if self.state.ended.is_some() {
             return Ok(None);
         }
-        self.loads().iter().try_for_each(|(_, settings)| settings.check())?;
+        self.loads(&[]).iter().try_for_each(|(_, settings)| settings.check())?;
         self.problem.growth.check()?;
         let step = self.state.step;
         let started = Instant::now();
@@ -142,7 +144,8 @@ impl Growth {
         let mut warnings: Vec<Warning> = body.remarks.iter().map(remark).collect();
         let ends = self.ends_under_wheels(&body)?;
         let faces = FaceProblem::new(&body, &self.problem.crack_friction)?;
-        let loads = self.loads();
+        let uncovered = self.uncovered();
+        let loads = self.loads(&uncovered);
         let load_on = |wheel: usize| {
             let end = ends.get(wheel).map(Arc::as_ref);
             FaceLoad::new(&faces, loads[wheel].0, end).map_err(|source| self.off_the_rail(source))
@@ -162,7 +165,7 @@ impl Growth {
         let contact_s = started.elapsed().as_secs_f64();
 
         let started = Instant::now();
-        let fields = self.fields(&face_load, &passage)?;
+        let fields = self.fields(&face_load, loads[0].0, &passage)?;
         let body_s = body_s + started.elapsed().as_secs_f64();
 
         let started = Instant::now();
@@ -192,6 +195,7 @@ impl Growth {
                 break_outs: &self.state.break_outs,
                 tips: &drives,
                 load_cycles,
+                worn: &self.state.worn,
                 rail: self.problem.rail,
                 resolution: self.problem.engine.resolution(&network),
             },
@@ -210,6 +214,7 @@ impl Growth {
             faces: passage.faces,
             fields,
             load_cycles,
+            removed: self.state.worn.removed,
             dofs: body.dofs,
             counts,
             times: PhaseTimes {
@@ -218,7 +223,7 @@ impl Growth {
                 contact_s,
                 growth_s: started.elapsed().as_secs_f64(),
             },
-            pieces: way.pieces,
+            pieces: way.pieces.clone(),
             warnings,
             stop: way.stop,
             tips,
@@ -226,6 +231,9 @@ impl Growth {
         for (TipRecord { tip, .. }, ahead) in record.tips.iter().zip(&way.tips) {
             self.state.stopped[tip.crack][tip.tip] = ahead.stop;
             self.state.deferred[tip.crack][tip.tip] = ahead.deferred;
+        }
+        if self.problem.growth.maintained().is_some() {
+            self.state.wear(&way, &drives);
         }
         self.state.step += 1;
         self.state.cracks = way.cracks;
@@ -247,7 +255,7 @@ impl Growth {
             return Ok(fields.clone());
         }
         let fields: Result<Vec<_>, EndsError> =
-            self.loads().into_iter().map(|(load, settings)| load.at_ends(rail, settings)).collect();
+            self.loads(&[]).into_iter().map(|(load, settings)| load.at_ends(rail, settings)).collect();
         let fields = fields.map_err(|source| self.off_the_rail(source))?;
         self.ends = Some((Arc::clone(rail), fields.clone()));
         Ok(fields)
@@ -257,14 +265,36 @@ impl Growth {
         GrowthError::Body { step: self.state.step, source: BodyError { reason: Box::new(source) } }
     }
 
-    fn load(&self) -> RailLoad<'_> {
-        RailLoad { wheel: self.problem.wheel.as_ref(), residual: self.problem.residual.as_deref() }
+    /// The residual stress under each wheel, below a surface that has come down; none where it has
+    /// not, or where the stress has come down with it.
+    fn uncovered(&self) -> Vec<Option<Uncovered<'_>>> {
+        let removed = self.state.worn.removed;
+        let moves = self.problem.growth.maintenance.as_ref().map(|maintenance| maintenance.stress);
+        if removed == 0.0 || moves != Some(StressMoves::WithMetal) {
+            return Vec::new();
+        }
+        let others = self.problem.others.iter().map(|other| other.residual.as_deref());
+        std::iter::once(self.problem.residual.as_deref())
+            .chain(others)
+            .map(|field| field.map(|field| Uncovered { field, removed }))
+            .collect()
     }
 
-    /// The load and the passages of every wheel.
-    fn loads(&self) -> Vec<(RailLoad<'_>, &PassageSettings)> {
-        let others = self.problem.others.iter().map(|other| (other.load(), &other.passages));
-        std::iter::once((self.load(), &self.problem.passages)).chain(others).collect()
+    /// The load and the passages of every wheel, with the residual stress below a surface that has
+    /// come down where it is `uncovered`.
+    fn loads<'a>(
+        &'a self,
+        uncovered: &'a [Option<Uncovered<'a>>],
+    ) -> Vec<(RailLoad<'a>, &'a PassageSettings)> {
+        let problem = &self.problem;
+        let first = RailLoad { wheel: problem.wheel.as_ref(), residual: problem.residual.as_deref() };
+        let others = problem.others.iter().map(|other| (other.load(), &other.passages));
+        let all = std::iter::once((first, &problem.passages)).chain(others).enumerate();
+        all.map(|(wheel, (load, passages))| match uncovered.get(wheel) {
+            Some(Some(field)) => (RailLoad { residual: Some(field), ..load }, passages),
+            _ => (load, passages),
+        })
+        .collect()
     }
 
     /// A warning that says which wheel of a mix it is about.
@@ -279,12 +309,13 @@ impl Growth {
     fn fields(
         &self,
         face_load: &FaceLoad,
+        load: RailLoad,
         passage: &StabilisedPassage,
     ) -> Result<Option<FieldRecord>, GrowthError> {
         let step = self.state.step;
         let wanted = self.problem.fields.as_ref().filter(|fields| step.is_multiple_of(fields.every.get()));
         let Some(settings) = wanted else { return Ok(None) };
-        fields::record_fields(face_load, self.load(), passage, settings)
+        fields::record_fields(face_load, load, passage, settings)
             .map_err(|source| GrowthError::Body { step, source })
     }
 
@@ -327,6 +358,7 @@ impl Growth {
                 shares: under.shares,
                 turned_by: turned_by.and_then(|kink| turned_by_wheel(&direction, &wheels, kink.angle)),
                 opened_by: under.opened_by,
+                mouth_sine: mouth_sine(crack),
             }
         })
         .collect()

@@ -1,10 +1,12 @@
 //! Fixtures of the tests of growth steps.
 
-use super::{GrowthSettings, StepState, TipDrive};
+use super::{GrowthSettings, StepState, TipDrive, WornSurface};
 use crate::crack::Crack;
 use crate::math::{RailBox, Vec2};
 
 pub(super) const SETTINGS: GrowthSettings = GrowthSettings::REFERENCE;
+
+static UNWORN: WornSurface = WornSurface { removed: 0.0, grindings: 0, longest: Vec::new(), before: None };
 
 pub(super) fn crack(points: &[(f64, f64)]) -> Crack {
     Crack::polyline(points.iter().map(|&(x, y)| Vec2::new(x, y)).collect()).unwrap()
@@ -20,6 +22,7 @@ pub(super) fn state<'a>(cracks: &'a [Crack], tips: &'a [TipDrive], resolution: f
         break_outs: &[],
         tips,
         load_cycles: 0.0,
+        worn: &UNWORN,
         rail: RailBox::default(),
         resolution,
     }

@@ -4,10 +4,12 @@ use super::coalescence::{Coalescence, coalescences};
 use super::cycles::Interval;
 use super::deferred::{DeferredGrowth, KEEPS_PACE};
 use super::joining::{Outcome, grow, spall};
+use super::pace::Pace;
 use super::step_state::{Step, StepState, TipDrive};
-use super::stops::{breaks, run_stop, spent_ligament, stop_of_one};
+use super::stops::{breaks, grows, run_stop, spent_ligament, standstill, stop_of_one};
+use super::worn::{Removal, reaches_junction};
 use super::{BreakOut, GrowthSettings, Piece, RunStop, TipStop};
-use crate::crack::{Crack, CrackTip, Junction, point_to_segment};
+use crate::crack::{Crack, End, Junction, point_to_segment};
 use crate::math::Vec2;
 
 /// The advance of one tip.
@@ -40,12 +42,19 @@ pub struct Advance {
     /// The increment that set the pace, from which the cycles follow once the rate at its end is
     /// known; none where no cycles pass.
     pub interval: Option<Interval>,
+    /// What is removed of the running surface until then, mm.
+    pub removal: f64,
+    /// Whether it is ground then.
+    pub ground: bool,
     /// Why the run ends with this step, if it does; the cracks are then unchanged and no cycles
     /// pass.
     pub stop: Option<RunStop>,
 }
 
 /// The increments from one step to the next.
+///
+/// Wear and grinding remove the running surface meanwhile, and with it the mouths of the cracks.
+/// Where they take more of a crack than its tip grows, they set the pace ([`super::Maintenance`]).
 ///
 /// Δa_i = Δa_max rate_i / rate_max with Δa_max = increment × length of the fastest tip's crack, by
 /// the rates at the start of the step. The load cycles follow from the rates of the fastest tip at
@@ -79,7 +88,7 @@ pub fn advance(state: &StepState<'_>, settings: &GrowthSettings) -> Advance {
         let steps: Vec<Option<Step>> = ways.iter().map(|way| way.map(|way| way.step)).collect();
         let met = coalescences(&steps, state.cracks, state.resolution);
         let ways = beside_coalescences(state, ways, &met);
-        let blocked = blocked_steps(state, &steps, &met);
+        let blocked = blocked_steps(state, &steps, &met, pace.removal);
         if blocked.is_empty() {
             let made: Vec<Option<Step>> = ways.iter().map(|way| way.and_then(Way::made)).collect();
             match grow(state, &made, &met) {
@@ -100,8 +109,17 @@ pub fn advance(state: &StepState<'_>, settings: &GrowthSettings) -> Advance {
             }
         }
     };
+    let (mut ways, mut outcome) = (ways, outcome);
+    let frees =
+        pace.removal > 0.0 && reaches_junction(state.cracks, state.junctions, pace.removal, state.resolution);
+    if let Outcome::Grown { cracks, .. } = &mut outcome
+        && pace.removal > 0.0
+        && !frees
+    {
+        remove_surface(state, pace.removal, cracks, &mut ways, &mut stops);
+    }
     let stop = run_stop(settings, state)
-        .or_else(|| matches!(outcome, Outcome::Detached(_)).then_some(RunStop::Detached))
+        .or_else(|| (frees || matches!(outcome, Outcome::Detached(_))).then_some(RunStop::Detached))
         .or_else(|| nothing_grows(state, &stops));
     for (stop, coalescence) in stops.iter_mut().zip(&met) {
         *stop = stop.or(coalescence.map(|_| TipStop::Coalescence));
@@ -118,6 +136,8 @@ pub fn advance(state: &StepState<'_>, settings: &GrowthSettings) -> Advance {
         pieces,
         cycles: 0.0,
         interval: None,
+        removal: 0.0,
+        ground: false,
         stop,
     };
     match (stop, outcome) {
@@ -126,15 +146,63 @@ pub fn advance(state: &StepState<'_>, settings: &GrowthSettings) -> Advance {
         }
         (None, Outcome::Grown { cracks, junctions }) => {
             let tips = growing_tips(&standing.tips, &ways, &met);
-            Advance { tips, cracks, junctions, cycles: pace.cycles, interval: pace.interval(), ..standing }
+            Advance {
+                tips,
+                cracks,
+                junctions,
+                cycles: pace.cycles,
+                interval: pace.interval(),
+                removal: pace.removal,
+                ground: pace.grinds,
+                ..standing
+            }
         }
         _ => standing,
     }
 }
 
+/// Takes `removal` (mm) off the surface of `cracks`: tips of cracks that are worn away, or that the
+/// surface has come down to, stop.
+fn remove_surface(
+    state: &StepState<'_>,
+    removal: f64,
+    cracks: &mut Vec<Crack>,
+    ways: &mut [Option<Way>],
+    stops: &mut [Option<TipStop>],
+) {
+    let count = cracks.len();
+    let mut left_out = vec![0.0; count];
+    for (tip, way) in state.tips.iter().zip(ways.iter()) {
+        left_out[tip.tip.crack] += match way {
+            Some(way) if way.deferred => way.growth.length,
+            Some(_) => 0.0,
+            None => tip.deferred.length,
+        };
+    }
+    let gone: Vec<bool> = (0..count).map(|crack| state.is_worn_away(crack)).collect();
+    let longest: Vec<f64> = (0..count).map(|crack| state.longest(crack)).collect();
+    let removed =
+        Removal::of((std::mem::take(cracks), &gone), removal, &left_out, &longest, state.resolution);
+    for (i, tip) in state.tips.iter().enumerate() {
+        let [first, last] = removed.broken_out[tip.tip.crack];
+        let broken_out = if tip.tip.end == End::First { first } else { last };
+        if removed.away[tip.tip.crack] {
+            stops[i] = Some(TipStop::WornAway);
+            ways[i] = None;
+        } else if broken_out && stops[i].is_none() {
+            stops[i] = Some(TipStop::BreakOut);
+        }
+    }
+    *cracks = removed.cracks;
+}
+
 /// The tips when no increment is made.
 fn standing_tips(state: &StepState<'_>, stops: &[Option<TipStop>]) -> Vec<TipAdvance> {
-    let standing = |(tip, &stop): (&TipDrive, _)| TipAdvance { increment: 0.0, deferred: tip.deferred, stop };
+    let standing = |(tip, &stop): (&TipDrive, &Option<TipStop>)| {
+        let is_away = stop == Some(TipStop::WornAway);
+        let deferred = if is_away { DeferredGrowth::default() } else { tip.deferred };
+        TipAdvance { increment: 0.0, deferred, stop }
+    };
     state.tips.iter().zip(stops).map(standing).collect()
 }
 
@@ -162,11 +230,12 @@ fn blocked_steps(
     state: &StepState<'_>,
     steps: &[Option<Step>],
     met: &[Option<Coalescence>],
+    removal: f64,
 ) -> Vec<(usize, TipStop)> {
     let blocked = |i: usize| {
         let step = steps[i].as_ref()?;
         let crack = &state.cracks[step.tip.crack];
-        let stop = stop_of_one(step, crack, state.rail, state.resolution);
+        let stop = stop_of_one(step, crack, state.rail, state.resolution, removal);
         let ligament = spent_ligament(crack, state.resolution);
         match met[i] {
             // A mouth is on the surface already.
@@ -186,63 +255,6 @@ fn way_out(step: &Step) -> Vec2 {
     let rise = step.to.y - step.from.y;
     let share = if step.to.y > 0.0 && rise > 0.0 { -step.from.y / rise } else { 1.0 };
     Vec2::new(step.from.x + (step.to.x - step.from.x) * share, 0.0)
-}
-
-/// A tip that does not load, or is slower than the arrest rate; or one that runs away.
-fn standstill(tip: &TipDrive, settings: &GrowthSettings) -> Option<TipStop> {
-    if tip.runs_away() {
-        return Some(TipStop::Fracture);
-    }
-    let grows = tip.kink.is_some() && tip.rate > 0.0 && tip.rate >= settings.arrest_rate;
-    (!grows).then_some(TipStop::Arrest)
-}
-
-/// The fastest growing tip sets the pace of a step.
-#[derive(Debug, Clone, Copy)]
-struct Pace {
-    /// Which tip; none where none grows.
-    tip: Option<CrackTip>,
-    rate: f64,
-    increment: f64,
-    /// The increment over the length of its crack.
-    share: f64,
-    cycles: f64,
-    /// Whether it is shortened to end on the cycles asked for.
-    is_settled: bool,
-}
-
-impl Pace {
-    fn of(state: &StepState<'_>, settings: &GrowthSettings, stops: &[Option<TipStop>]) -> Self {
-        let growing = state.tips.iter().zip(stops).filter(|(_, stop)| stop.is_none()).map(|(tip, _)| tip);
-        // Of equally fast tips that of the longest crack, so that their order does not matter.
-        let length = |tip: &TipDrive| state.length(tip.tip.crack);
-        let faster = |a: &TipDrive, b: &TipDrive| (b.rate, length(b)) > (a.rate, length(a));
-        let Some(fastest) = growing.reduce(|a, b| if faster(a, b) { b } else { a }) else {
-            return Self { tip: None, rate: 1.0, increment: 0.0, share: 0.0, cycles: 0.0, is_settled: false };
-        };
-        let increment = settings.increment * length(fastest);
-        let left = settings.stop_after_cycles.unwrap_or(f64::INFINITY) - state.load_cycles;
-        let cycles = increment / fastest.rate;
-        let share = settings.increment;
-        let (tip, rate) = (Some(fastest.tip), fastest.rate);
-        if cycles <= left {
-            return Self { tip, rate, increment, share, cycles, is_settled: false };
-        }
-        let left = left.max(0.0);
-        let increment = left * rate;
-        let share = increment / length(fastest);
-        Self { tip, rate, increment, share, cycles: left, is_settled: true }
-    }
-
-    fn interval(&self) -> Option<Interval> {
-        let Self { rate, cycles, is_settled, .. } = *self;
-        self.tip.map(|tip| Interval { tip, rate, cycles, is_settled })
-    }
-
-    /// The increment (mm) of a tip that grows at `rate`.
-    fn increment(&self, rate: f64) -> f64 {
-        self.increment * (rate / self.rate)
-    }
 }
 
 /// The planned advance of a tip that grows.
@@ -274,7 +286,7 @@ fn planned(
     let way_of = |drive: &TipDrive| {
         let crack = &state.cracks[drive.tip.crack];
         let (from, ahead) = (crack.tip(drive.tip.end), crack.ahead(drive.tip.end));
-        let increment = pace.increment(drive.rate);
+        let increment = pace.increment(drive);
         let growth = drive.deferred.and(increment, Vec2::unit(ahead.angle() + drive.kink?));
         let to = from + growth.direction * growth.length;
         let length = state.length(drive.tip.crack);
@@ -287,7 +299,7 @@ fn planned(
         .tips
         .iter()
         .zip(stops)
-        .map(|(drive, stop)| if stop.is_some() { None } else { way_of(drive) })
+        .map(|(drive, stop)| if stop.is_some() || !grows(drive, settings) { None } else { way_of(drive) })
         .collect()
 }
 

@@ -52,6 +52,8 @@ pub struct TipRecord {
     pub turned_by: Option<usize>,
     /// The wheel (from 0) of its largest k1.
     pub opened_by: usize,
+    /// Sine of the angle of its crack at the mouth; none for a buried crack.
+    pub mouth_sine: Option<f64>,
 }
 
 /// Wall time of the phases of one step, seconds.
@@ -89,6 +91,9 @@ pub struct StepRecord {
     pub fields: Option<FieldRecord>,
     /// Load cycles at the start of the step.
     pub load_cycles: f64,
+    /// What wear and grinding have removed of the running surface since the beginning, mm.
+    /// Coordinates count from the surface that is left.
+    pub removed: f64,
     /// Number of displacement unknowns of the body.
     pub dofs: usize,
     /// Solver effort.

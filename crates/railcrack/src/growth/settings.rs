@@ -1,5 +1,6 @@
 //! Settings of passages and growth; the defaults are the reference values of the paper.
 
+use super::Maintenance;
 use crate::contact::StepControl;
 use crate::fatigue::{DirectionCriterion, GrowthLaw};
 use crate::load::Passage;
@@ -63,6 +64,8 @@ pub struct GrowthSettings {
     pub stop_after_cycles: Option<f64>,
     /// K_Ic, MPa √mm: a tip whose k1 reaches it in a passage ends the run.
     pub toughness: Option<f64>,
+    /// Wear and grinding of the running surface.
+    pub maintenance: Option<Maintenance>,
 }
 
 /// [`GrowthSettings::REFERENCE`].
@@ -83,7 +86,13 @@ impl GrowthSettings {
         critical_length: None,
         stop_after_cycles: None,
         toughness: None,
+        maintenance: None,
     };
+
+    /// Wear and grinding, where they remove anything.
+    pub(super) fn maintained(&self) -> Option<&Maintenance> {
+        self.maintenance.as_ref().filter(|maintenance| maintenance.removal() > 0.0)
+    }
 
     /// Refuses an increment that is none, and limits that are not numbers.
     pub fn check(&self) -> Result<(), OutOfRange> {
@@ -94,6 +103,7 @@ impl GrowthSettings {
         at_least_zero("arrest rate (mm per cycle)", self.arrest_rate)?;
         at_least_zero("critical length (mm)", self.critical_length.unwrap_or(0.0))?;
         at_least_zero("cycles to stop after", self.stop_after_cycles.unwrap_or(0.0))?;
+        self.maintenance.as_ref().map_or(Ok(()), Maintenance::check)?;
         OutOfRange::unless_positive("toughness (MPa \u{221a}mm)", self.toughness.unwrap_or(1.0))
     }
 }

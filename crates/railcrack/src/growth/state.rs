@@ -1,6 +1,8 @@
 //! The state of a run between two steps.
 
-use super::{BreakOut, DeferredGrowth, Interval, RunStop, TipStop};
+use super::{
+    Advance, BreakOut, DeferredGrowth, EarlierRates, Interval, RunStop, TipDrive, TipStop, WornSurface,
+};
 use crate::crack::{Crack, CrackNetwork, Junction};
 use serde::{Deserialize, Serialize};
 
@@ -24,6 +26,8 @@ pub struct GrowthState {
     pub stopped: Vec<Vec<Option<TipStop>>>,
     /// `deferred[crack][tip]`: growth that is not in the cracks yet.
     pub deferred: Vec<Vec<DeferredGrowth>>,
+    /// The running surface as wear and grinding have left it.
+    pub worn: WornSurface,
     /// Set when the run has ended.
     pub ended: Option<RunStop>,
 }
@@ -42,8 +46,26 @@ impl GrowthState {
             interval: None,
             stopped: tips().map(|tips| vec![None; tips]).collect(),
             deferred: tips().map(|tips| vec![DeferredGrowth::default(); tips]).collect(),
+            worn: WornSurface::default(),
             ended: None,
         }
+    }
+
+    /// Takes up what the way to the next step removes of the surface. To be called before the cracks
+    /// of that step are taken; `drives` are the tips of this one.
+    pub(super) fn wear(&mut self, way: &Advance, drives: &[TipDrive]) {
+        let lengths = (0..self.cracks.len()).map(|i| self.cracks[i].length() + self.deferred_at(i));
+        let longest =
+            lengths.enumerate().map(|(i, l)| self.worn.longest.get(i).map_or(l, |&before| l.max(before)));
+        let longest = longest.collect();
+        let rates = drives.iter().map(|drive| (drive.tip, drive.rate)).collect();
+        let before = EarlierRates { rates, cycles: way.cycles };
+        self.worn = WornSurface {
+            removed: self.worn.removed + way.removal,
+            grindings: self.worn.grindings + usize::from(way.ground),
+            longest,
+            before: (!way.ground && way.cycles > 0.0).then_some(before),
+        };
     }
 
     /// Growth at the tips of crack `crack` (from 0) that is not in it yet, mm.

@@ -1,6 +1,6 @@
 //! The state of the cracks at the start of a step, and the increments that they would make.
 
-use super::{BreakOut, DeferredGrowth, TipStop};
+use super::{BreakOut, DeferredGrowth, TipStop, WornSurface};
 use crate::crack::{Crack, CrackTip, Junction};
 use crate::fatigue::RUNAWAY;
 use crate::math::{RailBox, Vec2};
@@ -44,6 +44,8 @@ pub struct StepState<'a> {
     pub tips: &'a [TipDrive],
     /// Load cycles so far.
     pub load_cycles: f64,
+    /// The running surface as wear and grinding have left it.
+    pub worn: &'a WornSurface,
     /// The rail.
     pub rail: RailBox,
     /// The length that the engine resolves, mm: its element size.
@@ -55,6 +57,18 @@ impl StepState<'_> {
     pub fn length(&self, crack: usize) -> f64 {
         let own = self.tips.iter().filter(|tip| tip.tip.crack == crack);
         self.cracks[crack].length() + own.map(|tip| tip.deferred.length).sum::<f64>()
+    }
+}
+
+impl StepState<'_> {
+    /// The longest that crack `crack` (from 0) has been, mm.
+    pub(super) fn longest(&self, crack: usize) -> f64 {
+        self.worn.longest.get(crack).copied().unwrap_or(0.0).max(self.length(crack))
+    }
+
+    /// Whether nothing of crack `crack` (from 0) is left.
+    pub(super) fn is_worn_away(&self, crack: usize) -> bool {
+        self.tips.iter().any(|tip| tip.tip.crack == crack && tip.stopped == Some(TipStop::WornAway))
     }
 }
 

@@ -29,6 +29,8 @@ pub enum TipStop {
     LeavesRail,
     /// The largest k1 of its passage reaches the toughness: the rail breaks.
     Fracture,
+    /// Wear and grinding have taken the whole crack.
+    WornAway,
 }
 
 const ARREST: Word = Word::now("arrest", "at or below the threshold or the arrest rate");
@@ -36,6 +38,7 @@ const BREAK_OUT: Word = Word::now("break-out", "at the running surface");
 const COALESCENCE: Word = Word::now("meets-crack", "coalescence");
 const LEAVES_RAIL: Word = Word::now("leaves-rail", "the next increment would leave the rail");
 const FRACTURE: Word = Word::now("fracture", "the largest k1 reaches the toughness");
+const WORN_AWAY: Word = Word::now("worn-away", "wear and grinding have taken the whole crack");
 
 impl Choice for TipStop {
     const WORDS: &'static [(Self, Word)] = &[
@@ -44,6 +47,7 @@ impl Choice for TipStop {
         (Self::Coalescence, COALESCENCE),
         (Self::LeavesRail, LEAVES_RAIL),
         (Self::Fracture, FRACTURE),
+        (Self::WornAway, WORN_AWAY),
     ];
 }
 
@@ -78,6 +82,7 @@ impl Choice for RunStop {
         (Self::NoTipGrows(TipStop::Coalescence), COALESCENCE),
         (Self::NoTipGrows(TipStop::LeavesRail), LEAVES_RAIL),
         (Self::NoTipGrows(TipStop::Fracture), FRACTURE),
+        (Self::NoTipGrows(TipStop::WornAway), WORN_AWAY),
     ];
 }
 

@@ -23,10 +23,18 @@ pub(super) fn spent_ligament(crack: &Crack, resolution: f64) -> f64 {
 /// Stop of a tip whatever the other cracks do: its increment would leave the rail, or use up the
 /// ligament to the running surface.
 ///
-/// The ligament is the depth of the new tip; it is spent only by a tip that rises.
-pub(super) fn stop_of_one(step: &Step, crack: &Crack, rail: RailBox, resolution: f64) -> Option<TipStop> {
+/// The ligament is the depth of the new tip below the surface, of which `removal` (mm) is taken off
+/// meanwhile; it is spent only by a tip that rises.
+pub(super) fn stop_of_one(
+    step: &Step,
+    crack: &Crack,
+    rail: RailBox,
+    resolution: f64,
+    removal: f64,
+) -> Option<TipStop> {
     let rises = step.to.y > step.from.y;
-    if step.to.y >= 0.0 || (rises && -step.to.y < spent_ligament(crack, resolution)) {
+    let depth = -step.to.y - removal;
+    if step.to.y >= 0.0 || (rises && depth < spent_ligament(crack, resolution)) {
         return Some(TipStop::BreakOut);
     }
     let inside = 0.5 * rail.width - (step.to.x - rail.centre).abs() > resolution
@@ -38,9 +46,24 @@ pub(super) fn stop_of_one(step: &Step, crack: &Crack, rail: RailBox, resolution:
 /// law.
 /// K of a tip behind a spent ligament, or that has joined a crack, is that of no crack any more.
 pub(super) fn breaks(settings: &GrowthSettings, tip: &TipDrive) -> bool {
-    let is_tip = !matches!(tip.stopped, Some(TipStop::BreakOut | TipStop::Coalescence));
+    let is_tip = !matches!(tip.stopped, Some(TipStop::BreakOut | TipStop::Coalescence | TipStop::WornAway));
     let reaches = settings.toughness.is_some_and(|toughness| tip.largest_k1 >= toughness);
     is_tip && (reaches || tip.runs_away())
+}
+
+/// A tip that does not load, or is slower than the arrest rate; or one that runs away. Where the
+/// surface is removed, a tip that does not grow may grow again when it has come nearer.
+pub(super) fn standstill(tip: &TipDrive, settings: &GrowthSettings) -> Option<TipStop> {
+    if tip.runs_away() {
+        return Some(TipStop::Fracture);
+    }
+    let waits = settings.maintained().is_some();
+    (!waits && !grows(tip, settings)).then_some(TipStop::Arrest)
+}
+
+/// Whether a tip loads and is not slower than the arrest rate.
+pub(super) fn grows(tip: &TipDrive, settings: &GrowthSettings) -> bool {
+    tip.kink.is_some() && tip.rate > 0.0 && tip.rate >= settings.arrest_rate
 }
 
 /// Why the run ends at the start of this step, before any increment: fracture first, then the

@@ -23,6 +23,7 @@ mod junctions;
 mod kinked_crack;
 mod latin_and_newton;
 mod loads;
+mod maintenance;
 mod mirror;
 mod mix;
 mod page;

@@ -3,8 +3,7 @@
 use super::distribution::{ACCEPTED, Distribution};
 use super::substitute::Substitute;
 use crate::schema::{Fault, Kind, Report};
-use crate::study::tables::tables_of;
-use crate::tables::SECTIONS;
+use crate::study::tables::{TableOf, all_tables};
 use std::ops::Range;
 use toml::de::{DeTable, DeValue};
 
@@ -55,20 +54,20 @@ type Place<'d, 'i> = ((&'static str, usize, &'static str), String, Range<usize>,
 
 fn places<'d, 'i>(root: &'d DeTable<'i>) -> Vec<Place<'d, 'i>> {
     let mut places = Vec::new();
-    for section in SECTIONS.iter().filter(|section| !section.name.is_empty()) {
-        for (number, (path, table)) in tables_of(section, root).into_iter().enumerate() {
-            for (name, value) in table {
-                let (Some(key), DeValue::Table(of_key)) = (section.key(name.get_ref()), value.get_ref())
-                else {
-                    continue;
-                };
-                let takes_one =
-                    !matches!(key.kind, Kind::Numbers { .. } | Kind::Points { .. } | Kind::Groups { .. });
-                if takes_one {
-                    let dotted = format!("{path}.{}", key.name);
-                    let place = (section.name, number + 1, key.name);
-                    places.push((place, dotted, value.span(), key.kind, of_key));
-                }
+    for TableOf { section, number, path, table } in all_tables(root) {
+        if section.name.is_empty() {
+            continue;
+        }
+        for (name, value) in table {
+            let (Some(key), DeValue::Table(of_key)) = (section.key(name.get_ref()), value.get_ref()) else {
+                continue;
+            };
+            let takes_one =
+                !matches!(key.kind, Kind::Numbers { .. } | Kind::Points { .. } | Kind::Groups { .. });
+            if takes_one {
+                let dotted = format!("{path}.{}", key.name);
+                let place = (section.name, number, key.name);
+                places.push((place, dotted, value.span(), key.kind, of_key));
             }
         }
     }

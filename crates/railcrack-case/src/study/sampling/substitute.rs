@@ -23,9 +23,13 @@ pub(in crate::study) struct Substitute {
 impl Substitute {
     /// Its key with its section, as elsewhere.
     pub fn dotted(&self) -> String {
-        let section = SECTIONS.iter().find(|section| section.name == self.section);
+        let (outer, inner) = self.section.split_once('.').unwrap_or((self.section, ""));
+        let section = SECTIONS.iter().find(|section| section.name == outer);
+        let within = if inner.is_empty() { String::new() } else { format!(".{inner}") };
         match section.map(|section| section.presence) {
-            Some(SectionPresence::Repeated) => format!("{}[{}].{}", self.section, self.number, self.key),
+            Some(SectionPresence::Repeated | SectionPresence::Several) => {
+                format!("{outer}[{}]{within}.{}", self.number, self.key)
+            }
             _ => format!("{}.{}", self.section, self.key),
         }
     }
@@ -68,19 +72,26 @@ pub(in crate::study) fn substituted<'a>(
 
 /// The table of a section, made where the section may be left out and is.
 fn table_of<'t, 'a>(root: &'t mut DeTable<'a>, of: &Substitute) -> Option<&'t mut DeTable<'a>> {
-    let section = SECTIONS.iter().find(|section| section.name == of.section)?;
-    if section.presence != SectionPresence::Repeated && root.get(section.name).is_none() {
+    let (outer, inner) = of.section.split_once('.').unwrap_or((of.section, ""));
+    let section = SECTIONS.iter().find(|section| section.name == outer)?;
+    let is_one = !matches!(section.presence, SectionPresence::Repeated | SectionPresence::Several);
+    if is_one && root.get(section.name).is_none() {
         let name = Spanned::new(0..0, Cow::Borrowed(section.name));
         root.insert(name, Spanned::new(0..0, DeValue::Table(DeTable::new())));
     }
-    match (section.presence, root.get_mut(section.name)?.get_mut()) {
-        (SectionPresence::Repeated, DeValue::Array(tables)) => {
-            match tables.get_mut(of.number.checked_sub(1)?)?.get_mut() {
-                DeValue::Table(table) => Some(table),
-                _ => None,
-            }
-        }
-        (_, DeValue::Table(table)) => Some(table),
+    let place = root.get_mut(section.name)?.get_mut();
+    let table = if is_one {
+        as_table(place)?
+    } else {
+        let DeValue::Array(tables) = place else { return None };
+        as_table(tables.get_mut(of.number.checked_sub(1)?)?.get_mut())?
+    };
+    if inner.is_empty() { Some(table) } else { as_table(table.get_mut(inner)?.get_mut()) }
+}
+
+fn as_table<'t, 'a>(value: &'t mut DeValue<'a>) -> Option<&'t mut DeTable<'a>> {
+    match value {
+        DeValue::Table(table) => Some(table),
         _ => None,
     }
 }

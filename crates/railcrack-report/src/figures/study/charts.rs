@@ -29,9 +29,9 @@ pub(crate) fn study_charts(runs: &[&StudyRun], styles: &Styles) -> Vec<Chart> {
         summaries.flat_map(|(run, summary)| summary.cracks.iter().map(move |crack| (run, crack)))
     };
     let grown = cracks().map(|(run, crack)| {
-        let has_grown = crack.points_mm.len() > crack.initial_points_mm.len();
+        let has_grown = paths::whole(crack).len() > crack.initial_points_mm.len();
         let dots = if has_grown { CurveDots::Last } else { CurveDots::None };
-        styles.curve(run, paths::by_depth(&crack.points_mm)).with_dots(dots)
+        styles.curve(run, paths::by_depth(paths::whole(crack))).with_dots(dots)
     });
     charts.push(paths::chart("Crack paths to scale.", grown.collect(), cracks().map(|(_, crack)| crack)));
     if with_tip.iter().any(|(_, tip)| tip.rows.len() > 1) {

@@ -20,6 +20,7 @@ pub(super) fn explorer(run: &RunFolder, shown: &ShownRun) -> Value {
             json!({
                 "step": step,
                 "cracks": polylines(run, step),
+                "lines": worn(run, step),
                 "tips": tips(run, shown.histories(step), step),
                 "faces": shown.faces(step),
             })
@@ -64,6 +65,33 @@ fn polylines(run: &RunFolder, step: usize) -> Value {
         ends
     };
     run.summary.cracks.iter().enumerate().map(of_crack).map(|ends| json!(ends)).collect()
+}
+
+/// Every crack in `step` as it is below a surface that has come down; null where it has not.
+fn worn(run: &RunFolder, step: usize) -> Option<Vec<Vec<Value>>> {
+    let removed = run.growth.iter().find(|row| row.step == step)?.removed?;
+    run.summary.cracks.iter().any(|crack| crack.path_mm.is_some()).then_some(())?;
+    let of_crack = |(i, crack): (usize, &railcrack_run::CrackSummary)| {
+        let path: Vec<[f64; 2]> = crack
+            .path_mm
+            .as_ref()
+            .unwrap_or(&crack.points_mm)
+            .iter()
+            .map(|p| [p[0], p[1] + removed])
+            .collect();
+        let row = run.growth.iter().rfind(|row| (row.step, row.crack) == (step, i + 1));
+        let last = row.map_or(path.len() - 1, |row| nearest(&path, row.place));
+        let below = |i: usize| path[i][1] < 0.0;
+        let from = (0..=last).find(|&i| below(i)).unwrap_or(last);
+        let mouth = from.checked_sub(1).map(|above| {
+            let (a, b) = (path[above], path[from]);
+            let share = if a[1] == b[1] { 1.0 } else { a[1] / (a[1] - b[1]) };
+            [a[0] + share * (b[0] - a[0]), 0.0]
+        });
+        let points = mouth.into_iter().chain(path[from..=last].iter().copied());
+        points.map(|p| json!(numbers(p))).collect()
+    };
+    Some(run.summary.cracks.iter().enumerate().map(of_crack).collect())
 }
 
 /// The pieces that are enclosed and the cracks that have joined others, with the first step that

@@ -5,7 +5,7 @@ use crate::numbers::{fixed, grouped, significant, tonnage};
 use crate::page::Block;
 use crate::table::{MISSING, Table};
 use railcrack_run::decision::{
-    CriticalBy, Decision, InspectionSummary, Quantiles, ScatterSummary, WheelSummary,
+    CriticalBy, Decision, InspectionSummary, MaintenanceSummary, Quantiles, ScatterSummary, WheelSummary,
 };
 
 /// Rows of the table of depths, about; `summary.json` has all.
@@ -16,6 +16,7 @@ pub(super) fn decision(run: &RunFolder) -> Vec<Block> {
     let Some(decision) = &run.summary.decision else { return Vec::new() };
     let mut sentences = Vec::new();
     sentences.extend(decision.inspection.as_ref().map(interval));
+    sentences.extend(decision.maintenance.as_ref().map(maintenance));
     sentences.extend(decision.scatter.as_ref().and_then(scatter));
     let mut blocks = vec![Block::Heading("Decision".to_owned())];
     if !sentences.is_empty() {
@@ -60,8 +61,44 @@ fn interval(inspection: &InspectionSummary) -> String {
     format!("{found}; {critical}.{interval}")
 }
 
+/// Growth against wear and grinding in a few sentences.
+fn maintenance(maintenance: &MaintenanceSummary) -> String {
+    let mut text = format!(
+        "Wear and grinding remove {} mm of the surface per MGT in the mean, {} mm so far.",
+        significant(maintenance.removal_mm_per_mgt),
+        fixed(maintenance.removed_mm, 2)
+    );
+    if let Some([first, last]) = maintenance.growth_over_removal {
+        text.push_str(&format!(
+            " Growth into the depth is {} times that at the beginning and {} times in the last step.",
+            significant(first),
+            significant(last)
+        ));
+    }
+    if let Some(depth) = maintenance.balance_depth_mm {
+        text.push_str(&format!(" They are in balance at a depth of {} mm.", fixed(depth, 2)));
+    }
+    if let Some(mgt) = maintenance.mgt_to_worn_away {
+        text.push_str(&format!(" After {} MGT nothing of the crack is left.", tonnage(mgt)));
+    }
+    text
+}
+
 /// Scatter in a sentence; none where no sample gets to an end.
 fn scatter(scatter: &ScatterSummary) -> Option<String> {
+    let growing = scatter.probability_growing.map(|probability| {
+        format!(
+            "The crack grows faster at first than wear and grinding take it away with a probability of {}.",
+            significant(probability)
+        )
+    });
+    let ways = ways(scatter);
+    let sentences: Vec<String> = ways.into_iter().chain(growing).collect();
+    (!sentences.is_empty()).then(|| sentences.join(" "))
+}
+
+/// The way from detectable to critical in the samples; none where half of them do not get there.
+fn ways(scatter: &ScatterSummary) -> Option<String> {
     let Quantiles { p05, p50, p95 } = scatter.mgt_detectable_to_critical;
     let shown = |mgt: Option<f64>| mgt.map_or_else(|| "more than the run".to_owned(), tonnage);
     let mut text = format!(

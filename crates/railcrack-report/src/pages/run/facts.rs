@@ -45,6 +45,13 @@ pub(super) fn verdict(run: &RunFolder) -> String {
             grouped(last.load_cycles),
             run.heading(last).map_or_else(|| "with no direction yet".to_owned(), |h| h.sentence())
         )
+    } else if last.removed.is_some_and(|removed| removed > 0.0) {
+        format!(
+            "{name} is worn from {} to {} mm in {} load cycles: wear and grinding take more than grows.",
+            fixed(first.length, 2),
+            fixed(last.length, 2),
+            grouped(last.load_cycles),
+        )
     } else if last.stop == Some(RunStop::NoTipGrows(TipStop::Arrest)) || last.rate == 0.0 {
         format!("{name} of {} mm does not grow.", fixed(first.length, 2))
     } else {
@@ -90,6 +97,9 @@ fn stop_sentence(run: &RunFolder) -> String {
         Some("fracture") => "The run ended with brittle fracture: the largest k_{1} of a passage reaches the toughness, and the \
              rail breaks."
             .to_owned(),
+        Some("worn-away") => {
+            "The run ended because wear and grinding have taken the whole crack.".to_owned()
+        }
         Some("meets-crack") => "The run ended because the last growing tip reached another crack.".to_owned(),
         Some("leaves-rail") => "The run ended because the last growing tip would leave the rail.".to_owned(),
         Some(other) => format!("The run ended: {}.", other.replace('-', " ")),

@@ -1,4 +1,4 @@
-//! Calibration of the growth law by measured depths or lengths over traffic.
+//! Calibration of the coefficient of the growth law, in closed form.
 
 use crate::OutputError;
 use crate::csv::TipRow;
@@ -61,6 +61,12 @@ pub enum CalibrationError {
         /// Line and reason.
         reason: String,
     },
+    /// A parameter that makes no difference.
+    #[error("{key} makes no difference to the tonnage at which the measured sizes are reached")]
+    NoInfluence {
+        /// The parameter.
+        key: String,
+    },
     /// No measurement within the sizes of the run.
     #[error(
         "no measurement is within the sizes of the run, more than {from:.3} to {to:.3} mm, at more than 0 MGT"
@@ -98,6 +104,37 @@ pub fn read_measured(file: &str, text: &str) -> Result<(Measure, Vec<Measured>),
     Ok((measure, measured))
 }
 
+impl Measure {
+    /// The quantity in a row, mm.
+    fn of(self, row: &TipRow) -> f64 {
+        match self {
+            Self::Depth => row.depth.unwrap_or(-row.place[1]),
+            Self::Length => row.length,
+        }
+    }
+}
+
+/// The `measured` cracks beside those of a run; none for one that is beyond its sizes.
+pub fn compared(
+    rows: &[TipRow],
+    tonnes: f64,
+    measure: Measure,
+    measured: &[Measured],
+) -> Vec<Option<Compared>> {
+    let size = |row: &TipRow| measure.of(row);
+    let mgt = |row: &TipRow| 1e-6 * tonnes * row.load_cycles;
+    let computed = |wanted: f64| {
+        let pair = rows.windows(2).find(|pair| size(&pair[0]) < wanted && size(&pair[1]) >= wanted)?;
+        let share = (wanted - size(&pair[0])) / (size(&pair[1]) - size(&pair[0]));
+        Some(mgt(&pair[0]) + share * (mgt(&pair[1]) - mgt(&pair[0])))
+    };
+    let compare = |measured: &Measured| {
+        let computed_mgt = computed(measured.size).filter(|mgt| *mgt > 0.0 && measured.mgt > 0.0)?;
+        Some(Compared { measured: *measured, computed_mgt, ratio: computed_mgt / measured.mgt })
+    };
+    measured.iter().map(compare).collect()
+}
+
 /// Fits the coefficient of the growth law of a run to `measured` cracks; `rows` are those of its
 /// deepest tip, and axles have `tonnes` in the mean.
 ///
@@ -112,22 +149,9 @@ pub fn calibrate(
     measure: Measure,
     measured: &[Measured],
 ) -> Result<Calibration, CalibrationError> {
-    let size = |row: &TipRow| match measure {
-        Measure::Depth => row.depth.unwrap_or(-row.place[1]),
-        Measure::Length => row.length,
-    };
-    let mgt = |row: &TipRow| 1e-6 * tonnes * row.load_cycles;
-    let computed = |wanted: f64| {
-        let pair = rows.windows(2).find(|pair| size(&pair[0]) < wanted && size(&pair[1]) >= wanted)?;
-        let share = (wanted - size(&pair[0])) / (size(&pair[1]) - size(&pair[0]));
-        Some(mgt(&pair[0]) + share * (mgt(&pair[1]) - mgt(&pair[0])))
-    };
-    let compare = |measured: &Measured| {
-        let computed_mgt = computed(measured.size).filter(|mgt| *mgt > 0.0 && measured.mgt > 0.0)?;
-        Some(Compared { measured: *measured, computed_mgt, ratio: computed_mgt / measured.mgt })
-    };
-    let used: Vec<Compared> = measured.iter().filter_map(compare).collect();
+    let used: Vec<Compared> = compared(rows, tonnes, measure, measured).into_iter().flatten().collect();
     if used.is_empty() {
+        let size = |row: &TipRow| measure.of(row);
         let (from, to) = (rows.first().map_or(0.0, size), rows.last().map_or(0.0, size));
         return Err(CalibrationError::NothingToCompare { from, to });
     }
@@ -143,7 +167,7 @@ pub fn calibrate(
 }
 
 /// Student's t of 97.5 % for some `degrees` of freedom: a table, between its entries from above.
-fn student(degrees: usize) -> f64 {
+pub(super) fn student(degrees: usize) -> f64 {
     const TABLE: [(usize, f64); 14] = [
         (1, 12.706),
         (2, 4.303),
@@ -190,6 +214,7 @@ mod tests {
             depth: None,
             mgt: None,
             shares: Default::default(),
+            removed: None,
         };
         (0..5).map(row).collect()
     }

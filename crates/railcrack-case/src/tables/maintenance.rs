@@ -1,0 +1,68 @@
+//! `[maintenance]`: wear and grinding of the running surface.
+
+use crate::schema::{Report, SectionValues, choice, closed, number, positive, read_by_word, section};
+use railcrack::growth::{Grinding, Maintenance, StressMoves};
+
+section! {
+    MAINTENANCE "maintenance", Optional,
+        "Wear and grinding, which remove the running surface and cut the cracks at their mouths; needs axle loads.";
+    WEAR: f64 = number("wear_mm_per_mgt", "mm/MGT", closed(0.0, 100.0), 0.0,
+        "Wear of the running surface in depth, mm per million gross tonnes.");
+    GRINDING: f64 = number("grinding_mm", "mm", positive(100.0), 0.2,
+        "Depth that is ground off each time; with grinding_interval_mgt.").optional();
+    GRINDING_INTERVAL: f64 = number("grinding_interval_mgt", "MGT", closed(1e-6, 1e6), 20.0,
+        "Million gross tonnes from one grinding to the next, and from the beginning to the first.").optional();
+    STRESS: StressMoves = choice("stress_moves_with",
+        "Fate of residual and plastic stress below the surface that comes down.");
+}
+
+read_by_word!(StressMoves);
+
+/// Wear and grinding of the running surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MaintenancePlan {
+    /// Wear, mm per million gross tonnes.
+    pub wear: f64,
+    /// Depth (mm) and interval (million gross tonnes) of grinding.
+    pub grinding: Option<(f64, f64)>,
+    /// Fate of residual and plastic stress.
+    pub stress: StressMoves,
+}
+
+impl MaintenancePlan {
+    /// Removal of the surface in the mean, mm per million gross tonnes.
+    #[must_use]
+    pub fn removal(&self) -> f64 {
+        self.wear + self.grinding.map_or(0.0, |(depth, interval)| depth / interval)
+    }
+
+    /// The same per axle of `tonnes`.
+    #[must_use]
+    pub fn per_axle(&self, tonnes: f64) -> Maintenance {
+        let grinding =
+            self.grinding.map(|(depth, interval)| Grinding { depth, interval: 1e6 * interval / tonnes });
+        Maintenance { wear: 1e-6 * tonnes * self.wear, grinding, stress: self.stress }
+    }
+}
+
+/// Wear and grinding; `has_tonnes` says whether axle loads are given.
+pub(crate) fn read_maintenance(
+    section: &SectionValues,
+    has_tonnes: bool,
+    report: &mut Report,
+) -> Option<MaintenancePlan> {
+    super::inspection::needs_tonnes(section, has_tonnes, report)?;
+    let grinding = match (section.get(GRINDING), section.get(GRINDING_INTERVAL)) {
+        (Some(depth), Some(interval)) => Some((depth, interval)),
+        (None, None) => None,
+        (depth, _) => {
+            let (given, other) =
+                if depth.is_some() { (GRINDING, GRINDING_INTERVAL) } else { (GRINDING_INTERVAL, GRINDING) };
+            let says = format!("needs {} beside it", other.key.name);
+            report
+                .add(section.fault(given, says).help("a depth each time, and the tonnes between two times"));
+            return None;
+        }
+    };
+    Some(MaintenancePlan { wear: section.get(WEAR)?, grinding, stress: section.get(STRESS)? })
+}

@@ -1,0 +1,68 @@
+//! Growth of a crack against the removal of the surface by wear and grinding.
+
+use super::summary::DecisionRow;
+use railcrack_case::MaintenancePlan;
+use serde::{Deserialize, Serialize};
+
+/// Growth against wear and grinding.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct MaintenanceSummary {
+    /// Wear, mm per million gross tonnes.
+    pub wear_mm_per_mgt: f64,
+    /// Depth of each grinding, mm.
+    pub grinding_mm: Option<f64>,
+    /// Million gross tonnes between grindings.
+    pub grinding_interval_mgt: Option<f64>,
+    /// Removal of the surface by both in the mean, mm per million gross tonnes.
+    pub removal_mm_per_mgt: f64,
+    /// Removed up to the last step, mm.
+    pub removed_mm: f64,
+    /// Growth into the depth over the removal, at the beginning and in the last step; above one the
+    /// crack gets deeper. Null for a buried crack, or where nothing is removed.
+    pub growth_over_removal: Option<[f64; 2]>,
+    /// Depth (mm) at which growth and removal are in balance: the crack that is less deep is worn
+    /// away where the deeper one grows. Null where the run does not pass it.
+    pub balance_depth_mm: Option<f64>,
+    /// Million gross tonnes until nothing of the crack is left; null where something stays.
+    pub mgt_to_worn_away: Option<f64>,
+}
+
+impl MaintenanceSummary {
+    /// Of the crack of `rows`, of which nothing is left after them where it `is_worn_away`, after
+    /// `removed` (mm) of the surface.
+    pub(super) fn of(plan: &MaintenancePlan, rows: &[DecisionRow], is_worn_away: bool, removed: f64) -> Self {
+        let removal = plan.removal();
+        let ratio =
+            |row: &DecisionRow| Some(row.balance_mm_per_mgt? / removal).filter(|ratio| ratio.is_finite());
+        let ends = rows.first().and_then(ratio).zip(rows.last().and_then(ratio));
+        Self {
+            wear_mm_per_mgt: plan.wear,
+            grinding_mm: plan.grinding.map(|(depth, _)| depth),
+            grinding_interval_mgt: plan.grinding.map(|(_, interval)| interval),
+            removal_mm_per_mgt: removal,
+            removed_mm: removed,
+            growth_over_removal: ends.map(|(first, last)| [first, last]),
+            balance_depth_mm: rows.windows(2).find_map(|pair| balance(pair, ratio)),
+            mgt_to_worn_away: rows.last().filter(|_| is_worn_away).and_then(|last| end(plan, last)),
+        }
+    }
+}
+
+/// Where the ratio of growth to removal passes one between two rows.
+fn balance(pair: &[DecisionRow], ratio: impl Fn(&DecisionRow) -> Option<f64>) -> Option<f64> {
+    let (from, to) = (ratio(&pair[0])? - 1.0, ratio(&pair[1])? - 1.0);
+    let share = from / (from - to);
+    (from * to < 0.0).then(|| pair[0].depth_mm + share * (pair[1].depth_mm - pair[0].depth_mm))
+}
+
+/// Million gross tonnes at which what is left in the row `last` is gone: at the next grinding, or
+/// earlier by wear.
+fn end(plan: &MaintenancePlan, last: &DecisionRow) -> Option<f64> {
+    let net = plan.wear - last.balance_mm_per_mgt.unwrap_or(0.0);
+    let by_wear = if net > 0.0 { last.mgt + last.depth_mm / net } else { f64::INFINITY };
+    let next = |(_, interval): (f64, f64)| ((last.mgt / interval + ROUNDING).floor() + 1.0) * interval;
+    Some(by_wear.min(plan.grinding.map_or(f64::INFINITY, next))).filter(|mgt| mgt.is_finite())
+}
+
+/// A grinding that is due within this share of its interval has just taken place: rounding of sums.
+const ROUNDING: f64 = 1e-9;

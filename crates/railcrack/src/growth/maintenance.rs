@@ -1,0 +1,74 @@
+//! Wear and grinding, which remove the running surface and the mouths of its cracks.
+
+use crate::field::StressField;
+use crate::math::{OutOfRange, Stress, Vec2};
+use crate::words::{Choice, Word};
+
+/// Removal of the running surface while cracks grow.
+///
+/// A crack is open to the surface at its mouth, which moves down into the crack: its length changes
+/// by dl/dN = da/dN − w/sin θ, w the wear per cycle and θ the angle of the crack at its mouth. Where
+/// both are equal the crack grows as fast as it is worn away.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Maintenance {
+    /// Wear of the running surface, mm per load cycle.
+    pub wear: f64,
+    /// Grinding, where there is any.
+    pub grinding: Option<Grinding>,
+    /// Fate of a residual stress when the surface is removed.
+    pub stress: StressMoves,
+}
+
+/// Grinding at regular intervals.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Grinding {
+    /// Depth that is taken off each time, mm.
+    pub depth: f64,
+    /// Load cycles from one grinding to the next; the first is one interval after the beginning.
+    pub interval: f64,
+}
+
+/// Fate of a residual stress when the surface is removed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum StressMoves {
+    /// It stays where it is in the steel, and comes nearer to the surface.
+    WithMetal,
+    /// It keeps its depth below the surface: rolling restores it as fast as the surface is removed.
+    WithSurface,
+}
+
+impl Choice for StressMoves {
+    const WORDS: &'static [(Self, Word)] = &[
+        (Self::WithMetal, Word::now("metal", "the stress stays where it is in the steel")),
+        (Self::WithSurface, Word::now("surface", "the stress keeps its depth below the surface")),
+    ];
+}
+
+impl Maintenance {
+    /// Refuses wear that is negative and grinding that never takes place.
+    pub fn check(&self) -> Result<(), OutOfRange> {
+        let wears = self.wear >= 0.0 && self.wear.is_finite();
+        OutOfRange::unless(wears, "wear (mm per cycle)", self.wear, "zero or more")?;
+        let Some(Grinding { depth, interval }) = self.grinding else { return Ok(()) };
+        OutOfRange::unless_positive("grinding depth (mm)", depth)?;
+        OutOfRange::unless_positive("cycles between grindings", interval)
+    }
+
+    /// The removal of the surface in the mean, mm per load cycle.
+    #[must_use]
+    pub fn removal(&self) -> f64 {
+        self.wear + self.grinding.map_or(0.0, |grinding| grinding.depth / grinding.interval)
+    }
+}
+
+/// A field of the steel below a surface that has come down by `removed` (mm).
+pub(super) struct Uncovered<'a> {
+    pub field: &'a dyn StressField,
+    pub removed: f64,
+}
+
+impl StressField for Uncovered<'_> {
+    fn stress(&self, point: Vec2) -> Stress {
+        self.field.stress(Vec2::new(point.x, point.y - self.removed))
+    }
+}
