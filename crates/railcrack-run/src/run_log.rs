@@ -71,7 +71,10 @@ fn largest_k1_at(record: &StepRecord) -> Option<f64> {
 fn whole_path(before: &[Vec2], crack: &Crack, removed: f64) -> Vec<Vec2> {
     let lowered = crack.points().iter().map(|point| Vec2::new(point.x, point.y - removed));
     let above = before.iter().take_while(|point| crack.is_surface_breaking() && point.y > -removed);
-    above.copied().chain(lowered).collect()
+    let above: Vec<Vec2> = above.copied().collect();
+    // The mouth of now is no vertex of the path, but where it is cut.
+    let mouth = usize::from(!above.is_empty());
+    above.into_iter().chain(lowered.skip(mouth)).collect()
 }
 
 /// All finished growth steps.

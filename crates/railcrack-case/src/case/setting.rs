@@ -54,7 +54,8 @@ pub(crate) fn place_of(path: &str) -> Result<Place, (String, String)> {
 
 type Place = (&'static Section, Option<usize>, &'static Key);
 
-/// `crack[2]` as name and number, `wheel[1].contact` as `wheel.contact` and the number of the wheel.
+/// `crack[2]` as name and number, `wheel[1].contact` as `wheel.contact` and the number of the
+/// wheel.
 fn numbered(table: &str) -> Option<(String, Option<usize>)> {
     match table.split_once('[') {
         None => Some((table.to_owned(), None)),

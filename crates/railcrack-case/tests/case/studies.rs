@@ -146,6 +146,43 @@ fn options_take_the_place_of_single_values() {
     assert!(study.runs.iter().all(|run| run.case.growth.steps == 3 && run.case.engine == Engine::Xfem));
 }
 
+/// Two wheels, with a list in the contact of the first and a distribution in that of the second.
+const MIX: &str = "\
+[[wheel]]
+share = 0.5
+contact = { peak_pressure_mpa = 900.0, half_width_mm = 6.0, friction = [0.1, 0.3] }
+[[wheel]]
+share = 0.5
+[wheel.contact]
+peak_pressure_mpa = 800.0
+half_width_mm = 6.0
+friction = 0.2
+[[crack]]
+mouth_mm = 0.0
+length_mm = 6.0
+angle_deg = 30.0
+friction = 0.3
+";
+
+#[test]
+fn keys_within_a_wheel_vary() {
+    let of_runs = |study: &Study| -> Vec<[f64; 2]> {
+        let shear = |case: &Case| [0, 1].map(|i| case.mix[i].wheel.contact().adhesion());
+        study.runs.iter().map(|run| shear(&run.case)).collect()
+    };
+    let listed = study(MIX);
+    assert_eq!(listed.axes[0].variations[0].key, "wheel[1].contact.friction");
+    assert_eq!(of_runs(&listed), [[0.1, 0.2], [0.3, 0.2]]);
+    let drawn =
+        MIX.replace("[0.1, 0.3]", "0.1").replace("friction = 0.2\n", "friction = { uniform = [0.2, 0.4] }\n");
+    let drawn = study(&format!("{drawn}[study]\nsamples = 8\n"));
+    assert_eq!(drawn.axes[0].variations[0].key, "wheel[2].contact.friction");
+    assert!(of_runs(&drawn).iter().all(|[one, two]| *one == 0.1 && (0.2..=0.4).contains(two)));
+    let settings = vec!["wheel[2].contact.friction=0.05".to_owned()];
+    let set = parse_with(MIX, &Overrides { settings, ..Overrides::default() }).unwrap();
+    assert_eq!(of_runs(&set), [[0.1, 0.05], [0.3, 0.05]]);
+}
+
 #[test]
 fn cases_and_studies_are_told_apart() {
     let is_study = |text: &str| {

@@ -135,8 +135,8 @@ impl Runs<'_> {
         Progress::new(verbosity, case.growth.steps, &self.interruption)
     }
 
-    /// The run number `number` with `value`, beside the measurements, and its rows; none where it is
-    /// interrupted.
+    /// The run number `number` with `value`, beside the measurements, and its rows; none where it
+    /// is interrupted.
     fn trial(&self, value: f64, number: usize) -> Result<Option<(Trial, Vec<TipRow>)>, Failure> {
         let case = self.case(value)?;
         let folder = trial_folder(self.folder, number);
@@ -213,9 +213,9 @@ fn table(trials: &[(Trial, Vec<TipRow>)], key: &str, measure: Measure) -> String
 }
 
 fn told(fit: &ParameterFit, key: &str, value: f64, (measured, runs): (usize, usize)) -> String {
-    let mut text = format!("{key} = {:.4}, {value} in the case", fit.value);
+    let mut text = format!("{key} = {}, {} in the case", number(fit.value), number(value));
     if let Some((low, high)) = fit.interval {
-        text.push_str(&format!(", 95 % from {low:.4} to {high:.4}"));
+        text.push_str(&format!(", 95 % from {} to {}", number(low), number(high)));
     }
     text.push('\n');
     if fit.is_at_end {
@@ -226,6 +226,15 @@ fn told(fit: &ParameterFit, key: &str, value: f64, (measured, runs): (usize, usi
     }
     text.push_str(&format!("{} of {measured} measurements used, {runs} runs\n", fit.used));
     text
+}
+
+/// Four digits behind the point, or of a number that is small or large.
+fn number(value: f64) -> String {
+    if value == 0.0 || (0.01..1e5).contains(&value.abs()) {
+        format!("{value:.4}")
+    } else {
+        format!("{value:.4e}")
+    }
 }
 
 #[cfg(test)]

@@ -183,7 +183,8 @@
     }
     data.cracks.forEach((crack, i) => {
       const depths = (points) => points.map(([px, py]) => [px, -py]);
-      marks.push(Plot.line(depths(crack.points), { stroke: crackColour(i + 1), strokeWidth: 1.6, strokeDasharray: "2 3" }));
+      const whole = shown[state.step].whole ? shown[state.step].whole[i] : crack.points;
+      marks.push(Plot.line(depths(whole), { stroke: crackColour(i + 1), strokeWidth: 1.6, strokeDasharray: "2 3" }));
       const now = polyline(i + 1, state.step);
       marks.push(Plot.line(depths(now), { stroke: data.cracks.length === 1 ? "var(--ink)" : crackColour(i + 1), strokeWidth: 3 }));
     });

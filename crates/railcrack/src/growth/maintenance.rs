@@ -6,9 +6,9 @@ use crate::words::{Choice, Word};
 
 /// Removal of the running surface while cracks grow.
 ///
-/// A crack is open to the surface at its mouth, which moves down into the crack: its length changes
-/// by dl/dN = da/dN − w/sin θ, w the wear per cycle and θ the angle of the crack at its mouth. Where
-/// both are equal the crack grows as fast as it is worn away.
+/// A crack is open to the surface at its mouth, which moves down into the crack: its length
+/// changes by dl/dN = da/dN − w/sin θ, w the wear per cycle and θ the angle of the crack at its
+/// mouth. Where both are equal the crack grows as fast as it is worn away.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Maintenance {
     /// Wear of the running surface, mm per load cycle.

@@ -51,8 +51,8 @@ impl GrowthState {
         }
     }
 
-    /// Takes up what the way to the next step removes of the surface. To be called before the cracks
-    /// of that step are taken; `drives` are the tips of this one.
+    /// Takes up what the way to the next step removes of the surface. To be called before the
+    /// cracks of that step are taken; `drives` are the tips of this one.
     pub(super) fn wear(&mut self, way: &Advance, drives: &[TipDrive]) {
         let lengths = (0..self.cracks.len()).map(|i| self.cracks[i].length() + self.deferred_at(i));
         let longest =

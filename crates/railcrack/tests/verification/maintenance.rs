@@ -58,7 +58,8 @@ fn rates() -> impl Fn(f64) -> f64 {
     }
 }
 
-/// dl/dN = da/dN − w/sin θ by small steps: the straight crack is the same one wherever its mouth is.
+/// dl/dN = da/dN − w/sin θ by small steps: the straight crack is the same one wherever its mouth
+/// is.
 fn integrated(rate: &impl Fn(f64) -> f64, loss: f64, to: f64) -> f64 {
     let steps = 4000;
     let d = (to - 6.0) / f64::from(steps);

@@ -96,8 +96,8 @@ fn kink_on_a_grid(wheels: &[(f64, &[Sif])]) -> f64 {
     angles.reduce(best).unwrap()
 }
 
-/// Where `kink` (degrees), a function of the share of the first wheel, passes the middle between its
-/// values without and with that wheel alone, to 1/512.
+/// Where `kink` (degrees), a function of the share of the first wheel, passes the middle between
+/// its values without and with that wheel alone, to 1/512.
 fn flip(kink: impl Fn(f64) -> f64) -> f64 {
     let (without, alone) = (kink(1e-6), kink(1.0 - 1e-6));
     assert!((without - alone).abs() > 20.0, "{without} and {alone} degrees");

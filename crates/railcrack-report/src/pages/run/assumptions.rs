@@ -20,10 +20,20 @@ pub(super) fn assumptions(run: &RunFolder) -> Vec<String> {
         rate(case),
         direction(case),
         solution(run),
-        "Limits: two dimensions, small-scale yielding, no fluid in the crack, no wear. The load cycles carry the scatter \
-         of the growth law, a factor of several."
-            .to_owned(),
+        limits(case),
     ]
+}
+
+fn limits(case: &Case) -> String {
+    let wear = if case.maintenance.is_some() {
+        "wear and grinding that cut the crack and leave profile and contact as they are"
+    } else {
+        "no wear"
+    };
+    format!(
+        "Limits: two dimensions, small-scale yielding, no fluid in the crack, {wear}. The load cycles carry the scatter \
+         of the growth law, a factor of several."
+    )
 }
 
 fn rail(case: &Case) -> String {

@@ -20,7 +20,8 @@ pub(super) fn explorer(run: &RunFolder, shown: &ShownRun) -> Value {
             json!({
                 "step": step,
                 "cracks": polylines(run, step),
-                "lines": worn(run, step),
+                "lines": worn(run, step, Until::Now),
+                "whole": worn(run, step, Until::Last),
                 "tips": tips(run, shown.histories(step), step),
                 "faces": shown.faces(step),
             })
@@ -67,8 +68,17 @@ fn polylines(run: &RunFolder, step: usize) -> Value {
     run.summary.cracks.iter().enumerate().map(of_crack).map(|ends| json!(ends)).collect()
 }
 
-/// Every crack in `step` as it is below a surface that has come down; null where it has not.
-fn worn(run: &RunFolder, step: usize) -> Option<Vec<Vec<Value>>> {
+/// How far a path is shown.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Until {
+    /// To its tip in the step.
+    Now,
+    /// To that of the last step.
+    Last,
+}
+
+/// Every crack below the surface of `step`, which has come down; null where it has not.
+fn worn(run: &RunFolder, step: usize, until: Until) -> Option<Vec<Vec<Value>>> {
     let removed = run.growth.iter().find(|row| row.step == step)?.removed?;
     run.summary.cracks.iter().any(|crack| crack.path_mm.is_some()).then_some(())?;
     let of_crack = |(i, crack): (usize, &railcrack_run::CrackSummary)| {
@@ -80,6 +90,7 @@ fn worn(run: &RunFolder, step: usize) -> Option<Vec<Vec<Value>>> {
             .map(|p| [p[0], p[1] + removed])
             .collect();
         let row = run.growth.iter().rfind(|row| (row.step, row.crack) == (step, i + 1));
+        let row = row.filter(|_| until == Until::Now);
         let last = row.map_or(path.len() - 1, |row| nearest(&path, row.place));
         let below = |i: usize| path[i][1] < 0.0;
         let from = (0..=last).find(|&i| below(i)).unwrap_or(last);
