@@ -94,6 +94,7 @@ mod tests {
             depth: None,
             mgt: None,
             shares: Default::default(),
+            removed: None,
         }
     }
 
