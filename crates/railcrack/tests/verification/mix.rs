@@ -16,11 +16,11 @@ fn wheel(peak_pressure: f64, friction: f64) -> HertzWheel {
 
 /// The steps of a crack of 6 mm at 30° under `wheels`, with their shares.
 fn steps(wheels: &[(f64, HertzWheel)]) -> Vec<StepRecord> {
-    grown(wheels, 2)
+    grown(wheels, 2, 6.0)
 }
 
-/// The same for a number of increments.
-fn grown(wheels: &[(f64, HertzWheel)], increments: usize) -> Vec<StepRecord> {
+/// The same for a number of increments and a length (mm) at first.
+fn grown(wheels: &[(f64, HertzWheel)], increments: usize, length: f64) -> Vec<StepRecord> {
     let engine = DislocationEngine { steel: steel(), resolution: FaceResolution::default() };
     let (first, others) = wheels.split_first().unwrap();
     let mut problem = GrowthProblem::new(engine, first.1, vec![0.3]);
@@ -34,7 +34,7 @@ fn grown(wheels: &[(f64, HertzWheel)], increments: usize) -> Vec<StepRecord> {
         toughness: None,
     };
     problem.others = others.iter().map(mixed).collect();
-    let mut growth = Growth::new(problem, GrowthState::initial(&surface_crack(0.0, 6.0, 30.0).into()));
+    let mut growth = Growth::new(problem, GrowthState::initial(&surface_crack(0.0, length, 30.0).into()));
     std::iter::from_fn(|| growth.next_step(&Unobserved).unwrap()).collect()
 }
 
@@ -110,15 +110,15 @@ fn flip(kink: impl Fn(f64) -> f64) -> f64 {
     0.5 * (low + high)
 }
 
-/// Kinks of the crack under a braking and a driving wheel of other loads, the share of the first.
+/// A crack of 4 mm branches upward under the heavy wheel and goes on under the braking one.
 #[test]
 fn the_share_at_which_the_direction_flips() {
-    let wheels = [wheel(1000.0, 0.3), wheel(800.0, -0.3)];
-    let alone = wheels.map(|wheel| grown(&[(1.0, wheel)], 0).remove(0));
+    let wheels = [wheel(1000.0, 0.1), wheel(800.0, 0.3)];
+    let alone = wheels.map(|wheel| grown(&[(1.0, wheel)], 0, 4.0).remove(0));
     let histories = alone.each_ref().map(|step| step.passages.last().unwrap().sifs[0].as_slice());
     let of_mix = flip(|share| {
         let mix = [(share, wheels[0]), (1.0 - share, wheels[1])];
-        grown(&mix, 0)[0].tips[0].kink.unwrap().to_degrees()
+        grown(&mix, 0, 4.0)[0].tips[0].kink.unwrap().to_degrees()
     });
     let by_hand = flip(|share| kink_on_a_grid(&[(share, histories[0]), (1.0 - share, histories[1])]));
     println!("direction flips at a share of {of_mix:.4}, by hand {by_hand:.4}");
