@@ -105,7 +105,7 @@ pub(crate) fn read_inspection(
     Some(read)
 }
 
-/// What scatters of a case.
+/// The numbers of a case that may scatter.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Scattering<'a> {
     /// K_Ic, MPa√m.

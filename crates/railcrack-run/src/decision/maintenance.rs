@@ -1,6 +1,6 @@
 //! Growth of a crack against the removal of the surface by wear and grinding.
 
-use super::summary::DecisionRow;
+use super::row::DecisionRow;
 use railcrack_case::MaintenancePlan;
 use serde::{Deserialize, Serialize};
 

@@ -3,6 +3,7 @@
 mod inspection;
 mod maintenance;
 mod path;
+mod row;
 mod scatter;
 mod summary;
 mod walk;
@@ -11,6 +12,7 @@ mod wheels;
 pub use inspection::{CriticalBy, InspectionSummary};
 pub use maintenance::MaintenanceSummary;
 pub use path::{GrowthPath, PathPoint};
+pub use row::DecisionRow;
 pub use scatter::{DepthQuantiles, Quantiles, Sampling, ScatterSummary, Sensitivity, sampled};
-pub use summary::{Decision, DecisionRow};
+pub use summary::Decision;
 pub use wheels::WheelSummary;

@@ -114,7 +114,7 @@ const KEYS: [&str; 5] = ["c_log_std", "m_std", "toughness_std", "detectable_dept
 /// stay what they were.
 const LATER: usize = 0x5EED_0000_0000;
 
-/// What is sampled.
+/// The crack that is sampled, and its scatter.
 #[derive(Debug, Clone, Copy)]
 pub struct Sampling<'a> {
     /// The crack.

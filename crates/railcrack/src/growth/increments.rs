@@ -42,7 +42,7 @@ pub struct Advance {
     /// The increment that set the pace, from which the cycles follow once the rate at its end is
     /// known; none where no cycles pass.
     pub interval: Option<Interval>,
-    /// What is removed of the running surface until then, mm.
+    /// Removed of the running surface until then, mm.
     pub removal: f64,
     /// Whether it is ground then.
     pub ground: bool,

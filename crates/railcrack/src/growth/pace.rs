@@ -3,7 +3,8 @@
 use super::cycles::Interval;
 use super::step_state::{StepState, TipDrive};
 use super::stops::grows;
-use super::worn::{EarlierRates, mouth_sine};
+use super::surface::EarlierRates;
+use super::worn::mouth_sine;
 use super::{GrowthSettings, Maintenance, TipStop};
 use crate::crack::CrackTip;
 
@@ -20,7 +21,7 @@ pub(super) struct Pace {
     pub cycles: f64,
     /// Whether it has these cycles, whatever the rate at its end.
     is_settled: bool,
-    /// What is removed of the surface, mm.
+    /// Removed of the surface, mm.
     pub removal: f64,
     /// Whether the surface is ground at its end.
     pub grinds: bool,

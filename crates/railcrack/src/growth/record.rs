@@ -91,7 +91,7 @@ pub struct StepRecord {
     pub fields: Option<FieldRecord>,
     /// Load cycles at the start of the step.
     pub load_cycles: f64,
-    /// What wear and grinding have removed of the running surface since the beginning, mm.
+    /// Removed of the running surface since the beginning, by wear and grinding, mm.
     /// Coordinates count from the surface that is left.
     pub removed: f64,
     /// Number of displacement unknowns of the body.

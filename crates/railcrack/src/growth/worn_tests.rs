@@ -1,11 +1,11 @@
 //! Cracks cut at their mouths.
 
 use super::*;
-use crate::crack::End;
+use crate::crack::{CrackTip, End};
 use crate::growth::fixtures::{SETTINGS, crack, state};
 use crate::growth::{
-    DeferredGrowth, Grinding, GrowthSettings, Maintenance, RunStop, StepState, StressMoves, TipDrive,
-    TipStop, advance,
+    DeferredGrowth, EarlierRates, Grinding, GrowthSettings, Maintenance, RunStop, StepState, StressMoves,
+    TipDrive, TipStop, WornSurface, advance,
 };
 
 const ROUNDING: f64 = 1e-13;
