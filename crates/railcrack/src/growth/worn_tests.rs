@@ -145,7 +145,9 @@ fn a_crack_that_is_worn_away_ends_the_run_and_others_go_on_without_it() {
     let other = TipDrive { tip: CrackTip { crack: 1, tip: 0, end: End::Last }, ..drive(1e-6) };
     let next = advance(&state(&both, &[tips[0], other], 0.01), &deep);
     assert_eq!((next.stop, next.tips[0].stop, next.tips[1].stop), (None, Some(TipStop::WornAway), None));
-    assert!((next.cracks[1].length() - (6.0 - 3.1 + 0.1)).abs() < ROUNDING, "{next:?}");
+    // Its growth until then is too short for a segment.
+    assert!((next.cracks[1].length() - (6.0 - 3.1)).abs() < ROUNDING, "{next:?}");
+    assert!((next.tips[1].deferred.length - 0.1).abs() < ROUNDING, "{next:?}");
     assert!((next.cracks[0].length() - 0.25).abs() < ROUNDING, "{next:?}");
     let stopped = TipDrive { stopped: Some(TipStop::WornAway), ..tips[0] };
     let surface = WornSurface { removed: 3.1, grindings: 1, longest: vec![5.0, 6.0], before: None };
@@ -157,7 +159,7 @@ fn a_crack_that_is_worn_away_ends_the_run_and_others_go_on_without_it() {
 
 #[test]
 fn a_surface_that_comes_down_to_a_junction_ends_the_run() {
-    let cracks = [crack(&[(0.0, 0.0), (2.0, -2.0), (4.0, -4.0)]), crack(&[(6.0, 0.0), (2.0, -2.0)])];
+    let cracks = [crack(&[(0.0, 0.0), (2.0, -2.0), (4.0, -4.0)]), crack(&[(6.0, -5.0), (2.0, -2.0)])];
     let junctions = [Junction { joining: crate::crack::CrackEnd { crack: 1, end: End::Last }, onto: 0 }];
     let tips = [drive(1e-6)];
     let at = StepState { junctions: &junctions, ..state(&cracks, &tips, 0.01) };
