@@ -18,6 +18,10 @@ pub struct History {
     pub ki: Vec<f64>,
     /// K_II, MPa√m.
     pub kii: Vec<f64>,
+    /// Pressure of the fluid in the crack, MPa; empty for dry cracks.
+    pub pressure: Vec<f64>,
+    /// Volume of the crack with fluid per width, mm²; empty for dry cracks.
+    pub volume: Vec<f64>,
 }
 
 impl History {
@@ -49,6 +53,8 @@ impl History {
                 history.xc_over_a.push(row.xc_over_a);
                 history.ki.push(row.ki);
                 history.kii.push(row.kii);
+                history.pressure.extend(row.fluid_pressure);
+                history.volume.extend(row.fluid_volume);
             }
         }
         Ok(histories)

@@ -38,6 +38,8 @@ pub struct RunInfo {
     pub toughness: Option<f64>,
     /// ΔK_eq (MPa√m) of the first and the last row of the growth law, where it is a table.
     pub law_table: Option<(f64, f64)>,
+    /// Whether there is fluid in the cracks.
+    pub fluid: bool,
     /// Mean axle load in tonnes, for million gross tonnes.
     pub axle_load: Option<f64>,
     /// The wheels of a mix; empty for one wheel.
@@ -62,6 +64,8 @@ impl RunInfo {
     pub fn sections(&self) -> Vec<&'static str> {
         let traffic = self.axle_load.map(|_| "traffic");
         let maintenance = self.maintenance.map(|_| "maintenance");
-        traffic.into_iter().chain(self.mix.iter().map(|_| "wheel")).chain(maintenance).collect()
+        let fluid = self.fluid.then_some("fluid");
+        let wheels = self.mix.iter().map(|_| "wheel");
+        traffic.into_iter().chain(wheels).chain(maintenance).chain(fluid).collect()
     }
 }

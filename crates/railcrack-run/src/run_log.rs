@@ -22,6 +22,8 @@ pub(crate) struct StepDigest {
     pub largest_k1_at: Option<f64>,
     pub dofs: usize,
     pub face_points: usize,
+    /// Largest opening of the faces, mm.
+    pub largest_opening: f64,
     pub counts: SolverCounts,
     pub times: PhaseTimes,
     pub stop: Option<RunStop>,
@@ -108,6 +110,13 @@ impl RunLog {
             largest_k1_at: largest_k1_at(record),
             dofs: record.dofs,
             face_points: record.faces.points.len(),
+            largest_opening: record
+                .faces
+                .states
+                .iter()
+                .flatten()
+                .map(|state| state.opening)
+                .fold(0.0, f64::max),
             counts: record.counts,
             times: record.times,
             stop: record.stop,

@@ -68,7 +68,8 @@ pub(crate) fn of_steps(info: &RunInfo, log: &RunLog) -> Vec<Warning> {
         let fastest = fastest.max_by(|a, b| a.rate.total_cmp(&b.rate))?;
         validity::growth(fastest.delta_keq / MPA_SQRT_MM, info.law_table)
     };
-    [first(&depth), first(&toughness), first(&growth)].into_iter().flatten().collect()
+    let flap = |step: &StepDigest| info.fluid.then(|| validity::flap(step.largest_opening)).flatten();
+    [first(&depth), first(&toughness), first(&growth), first(&flap)].into_iter().flatten().collect()
 }
 
 fn at_step(step: usize, warning: &ValidityWarning) -> Warning {

@@ -87,6 +87,17 @@ pub enum ValidityWarning {
         /// Depth to which the half-plane serves, mm.
         limit: f64,
     },
+    /// Faces that fluid opens so far that the wheel would feel it.
+    #[error(
+        "fluid opens the faces of a crack by up to {opening:.3} mm, beyond {limit} mm: the wheel would feel the flap above and press \
+         it down, which this model leaves out; K is a bound from above"
+    )]
+    LiftedFlap {
+        /// The largest opening, mm.
+        opening: f64,
+        /// The opening that a wheel does not feel, mm.
+        limit: f64,
+    },
     /// A length that looks like metres.
     #[error("{quantity} is {value} mm: if {value} m is meant, write {} mm", 1e3 * value)]
     LengthInMetres {
@@ -110,6 +121,7 @@ impl ValidityWarning {
             Self::BeyondToughness { .. } => "beyond-toughness",
             Self::OutsideLaw { .. } => "outside-law",
             Self::DeepCrackInBending { .. } => "deep-crack-in-bending",
+            Self::LiftedFlap { .. } => "lifted-flap",
             Self::LengthInMetres { .. } => "length-in-metres",
             Self::NoAxleHere => "no-axle-here",
         }
@@ -164,6 +176,9 @@ pub const BENDING_DEPTH: f64 = 20.0;
 pub const SHORTEST_HALF_WIDTH: f64 = 0.1;
 /// Crack lengths (mm) below which metres are likely: a grain of rail steel is as large.
 pub const SHORTEST_CRACK: f64 = 0.05;
+/// Opening (mm) of a crack under a wheel that the wheel does not feel: more is beyond its
+/// indentation.
+pub const UNFELT_OPENING: f64 = 0.05;
 /// |q|/p that dry steel on steel does not exceed.
 pub const DRY_FRICTION: f64 = 0.6;
 /// ΔK_eq (MPa√m) between the threshold of rail steel and the end of stable growth: tests of da/dN
@@ -221,6 +236,12 @@ pub fn growth(delta_k: f64, table: Option<(f64, f64)>) -> Option<ValidityWarning
 /// The `depth` (mm) of the deepest tip of a rail that bends.
 pub fn depth_in_bending(depth: f64) -> Option<ValidityWarning> {
     (depth > BENDING_DEPTH).then_some(ValidityWarning::DeepCrackInBending { depth, limit: BENDING_DEPTH })
+}
+
+/// The largest `opening` (mm) of faces with fluid against [`UNFELT_OPENING`].
+pub fn flap(opening: f64) -> Option<ValidityWarning> {
+    let limit = UNFELT_OPENING;
+    (opening > limit).then_some(ValidityWarning::LiftedFlap { opening, limit })
 }
 
 /// The half-width of the contact (mm) against metres.

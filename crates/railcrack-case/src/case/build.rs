@@ -7,11 +7,11 @@ use super::mix::{MixedWheel, ReadWheel, read_mix};
 use crate::files::read_profile;
 use crate::schema::{Report, SectionValues, Sections, Value, Written};
 use crate::tables::{
-    AXLE_LOAD, CENTRE, CONTACT, CRACK, ENGINE, Engine, FOUNDATION, FRACTURE, FROM, FieldOutput, Fracture,
-    GROWTH, GivenWheel, INSPECTION, LAW_KEYS, MAINTENANCE, MESH, MeshSettings, OUTPUT, Output, PASSAGE,
-    PLASTIC_STRESS, PROFILE, PlasticSource, RAIL, RAIL_TEMPERATURE, RESIDUAL_STRESS, Rail, SCATTER,
+    AXLE_LOAD, CENTRE, CONTACT, CRACK, ENGINE, Engine, FLUID, FOUNDATION, FRACTURE, FROM, FieldOutput,
+    Fracture, GROWTH, GivenWheel, INSPECTION, LAW_KEYS, MAINTENANCE, MESH, MeshSettings, OUTPUT, Output,
+    PASSAGE, PLASTIC_STRESS, PROFILE, PlasticSource, RAIL, RAIL_TEMPERATURE, RESIDUAL_STRESS, Rail, SCATTER,
     SHAKEDOWN, SOLVER, SOLVER_CONTACT, Scattering, ShakedownSettings, TEMPERATURE, TITLE, TO, TOP, TRACK,
-    TRAFFIC, WHEEL, WheelSections, read_growth, read_inspection, read_maintenance, read_passage,
+    TRAFFIC, WHEEL, WheelSections, read_fluid, read_growth, read_inspection, read_maintenance, read_passage,
     read_passages, read_scatter, read_steel, read_travel,
 };
 use railcrack::bulk::Boundary;
@@ -87,6 +87,10 @@ pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) 
     }
     let temperature = wheel.as_ref().and_then(|wheel| wheel.load.temperature);
     let fracture = read_fracture(&sections, temperature, folder, report);
+    let fluid = match sections.one(&FLUID).zip(network) {
+        Some((section, network)) => read_fluid(section, network, report),
+        None => Some(None),
+    };
     let traffic = sections.one(&TRAFFIC).and_then(|s| s.get(AXLE_LOAD));
     let mean = |mix: &Vec<MixedWheel>| -> Option<f64> {
         mix.iter().map(|wheel| Some(wheel.share * wheel.axle_load?)).sum()
@@ -125,6 +129,7 @@ pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) 
         crack_friction: placed.friction,
         residual_stress,
         plastic_stress,
+        fluid: fluid?,
         shakedown: shakedown?,
         growth: GrowthSettings {
             toughness: fracture.as_ref()?.as_ref().map(|fracture| MPA_SQRT_MM * fracture.at_rail),

@@ -9,7 +9,7 @@ use crate::tables::{
 };
 use railcrack::crack::CrackNetwork;
 use railcrack::fatigue::RailSteel;
-use railcrack::growth::{GrowthSettings, PassageSettings};
+use railcrack::growth::{CrackFluid, GrowthSettings, PassageSettings};
 use railcrack::material::IsotropicElastic;
 use railcrack::shakedown::{ContactBounds, RolledRail, Stabilisation};
 use thiserror::Error;
@@ -37,6 +37,8 @@ pub struct Case {
     pub residual_stress: Option<ProfileFile>,
     /// Plastic stress, still to be balanced.
     pub plastic_stress: Option<PlasticSource>,
+    /// Fluid in the cracks, where it is given.
+    pub fluid: Option<CrackFluid>,
     /// Plastic behaviour under the repeated passage.
     pub shakedown: ShakedownSettings,
     /// Rate and direction of growth, and the end of the run.

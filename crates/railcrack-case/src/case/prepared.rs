@@ -180,6 +180,7 @@ impl PreparedRun<'_> {
             crack_friction: case.crack_friction.clone(),
             wheel: case.wheel.field(&case.steel).expect("the case is checked"),
             share: case.mix.first().map_or(1.0, |first| first.share),
+            fluid: case.fluid.clone(),
             others: others.map(|other| beside(case, other, shared.as_ref())).collect(),
             residual: with_temperature(case, &case.wheel, shared.as_ref()),
             passages: case.passages,

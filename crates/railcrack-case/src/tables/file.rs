@@ -2,6 +2,7 @@
 
 use super::contact::CONTACT;
 use super::crack::CRACK;
+use super::fluid::FLUID;
 use super::fracture::FRACTURE;
 use super::growth::GROWTH;
 use super::inspection::{INSPECTION, SCATTER};
@@ -31,6 +32,7 @@ pub const SECTIONS: &[Section] = &[
     CRACK,
     RESIDUAL_STRESS,
     PLASTIC_STRESS,
+    FLUID,
     SHAKEDOWN,
     GROWTH,
     FRACTURE,

@@ -4,6 +4,7 @@
 mod contact;
 mod crack;
 mod file;
+mod fluid;
 mod fracture;
 mod growing;
 mod growth;
@@ -41,6 +42,7 @@ pub use wheel_load::GivenWheel;
 pub(crate) use contact::CONTACT;
 pub(crate) use crack::{ANGLE, ANGLES, COUNT, CRACK, CRACK_FRICTION, LENGTH, MOUTH, POINTS, SPACING};
 pub(crate) use file::CASE_FILE;
+pub(crate) use fluid::{FLUID, read_fluid};
 pub(crate) use fracture::FRACTURE;
 pub(crate) use growing::read_growth;
 pub(crate) use growth::{GROWTH, LAW_KEYS, STEPS};

@@ -1239,3 +1239,62 @@ fn wheels_that_make_no_mix() {
         assert!(text.contains(key) && text.contains(says), "{second}\n{text}");
     }
 }
+
+#[test]
+fn fluid() {
+    check(&[
+        wrong(Append("[fluid]\nleak = true"), 10, "fluid", "needs `model`", ""),
+        wrong(Append("[fluid]\nmodel = \"wet\""), 11, "fluid.model", "`fluid.model = \"wet\"`", "trapped"),
+        wrong(
+            Append("[fluid]\nmodel = \"trapped\"\nbulk_modulus_mpa = -2200"),
+            12,
+            "fluid.bulk_modulus_mpa",
+            "must be a number in (0, inf] MPa",
+            "",
+        ),
+        wrong(
+            Append("[fluid]\nmodel = \"mouth\"\npressure_cap_mpa = -1"),
+            12,
+            "fluid.pressure_cap_mpa",
+            "must be a number in (0, inf] MPa",
+            "",
+        ),
+        wrong(
+            Append("[fluid]\nmodel = \"trapped\"\npressure_cap_mpa = 300"),
+            12,
+            "fluid.pressure_cap_mpa",
+            "needs model = \"mouth\"",
+            "limited by its volume",
+        ),
+        wrong(
+            Append("[fluid]\nmodel = \"trapped\"\nleak = true"),
+            12,
+            "fluid.leak",
+            "cannot be followed yet",
+            "a bound from above",
+        ),
+        wrong(
+            Append("[fluid]\nmodel = \"mouth\"\nleak = false"),
+            12,
+            "fluid.leak",
+            "needs model = \"trapped\"",
+            "over the mouth",
+        ),
+        wrong(
+            Append("[fluid]\nmodel = \"mouth\"\ncracks = [2]"),
+            12,
+            "fluid.cracks",
+            "no crack 2; the case has 1",
+            "",
+        ),
+        wrong(
+            Append(
+                "[[crack]]\npoints_mm = [[20.0, -3.0], [24.0, -4.0]]\nfriction = 0.5\n[fluid]\nmodel = \"mouth\"",
+            ),
+            14,
+            "fluid.model",
+            "crack 2 is buried and has no mouth",
+            "names those with fluid",
+        ),
+    ]);
+}

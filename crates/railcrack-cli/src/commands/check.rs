@@ -5,9 +5,10 @@ use crate::exit::{Exit, Failure};
 use crate::input::{self, Set, default_folder};
 use crate::json::Json;
 use clap::Args;
-use railcrack::contact::StepControl;
+use railcrack::contact::{FluidModel, StepControl};
 use railcrack::crack::Crack;
 use railcrack::fatigue::{ACCEPTANCE_RANGES, DirectionCriterion, RAIL_STEELS, RateLaw};
+use railcrack::growth::CrackFluid;
 use railcrack::load::Contact;
 use railcrack::shakedown::DepthBounds;
 use railcrack::words::Choice;
@@ -395,6 +396,9 @@ fn growth(case: &Case) -> Vec<Row> {
     if let Some(cycles) = growth.stop_after_cycles {
         rows.push(("stops after", format!("{cycles:e} cycles")));
     }
+    if let Some(fluid) = &case.fluid {
+        rows.push(("fluid", fluid_text(fluid)));
+    }
     if let Some(fracture) = &case.fracture {
         let steel = fracture.steel.map_or(String::new(), |steel| format!(" ({steel})"));
         rows.push(("breaks at k1", format!("{} MPa sqrt(m){steel}", number(fracture.at_rail))));
@@ -531,6 +535,29 @@ fn number(value: f64) -> String {
     let decimals = (5 - magnitude).clamp(0, 9) as usize;
     let text = format!("{value:.decimals$}");
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').into() } else { text }
+}
+
+/// The fluid in the cracks in a few words.
+fn fluid_text(fluid: &CrackFluid) -> String {
+    let cracks = fluid.cracks.as_ref().map_or_else(String::new, |cracks| {
+        let numbers: Vec<String> = cracks.iter().map(|crack| (crack + 1).to_string()).collect();
+        format!(", in cracks {}", numbers.join(", "))
+    });
+    match fluid.model {
+        FluidModel::Mouth { cap } => {
+            let most = if cap.is_finite() { format!(", at most {cap} MPa") } else { String::new() };
+            format!("pressure over the mouth, {} along the crack{most}{cracks}", fluid.profile.word())
+        }
+        FluidModel::Trapped { bulk_modulus, .. } => {
+            let modulus = match bulk_modulus.is_finite() {
+                true => format!("bulk modulus {bulk_modulus} MPa"),
+                false => "incompressible".to_owned(),
+            };
+            format!(
+                "trapped under the wheel, {modulus}{cracks}; buried cracks hold theirs from the beginning"
+            )
+        }
+    }
 }
 
 #[cfg(test)]

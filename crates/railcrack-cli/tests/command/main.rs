@@ -5,6 +5,7 @@ mod case;
 mod common;
 mod compare;
 mod documents;
+mod fluid;
 mod loads;
 mod options;
 mod packed;

@@ -4,6 +4,7 @@ mod cells;
 mod compare;
 mod cycles;
 mod faces;
+mod fluid;
 mod near;
 mod paths;
 mod plot;

@@ -4,7 +4,7 @@ use super::faces::{CrackMap, FaceMap, face_map};
 use super::near::near;
 use super::plot::Plot;
 use super::sif::Mode;
-use super::{cycles, paths, sif};
+use super::{cycles, fluid, paths, sif};
 use crate::shown::{CrackFaces, ShownRun, StepFaces};
 use railcrack::words::Choice;
 use railcrack_run::Summary;
@@ -31,6 +31,7 @@ pub(crate) fn run_plots(summary: &Summary, growth: &[TipRow], shown: &ShownRun) 
     let histories: Vec<&History> = steps.into_iter().flat_map(|step| shown.histories(step)).collect();
     let mut plots: Vec<Plot> =
         Mode::BOTH.iter().map(|&mode| sif::plot(summary, &model, &histories, mode)).collect();
+    plots.extend(fluid::plot(summary, &model, &histories));
     plots.push(paths::plot(summary, &model));
     plots.push(cycles::plot(summary, growth, &model));
     for (file, (step, faces)) in ["faces.svg", "faces-last.svg"].into_iter().zip(shown.end_faces()) {

@@ -37,6 +37,7 @@ fn meshio_reads_the_fields_of_a_run() {
         passage: [-1e9, 1e9],
         bends: false,
         law_table: None,
+        fluid: false,
         toughness: None,
         axle_load: None,
         mix: Vec::new(),

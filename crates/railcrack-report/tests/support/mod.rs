@@ -64,6 +64,7 @@ pub fn info() -> RunInfo {
         passage: [-1e9, 1e9],
         bends: false,
         law_table: None,
+        fluid: false,
         toughness: None,
         axle_load: Some(17.0),
         mix: Vec::new(),
@@ -130,6 +131,7 @@ pub fn step(size: Size, step: usize) -> (StepRecord, GrowthState) {
     let passage = |p| PassageRecord {
         xc: xc.clone(),
         sifs: (0..size.cracks).map(|tip| xc.iter().map(|&x| sif(x, tip, p)).collect()).collect(),
+        fluid: Vec::new(),
     };
     let cycles = |n: usize| 4.1e5 * (1.0 - 0.9f64.powi(n as i32));
     let tips = now.iter().enumerate().map(|(i, crack)| tip_record(i, crack, step, is_last)).collect();

@@ -34,6 +34,11 @@ table! {
         kii: f64 = "kii_mpa_sqrt_m";
         /// Wheel of a mix, from 1: the last passage of each wheel is its stabilised one.
         wheel: Option<usize> = "wheel", with "wheel";
+        /// Pressure of the fluid in the crack of the tip, MPa; that at the mouth where it falls
+        /// along the crack.
+        fluid_pressure: Option<f64> = "fluid_mpa", with "fluid";
+        /// Volume of the crack per width, mm².
+        fluid_volume: Option<f64> = "fluid_mm2", with "fluid";
     }
 }
 
@@ -81,7 +86,8 @@ impl SifRow {
         scale: SifScale,
     ) -> impl Iterator<Item = Self> + 'a {
         passages.iter().enumerate().flat_map(move |(p, passage)| {
-            record.tips.iter().zip(&passage.sifs).flat_map(move |(tip, history)| {
+            record.tips.iter().zip(&passage.sifs).enumerate().flat_map(move |(t, (tip, history))| {
+                let fluid = passage.fluid.get(t);
                 passage.xc.iter().zip(history).enumerate().map(move |(i, (&xc, sif))| Self {
                     step: record.step,
                     passage: p + 1,
@@ -93,6 +99,8 @@ impl SifRow {
                     ki: sif.ki_mpa_sqrt_m(),
                     kii: sif.kii_mpa_sqrt_m(),
                     wheel: Some(wheel),
+                    fluid_pressure: fluid.and_then(|fluid| Some(fluid.get(i)?.pressure)),
+                    fluid_volume: fluid.and_then(|fluid| Some(fluid.get(i)?.volume)),
                 })
             })
         })

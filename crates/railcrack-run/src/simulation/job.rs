@@ -45,6 +45,7 @@ impl Job {
                     || case.mix.iter().any(|mixed| mixed.wheel.load.track.is_some()),
                 toughness: case.fracture.as_ref().map(|fracture| fracture.at_rail),
                 law_table: case.growth_rates.as_ref().map(|file| file.content().covers()),
+                fluid: case.fluid.is_some(),
                 axle_load: case.axle_load,
                 output: case.output,
                 mix: case.mix.iter().map(of_wheel).collect(),

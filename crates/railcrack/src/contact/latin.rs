@@ -1,7 +1,11 @@
 //! The LATIN method condensed to the faces.
 
+use super::pressure::{PocketRows, demanded, total};
+use super::problem::ROUND_OFF;
+use super::tableau::FaceRate;
 use super::{
-    ContactSolver, FaceProblem, FaceResponse, FaceSolution, LoadStep, NotConverged, PointStatus, StepSolver,
+    ContactSolver, FaceProblem, FaceResponse, FaceScale, FaceSolution, LoadStep, NotConverged, Pocket,
+    PocketState, PocketStatus, PointStatus, StepSolver,
 };
 use crate::linear::spd_inverse;
 use crate::math::{Anderson, Matrix, dot};
@@ -67,6 +71,8 @@ struct LatinSteps<'a> {
     kept: Vec<f64>,
     /// Largest jump, force and K seen.
     scale: [f64; 3],
+    /// Jumps of the global stage for a unit pressure of each pocket of fluid.
+    units: Vec<FaceRate>,
 }
 
 impl<'a> LatinSteps<'a> {
@@ -86,18 +92,34 @@ impl<'a> LatinSteps<'a> {
         let shifted = Matrix::from_fn(2 * points, 2 * points, |i, j| {
             stiffness[(i, j)] + if i == j { global_direction[i] } else { 0.0 }
         });
-        let solution = FaceSolution::virgin(points);
+        let solution = FaceSolution::virgin_of(problem);
+        let global = spd_inverse(&shifted).ok();
+        let unit = |pocket: &Pocket| FaceRate {
+            jump: global.as_ref().map_or_else(Vec::new, |global| global.times(&pocket.unit)),
+            contact: vec![0.0; 2 * points],
+        };
         Self {
+            units: problem.pockets().iter().map(unit).collect(),
             problem,
             settings,
             direction,
             global_direction,
-            global: spd_inverse(&shifted).ok(),
+            global,
             combined: vec![0.0; 2 * points],
             kept: vec![0.0; 2 * points],
             solution,
             scale: [0.0; 3],
         }
+    }
+
+    /// No contact force at `point`, whatever its opening: the pressure holds it at none.
+    fn force_free(&mut self, point: usize, target: (f64, f64)) {
+        let (t, n) = (2 * point, 2 * point + 1);
+        let k = self.direction[t];
+        let solution = &mut self.solution;
+        (solution.jump[t], solution.jump[n]) = (target.0 / k, target.1 / k);
+        (solution.contact[t], solution.contact[n]) = (0.0, 0.0);
+        solution.status[point] = PointStatus::Open;
     }
 
     /// The law at `point` met along −f̂ + k ŵ = `target` (shear, normal): fills ŵ, f̂ and the
@@ -140,6 +162,12 @@ impl<'a> StepSolver<'a> for LatinSteps<'a> {
         let mut right = vec![0.0; n];
         let mut residual = vec![0.0; n];
         let mut indicator = f64::INFINITY;
+        self.solution.fluid.clone_from(&faces.solution().fluid);
+        // What a throttled pocket is kept at is known from the statuses; as an unknown of this
+        // iteration it would not be one of a minimum.
+        let mut outside = step.outside.to_vec();
+        let throttled: Vec<(usize, usize)> = hold_throttled(&mut self.solution.fluid, &mut outside);
+        let mut no_force = vec![0.0; n];
         for iteration in 1..=max_iterations {
             let Some(global) = &self.global else { return Err(failure(0, indicator)) };
             for i in 0..n {
@@ -147,15 +175,38 @@ impl<'a> StepSolver<'a> for LatinSteps<'a> {
             }
             for i in 0..n {
                 jump[i] = dot(global.row(i), &right);
+            }
+            if !self.units.is_empty() {
+                let problem = self.problem;
+                let rows = PocketRows {
+                    pockets: problem.pockets(),
+                    free: &problem.free_volumes,
+                    bulk: problem.bulk_modulus(),
+                    units: &self.units,
+                };
+                let pressed = rows.press(&mut self.solution.fluid, &outside, &mut jump, &mut no_force);
+                pressed.map_err(|_| failure(iteration, indicator))?;
+            }
+            for i in 0..n {
                 force[i] = self.combined[i] - self.global_direction[i] * jump[i];
             }
             for point in 0..n / 2 {
                 let target = |i: usize| self.direction[i] * jump[i] - force[i];
                 let target = (target(2 * point), target(2 * point + 1));
-                self.local_stage(point, target, step.reference_slip[point]);
+                if throttled.iter().any(|&(_, held)| held == point) {
+                    self.force_free(point, target);
+                } else {
+                    self.local_stage(point, target, step.reference_slip[point]);
+                }
             }
             indicator = self.indicator(&jump, &force, step.forces, influence);
-            if indicator <= tolerance {
+            if indicator <= tolerance && !self.follow_pockets(step) {
+                for &(k, point) in &throttled {
+                    self.solution.fluid[k].status = PocketStatus::Throttled(point);
+                    self.solution.status[point] = PointStatus::Open;
+                    self.solution.jump[2 * point + 1] = 0.0;
+                    self.solution.contact[2 * point..2 * point + 2].fill(0.0);
+                }
                 faces.adopt(&self.solution);
                 return Ok(iteration);
             }
@@ -177,14 +228,46 @@ impl<'a> StepSolver<'a> for LatinSteps<'a> {
     }
 }
 
+/// Gives throttled pockets the pressure that they have; which they are, and the points that they
+/// keep about to open.
+fn hold_throttled(fluid: &mut [PocketState], outside: &mut [f64]) -> Vec<(usize, usize)> {
+    let mut throttled = Vec::new();
+    for (k, state) in fluid.iter_mut().enumerate() {
+        if let PocketStatus::Throttled(point) = state.status {
+            outside[k] = state.pressure;
+            state.status = PocketStatus::Vented;
+            throttled.push((k, point));
+        }
+    }
+    throttled
+}
+
 impl LatinSteps<'_> {
+    /// Gives every pocket the status that its conditions ask for; whether one has changed.
+    fn follow_pockets(&mut self, step: LoadStep) -> bool {
+        let mut changed = false;
+        let [jump, force, _] = self.scale;
+        // What is round-off here is the tolerance of the iteration.
+        let loose = self.settings.tolerance / ROUND_OFF;
+        let scale = FaceScale { jump: loose * jump, force: loose * force };
+        for k in 0..step.outside.len() {
+            let asked = demanded(self.problem, &self.solution, scale, (k, step.outside[k]), &self.units[k]);
+            if let Some(status) = asked {
+                self.solution.fluid[k].status = status;
+                changed = true;
+            }
+        }
+        changed
+    }
+
     /// The largest difference of the local from the global solution: forces and jumps, and what the
     /// difference of the forces means for K, each relative to its largest value so far.
     fn indicator(&mut self, jump: &[f64], force: &[f64], load: &[f64], influence: &Matrix) -> f64 {
         let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0f64, |m, v| m.max(v.abs()));
         let local = &self.solution;
         let gap: Vec<f64> = local.contact.iter().zip(force).map(|(a, b)| a - b).collect();
-        let total: Vec<f64> = force.iter().zip(load).map(|(a, b)| a + b).collect();
+        let pressed = total(self.problem, &self.solution, load);
+        let total: Vec<f64> = force.iter().zip(&pressed).map(|(a, b)| a + b).collect();
         let sif = largest(&mut (0..influence.rows()).map(|i| dot(influence.row(i), &total)));
         self.scale[0] = self.scale[0].max(largest(&mut jump.iter().copied()));
         self.scale[1] = self.scale[1].max(largest(&mut load.iter().copied()));

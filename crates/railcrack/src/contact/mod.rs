@@ -3,9 +3,13 @@
 mod condition;
 #[cfg(test)]
 mod fixtures;
+mod fluid;
 mod latin;
 mod law;
 mod newton;
+mod parabola;
+mod pocket_way;
+mod pressure;
 mod problem;
 mod response;
 mod solver;
@@ -13,6 +17,7 @@ mod stepping;
 mod tableau;
 mod trace;
 
+pub use fluid::{FaceFluid, FluidModel, FluidState, Pocket, PocketMouth, PocketState, PocketStatus};
 pub use latin::Latin;
 pub use law::{FaceState, FaceStatus};
 pub use newton::Newton;

@@ -1,8 +1,10 @@
 //! Semismooth Newton (primal–dual active set) on the contact conditions.
 
+use super::pressure::demanded as demanded_pocket;
 use super::problem::ROUND_OFF;
 use super::{
-    ContactSolver, FaceProblem, FaceResponse, FaceScale, LoadStep, NotConverged, PointStatus, StepSolver,
+    ContactSolver, FaceProblem, FaceResponse, FaceScale, LoadStep, NotConverged, PocketState, PocketStatus,
+    PointStatus, StepSolver,
 };
 
 /// Semismooth Newton: every point that violates the conditions of its status changes it, until none
@@ -29,6 +31,9 @@ impl ContactSolver for Newton {
 /// Iterations in which all points change at once; after that the worst one is settled by itself,
 /// which breaks cycles.
 const SIMULTANEOUS: usize = 12;
+/// Iterations in which pockets of fluid change their status; after that the contact is solved with
+/// those that they have, and the next load step goes on from there.
+const FOLLOWING_POCKETS: usize = 24;
 
 struct NewtonSteps<'a> {
     problem: &'a FaceProblem<'a>,
@@ -93,7 +98,8 @@ impl<'a> StepSolver<'a> for NewtonSteps<'a> {
                         .map(|(status, by)| (j, status, by))
                 })
                 .collect();
-            if demands.is_empty() {
+            let pockets_change = iteration <= FOLLOWING_POCKETS && self.follow_pockets(step, faces, scale);
+            if !pockets_change && demands.is_empty() {
                 self.scale = scale;
                 return Ok(iteration);
             }
@@ -101,7 +107,7 @@ impl<'a> StepSolver<'a> for NewtonSteps<'a> {
             if iteration > SIMULTANEOUS
                 && let Some(&(point, status, _)) = demands.iter().find(|demand| demand.2 == worst)
             {
-                in_equilibrium = self.settle(step, faces, scale, (point, status));
+                in_equilibrium = self.settle(step, faces, scale, (point, status)) && !pockets_change;
             } else {
                 for (point, status, _) in demands {
                     faces.set_status(point, status, step.reference_slip[point]);
@@ -118,6 +124,25 @@ impl<'a> StepSolver<'a> for NewtonSteps<'a> {
 }
 
 impl<'a> NewtonSteps<'a> {
+    /// Gives every pocket the status that its conditions ask for; whether one has changed.
+    fn follow_pockets(&self, step: LoadStep, faces: &mut FaceResponse<'a>, scale: FaceScale) -> bool {
+        let mut changed = false;
+        for k in 0..step.outside.len() {
+            let solution = faces.solution();
+            let state = solution.fluid[k];
+            let of = (k, step.outside[k]);
+            let Some(status) = demanded_pocket(self.problem, solution, scale, of, faces.unit(k)) else {
+                continue;
+            };
+            faces.set_pocket(k, PocketState { status, ..state });
+            if let PocketStatus::Throttled(point) = status {
+                faces.set_status(point, PointStatus::Open, step.reference_slip[point]);
+            }
+            changed = true;
+        }
+        changed
+    }
+
     /// Gives `point` the status with which it fulfils the contact conditions while the others keep
     /// theirs, `wanted` if none does; returns whether `faces` are in equilibrium then.
     ///
@@ -165,7 +190,7 @@ mod tests {
         faces.set_status(0, PointStatus::Open, 0.0);
         faces.load([forces.clone()]);
         faces.equilibrate().unwrap();
-        let step = LoadStep { forces: &forces, reference_slip: &[0.0] };
+        let step = LoadStep { forces: &forces, reference_slip: &[0.0], outside: &[] };
         Newton::default().prepare(&problem).solve(step, &mut faces).unwrap();
         let solution = faces.solution();
         assert_eq!(solution.status, [PointStatus::Stick]);

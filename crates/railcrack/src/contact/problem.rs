@@ -1,6 +1,6 @@
 //! The faces of one cracked body, and one load step on them.
 
-use super::{FaceState, FaceStatus};
+use super::{FaceFluid, FaceState, FaceStatus, PocketState};
 use crate::body::{CrackedBody, FacePoint};
 use crate::fracture::Sif;
 use crate::math::{Matrix, dot};
@@ -74,6 +74,10 @@ pub enum CrackFrictionError {
 pub struct FaceProblem<'a> {
     body: &'a CrackedBody,
     friction: Vec<f64>,
+    fluid: Option<FaceFluid>,
+    /// Volume (mm²/MPa) of a unit pressure in each pocket whose pressure is an unknown, with free
+    /// faces.
+    pub(super) free_volumes: Vec<f64>,
 }
 
 impl<'a> FaceProblem<'a> {
@@ -90,7 +94,23 @@ impl<'a> FaceProblem<'a> {
         if let Some(crack) = refused {
             return Err(CrackFrictionError::Value { crack: crack + 1, value: crack_friction[crack] });
         }
-        Ok(Self { body, friction: points.iter().map(|point| crack_friction[point.crack]).collect() })
+        let friction = points.iter().map(|point| crack_friction[point.crack]).collect();
+        Ok(Self { body, friction, fluid: None, free_volumes: Vec::new() })
+    }
+
+    /// The same with `fluid` in the cracks.
+    #[must_use]
+    pub fn with_fluid(self, fluid: Option<FaceFluid>) -> Self {
+        let mut wet = Self { fluid, ..self };
+        let compliance = &wet.body.compliance;
+        wet.free_volumes =
+            wet.pockets().iter().map(|pocket| dot(&pocket.unit, &compliance.times(&pocket.unit))).collect();
+        wet
+    }
+
+    /// The fluid in the cracks, if any.
+    pub fn fluid(&self) -> Option<&FaceFluid> {
+        self.fluid.as_ref()
     }
 
     /// The body.
@@ -127,20 +147,28 @@ pub struct FaceSolution {
     pub contact: Vec<f64>,
     /// Status of each point.
     pub status: Vec<PointStatus>,
+    /// The fluid of each pocket whose pressure is an unknown.
+    pub fluid: Vec<PocketState>,
 }
 
 impl FaceSolution {
-    /// Unloaded virgin faces that just touch.
+    /// Unloaded virgin faces that just touch, dry.
     pub fn virgin(points: usize) -> Self {
         Self {
             jump: vec![0.0; 2 * points],
             contact: vec![0.0; 2 * points],
             status: vec![PointStatus::Stick; points],
+            fluid: Vec::new(),
         }
     }
 
+    /// Those of `problem`, the mouths of all pockets free.
+    pub(super) fn virgin_of(problem: &FaceProblem) -> Self {
+        Self { fluid: vec![PocketState::FREE; problem.pockets().len()], ..Self::virgin(problem.points()) }
+    }
+
     /// The stress intensity factors of each tip under the nodal forces `load` (N/mm, 2p) of the
-    /// step.
+    /// step, those of the fluid included.
     #[must_use]
     pub fn sifs(&self, body: &CrackedBody, load: &[f64]) -> Vec<Sif> {
         let total: Vec<f64> = self.contact.iter().zip(load).map(|(c, l)| c + l).collect();

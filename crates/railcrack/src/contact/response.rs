@@ -1,8 +1,9 @@
 //! The linear response of the faces while no point changes its status.
 
 use super::condition::{Condition, Degenerate};
+use super::pressure::PocketRows;
 use super::tableau::{FaceRate, Tableau};
-use super::{FaceProblem, FaceSolution, PointStatus};
+use super::{FaceProblem, FaceSolution, PocketState, PointStatus};
 
 /// The faces with their statuses: for given loads the jumps of the free components and the forces
 /// of the held ones follow linearly. Newton's method works on it; the step control uses it to
@@ -12,6 +13,10 @@ pub struct FaceResponse<'a> {
     tableau: Tableau<'a>,
     solution: FaceSolution,
     kept: FaceSolution,
+    /// Responses to a unit pressure of each pocket, with the statuses of the last equilibrium.
+    units: Vec<FaceRate>,
+    /// Pressure (MPa) over the mouth of each pocket.
+    outside: Vec<f64>,
 }
 
 impl<'a> FaceResponse<'a> {
@@ -21,8 +26,10 @@ impl<'a> FaceResponse<'a> {
         Self {
             problem,
             tableau: Tableau::new(problem.stiffness()),
-            solution: FaceSolution::virgin(points),
-            kept: FaceSolution::virgin(points),
+            solution: FaceSolution::virgin_of(problem),
+            kept: FaceSolution::virgin_of(problem),
+            units: vec![FaceRate::zero(2 * points); problem.pockets().len()],
+            outside: vec![0.0; problem.pockets().len()],
         }
     }
 
@@ -61,7 +68,49 @@ impl<'a> FaceResponse<'a> {
 
     /// Makes `loads` (N/mm, 2p each) those to answer: the first one acts, others are rates.
     pub(super) fn load(&mut self, loads: impl IntoIterator<Item = Vec<f64>>) {
-        self.tableau.load(loads);
+        // Unit pressures follow the load that acts.
+        let mut loads = loads.into_iter();
+        let acting = loads.next();
+        let units = self.problem.pockets().iter().map(|pocket| pocket.unit.clone());
+        self.tableau.load(acting.into_iter().chain(units).chain(loads));
+    }
+
+    /// Makes `pressures` (MPa) those over the mouths of the pockets.
+    pub(super) fn set_outside(&mut self, pressures: &[f64]) {
+        self.outside.clone_from_slice(pressures);
+    }
+
+    /// Gives pocket `k` another state, from the next equilibrium on.
+    pub(super) fn set_pocket(&mut self, k: usize, state: PocketState) {
+        self.solution.fluid[k] = state;
+    }
+
+    /// The response to a unit pressure of pocket `k` in the last equilibrium.
+    pub(super) fn unit(&self, k: usize) -> &FaceRate {
+        &self.units[k]
+    }
+
+    /// Responses to a unit pressure of each pocket with the present statuses.
+    pub(super) fn unit_rates(&mut self) -> Result<&[FaceRate], Degenerate> {
+        self.tableau.rates(1, &mut self.units)?;
+        Ok(&self.units)
+    }
+
+    /// Adds the response to the pressures of the pockets.
+    fn press(&mut self) -> Result<(), Degenerate> {
+        if self.units.is_empty() {
+            return Ok(());
+        }
+        self.tableau.rates(1, &mut self.units)?;
+        let (problem, units) = (self.problem, &self.units[..]);
+        let rows = PocketRows {
+            pockets: problem.pockets(),
+            free: &problem.free_volumes,
+            bulk: problem.bulk_modulus(),
+            units,
+        };
+        let FaceSolution { jump, contact, fluid, .. } = &mut self.solution;
+        rows.press(fluid, &self.outside, jump, contact)
     }
 
     /// One more load (N/mm, 2p) to answer as a rate.
@@ -72,19 +121,21 @@ impl<'a> FaceResponse<'a> {
     /// Jumps and contact forces under the load with the present statuses.
     pub(super) fn equilibrate(&mut self) -> Result<(), Degenerate> {
         let FaceSolution { jump, contact, .. } = &mut self.solution;
-        self.tableau.solve(jump, contact)
+        self.tableau.solve(jump, contact)?;
+        self.press()
     }
 
     /// [`FaceResponse::equilibrate`] after changes of status that may be undone.
     pub(super) fn equilibrate_again(&mut self) -> Result<(), Degenerate> {
         let FaceSolution { jump, contact, .. } = &mut self.solution;
-        self.tableau.solve_again(jump, contact)
+        self.tableau.solve_again(jump, contact)?;
+        self.press()
     }
 
     /// Contributions of the loads from number `first` on to jumps and contact forces with the
     /// present statuses, one after the other in `rates`.
     pub(super) fn rates(&mut self, first: usize, rates: &mut [FaceRate]) -> Result<(), Degenerate> {
-        self.tableau.rates(first, rates)
+        self.tableau.rates(first + self.units.len(), rates)
     }
 
     /// Takes over statuses and values of `solution`, which is in equilibrium.

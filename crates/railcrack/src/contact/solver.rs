@@ -11,6 +11,8 @@ pub struct LoadStep<'a> {
     /// Slip (mm, p) of each point where it last touched or, if it is open, where it is expected to
     /// touch.
     pub reference_slip: &'a [f64],
+    /// The pressure (MPa) over the mouth of each pocket of fluid whose pressure is an unknown.
+    pub outside: &'a [f64],
 }
 
 /// A step that could not be solved.

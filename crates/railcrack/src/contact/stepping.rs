@@ -1,10 +1,13 @@
 //! Adaptive load steps: friction depends on the order of events.
 
+use super::pocket_way::OutsidePressure;
+use super::pressure::{content, round_off, total, violation, way_out};
 use super::trace::{Accuracy, StepLoad, Stop, Traced, follow};
 use super::{
-    ContactSolver, FaceProblem, FaceResponse, FaceScale, FaceSolution, LoadStep, NotConverged, PointStatus,
-    StepSolver,
+    ContactSolver, FaceProblem, FaceResponse, FaceScale, FaceSolution, LoadStep, NotConverged, PocketState,
+    PocketStatus, PointStatus, StepSolver,
 };
+use crate::math::axpy;
 use crate::words::{Choice, Word};
 use thiserror::Error;
 
@@ -12,6 +15,29 @@ use thiserror::Error;
 pub trait LoadPath: Sync {
     /// Nodal forces (N/mm, 2p) at coordinate `at`.
     fn nodal_forces(&self, at: f64) -> Vec<f64>;
+
+    /// The pressure (MPa) at coordinate `at` over the mouth of each pocket of fluid whose pressure
+    /// is an unknown; none where there are none.
+    fn over_mouths(&self, _at: f64) -> Vec<f64> {
+        Vec::new()
+    }
+}
+
+/// A load that stays while the pressure of pockets changes from one value to another.
+struct LettingOff {
+    load: Vec<f64>,
+    /// First and last pressure of each pocket, MPa.
+    pressures: Vec<[f64; 2]>,
+}
+
+impl LoadPath for LettingOff {
+    fn nodal_forces(&self, _: f64) -> Vec<f64> {
+        self.load.clone()
+    }
+
+    fn over_mouths(&self, at: f64) -> Vec<f64> {
+        self.pressures.iter().map(|[from, to]| from + at * (to - from)).collect()
+    }
 }
 
 /// How the load steps of a path are chosen.
@@ -111,6 +137,8 @@ pub struct Stepper<'a> {
     current: FaceSolution,
     at: f64,
     load: Vec<f64>,
+    /// Pressure over the mouth of each pocket, MPa.
+    outside: Vec<f64>,
     counts: SteppingCounts,
     interrupted: &'a (dyn Fn() -> bool + Sync),
 }
@@ -128,6 +156,10 @@ const HELD_SLIP: f64 = 0.2;
 const EXPECTED_SHARE: f64 = 2e-2;
 /// Difference of two jumps, over the error that a step may make, that is none.
 const ALIKE: f64 = 1e-3;
+/// Volume of a pocket over the largest jump (mm), in mm, that is none: it holds no fluid.
+const NO_VOLUME: f64 = 1e-9;
+/// Multiple of round-off by which a pressure exceeds another one.
+const LOUD: f64 = 1e3;
 /// Smallest step as a fraction of the distance between stations.
 const SMALLEST: f64 = 1e-7;
 
@@ -163,9 +195,10 @@ impl<'a> Stepper<'a> {
             control: StepControl::Adaptive,
             scale: expected.iter().map(|slip| EXPECTED_SHARE * slip.abs()).collect(),
             largest: FaceScale::NONE,
-            current: FaceSolution::virgin(problem.points()),
+            current: FaceSolution::virgin_of(problem),
             at: 0.0,
             load: vec![0.0; 2 * problem.points()],
+            outside: vec![0.0; problem.pockets().len()],
             counts: SteppingCounts::default(),
             interrupted: &|| false,
         }
@@ -190,7 +223,94 @@ impl<'a> Stepper<'a> {
     /// statuses, and jumps that differ by less than a thousandth of the error that a step may make.
     pub fn is_like(&self, other: &FaceSolution) -> bool {
         let near = |i: usize| (self.current.jump[i] - other.jump[i]).abs() <= ALIKE * self.allowed(i / 2);
-        self.current.status == other.status && (0..other.jump.len()).all(near)
+        let filled = |(one, other): (&PocketState, &PocketState)| {
+            let near = (one.content - other.content).abs() <= ALIKE * self.tolerance * other.content.abs();
+            one.status == other.status && near
+        };
+        let fluid = self.current.fluid.iter().zip(&other.fluid);
+        self.current.status == other.status && fluid.clone().all(filled) && (0..other.jump.len()).all(near)
+    }
+
+    /// Closes pocket `k` with the fluid that it holds now, without pressure.
+    pub fn seal(&mut self, k: usize) {
+        let volume = self.problem.pockets()[k].volume(&self.current.jump);
+        let content = if volume > NO_VOLUME * self.largest.jump { volume } else { 0.0 };
+        let status = if content > 0.0 { PocketStatus::Sealed } else { PocketStatus::Cavity };
+        self.set_pocket(k, PocketState { status, pressure: 0.0, content });
+    }
+
+    /// Lets the pressure of pocket `k` off, with the load as it is; then its mouth is free.
+    /// `accepted` as in [`Stepper::advance`].
+    ///
+    /// Errors: as [`Stepper::advance`].
+    pub fn release(
+        &mut self,
+        k: usize,
+        accepted: &mut dyn FnMut(&FaceSolution, &[f64]),
+    ) -> Result<(), SteppingError> {
+        self.let_off(k, 0.0, accepted)?;
+        self.outside[k] = 0.0;
+        self.set_pocket(k, PocketState::FREE);
+        Ok(())
+    }
+
+    /// The pressure of pocket `k` goes to `to` (MPa) with the load as it is.
+    fn let_off(
+        &mut self,
+        k: usize,
+        to: f64,
+        accepted: &mut dyn FnMut(&FaceSolution, &[f64]),
+    ) -> Result<(), SteppingError> {
+        let state = self.current.fluid[k];
+        let from = state.pressure;
+        if from != to {
+            let mut pressures: Vec<[f64; 2]> = self.outside.iter().map(|&outside| [outside; 2]).collect();
+            pressures[k] = [from, to];
+            self.set_pocket(k, PocketState { status: PocketStatus::Vented, ..state });
+            let (at, outside) = (self.at, self.outside.clone());
+            self.outside[k] = from;
+            self.begin(0.0);
+            let path = LettingOff { load: self.load.clone(), pressures };
+            let result = self.advance(&path, 1.0, accepted);
+            self.begin(at);
+            self.outside = outside;
+            result?;
+        }
+        Ok(())
+    }
+
+    fn set_pocket(&mut self, k: usize, state: PocketState) {
+        self.current.fluid[k] = state;
+        self.faces.set_pocket(k, state);
+    }
+
+    /// Lets off what has found a way out at more than the pressure over the mouth.
+    fn let_off_all(&mut self, accepted: &mut dyn FnMut(&FaceSolution, &[f64])) -> Result<(), SteppingError> {
+        if !self.problem.leaks() {
+            return Ok(());
+        }
+        for k in 0..self.current.fluid.len() {
+            let state = self.current.fluid[k];
+            let (small, _) = round_off(&self.problem.pockets()[k], self.largest);
+            let outside = self.outside[k];
+            if state.status == PocketStatus::Sealed
+                && state.pressure > outside + LOUD * small
+                && way_out(self.problem, &self.current, k)
+            {
+                self.let_off(k, outside, accepted)?;
+                let content = content(self.problem, &self.current, k);
+                let open = way_out(self.problem, &self.current, k);
+                let status = if content == 0.0 {
+                    PocketStatus::Cavity
+                } else if open {
+                    PocketStatus::Leaking
+                } else {
+                    PocketStatus::Sealed
+                };
+                self.set_pocket(k, PocketState { status, content, ..self.current.fluid[k] });
+            }
+        }
+        Ok(())
     }
 
     /// The nodal forces of the current solution.
@@ -240,6 +360,7 @@ impl<'a> Stepper<'a> {
                     if target != station {
                         self.counts.substeps += 1;
                     }
+                    self.let_off_all(accepted)?;
                     step = station - self.at;
                     control = self.control;
                 }
@@ -268,12 +389,13 @@ impl<'a> Stepper<'a> {
         control: StepControl,
         accepted: &mut dyn FnMut(&FaceSolution, &[f64]),
     ) -> Result<Attempt, NotConverged> {
-        let end = path.nodal_forces(target);
+        let (end, outside) = (path.nodal_forces(target), path.over_mouths(target));
         self.faces.keep();
-        let result = if control == StepControl::Adaptive && self.problem.has_friction() {
-            self.traced(path, target, end, accepted)
+        let has_memory = self.problem.has_friction() || !self.problem.pockets().is_empty();
+        let result = if control == StepControl::Adaptive && has_memory {
+            self.traced(path, target, (end, outside), accepted)
         } else {
-            self.untraced(target, end, accepted)
+            self.untraced(target, (end, outside), accepted)
         };
         if !matches!(result, Ok(Attempt::Accepted)) {
             self.solver.restore();
@@ -287,11 +409,13 @@ impl<'a> Stepper<'a> {
         &mut self,
         path: &dyn LoadPath,
         target: f64,
-        end: Vec<f64>,
+        (end, outside_end): (Vec<f64>, Vec<f64>),
         accepted: &mut dyn FnMut(&FaceSolution, &[f64]),
     ) -> Result<Attempt, NotConverged> {
         let along = |share: f64| self.at + share * (target - self.at);
         let load = StepLoad::through(&self.load, &path.nodal_forces(along(0.5)), end);
+        let outside = OutsidePressure::through(&self.outside, &path.over_mouths(along(0.5)), &outside_end);
+        let (problem, current) = (self.problem, &self.current);
         self.faces.load([load.end.clone(), load.first.clone(), load.second.clone()]);
         self.solver.keep();
         let scale = self.largest.including(&self.current, &load.end);
@@ -299,19 +423,34 @@ impl<'a> Stepper<'a> {
         let accuracy = Accuracy {
             missed: &|| {
                 let exact = path.nodal_forces(along(0.75));
-                exact.iter().zip(load.at(0.75)).map(|(exact, assumed)| exact - assumed).collect()
+                let mut missed: Vec<f64> =
+                    exact.iter().zip(load.at(0.75)).map(|(exact, assumed)| exact - assumed).collect();
+                let pressures = path.over_mouths(along(0.75));
+                for (k, (pocket, assumed)) in problem.pockets().iter().zip(outside.at(0.75)).enumerate() {
+                    let follows =
+                        matches!(current.fluid[k].status, PocketStatus::Leaking | PocketStatus::Vented);
+                    let by = if follows { pressures[k] - assumed } else { 0.0 };
+                    axpy(by, &pocket.unit, &mut missed);
+                }
+                missed
             },
             allowed: &|j| allowed(tolerance, scale_of[j]),
+            outside: outside.clone(),
         };
         let traced = follow(self.problem, &mut self.faces, &self.current, scale, accuracy);
-        let Traced { reference_slip, changes } = match traced {
+        let Traced { reference_slip, changes, lets_off } = match traced {
             Ok(traced) => traced,
             Err(Stop::Inaccurate { excess }) => return Ok(Attempt::Shorter((0.9 / excess.cbrt()).max(0.2))),
             Err(Stop::Lost { share }) if share > EARLY => return Ok(Attempt::Shorter(BEFORE * share)),
             Err(Stop::Lost { .. }) => return Ok(Attempt::Untraced(UNTRACED)),
         };
+        if let Some(share) = lets_off.filter(|share| (EARLY..BEFORE).contains(share)) {
+            // The step ends where fluid finds its way out.
+            return Ok(Attempt::Shorter(share));
+        }
         let before = self.faces.solution().status.clone();
-        self.solve(&load.end, &reference_slip)?;
+        let pockets = self.faces.solution().fluid.clone();
+        self.solve(&load.end, &reference_slip, &outside_end)?;
         let after = self.faces.solution();
         let astray = |j: usize| {
             let (traced, solved) = (before[j], after.status[j]);
@@ -322,32 +461,39 @@ impl<'a> Stepper<'a> {
         if (0..self.problem.points()).any(astray) {
             return Ok(Attempt::Shorter(0.5));
         }
-        for change in &changes {
-            accepted(&change.solution, &load.at(change.share));
+        let leaves =
+            |state: &PocketState| matches!(state.status, PocketStatus::Leaking | PocketStatus::Throttled(_));
+        let mut pairs = pockets.iter().zip(&after.fluid);
+        if lets_off.is_none() && pairs.any(|(traced, solved)| leaves(traced) != leaves(solved)) {
+            return Ok(Attempt::Shorter(0.5));
         }
-        Ok(self.accept(target, load.end, accepted))
+        for change in &changes {
+            accepted(&change.solution, &total(self.problem, &change.solution, &load.at(change.share)));
+        }
+        Ok(self.accept(target, (load.end, outside_end), accepted))
     }
 
     /// A step whose events all count as at its start.
     fn untraced(
         &mut self,
         target: f64,
-        end: Vec<f64>,
+        (end, outside): (Vec<f64>, Vec<f64>),
         accepted: &mut dyn FnMut(&FaceSolution, &[f64]),
     ) -> Result<Attempt, NotConverged> {
         self.faces.load([end.clone()]);
         let reference_slip: Vec<f64> = self.current.jump.iter().step_by(2).copied().collect();
         self.solver.keep();
-        self.solve(&end, &reference_slip)?;
-        Ok(self.accept(target, end, accepted))
+        self.solve(&end, &reference_slip, &outside)?;
+        Ok(self.accept(target, (end, outside), accepted))
     }
 
     /// Solves contact under `forces` from the statuses in `faces`.
-    fn solve(&mut self, forces: &[f64], reference_slip: &[f64]) -> Result<(), NotConverged> {
+    fn solve(&mut self, forces: &[f64], reference_slip: &[f64], outside: &[f64]) -> Result<(), NotConverged> {
+        self.faces.set_outside(outside);
         if self.faces.equilibrate().is_err() {
             return Err(NotConverged { iterations: 0, indicator: f64::INFINITY, tolerance: self.tolerance });
         }
-        let solved = self.solver.solve(LoadStep { forces, reference_slip }, &mut self.faces);
+        let solved = self.solver.solve(LoadStep { forces, reference_slip, outside }, &mut self.faces);
         self.counts.solves += 1;
         let iterations = match &solved {
             Ok(iterations) => *iterations,
@@ -362,20 +508,30 @@ impl<'a> Stepper<'a> {
     fn accept(
         &mut self,
         target: f64,
-        load: Vec<f64>,
+        (load, outside): (Vec<f64>, Vec<f64>),
         accepted: &mut dyn FnMut(&FaceSolution, &[f64]),
     ) -> Attempt {
         let after = self.faces.solution();
         self.largest = self.largest.including(after, &load);
         self.counts.violation_max =
             self.counts.violation_max.max(after.violation(self.problem, self.largest));
+        let of_fluid = violation(self.problem, after, self.largest);
+        self.counts.violation_max = self.counts.violation_max.max(of_fluid);
         for (j, scale) in self.scale.iter_mut().enumerate() {
             *scale = scale.max(after.jump[2 * j].abs()).max(after.jump[2 * j + 1].abs());
         }
         self.current.clone_from(after);
         self.at = target;
         self.load = load;
-        accepted(&self.current, &self.load);
+        self.outside = outside;
+        for k in 0..self.current.fluid.len() {
+            let state = self.current.fluid[k];
+            if matches!(state.status, PocketStatus::Leaking | PocketStatus::Throttled(_)) {
+                let content = content(self.problem, &self.current, k);
+                self.set_pocket(k, PocketState { content, ..state });
+            }
+        }
+        accepted(&self.current, &total(self.problem, &self.current, &self.load));
         Attempt::Accepted
     }
 

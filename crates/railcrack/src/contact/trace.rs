@@ -1,9 +1,11 @@
 //! A load step followed event by event.
 
 use super::condition::Degenerate;
+use super::parabola::Parabola;
+use super::pocket_way::{OutsidePressure, PocketWay};
 use super::problem::ROUND_OFF;
 use super::tableau::FaceRate;
-use super::{FaceProblem, FaceResponse, FaceScale, FaceSolution, PointStatus};
+use super::{FaceProblem, FaceResponse, FaceScale, FaceSolution, PocketStatus, PointStatus};
 
 /// The load within a step, at share τ of it: start + τ first + τ² second.
 pub(super) struct StepLoad {
@@ -39,6 +41,8 @@ impl StepLoad {
 pub(super) struct Traced {
     /// The slip (mm, p) from which friction counts at its end.
     pub reference_slip: Vec<f64>,
+    /// Share of the step from which a pocket has fluid to let off at once.
+    pub lets_off: Option<f64>,
     /// Where statuses changed: what was rising may fall from there on, so that extremes of K lie
     /// there.
     pub changes: Vec<Change>,
@@ -58,6 +62,8 @@ pub(super) struct Accuracy<'s> {
     pub missed: &'s dyn Fn() -> Vec<f64>,
     /// By how much (mm) the slip may be wrong at which a point is held.
     pub allowed: &'s dyn Fn(usize) -> f64,
+    /// The pressure over the mouths of pockets.
+    pub outside: OutsidePressure,
 }
 
 /// A step that was not followed to its end.
@@ -94,6 +100,8 @@ struct Way<'w, 'a> {
     rates: [FaceRate; 2],
     reference_slip: Vec<f64>,
     changes: Vec<Change>,
+    /// The fluid, where its pressure is an unknown.
+    pockets: PocketWay,
     accuracy: Accuracy<'w>,
     /// By crack, a bound of the error of slip that what the parabola misses means, over √C_jj of
     /// the point: by Cauchy and Schwarz |C_jk| ≤ √(C_jj C_kk). None before it is asked for; `faces`
@@ -104,10 +112,15 @@ struct Way<'w, 'a> {
 /// The next change of status.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Event {
-    point: usize,
-    status: PointStatus,
+    change: StatusChange,
     /// Share of the step from now on.
     after: f64,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum StatusChange {
+    Point(usize, PointStatus),
+    Pocket(usize, PocketStatus),
 }
 
 /// Follows the faces from `current` through a step, of whose load `faces` has the coefficients as
@@ -122,6 +135,7 @@ pub(super) fn follow<'a>(
     accuracy: Accuracy<'_>,
 ) -> Result<Traced, Stop> {
     let n = 2 * problem.points();
+    let pockets = PocketWay::new(problem, accuracy.outside.clone());
     let mut way = Way {
         problem,
         faces,
@@ -131,6 +145,7 @@ pub(super) fn follow<'a>(
         rates: [FaceRate::zero(n), FaceRate::zero(n)],
         reference_slip: current.jump.iter().step_by(2).copied().collect(),
         changes: Vec::new(),
+        pockets,
         accuracy,
         error_bounds: None,
     };
@@ -139,6 +154,7 @@ pub(super) fn follow<'a>(
     loop {
         let lost = Stop::Lost { share: way.share };
         way.faces.rates(1, &mut way.rates).map_err(|Degenerate| lost)?;
+        way.press().map_err(|Degenerate| lost)?;
         let Some(event) = way.next_event() else { break };
         at_once = if event.after > MOMENT { 0 } else { at_once + 1 };
         events += 1;
@@ -149,7 +165,11 @@ pub(super) fn follow<'a>(
         way.change(event)?;
     }
     way.advance(1.0 - way.share);
-    Ok(Traced { reference_slip: way.reference_slip, changes: way.changes })
+    for (k, state) in way.now.fluid.iter().enumerate() {
+        way.faces.set_pocket(k, *state);
+    }
+    let Way { reference_slip, changes, pockets, .. } = way;
+    Ok(Traced { reference_slip, changes, lets_off: pockets.lets_off })
 }
 
 impl Way<'_, '_> {
@@ -165,6 +185,18 @@ impl Way<'_, '_> {
         go(&mut self.now.jump, &first.jump, &second.jump);
         go(&mut self.now.contact, &first.contact, &second.contact);
         self.share += after;
+        if !self.now.fluid.is_empty() {
+            self.pockets.advance(self.problem, &mut self.now, self.share, one, two);
+        }
+    }
+
+    /// Adds to the rates of the load what the pressures of the pockets do.
+    fn press(&mut self) -> Result<(), Degenerate> {
+        if self.now.fluid.is_empty() {
+            return Ok(());
+        }
+        let units = self.faces.unit_rates()?;
+        self.pockets.press(self.problem, units, &mut self.now, &mut self.rates, self.share)
     }
 
     /// The first change of status within the step.
@@ -172,12 +204,18 @@ impl Way<'_, '_> {
         let mut next: Option<Event> = None;
         let mut span = 1.0 - self.share;
         for point in 0..self.problem.points() {
+            if self.pockets.holds(&self.now, point) {
+                continue;
+            }
             if let Some((after, status)) = self.event_of(point, span) {
                 span = after;
-                next = Some(Event { point, status, after });
+                next = Some(Event { change: StatusChange::Point(point, status), after });
             }
         }
-        next
+        let scale = PocketWay::scale_of(self.round_off);
+        let pocket = self.pockets.next_event(self.problem, &self.now, scale, self.share, span);
+        let of_pocket = |(after, k, status)| Event { change: StatusChange::Pocket(k, status), after };
+        pocket.map(of_pocket).or(next)
     }
 
     /// Time within `span` at which `point` changes its status, and the new status.
@@ -226,9 +264,16 @@ impl Way<'_, '_> {
         (speed(2 * point), -speed(2 * point + 1))
     }
 
-    /// Gives the point of `event` its new status.
+    /// Gives the point or the pocket of `event` its new status.
     fn change(&mut self, event: Event) -> Result<(), Stop> {
-        let Event { point, status, .. } = event;
+        let (point, status) = match event.change {
+            StatusChange::Point(point, status) => (point, status),
+            StatusChange::Pocket(k, status) => {
+                self.changes.push(Change { share: self.share, solution: self.now.clone() });
+                self.now.fluid[k] = PocketWay::changed(self.problem, &self.now, k, status);
+                return Ok(());
+            }
+        };
         let before = self.now.status[point];
         let slip = self.now.jump[2 * point];
         let held = before == PointStatus::Open || status == PointStatus::Stick;
@@ -239,6 +284,11 @@ impl Way<'_, '_> {
         self.reference_slip[point] = slip;
         self.now.status[point] = status;
         self.faces.set_status(point, status, slip);
+        let scale = PocketWay::scale_of(self.round_off);
+        let opened = (point, status == PointStatus::Open);
+        for (k, state) in self.pockets.after_change(self.problem, &self.now, scale, opened, self.share) {
+            self.now.fluid[k] = state;
+        }
         Ok(())
     }
 
@@ -269,64 +319,11 @@ impl Way<'_, '_> {
         let mut error = FaceRate::zero(self.now.jump.len());
         let lost = Stop::Lost { share: self.share };
         self.faces.rates(3, std::slice::from_mut(&mut error)).map_err(|Degenerate| lost)?;
+        if !self.now.fluid.is_empty() {
+            self.pockets.add_error(self.problem, &self.now, &mut error);
+        }
         let excess = (error.jump[2 * point].abs() + slope * error.jump[2 * point + 1].abs()) / allowed;
         if excess <= 1.0 { Ok(()) } else { Err(Stop::Inaccurate { excess }) }
-    }
-}
-
-/// c0 + c1 δ + c2 δ².
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Parabola {
-    c0: f64,
-    c1: f64,
-    c2: f64,
-}
-
-impl Parabola {
-    /// Of a value that is `now` at share `share` and has the coefficients `first` and `second` in
-    /// shares of the step; δ counts from now.
-    fn of(now: f64, first: f64, second: f64, share: f64) -> Self {
-        Self { c0: now, c1: first + 2.0 * share * second, c2: second }
-    }
-
-    fn times(self, factor: f64) -> Self {
-        Self { c0: factor * self.c0, c1: factor * self.c1, c2: factor * self.c2 }
-    }
-
-    fn plus(self, other: Self) -> Self {
-        Self { c0: self.c0 + other.c0, c1: self.c1 + other.c1, c2: self.c2 + other.c2 }
-    }
-
-    /// The first δ < `span` at which the value falls by more than `small` below zero; one that is
-    /// below zero now counts as zero.
-    fn first_fall(self, small: f64, span: f64) -> Option<f64> {
-        let Self { c0, c1, c2 } = self;
-        let c0 = c0.max(0.0) + small;
-        if c0 + span * (c1 + span * c2) >= 0.0 {
-            // Below zero in between?
-            let dips = c1 < 0.0 && c2 > 0.0 && -c1 < 2.0 * c2 * span && c1 * c1 > 4.0 * c2 * c0;
-            if !dips {
-                return None;
-            }
-        }
-        let root = (c1 * c1 - 4.0 * c0 * c2).max(0.0).sqrt();
-        let after = if c1 < 0.0 { 2.0 * c0 / (root - c1) } else { (c1 + root) / (-2.0 * c2) };
-        (after < span).then_some(after)
-    }
-
-    /// The first δ < `span` at which the rate is below zero, if the value then falls by more than
-    /// `small` in a step.
-    fn rate_falls(self, small: f64, span: f64) -> Option<f64> {
-        let Self { c1, c2, .. } = self;
-        if c1 < -small {
-            return Some(0.0);
-        }
-        let rate_at_end = c1 + 2.0 * c2 * span;
-        if rate_at_end >= -small {
-            return None;
-        }
-        let after = (c1 + small) / (-2.0 * c2);
-        (after < span).then_some(after)
     }
 }
 

@@ -23,14 +23,15 @@ fn followed(
     faces.set_status(0, current.status[0], current.jump[0]);
     let end = (0..2).map(|i| start[i] + first[i] + second[i]).collect();
     faces.load([end, first.to_vec(), second.to_vec()]);
-    let accuracy = Accuracy { missed: &|| missed.to_vec(), allowed: &|_| allowed };
+    let outside = OutsidePressure::default();
+    let accuracy = Accuracy { missed: &|| missed.to_vec(), allowed: &|_| allowed, outside };
     let traced = follow(&problem, &mut faces, current, SCALE, accuracy);
     faces.equilibrate().unwrap();
     (traced, faces.solution().clone())
 }
 
 fn point(jump: [f64; 2], contact: [f64; 2], status: PointStatus) -> FaceSolution {
-    FaceSolution { jump: jump.to_vec(), contact: contact.to_vec(), status: vec![status] }
+    FaceSolution { jump: jump.to_vec(), contact: contact.to_vec(), status: vec![status], fluid: Vec::new() }
 }
 
 fn assert_near(got: f64, want: f64, scale: f64) {
@@ -46,7 +47,7 @@ fn a_point_that_is_pushed_to_and_fro() {
     let current = point([0.0, 0.0], [0.0, P], Stick);
     let load = [[0.0, -P], [4.0 * L, 0.0], [-4.0 * L, 0.0]];
     let (traced, end) = followed(&current, load, [0.0; 2], 1e-9);
-    let Traced { reference_slip, changes } = traced.ok().unwrap();
+    let Traced { reference_slip, changes, .. } = traced.ok().unwrap();
     // It begins to slip, is held, and slips back.
     assert_eq!(changes.len(), 3);
     let hold = &changes[1];
@@ -69,7 +70,7 @@ fn a_point_that_touches_sticks_or_slips_on() {
     for (along, status) in [(0.4 * P, Stick), (1.2 * P, SlipForward), (-1.2 * P, SlipBackward)] {
         let current = point([0.0, C * P], [0.0, 0.0], Open);
         let (traced, end) = followed(&current, [[0.0, P], [along, -2.0 * P], [0.0; 2]], [0.0; 2], 1e-9);
-        let Traced { reference_slip, changes } = traced.ok().unwrap();
+        let Traced { reference_slip, changes, .. } = traced.ok().unwrap();
         assert_eq!((changes.len(), end.status[0]), (1, status), "{along}");
         assert_near(changes[0].share, 0.5, 1.0);
         assert_near(reference_slip[0], 0.5 * C * along, C * P);
@@ -131,7 +132,8 @@ fn a_way_without_next_change_is_lost_where_it_ends() {
     // stick.
     let forces = |jump: [f64; 2]| body.stiffness.times(&jump);
     faces.load([forces([3.0, -0.5]), forces([3.0, -1.0]), vec![0.0; 2]]);
-    let accuracy = Accuracy { missed: &|| vec![0.0; 2], allowed: &|_| 1.0 };
+    let outside = OutsidePressure::default();
+    let accuracy = Accuracy { missed: &|| vec![0.0; 2], allowed: &|_| 1.0, outside };
     let scale = FaceScale { jump: 1.0, force: 1.0 };
     let lost = follow(&problem, &mut faces, &current, scale, accuracy).err().unwrap();
     assert!(matches!(lost, Stop::Lost { share } if (share - 0.5).abs() < 1e-6), "{lost:?}");

@@ -28,6 +28,17 @@ pub trait Wheel: Send + Sync {
     /// contact: abscissae relative to x_c (mm), increasing.
     fn edges(&self) -> &[f64];
 
+    /// The pressure (MPa) of the contact at the abscissa `x` (mm) of the running surface with the
+    /// wheel at `xc` (mm): −σ_yy there, zero beyond the outermost edges.
+    fn pressure(&self, x: f64, xc: f64) -> f64 {
+        match self.edges() {
+            [first, .., last] if (*first..=*last).contains(&(x - xc)) => {
+                (-self.stress(Vec2::new(x, 0.0), xc).yy).max(0.0)
+            }
+            _ => 0.0,
+        }
+    }
+
     /// The part of the field that bends the rail as a beam; none for a contact alone. It reaches
     /// some metres, and is no field of the half-plane: the ends of a block cannot cancel it.
     fn bending(&self) -> Option<&Bending> {

@@ -6,9 +6,9 @@ use super::mix::{MixedTip, MixedWheel, histories_of, turned_by as turned_by_whee
 use super::solvers::Solvers;
 use super::worn::mouth_sine;
 use super::{
-    FieldRecord, FieldSettings, GrowthError, GrowthSettings, GrowthState, Observer, PassageSettings,
-    PhaseTimes, RailLoad, StabilisedPassage, StepRecord, StepState, StressMoves, TipDrive, TipJudge,
-    TipRecord, Warning, WarningKind, advance, fields,
+    CrackFluid, FieldRecord, FieldSettings, GrowthError, GrowthSettings, GrowthState, Observer,
+    PassageSettings, PhaseTimes, RailLoad, StabilisedPassage, StepRecord, StepState, StressMoves, TipDrive,
+    TipJudge, TipRecord, Warning, WarningKind, advance, fields,
 };
 use crate::body::{BodyEngine, BodyError, CrackedBody};
 use crate::contact::{ContactSolver, FaceProblem, Latin, Newton};
@@ -35,6 +35,8 @@ pub struct GrowthProblem {
     pub wheel: Box<dyn Wheel>,
     /// Its share of the axles: 1 without a mix.
     pub share: f64,
+    /// Fluid in the cracks; none for dry ones.
+    pub fluid: Option<CrackFluid>,
     /// The other wheels of a mix. Shares of all wheels add up to 1; faces and fields that are
     /// recorded are those of the first wheel.
     pub others: Vec<MixedWheel>,
@@ -65,6 +67,7 @@ impl GrowthProblem {
             crack_friction,
             wheel: Box::new(wheel),
             share: 1.0,
+            fluid: None,
             others: Vec::new(),
             residual: None,
             passages: PassageSettings::default(),
@@ -143,7 +146,8 @@ impl Growth {
         let remark = |text: &String| Warning { step, kind: WarningKind::Engine, text: text.clone() };
         let mut warnings: Vec<Warning> = body.remarks.iter().map(remark).collect();
         let ends = self.ends_under_wheels(&body)?;
-        let faces = FaceProblem::new(&body, &self.problem.crack_friction)?;
+        let fluid = self.problem.fluid.as_ref().map(|fluid| fluid.on(&network, &body.faces));
+        let faces = FaceProblem::new(&body, &self.problem.crack_friction)?.with_fluid(fluid);
         let uncovered = self.uncovered();
         let loads = self.loads(&uncovered);
         let load_on = |wheel: usize| {

@@ -1,9 +1,9 @@
 //! The load on the faces through residual stress, approach, passage and departure.
 
 use super::RailLoad;
-use crate::contact::{FaceProblem, LoadPath};
+use crate::contact::{FaceProblem, FluidModel, FluidState, LoadPath, Pocket};
 use crate::field::{EndField, EndsError, StressesUnderWheel, Wheel};
-use crate::math::Vec2;
+use crate::math::{Vec2, axpy};
 
 /// Nodal forces of the uncracked rail's stress.
 pub(super) struct FaceLoad<'a> {
@@ -15,6 +15,9 @@ pub(super) struct FaceLoad<'a> {
     points: Vec<Vec2>,
     /// Nodal forces of the residual stress.
     residual: Vec<f64>,
+    /// The largest pressure (MPa) of the fluid in cracks that take that over their mouth; none
+    /// without such fluid.
+    cap: Option<f64>,
 }
 
 /// One part of the history, and what its path coordinate is.
@@ -53,7 +56,38 @@ impl<'a> FaceLoad<'a> {
         };
         let points: Vec<Vec2> = problem.body().faces.samples.iter().map(|sample| sample.point).collect();
         let ends = ends.map(|ends| ends.at(&points)).transpose()?;
-        Ok(Self { problem, wheel: load.wheel, ends, points, residual })
+        let cap = problem.fluid().and_then(|fluid| match fluid.model {
+            FluidModel::Mouth { cap } => Some(cap),
+            FluidModel::Trapped { .. } => None,
+        });
+        Ok(Self { problem, wheel: load.wheel, ends, points, residual, cap })
+    }
+
+    /// The pressure (MPa) that the contact at `xc` (mm), with a share of its load, exerts over the
+    /// mouth of each pocket; zero over a buried crack.
+    pub(super) fn over_mouths(&self, xc: f64, share: f64) -> Vec<f64> {
+        let pockets = self.problem.fluid().map_or(&[][..], |fluid| &fluid.pockets);
+        let over = |pocket: &Pocket| pocket.mouth.map_or(0.0, |mouth| self.wheel.pressure(mouth.x, xc));
+        pockets.iter().map(|pocket| share * over(pocket)).collect()
+    }
+
+    /// Adds the nodal forces of trapped fluid to `forces` (N/mm, 2p): `state` is that in the crack
+    /// of a tip.
+    pub(super) fn press_trapped(&self, forces: &mut [f64], state: impl Fn(usize) -> Option<FluidState>) {
+        let Some(fluid) = self.problem.fluid().filter(|_| self.cap.is_none()) else { return };
+        for pocket in &fluid.pockets {
+            let tips = &self.problem.body().tips;
+            let tip = tips.iter().position(|tip| pocket.cracks.contains(&tip.crack));
+            if let Some(state) = tip.and_then(&state) {
+                axpy(state.pressure, &pocket.unit, forces);
+            }
+        }
+    }
+
+    /// The pressure (MPa) in each pocket where it is that over the mouth; none of another fluid.
+    pub(super) fn in_pockets(&self, xc: f64, share: f64) -> Option<Vec<f64>> {
+        let cap = self.cap?;
+        Some(self.over_mouths(xc, share).into_iter().map(|pressure| pressure.min(cap)).collect())
     }
 
     /// The load along `part`.
@@ -85,8 +119,22 @@ pub(super) struct PartLoad<'a> {
 }
 
 impl LoadPath for PartLoad<'_> {
+    fn over_mouths(&self, at: f64) -> Vec<f64> {
+        if self.load.cap.is_some() {
+            // A load like others.
+            return Vec::new();
+        }
+        match self.part {
+            Part::Ramp => self.load.over_mouths(0.0, 0.0),
+            Part::Far { .. } if at == 0.0 => self.load.over_mouths(0.0, 0.0),
+            Part::Far { origin, side } => self.load.over_mouths(origin + side / at, 1.0),
+            Part::Load { xc } => self.load.over_mouths(xc, at),
+            Part::Over => self.load.over_mouths(at, 1.0),
+        }
+    }
+
     fn nodal_forces(&self, at: f64) -> Vec<f64> {
-        let FaceLoad { problem, wheel, ends, points, residual } = self.load;
+        let FaceLoad { problem, wheel, ends, points, residual, .. } = self.load;
         let (xc, share) = match self.part {
             Part::Ramp => return residual.iter().map(|f| f * at).collect(),
             Part::Far { .. } if at == 0.0 => return residual.clone(),
@@ -103,6 +151,11 @@ impl LoadPath for PartLoad<'_> {
             forces.iter_mut().for_each(|f| *f *= share);
         }
         forces.iter_mut().zip(residual).for_each(|(f, r)| *f += r);
+        if let Some((pressures, fluid)) = self.load.in_pockets(xc, share).zip(problem.fluid()) {
+            for (pressure, pocket) in pressures.into_iter().zip(&fluid.pockets) {
+                axpy(pressure, &pocket.profile, &mut forces);
+            }
+        }
         forces
     }
 }

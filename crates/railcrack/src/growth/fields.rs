@@ -62,7 +62,11 @@ pub(super) fn record_fields(
             let removed = face_load.along(Part::Over).nodal_forces(xc[i]);
             let states = faces.iter().zip(&passage.faces.states[i]);
             let contact = states.flat_map(|(point, s)| [-s.s12 * point.weight, -s.s22 * point.weight]);
-            removed.into_iter().zip(contact).map(|(removed, contact)| removed + contact).collect()
+            let mut forces: Vec<f64> =
+                removed.into_iter().zip(contact).map(|(removed, contact)| removed + contact).collect();
+            face_load
+                .press_trapped(&mut forces, |tip| passage.passages.last()?.fluid.get(tip)?.get(i).copied());
+            forces
         })
         .collect();
     let under = |(i, forces): (usize, _)| FieldLoad { forces, wheel: Some((load.wheel, xc[i])) };

@@ -2,6 +2,7 @@
 //! and stops.
 
 mod coalescence;
+mod crack_fluid;
 mod cycles;
 mod deferred;
 mod driver;
@@ -34,6 +35,7 @@ mod tip_sifs;
 mod warning;
 mod worn;
 
+pub use crack_fluid::{CrackFluid, PressureProfile};
 pub use cycles::Interval;
 pub use deferred::DeferredGrowth;
 pub use driver::{Growth, GrowthProblem, NEAR_TIE};

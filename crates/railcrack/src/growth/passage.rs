@@ -6,7 +6,8 @@ use super::positions::output_positions;
 use super::tip_sifs::{TipMark, TipSifs};
 use super::{FaceRecord, Observer, PassageRecord, PassageSettings, RailLoad, SolverCounts};
 use crate::contact::{
-    ContactSolver, FaceProblem, FaceSolution, FaceState, StepControl, Stepper, SteppingError,
+    ContactSolver, FaceProblem, FaceSolution, FaceState, FluidModel, FluidState, Pocket, StepControl,
+    Stepper, SteppingError,
 };
 use crate::field::EndsError;
 use crate::fracture::SifHistory;
@@ -113,12 +114,14 @@ pub(super) fn passages_under(
         mouths: mouths(problem),
         edge_steps: 0,
         control: settings.step_control,
+        covered: vec![false; trapped(problem).len()],
         stepper,
     };
     let mut tips = TipSifs::virgin(problem);
     if load.residual.is_some() {
         wheel.residual_stress(&mut tips)?;
     }
+    wheel.seal_buried();
     let mut passages: Vec<PassageRecord> = Vec::new();
     let mut before: Option<Pass> = None;
     loop {
@@ -152,6 +155,8 @@ const FAR_STATIONS: usize = 16;
 /// away.
 const RAMP_STATIONS: usize = 8;
 
+/// Distance ahead of the contact, over a, in which a mouth is covered or left.
+const AHEAD: f64 = 1e-6;
 /// Stations around the passage of a contact edge over a mouth, over a: the stress there goes like
 /// the root of the distance.
 const EDGE_STATIONS: [f64; 7] = [-0.03, -0.015, -0.004, 0.0, 0.004, 0.015, 0.03];
@@ -171,6 +176,8 @@ struct Rolling<'a> {
     /// Steps to positions of [`EDGE_STATIONS`].
     edge_steps: usize,
     control: StepControl,
+    /// Whether the contact covers the mouth of each pocket whose fluid it traps.
+    covered: Vec<bool>,
     stepper: Stepper<'a>,
 }
 
@@ -197,6 +204,9 @@ impl Pass {
         let from = self.marks.len();
         for (own, sifs) in self.record.sifs.iter_mut().zip(&other.record.sifs) {
             own.extend_from_slice(&sifs[from..]);
+        }
+        for (own, fluid) in self.record.fluid.iter_mut().zip(&other.record.fluid) {
+            own.extend_from_slice(&fluid[from..]);
         }
         let past = other.marks[from - 1].tips.samples();
         for (own, history) in self.histories.iter_mut().zip(&other.histories) {
@@ -245,11 +255,16 @@ impl Rolling<'_> {
         };
         arrived.map_err(failure(number, "approach"))?;
 
-        let record =
-            PassageRecord { xc: self.xc.to_vec(), sifs: vec![Vec::new(); problem.body().tips.len()] };
+        let tips_of = problem.body().tips.len();
+        let record = PassageRecord {
+            xc: self.xc.to_vec(),
+            sifs: vec![Vec::new(); tips_of],
+            fluid: vec![Vec::new(); if problem.fluid().is_some() { tips_of } else { 0 }],
+        };
         let mut pass =
             Pass { record, histories: Vec::new(), states: Vec::new(), marks: Vec::new(), joins: false };
         self.stepper.begin(first);
+        self.cover(first, travel, tips).map_err(failure(number, "passage"))?;
         for (i, &x) in self.xc.iter().enumerate() {
             let over = self.face_load.along(Part::Over);
             let last = if i == 0 { x } else { self.xc[i - 1] };
@@ -258,8 +273,11 @@ impl Rolling<'_> {
                 let mut take =
                     |solution: &FaceSolution, forces: &[f64]| tips.follow(problem, solution, forces);
                 self.stepper.advance(&over, station, &mut take).map_err(failure(number, "passage"))?;
+                self.cover(station, travel, tips).map_err(failure(number, "passage"))?;
             }
             pass.record.sifs.iter_mut().zip(tips.sifs()).for_each(|(tip, k)| tip.push(k));
+            let fluid = self.fluid(x);
+            pass.record.fluid.iter_mut().zip(fluid).for_each(|(tip, state)| tip.push(state));
             pass.states.push(self.stepper.solution().face_states(self.problem));
             pass.marks.push(Mark { faces: self.stepper.solution().clone(), tips: tips.mark() });
             observer.progress((i + 1) as f64 / self.xc.len() as f64);
@@ -273,6 +291,7 @@ impl Rolling<'_> {
             }
         }
 
+        self.uncover(tips).map_err(failure(number, "departure"))?;
         let near = self.distance(last);
         let share = |k: usize| k as f64 / FAR_STATIONS as f64 / near;
         let left = if bounded {
@@ -289,13 +308,77 @@ impl Rolling<'_> {
         Ok(pass)
     }
 
+    /// Traps the fluid of buried cracks, for ever.
+    fn seal_buried(&mut self) {
+        for (k, pocket) in trapped(self.problem).iter().enumerate() {
+            if pocket.mouth.is_none() {
+                self.stepper.seal(k);
+            }
+        }
+    }
+
+    /// Traps the fluid of cracks whose mouths the contact covers from `xc` (mm) on, and lets go
+    /// that of cracks whose mouths it leaves.
+    fn cover(&mut self, xc: f64, travel: f64, tips: &mut TipSifs) -> Result<(), SteppingError> {
+        if self.covered.is_empty() {
+            return Ok(());
+        }
+        let ahead = self.face_load.over_mouths(xc + travel * AHEAD * self.half_width, 1.0);
+        for (k, pressure) in ahead.into_iter().enumerate() {
+            let covers = pressure > 0.0;
+            if covers && !self.covered[k] {
+                self.stepper.seal(k);
+            } else if !covers && self.covered[k] {
+                self.release(k, tips)?;
+            }
+            self.covered[k] = covers;
+        }
+        Ok(())
+    }
+
+    /// Lets all fluid go that the contact traps.
+    fn uncover(&mut self, tips: &mut TipSifs) -> Result<(), SteppingError> {
+        for k in 0..self.covered.len() {
+            if std::mem::take(&mut self.covered[k]) {
+                self.release(k, tips)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn release(&mut self, k: usize, tips: &mut TipSifs) -> Result<(), SteppingError> {
+        let problem = self.problem;
+        self.stepper.release(k, &mut |solution, forces| tips.follow(problem, solution, forces))
+    }
+
+    /// The fluid in the crack of each tip with the wheel at `xc` (mm).
+    fn fluid(&self, xc: f64) -> Vec<FluidState> {
+        let Some(fluid) = self.problem.fluid() else { return Vec::new() };
+        let solution = self.stepper.solution();
+        let pressures = self.face_load.in_pockets(xc, 1.0).unwrap_or_default();
+        let state = |(k, pocket): (usize, &Pocket)| FluidState {
+            pressure: solution
+                .fluid
+                .get(k)
+                .map_or_else(|| pressures.get(k).copied().unwrap_or(0.0), |fluid| fluid.pressure),
+            volume: pocket.volume(&solution.jump),
+        };
+        let states: Vec<FluidState> = fluid.pockets.iter().enumerate().map(state).collect();
+        let in_crack = |crack: usize| {
+            let pocket = fluid.pockets.iter().position(|pocket| pocket.cracks.contains(&crack));
+            pocket.map_or(FluidState::default(), |k| states[k])
+        };
+        self.problem.body().tips.iter().map(|tip| in_crack(tip.crack)).collect()
+    }
+
     /// Wheel positions between two output positions at which an edge of the contact is at a mouth
     /// or close to it, in the order of travel: the stress at the mouth varies there too fast to be
     /// seen from the neighbouring positions.
     fn edges_between(&self, from: f64, to: f64) -> impl Iterator<Item = f64> + use<> {
         let travel = (to - from).signum();
         let within = |x: &f64| (x - from) * travel > 0.0 && (to - x) * travel > 0.0;
-        let mut stations: Vec<f64> = if self.problem.has_friction() && self.control == StepControl::Adaptive {
+        let adaptive = self.problem.has_friction() && self.control == StepControl::Adaptive;
+        let mut stations: Vec<f64> = if adaptive || !self.covered.is_empty() {
             let edges = self.mouths.iter().flat_map(|mouth| self.edges.iter().map(move |edge| mouth - edge));
             edges
                 .flat_map(|edge| EDGE_STATIONS.map(|share| edge + share * self.half_width))
@@ -341,6 +424,14 @@ impl Rolling<'_> {
     fn distance(&self, x: f64) -> f64 {
         let samples = self.problem.body().faces.samples.iter();
         samples.map(|s| (s.point.x - x).abs()).fold(f64::INFINITY, f64::min).max(self.half_width)
+    }
+}
+
+/// The pockets whose fluid the contact traps.
+fn trapped<'a>(problem: &'a FaceProblem) -> &'a [Pocket] {
+    match problem.fluid() {
+        Some(fluid) if matches!(fluid.model, FluidModel::Trapped { .. }) => &fluid.pockets,
+        _ => &[],
     }
 }
 

@@ -1,7 +1,7 @@
 //! Records of a passage: histories of K and states of the crack faces.
 
 use crate::body::FacePoint;
-use crate::contact::FaceState;
+use crate::contact::{FaceState, FluidState};
 use crate::fracture::Sif;
 use serde::{Deserialize, Serialize};
 
@@ -12,6 +12,8 @@ pub struct PassageRecord {
     pub xc: Vec<f64>,
     /// `sifs[tip][position]`, MPa √mm.
     pub sifs: Vec<Vec<Sif>>,
+    /// `fluid[tip][position]` in the crack of each tip; empty without fluid.
+    pub fluid: Vec<Vec<FluidState>>,
 }
 
 /// The faces during the stabilised passage.

@@ -15,6 +15,7 @@ mod edge_crack_in_tension;
 mod edge_crack_under_pressure;
 mod engine_paths;
 mod far_apart;
+mod fluid;
 mod half_plane_histories;
 mod interruption;
 mod joined_passage;

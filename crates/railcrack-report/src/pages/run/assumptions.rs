@@ -2,7 +2,7 @@
 
 use super::stored::RunFolder;
 use crate::numbers::{fixed, grouped, rounded, significant};
-use railcrack::contact::StepControl;
+use railcrack::contact::{FluidModel, StepControl};
 use railcrack::fatigue::DirectionCriterion;
 use railcrack::load::Contact;
 use railcrack::words::Choice;
@@ -90,8 +90,30 @@ fn wheel(case: &Case) -> String {
          not affected by the cracks and is the same in every load cycle.{}",
         fixed(contact.peak_pressure(), 0),
         fixed(contact.half_width(), 2),
-        long_rail(case)
+        long_rail(case) + &fluid(case)
     )
+}
+
+/// Fluid in the cracks.
+fn fluid(case: &Case) -> String {
+    match case.fluid.as_ref().map(|fluid| fluid.model) {
+        None => String::new(),
+        Some(FluidModel::Mouth { cap }) => {
+            let most = if cap.is_finite() { format!(", at most {cap} MPa") } else { String::new() };
+            format!(
+                " Fluid in the cracks has the pressure of the contact over their mouths{most}: without a cap K is far above what a \
+                 wheel would let happen."
+            )
+        }
+        Some(FluidModel::Trapped { bulk_modulus, .. }) => {
+            let kept =
+                if bulk_modulus.is_finite() { format!(", B = {bulk_modulus} MPa") } else { String::new() };
+            format!(
+                " Fluid that is in a crack as the contact covers its mouth stays there until the contact leaves it{kept}: a bound \
+                 from above; the dry crack is one from below."
+            )
+        }
+    }
 }
 
 /// Bending and temperature of the rail.

@@ -64,6 +64,7 @@ pub(crate) fn run_page(run: &RunFolder, shown: &ShownRun, plots: &[Plot]) -> Pag
     if run.summary.steps_recorded > 0 {
         page.sections.push(explorer(data::explorer(run, shown), plots));
         page.sections.extend(far::section(run, plots));
+        page.sections.extend(water(plots));
         page.sections.extend(around::section(shown));
         page.sections.push(growth(run, warnings::remarks(run, shown)));
         page.sections.push(steps(run));
@@ -86,6 +87,17 @@ fn explorer(data: Value, plots: &[Plot]) -> Section {
     blocks.extend(stills.into_iter().flatten());
     blocks.extend(still(plots, "faces.svg", "Crack faces in step 0."));
     Section { id: "passage".to_owned(), heading: "Passage of the wheel".to_owned(), blocks }
+}
+
+/// Pressure and volume of the fluid in the cracks; none of dry ones.
+fn water(plots: &[Plot]) -> Option<Section> {
+    let charts: Vec<Chart> =
+        ["fluid-pressure", "fluid-volume"].into_iter().filter_map(|id| chart(plots, id)).collect();
+    (!charts.is_empty()).then(|| Section {
+        id: "water".to_owned(),
+        heading: "Water in the cracks".to_owned(),
+        blocks: vec![Block::charts(charts)],
+    })
 }
 
 fn growth(run: &RunFolder, remarks: Vec<String>) -> Section {

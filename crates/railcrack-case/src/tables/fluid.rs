@@ -1,0 +1,100 @@
+//! `[fluid]`: water in the cracks.
+
+use crate::schema::{
+    Choice, Preset, Report, SectionValues, Word, choice, closed, number, numbers, positive, read_by_word,
+    section, switch,
+};
+use railcrack::contact::FluidModel;
+use railcrack::crack::CrackNetwork;
+use railcrack::growth::{CrackFluid, PressureProfile};
+
+const MOUTH: &str = "mouth";
+const TRAPPED: &str = "trapped";
+
+section! {
+    FLUID "fluid", Optional, "Water or grease in the cracks: pressure on their faces.";
+    MODEL: FluidKind = choice("model", "How the pressure comes about.").required();
+    PRESSURE_PROFILE: PressureProfile = choice("profile", "Pressure along the crack, s from the mouth, l its length.")
+        .only_with(MODEL, MOUTH, "a trapped fluid has one pressure");
+    PRESSURE_CAP: f64 = number("pressure_cap_mpa", "MPa", positive(f64::INFINITY), f64::INFINITY,
+        "Largest pressure; with inf, none, the flap above a shallow crack is lifted off the rail, which no wheel would let happen.")
+        .only_with(MODEL, MOUTH, "a trapped fluid is limited by its volume");
+    BULK_MODULUS: f64 = number("bulk_modulus_mpa", "MPa", positive(f64::INFINITY), f64::INFINITY,
+        "Bulk modulus B of the fluid, V = V0 exp(-p/B): 2200 is water, inf cannot be compressed.")
+        .only_with(MODEL, TRAPPED, "the pressure is that over the mouth");
+    LEAK: bool = switch("leak", Preset::Switch(false),
+        "Whether fluid at more than the pressure over the mouth leaves through it; true is refused for now.")
+        .only_with(MODEL, TRAPPED, "the pressure is that over the mouth");
+    WET_CRACKS: Vec<f64> = numbers("cracks", "", closed(1.0, 1e4), &[1.0],
+        "Numbers of the cracks with fluid, from 1, copies counted; without this key all. Joined cracks share it.")
+        .optional();
+}
+
+read_by_word!(FluidKind, PressureProfile);
+
+/// Models of the fluid.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum FluidKind {
+    None,
+    Mouth,
+    Trapped,
+}
+
+impl Choice for FluidKind {
+    const WORDS: &'static [(Self, Word)] = &[
+        (Self::None, Word::now("none", "dry cracks, as without this section: for studies")),
+        (Self::Mouth, Word::now(MOUTH, "the pressure of the contact over the mouth acts in the crack")),
+        (
+            Self::Trapped,
+            Word::now(TRAPPED, "the volume that the crack holds as the contact covers its mouth stays in it"),
+        ),
+    ];
+}
+
+/// The fluid in the cracks of `network`, if any; none at all where something is wrong, which
+/// `report` then says.
+#[expect(clippy::option_option, reason = "dry cracks, and a section with errors")]
+pub(crate) fn read_fluid(
+    section: &SectionValues,
+    network: &CrackNetwork,
+    report: &mut Report,
+) -> Option<Option<CrackFluid>> {
+    let count = network.cracks().len();
+    let cracks = section.get(WET_CRACKS);
+    let wrong = cracks.iter().flatten().find(|number| number.fract() != 0.0 || **number > count as f64);
+    if let Some(number) = wrong {
+        let says = format!("no crack {number}; the case has {count}, numbered from 1 with copies counted");
+        report.add(section.fault(WET_CRACKS, says));
+        return None;
+    }
+    let cracks: Option<Vec<usize>> =
+        cracks.map(|numbers| numbers.into_iter().map(|number| number as usize - 1).collect());
+    let wet = |crack: &usize| cracks.as_ref().is_none_or(|wet| wet.contains(crack));
+    let model = match section.get(MODEL)? {
+        FluidKind::None => return Some(None),
+        FluidKind::Mouth => {
+            let buried = |crack: &usize| !network.cracks()[*crack].is_surface_breaking();
+            if let Some(crack) = (0..count).filter(wet).find(buried) {
+                let says = format!(
+                    "\"mouth\": crack {} is buried and has no mouth to take a pressure from",
+                    crack + 1
+                );
+                let help = "cracks = [\u{2026}] names those with fluid";
+                report.add(section.fault(MODEL, says).help(help));
+                return None;
+            }
+            FluidModel::Mouth { cap: section.get(PRESSURE_CAP)? }
+        }
+        FluidKind::Trapped => {
+            if section.get(LEAK)? {
+                let says = "a leak along open faces cannot be followed yet";
+                report
+                    .add(section.fault(LEAK, says).help("leak = false keeps all fluid: a bound from above"));
+                return None;
+            }
+            FluidModel::Trapped { bulk_modulus: section.get(BULK_MODULUS)?, leak: false }
+        }
+    };
+    let profile = section.get(PRESSURE_PROFILE).unwrap_or_default();
+    Some(Some(CrackFluid { model, profile, cracks }))
+}

@@ -1,0 +1,118 @@
+//! Fluid in the cracks: its model, and the pockets of the faces that it fills.
+
+use crate::math::OutOfRange;
+
+/// How the pressure of the fluid follows from the wheel.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum FluidModel {
+    /// The pressure of the contact over the mouth acts in the crack (Bower 1988).
+    Mouth {
+        /// The largest pressure, MPa; infinite for none.
+        cap: f64,
+    },
+    /// The fluid in a crack whose mouth the contact covers keeps its volume (Bower 1988).
+    Trapped {
+        /// B, MPa: V = V0 e^(−p/B); infinite for a fluid that cannot be compressed.
+        bulk_modulus: f64,
+        /// Whether fluid at more than the pressure over the mouth leaves through it, where it
+        /// finds a way of open faces. Unfinished: load steps with such a leak may fail to converge,
+        /// and cases refuse it.
+        leak: bool,
+    },
+}
+
+impl FluidModel {
+    /// Refuses a cap and a modulus that are not positive.
+    pub fn check(&self) -> Result<(), OutOfRange> {
+        let (quantity, value) = match self {
+            Self::Mouth { cap } => ("largest fluid pressure (MPa)", *cap),
+            Self::Trapped { bulk_modulus, .. } => ("bulk modulus of the fluid (MPa)", *bulk_modulus),
+        };
+        OutOfRange::unless(value > 0.0, quantity, value, "positive")
+    }
+}
+
+/// The mouth of a pocket.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PocketMouth {
+    /// Its abscissa, mm.
+    pub x: f64,
+    /// The face point there.
+    pub point: usize,
+}
+
+/// Connected cracks with fluid, in which there is one pressure.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Pocket {
+    /// Its cracks, by index from 0.
+    pub cracks: Vec<usize>,
+    /// Nodal forces (N/mm per MPa, 2p) of a unit pressure on its faces. By the same numbers they
+    /// give its volume per width, V = unit · ⟦w⟧ (mm²).
+    pub unit: Vec<f64>,
+    /// The same of the unit pressure over the mouth with the profile of the pressure along the
+    /// crack.
+    pub profile: Vec<f64>,
+    /// Where it reaches the running surface; none for a buried crack. Cracks with two mouths would
+    /// cut a piece out of the rail.
+    pub mouth: Option<PocketMouth>,
+    /// Its face points.
+    pub points: Vec<usize>,
+    /// Face points beside each other.
+    pub neighbours: Vec<(usize, usize)>,
+}
+
+/// The fluid on the faces of a body.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FaceFluid {
+    /// How its pressure comes about.
+    pub model: FluidModel,
+    /// Its pockets.
+    pub pockets: Vec<Pocket>,
+}
+
+/// The fluid in a crack.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct FluidState {
+    /// p, MPa; with a profile, that at the mouth.
+    pub pressure: f64,
+    /// V, mm² (mm³ per mm of width).
+    pub volume: f64,
+}
+
+impl Pocket {
+    /// V (mm²) at the jumps ⟦w⟧ (mm, 2p).
+    pub fn volume(&self, jump: &[f64]) -> f64 {
+        crate::math::dot(&self.unit, jump)
+    }
+}
+
+/// How the pressure of a pocket is determined.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PocketStatus {
+    /// By what is outside: nothing while the mouth is free, or a pressure that is let off.
+    Vented,
+    /// By the volume of the fluid: V = V0 e^(−p/B).
+    Sealed,
+    /// The fluid does not fill the pocket: p = 0, V ≥ V0.
+    Cavity,
+    /// Fluid leaves along open faces: p is the pressure over the mouth.
+    Leaking,
+    /// Fluid leaves past this face point, which is about to open: p keeps it there.
+    Throttled(usize),
+}
+
+/// The fluid of a pocket.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PocketState {
+    /// How its pressure is determined.
+    pub status: PocketStatus,
+    /// p, MPa.
+    pub pressure: f64,
+    /// V0, mm²: the volume of the fluid without pressure.
+    pub content: f64,
+}
+
+impl PocketState {
+    /// A pocket whose mouth is free.
+    pub const FREE: Self = Self { status: PocketStatus::Vented, pressure: 0.0, content: 0.0 };
+}

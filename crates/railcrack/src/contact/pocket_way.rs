@@ -1,0 +1,305 @@
+//! The pressures of trapped fluid along a load step: their rates and events.
+
+use super::condition::Degenerate;
+use super::parabola::Parabola;
+use super::pressure::{PocketRows, content, round_off, way_out};
+use super::problem::ROUND_OFF;
+use super::tableau::FaceRate;
+use super::{FaceProblem, FaceScale, FaceSolution, PocketState, PocketStatus};
+
+/// The pressure (MPa) over the mouth of each pocket within a step, at share τ of it: c0 + τ c1 +
+/// τ² c2.
+#[derive(Debug, Clone, Default)]
+pub(super) struct OutsidePressure(Vec<[f64; 3]>);
+
+impl OutsidePressure {
+    /// The parabolas through the values at the start, in the middle and at the end.
+    pub(super) fn through(start: &[f64], middle: &[f64], end: &[f64]) -> Self {
+        let one = |((&s, &m), &e): ((&f64, &f64), &f64)| [s, 4.0 * m - 3.0 * s - e, 2.0 * (s + e) - 4.0 * m];
+        Self(start.iter().zip(middle).zip(end).map(one).collect())
+    }
+
+    /// At share `share` of the step.
+    pub(super) fn at(&self, share: f64) -> Vec<f64> {
+        self.0.iter().map(|[c0, c1, c2]| c0 + share * (c1 + share * c2)).collect()
+    }
+
+    fn of(&self, k: usize, share: f64) -> Parabola {
+        let [c0, c1, c2] = self.0[k];
+        Parabola::of(c0 + share * (c1 + share * c2), c1, c2, share)
+    }
+}
+
+/// The pockets on their way through a step.
+pub(super) struct PocketWay {
+    /// The pressure over their mouths.
+    outside: OutsidePressure,
+    units: Vec<FaceRate>,
+    /// Coefficients of τ and τ² of the pressure and of the volume of each pocket.
+    pressures: Vec<[f64; 2]>,
+    volumes: Vec<[f64; 2]>,
+    /// Share of the step from which a pocket has fluid to let off at once.
+    pub lets_off: Option<f64>,
+}
+
+/// Multiple of round-off within which two pressures are one.
+const ALIKE: f64 = 100.0;
+
+impl PocketWay {
+    pub(super) fn new(problem: &FaceProblem, outside: OutsidePressure) -> Self {
+        let m = problem.pockets().len();
+        Self {
+            outside,
+            units: Vec::new(),
+            pressures: vec![[0.0; 2]; m],
+            volumes: vec![[0.0; 2]; m],
+            lets_off: None,
+        }
+    }
+
+    fn rows<'e>(&'e self, problem: &'e FaceProblem) -> PocketRows<'e> {
+        PocketRows {
+            pockets: problem.pockets(),
+            free: &problem.free_volumes,
+            bulk: problem.bulk_modulus(),
+            units: &self.units,
+        }
+    }
+
+    /// Adds to `rates` of jumps and contact forces, which are those of the load alone, what the
+    /// pressures do meanwhile.
+    pub(super) fn press(
+        &mut self,
+        problem: &FaceProblem,
+        units: &[FaceRate],
+        now: &mut FaceSolution,
+        rates: &mut [FaceRate; 2],
+        share: f64,
+    ) -> Result<(), Degenerate> {
+        self.units = units.to_vec();
+        for k in 0..now.fluid.len() {
+            if let PocketStatus::Throttled(j) = now.fluid[k].status
+                && self.units[k].jump[2 * j + 1] <= 0.0
+            {
+                // Pressure does not open this point: the fluid leaves at once.
+                now.fluid[k].content = content(problem, now, k);
+                now.fluid[k].status = PocketStatus::Sealed;
+                self.lets_off.get_or_insert(share);
+            }
+        }
+        let rows = self.rows(problem);
+        let states = &now.fluid;
+        let bulk = problem.bulk_modulus();
+        let [first, second] = &*rates;
+        let along = |k: usize, of: &dyn Fn(&[f64]) -> f64| {
+            let (one, two) = (of(&first.jump), of(&second.jump));
+            let state = &states[k];
+            (state.status, one + 2.0 * share * two, 2.0 * two)
+        };
+        let condition = |k: usize| match states[k].status {
+            PocketStatus::Throttled(j) => along(k, &|jump: &[f64]| jump[2 * j + 1]),
+            _ => along(k, &|jump: &[f64]| problem.pockets()[k].volume(jump)),
+        };
+        let given = |k: usize| self.outside.of(k, share);
+        let speeds = (0..states.len()).map(|k| match condition(k) {
+            (PocketStatus::Vented | PocketStatus::Leaking, ..) => given(k).rate(),
+            (PocketStatus::Cavity, ..) => 0.0,
+            (PocketStatus::Sealed | PocketStatus::Throttled(_), speed, _) => -speed,
+        });
+        let speeds = rows.solve(states, speeds.collect())?;
+        let bends = (0..states.len()).map(|k| match condition(k) {
+            (PocketStatus::Vented | PocketStatus::Leaking, ..) => given(k).bend(),
+            (PocketStatus::Cavity, ..) => 0.0,
+            (PocketStatus::Throttled(_), _, bend) => -bend,
+            (PocketStatus::Sealed, _, bend) => {
+                let PocketState { pressure, content, .. } = states[k];
+                let squeezed = content * super::pressure::compressed(pressure, bulk);
+                squeezed * (speeds[k] / bulk).powi(2) - bend
+            }
+        });
+        let bends = rows.solve(states, bends.collect())?;
+        let coefficients = speeds.iter().zip(&bends).map(|(speed, bend)| [speed - share * bend, 0.5 * bend]);
+        let coefficients: Vec<[f64; 2]> = coefficients.collect();
+        for (i, rate) in rates.iter_mut().enumerate() {
+            let by: Vec<f64> = coefficients.iter().map(|pair| pair[i]).collect();
+            rows.add(&by, &mut rate.jump, &mut rate.contact);
+        }
+        let volumes = problem.pockets().iter();
+        self.volumes =
+            volumes.map(|pocket| [pocket.volume(&rates[0].jump), pocket.volume(&rates[1].jump)]).collect();
+        self.pressures = coefficients;
+        Ok(())
+    }
+
+    /// Goes on with the pressures, by `one` of τ and `two` of τ²; jumps and contact forces in `now`
+    /// have done so. A compressible fluid is brought back to its curve.
+    pub(super) fn advance(
+        &mut self,
+        problem: &FaceProblem,
+        now: &mut FaceSolution,
+        share: f64,
+        one: f64,
+        two: f64,
+    ) {
+        for (state, [first, second]) in now.fluid.iter_mut().zip(&self.pressures) {
+            state.pressure += one * first + two * second;
+        }
+        let sealed = |state: &PocketState| state.status == PocketStatus::Sealed;
+        if problem.bulk_modulus().is_finite() && now.fluid.iter().any(sealed) {
+            let outside = self.outside.at(share);
+            let rows = self.rows(problem);
+            if let Ok(change) = rows.solve(&now.fluid, rows.defects(&now.fluid, &outside, &now.jump)) {
+                rows.add(&change, &mut now.jump, &mut now.contact);
+                now.fluid.iter_mut().zip(&change).for_each(|(state, change)| state.pressure += change);
+            }
+        }
+    }
+
+    /// Whether a pocket keeps `point` about to open.
+    pub(super) fn holds(&self, now: &FaceSolution, point: usize) -> bool {
+        now.fluid.iter().any(|state| state.status == PocketStatus::Throttled(point))
+    }
+
+    /// The first change of a pocket within `span` of the step from `share` on: after which part of
+    /// it, which pocket, its new status.
+    pub(super) fn next_event(
+        &self,
+        problem: &FaceProblem,
+        now: &FaceSolution,
+        scale: FaceScale,
+        share: f64,
+        mut span: f64,
+    ) -> Option<(f64, usize, PocketStatus)> {
+        let mut next = None;
+        for k in 0..now.fluid.len() {
+            if let Some((after, status)) = self.event_of(problem, now, scale, k, share, span) {
+                span = after;
+                next = Some((after, k, status));
+            }
+        }
+        next
+    }
+
+    fn event_of(
+        &self,
+        problem: &FaceProblem,
+        now: &FaceSolution,
+        scale: FaceScale,
+        k: usize,
+        share: f64,
+        span: f64,
+    ) -> Option<(f64, PocketStatus)> {
+        use PocketStatus::{Cavity, Leaking, Sealed, Throttled, Vented};
+        let pocket = &problem.pockets()[k];
+        let PocketState { status, pressure, content } = now.fluid[k];
+        let (small_pressure, small_volume) = round_off(pocket, scale);
+        let [first, second] = self.pressures[k];
+        let inside = Parabola::of(pressure, first, second, share);
+        let excess = self.outside.of(k, share).plus(inside.times(-1.0));
+        let volume = Parabola::of(pocket.volume(&now.jump), self.volumes[k][0], self.volumes[k][1], share);
+        match status {
+            Vented => None,
+            Sealed => {
+                let empties = inside.first_fall(small_pressure, span).map(|after| (after, Cavity));
+                let span = empties.map_or(span, |(after, _)| after);
+                let may_leak = problem.leaks()
+                    && pressure <= self.outside.of(k, share).value() + ALIKE * small_pressure
+                    && way_out(problem, now, k);
+                let leaks = may_leak.then(|| excess.first_fall(small_pressure, span)).flatten();
+                leaks.map(|after| (after, Leaking)).or(empties)
+            }
+            Cavity if content == 0.0 => None,
+            Cavity => {
+                let missing = volume.plus(Parabola::constant(-content));
+                missing.first_fall(small_volume, span).map(|after| (after, Sealed))
+            }
+            Leaking | Throttled(_) => {
+                let bulk = problem.bulk_modulus();
+                // Content over e^(p/B) now, to second order.
+                let (rate, bend) = (inside.rate() / bulk, inside.bend() / bulk);
+                let value = volume.value();
+                let speed = volume.rate() + value * rate;
+                let bend = volume.bend() + 2.0 * volume.rate() * rate + value * (bend + rate * rate);
+                let less = Parabola::along(value, speed, bend).times(-1.0);
+                let fills = less.rate_falls(small_volume, span).map(|after| (after, Sealed));
+                let span = fills.map_or(span, |(after, _)| after);
+                let is_throttled = matches!(status, Throttled(_));
+                let falls = is_throttled.then(|| excess.times(-1.0).first_fall(small_pressure, span));
+                falls.flatten().map(|after| (after, Leaking)).or(fills)
+            }
+        }
+    }
+
+    /// The state of pocket `k` as it changes to `status`.
+    pub(super) fn changed(
+        problem: &FaceProblem,
+        now: &FaceSolution,
+        k: usize,
+        status: PocketStatus,
+    ) -> PocketState {
+        let before = now.fluid[k];
+        let leaves = matches!(before.status, PocketStatus::Leaking | PocketStatus::Throttled(_));
+        let filled = if leaves { content(problem, now, k) } else { before.content };
+        PocketState { status, content: filled, ..before }
+    }
+
+    /// Consequences for the pockets of the change of face point `point` in `now`, which `opened` it
+    /// or did not: each with its new state.
+    pub(super) fn after_change(
+        &mut self,
+        problem: &FaceProblem,
+        now: &FaceSolution,
+        scale: FaceScale,
+        (point, opened): (usize, bool),
+        share: f64,
+    ) -> Vec<(usize, PocketState)> {
+        use PocketStatus::{Leaking, Sealed, Throttled};
+        if !problem.leaks() {
+            return Vec::new();
+        }
+        let mut changes = Vec::new();
+        for (k, pocket) in problem.pockets().iter().enumerate() {
+            if pocket.points.binary_search(&point).is_err() {
+                continue;
+            }
+            let state = now.fluid[k];
+            let (small, _) = round_off(pocket, scale);
+            let outside = self.outside.of(k, share).value();
+            let status = match state.status {
+                Sealed if way_out(problem, now, k) => {
+                    if opened && state.pressure > outside - ALIKE * small {
+                        Throttled(point)
+                    } else if state.pressure > outside + ALIKE * small {
+                        self.lets_off.get_or_insert(share);
+                        continue;
+                    } else {
+                        continue;
+                    }
+                }
+                Leaking | Throttled(_) if !way_out(problem, now, k) => Sealed,
+                _ => continue,
+            };
+            changes.push((k, Self::changed(problem, now, k, status)));
+        }
+        changes
+    }
+
+    /// The pressures for the error `error` of the load in jumps alone, added to it.
+    pub(super) fn add_error(&self, problem: &FaceProblem, now: &FaceSolution, error: &mut FaceRate) {
+        let of = |(k, state): (usize, &PocketState)| match state.status {
+            PocketStatus::Throttled(j) => -error.jump[2 * j + 1],
+            PocketStatus::Sealed => -problem.pockets()[k].volume(&error.jump),
+            _ => 0.0,
+        };
+        let right: Vec<f64> = now.fluid.iter().enumerate().map(of).collect();
+        let rows = self.rows(problem);
+        if let Ok(pressures) = rows.solve(&now.fluid, right) {
+            rows.add(&pressures, &mut error.jump, &mut error.contact);
+        }
+    }
+
+    /// Round-off of forces and jumps of the largest sizes `round_off`, as a scale of sizes.
+    pub(super) fn scale_of(round_off: FaceScale) -> FaceScale {
+        FaceScale { jump: round_off.jump / ROUND_OFF, force: round_off.force / ROUND_OFF }
+    }
+}

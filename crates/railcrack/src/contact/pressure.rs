@@ -1,0 +1,280 @@
+//! The pressure of trapped fluid as an unknown of the contact problem.
+
+use super::condition::Degenerate;
+use super::problem::ROUND_OFF;
+use super::tableau::FaceRate;
+use super::{FaceProblem, FaceScale, FaceSolution, FluidModel, Pocket, PocketState, PocketStatus};
+use crate::linear::SmallFactor;
+use crate::math::Matrix;
+
+/// Volume below this share of the one that the pocket has when its faces are free, over which no
+/// pressure acts.
+const CLOSED: f64 = 1e-9;
+/// e^x beyond this exponent is not needed on the way to a solution.
+const MOST_EXPONENT: f64 = 50.0;
+/// Newton iterations for a compressible fluid; two or three serve.
+const ITERATIONS: usize = 40;
+/// Change of the pressure relative to itself at which they end.
+const SETTLED: f64 = 1e-13;
+
+/// e^(−p/B).
+pub(super) fn compressed(pressure: f64, bulk: f64) -> f64 {
+    (-pressure / bulk).clamp(-MOST_EXPONENT, MOST_EXPONENT).exp()
+}
+
+/// The conditions of all pockets: one row for each pressure.
+///
+/// With fixed statuses jumps and contact forces are linear in the pressures; `units` are their
+/// responses to a unit pressure of each pocket. The matrix w·U is what the body's compliance leaves
+/// of the free faces, so that a sealed pocket has a positive diagonal as soon as a point can move.
+pub(super) struct PocketRows<'e> {
+    pub pockets: &'e [Pocket],
+    /// Volumes of a unit pressure on free faces, mm²/MPa.
+    pub free: &'e [f64],
+    pub bulk: f64,
+    pub units: &'e [FaceRate],
+}
+
+impl PocketRows<'_> {
+    fn coefficient(&self, k: usize, q: usize, state: &PocketState) -> f64 {
+        match state.status {
+            PocketStatus::Vented | PocketStatus::Cavity | PocketStatus::Leaking => f64::from(k == q),
+            PocketStatus::Throttled(j) => self.units[q].jump[2 * j + 1],
+            PocketStatus::Sealed => {
+                let own = state.content / self.bulk * compressed(state.pressure, self.bulk);
+                self.pockets[k].volume(&self.units[q].jump) + if k == q { own } else { 0.0 }
+            }
+        }
+    }
+
+    /// Solves the linearised conditions for the right-hand sides `right`.
+    pub(super) fn solve(&self, states: &[PocketState], mut right: Vec<f64>) -> Result<Vec<f64>, Degenerate> {
+        let m = states.len();
+        if m == 1 {
+            let own = self.coefficient(0, 0, &states[0]);
+            return if own == 0.0 { Err(Degenerate) } else { Ok(vec![right[0] / own]) };
+        }
+        let mut rows = Matrix::from_fn(m, m, |k, q| self.coefficient(k, q, &states[k]));
+        for (k, value) in right.iter_mut().enumerate() {
+            let own = rows[(k, k)];
+            if own == 0.0 {
+                return Err(Degenerate);
+            }
+            rows.row_mut(k).iter_mut().for_each(|entry| *entry /= own);
+            *value /= own;
+        }
+        let factor = SmallFactor::new(rows).map_err(|_| Degenerate)?;
+        factor.solve(&mut right).map_err(|_| Degenerate)?;
+        Ok(right)
+    }
+
+    /// By how much the conditions are missed at `states` with the jumps `jump` (mm, 2p) that these
+    /// pressures already are part of.
+    pub(super) fn defects(&self, states: &[PocketState], outside: &[f64], jump: &[f64]) -> Vec<f64> {
+        let of = |(k, state): (usize, &PocketState)| match state.status {
+            PocketStatus::Vented | PocketStatus::Leaking => outside[k] - state.pressure,
+            PocketStatus::Cavity => -state.pressure,
+            PocketStatus::Throttled(j) => -jump[2 * j + 1],
+            PocketStatus::Sealed => {
+                state.content * compressed(state.pressure, self.bulk) - self.pockets[k].volume(jump)
+            }
+        };
+        states.iter().enumerate().map(of).collect()
+    }
+
+    /// Adds the response to pressures (MPa) to jumps and contact forces.
+    pub(super) fn add(&self, pressures: &[f64], jump: &mut [f64], contact: &mut [f64]) {
+        for (unit, &pressure) in self.units.iter().zip(pressures) {
+            if pressure != 0.0 {
+                crate::math::axpy(pressure, &unit.jump, jump);
+                crate::math::axpy(pressure, &unit.contact, contact);
+            }
+        }
+    }
+
+    /// The pressures of `states` at which all conditions hold. `jump` and `contact` are those
+    /// without pressure, and with it afterwards.
+    pub(super) fn press(
+        &self,
+        states: &mut [PocketState],
+        outside: &[f64],
+        jump: &mut [f64],
+        contact: &mut [f64],
+    ) -> Result<(), Degenerate> {
+        let mut given = outside.to_vec();
+        let mut solved = states.to_vec();
+        for (k, state) in solved.iter_mut().enumerate() {
+            let pocket = &self.pockets[k];
+            let yields = pocket.volume(&self.units[k].jump) > CLOSED * self.free[k];
+            if state.status == PocketStatus::Sealed && !yields {
+                // Closed faces: the pressure rises until the first of them opens.
+                let opens = |&j: &usize| {
+                    let (force, by) = (contact[2 * j + 1], -self.units[k].contact[2 * j + 1]);
+                    (by > 0.0 && force > 0.0).then(|| force / by)
+                };
+                let first = pocket.points.iter().filter_map(opens).fold(f64::INFINITY, f64::min);
+                given[k] = if first.is_finite() && state.content > 0.0 { 1.000_001 * first } else { 0.0 };
+                state.status = PocketStatus::Vented;
+            }
+        }
+        let pressures: Vec<f64> = solved.iter().map(|state| state.pressure).collect();
+        self.add(&pressures, jump, contact);
+        for _ in 0..ITERATIONS {
+            let change = self.solve(&solved, self.defects(&solved, &given, jump))?;
+            self.add(&change, jump, contact);
+            solved.iter_mut().zip(&change).for_each(|(state, change)| state.pressure += change);
+            let largest = |of: &dyn Fn(usize) -> f64| (0..change.len()).map(of).fold(0.0f64, f64::max);
+            let pressure = largest(&|k| solved[k].pressure.abs());
+            if largest(&|k| change[k].abs()) <= SETTLED * pressure {
+                break;
+            }
+        }
+        states.iter_mut().zip(&solved).for_each(|(state, solved)| state.pressure = solved.pressure);
+        Ok(())
+    }
+}
+
+/// Round-off of the pressure (MPa) and the volume (mm²) of `pocket`, of forces and jumps of
+/// `scale`.
+pub(super) fn round_off(pocket: &Pocket, scale: FaceScale) -> (f64, f64) {
+    let widest = pocket.unit.iter().fold(f64::MIN_POSITIVE, |m, v| m.max(v.abs()));
+    let length: f64 = pocket.unit.iter().map(|v| v.abs()).sum();
+    (ROUND_OFF * scale.force / widest, ROUND_OFF * scale.jump * length)
+}
+
+/// V e^(p/B) (mm²): the content of pocket `k`.
+pub(super) fn content(problem: &FaceProblem, solution: &FaceSolution, k: usize) -> f64 {
+    let volume = problem.pockets()[k].volume(&solution.jump);
+    volume.max(0.0) / compressed(solution.fluid[k].pressure, problem.bulk_modulus())
+}
+
+/// Whether fluid finds a way of open faces from all open points of pocket `k` to its mouth: no
+/// closed face lies between.
+pub(super) fn way_out(problem: &FaceProblem, solution: &FaceSolution, k: usize) -> bool {
+    let pocket = &problem.pockets()[k];
+    let Some(mouth) = pocket.mouth else { return false };
+    let is_open = |j: usize| !solution.status[j].is_closed();
+    if !is_open(mouth.point) {
+        return false;
+    }
+    let mut reached = vec![false; problem.points()];
+    reached[mouth.point] = true;
+    loop {
+        let mut further = false;
+        for &(one, other) in &pocket.neighbours {
+            if is_open(one) && is_open(other) && reached[one] != reached[other] {
+                (reached[one], reached[other], further) = (true, true, true);
+            }
+        }
+        if !further {
+            break;
+        }
+    }
+    pocket.points.iter().all(|&j| !is_open(j) || reached[j])
+}
+
+/// The open face point on the way out of pocket `k` that closes first as the pressure falls, and
+/// the pressure (MPa) at which it does; `unit` is the response to a unit pressure.
+fn first_to_close(
+    problem: &FaceProblem,
+    solution: &FaceSolution,
+    k: usize,
+    unit: &FaceRate,
+) -> Option<(usize, f64)> {
+    let mut trial = solution.clone();
+    let mut seals = |j: usize| {
+        let before = std::mem::replace(&mut trial.status[j], super::PointStatus::Stick);
+        let seals = !way_out(problem, &trial, k);
+        trial.status[j] = before;
+        seals
+    };
+    let falls = |&j: &usize| {
+        let by = unit.jump[2 * j + 1];
+        let is_open = !solution.status[j].is_closed();
+        (is_open && by > 0.0).then(|| (j, solution.jump[2 * j + 1].max(0.0) / by))
+    };
+    let mut open: Vec<(usize, f64)> = problem.pockets()[k].points.iter().filter_map(falls).collect();
+    open.sort_by(|a, b| a.1.total_cmp(&b.1));
+    let (point, fall) = open.into_iter().find(|(j, _)| seals(*j))?;
+    Some((point, solution.fluid[k].pressure - fall))
+}
+
+/// The status that the conditions of pocket `k` ask for with the pressure `outside` its mouth,
+/// where it is another one; `unit` is the response to a unit pressure in it.
+pub(super) fn demanded(
+    problem: &FaceProblem,
+    solution: &FaceSolution,
+    scale: FaceScale,
+    (k, outside): (usize, f64),
+    unit: &FaceRate,
+) -> Option<PocketStatus> {
+    use PocketStatus::{Cavity, Leaking, Sealed, Throttled, Vented};
+    let pocket = &problem.pockets()[k];
+    let PocketState { status, pressure, content: filled } = solution.fluid[k];
+    let (small_pressure, small_volume) = round_off(pocket, scale);
+    let grown = || content(problem, solution, k) > filled * (1.0 + 1e-9) + small_volume;
+    match status {
+        Vented => None,
+        Sealed if pressure < -small_pressure || filled == 0.0 => Some(Cavity),
+        Sealed if problem.leaks() && pressure > outside + small_pressure && way_out(problem, solution, k) => {
+            // It falls until the way closes.
+            match first_to_close(problem, solution, k, unit) {
+                Some((point, at)) if at > outside => Some(Throttled(point)),
+                _ => Some(Leaking),
+            }
+        }
+        Sealed => None,
+        Cavity => (filled > 0.0 && pocket.volume(&solution.jump) < filled - small_volume).then_some(Sealed),
+        Leaking if !way_out(problem, solution, k) => Some(Sealed),
+        Throttled(_) if pressure < outside - small_pressure => Some(Leaking),
+        Leaking | Throttled(_) => grown().then_some(Sealed),
+    }
+}
+
+/// The largest violation of the conditions of the pockets in `solution`: negative pressure relative
+/// to `scale.force`, a volume that is not that of the fluid relative to `scale.jump`.
+pub(super) fn violation(problem: &FaceProblem, solution: &FaceSolution, scale: FaceScale) -> f64 {
+    let of = |(k, pocket): (usize, &Pocket)| {
+        let PocketState { status, pressure, content } = solution.fluid[k];
+        let widest = pocket.unit.iter().fold(0.0f64, |m, v| m.max(v.abs()));
+        let length: f64 = pocket.unit.iter().map(|v| v.abs()).sum();
+        let missing = content * compressed(pressure, problem.bulk_modulus()) - pocket.volume(&solution.jump);
+        let volume = match status {
+            PocketStatus::Sealed => missing.abs(),
+            PocketStatus::Cavity => missing.max(0.0),
+            _ => 0.0,
+        };
+        (-pressure * widest / scale.force).max(volume / (length * scale.jump))
+    };
+    problem.pockets().iter().enumerate().map(of).fold(0.0, f64::max)
+}
+
+/// Nodal forces `load` (N/mm, 2p) with those of the pressures in `solution`.
+pub(super) fn total(problem: &FaceProblem, solution: &FaceSolution, load: &[f64]) -> Vec<f64> {
+    let mut total = load.to_vec();
+    for (pocket, state) in problem.pockets().iter().zip(&solution.fluid) {
+        crate::math::axpy(state.pressure, &pocket.unit, &mut total);
+    }
+    total
+}
+
+impl FaceProblem<'_> {
+    /// The pockets whose pressure is an unknown.
+    pub(super) fn pockets(&self) -> &[Pocket] {
+        match self.fluid() {
+            Some(fluid) if matches!(fluid.model, FluidModel::Trapped { .. }) => &fluid.pockets,
+            _ => &[],
+        }
+    }
+
+    pub(super) fn bulk_modulus(&self) -> f64 {
+        match self.fluid().map(|fluid| fluid.model) {
+            Some(FluidModel::Trapped { bulk_modulus, .. }) => bulk_modulus,
+            _ => f64::INFINITY,
+        }
+    }
+
+    pub(super) fn leaks(&self) -> bool {
+        matches!(self.fluid().map(|fluid| fluid.model), Some(FluidModel::Trapped { leak: true, .. }))
+    }
+}

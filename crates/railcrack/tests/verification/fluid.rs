@@ -1,0 +1,266 @@
+//! Water in the cracks: pressure and volume against closed forms, the engines and the solvers
+//! against each other.
+
+use crate::common::{
+    Absolute, Of, Relative, Rolling, RollingEngine, body, buried_crack, close, default_elements, largest,
+    surface_crack,
+};
+use railcrack::body::CrackedBody;
+use railcrack::contact::{
+    ContactSolver, FaceFluid, FaceProblem, FaceSolution, FluidModel, Latin, LoadPath, Newton, Stepper,
+};
+use railcrack::crack::{Crack, CrackNetwork};
+use railcrack::dislocation::{FaceResolution, cracked_body};
+use railcrack::field::Uniform;
+use railcrack::growth::{CrackFluid, PressureProfile, StabilisedPassage};
+use railcrack::material::IsotropicElastic;
+use railcrack::math::{Stress, Vec2};
+use std::f64::consts::PI;
+
+const LENGTH: f64 = 6.0;
+/// K_I of an edge crack over σ √(πl).
+const EDGE: f64 = 1.121_52;
+
+fn fluid(model: FluidModel, profile: PressureProfile) -> CrackFluid {
+    CrackFluid { model, profile, cracks: None }
+}
+
+fn mouth(profile: PressureProfile) -> CrackFluid {
+    fluid(FluidModel::Mouth { cap: f64::INFINITY }, profile)
+}
+
+fn on(body: &CrackedBody, cracks: &[Crack], fluid: &CrackFluid) -> FaceFluid {
+    fluid.on(&CrackNetwork::new(cracks.to_vec()).unwrap(), &body.faces)
+}
+
+/// The passage of `rolling` with `fluid` in its cracks.
+fn wet(rolling: &Rolling, fluid: &CrackFluid, solver: &dyn ContactSolver) -> StabilisedPassage {
+    let body = rolling.body();
+    let problem = FaceProblem::new(&body, &vec![rolling.crack_friction; rolling.cracks.len()]).unwrap();
+    rolling.on(&problem.with_fluid(Some(on(&body, &rolling.cracks, fluid))), solver)
+}
+
+/// K_I, K_II and the pressure at the output positions of the stabilised passage; MPa√m, MPa.
+fn history(result: &StabilisedPassage) -> Vec<[f64; 3]> {
+    let record = &result.passages[result.passages.len() - 1];
+    let k = record.sifs[0].iter().zip(&record.fluid[0]);
+    k.map(|(k, fluid)| [k.ki_mpa_sqrt_m(), k.kii_mpa_sqrt_m(), fluid.pressure]).collect()
+}
+
+/// Largest difference of K over the largest |K|, and of the pressure over the largest pressure.
+fn apart(one: &StabilisedPassage, other: &StabilisedPassage) -> [f64; 2] {
+    let (one, other) = (history(one), history(other));
+    assert_eq!(one.len(), other.len());
+    let over = |of: &[usize]| {
+        let difference = one.iter().zip(&other).flat_map(|(a, b)| of.iter().map(move |&i| a[i] - b[i]));
+        let peak = largest(one.iter().flat_map(|k| of.iter().map(move |&i| k[i])));
+        if peak == 0.0 { 0.0 } else { largest(difference) / peak }
+    };
+    [over(&[0, 1]), over(&[2])]
+}
+
+#[test]
+fn pressure_and_volume_of_open_cracks() {
+    let modulus = 210e3 / (1.0 - 0.09);
+    let edge = [surface_crack(0.0, LENGTH, 90.0)];
+    let half = 3.0;
+    let buried = [buried_crack(Vec2::new(0.0, -500.0), half, 30.0)];
+    for meshed in [false, true] {
+        let rolling = Rolling::over(edge.to_vec(), 0.0, 0.0);
+        let engine =
+            if meshed { Rolling::meshed(edge.to_vec(), 0.0, 0.0).engine } else { RollingEngine::Dislocation };
+        let whole = Rolling { engine, ..rolling }.body();
+        let pocket = &on(&whole, &edge, &mouth(PressureProfile::Constant)).pockets[0];
+        let k = whole.sif_influence.times(&pocket.unit)[0];
+        let volume = pocket.volume(&whole.compliance.times(&pocket.unit));
+        let limit = if meshed { 5e-3 } else { 1e-3 };
+        close(k, EDGE * (PI * LENGTH).sqrt(), Relative(limit), "a unit pressure is a remote tension");
+        let want = EDGE * EDGE * PI * LENGTH * LENGTH / modulus;
+        close(volume, want, Relative(2.0 * limit), "V from the energy release, twice the error of K");
+    }
+    let deep = body(&buried, default_elements());
+    let pocket = &on(&deep, &buried, &mouth(PressureProfile::Constant)).pockets[0];
+    assert!(pocket.mouth.is_none());
+    let k = deep.sif_influence.times(&pocket.unit);
+    close(k[0], (PI * half).sqrt(), Relative(1e-3), "half-length over depth 0.006");
+    let volume = pocket.volume(&deep.compliance.times(&pocket.unit));
+    close(volume, 2.0 * PI * half * half / modulus, Relative(1e-3), "ellipse of 2 a p/E'");
+}
+
+#[test]
+fn pressure_from_the_mouth_adds_to_an_open_crack() {
+    let cracks = vec![surface_crack(0.0, LENGTH, 60.0)];
+    let open = Uniform::along_rail(4000.0);
+    let rolling = Rolling { residual: Some(&open), ..Rolling::over(cracks.clone(), 0.0, 0.1) };
+    let whole = rolling.body();
+    let dry = rolling.solve();
+    for profile in [PressureProfile::Linear, PressureProfile::Constant] {
+        let pocket = &on(&whole, &cracks, &mouth(profile)).pockets[0];
+        let unit = whole.sif_influence.times(&pocket.profile);
+        let wet = wet(&rolling, &mouth(profile), &Newton::default());
+        let (dry, wet) = (&dry.passages[0], &wet.passages[0]);
+        let peak = largest(wet.sifs[0].iter().map(|k| k.ki));
+        let mut most = 0.0f64;
+        for (i, fluid) in wet.fluid[0].iter().enumerate() {
+            let (one, other) = (dry.sifs[0][i], wet.sifs[0][i]);
+            let u = wet.xc[i] / Rolling::HALF_WIDTH;
+            let pressure = 845.0 * (1.0 - u * u).max(0.0).sqrt();
+            close(fluid.pressure, pressure, Absolute(1e-9), "that of the contact over the mouth");
+            most = most.max((other.ki - one.ki - pressure * unit[0]).abs());
+            most = most.max((other.kii - one.kii - pressure * unit[1]).abs());
+        }
+        close(most / peak, 0.0, Absolute(1e-10), "superposition, round-off");
+    }
+}
+
+#[test]
+fn pressure_from_the_mouth_in_both_engines() {
+    for (degrees, wheel_friction) in [(15.0, -0.1), (30.0, -0.4), (60.0, 0.2)] {
+        let cracks = vec![surface_crack(0.0, LENGTH, degrees)];
+        let capped = fluid(FluidModel::Mouth { cap: 300.0 }, PressureProfile::Linear);
+        let one = wet(&Rolling::over(cracks.clone(), 0.1, wheel_friction), &capped, &Newton::default());
+        let other = wet(&Rolling::meshed(cracks, 0.1, wheel_friction), &capped, &Newton::default());
+        println!("{degrees}: {:?}", apart(&one, &other));
+        close(apart(&one, &other)[0], 0.0, Absolute(1e-2), "both engines, of the peak");
+    }
+}
+
+#[test]
+fn mirrored_travel() {
+    let there = Rolling::over(vec![surface_crack(0.0, LENGTH, 30.0)], 0.2, -0.2);
+    let back = Rolling { travel: -1.0, ..Rolling::over(vec![surface_crack(0.0, LENGTH, 150.0)], 0.2, 0.2) };
+    for fluid in [mouth(PressureProfile::Linear), trapped(f64::INFINITY, false), trapped(2200.0, false)] {
+        let (one, other) = (wet(&there, &fluid, &Newton::default()), wet(&back, &fluid, &Newton::default()));
+        let (one, other) = (history(&one), history(&other));
+        let peak = largest(one.iter().flat_map(|k| [k[0], k[1]]));
+        let difference = largest(one.iter().zip(&other).flat_map(|(a, b)| [a[0] - b[0], a[1] + b[1]])) / peak;
+        close(difference, 0.0, Absolute(1e-9), "round-off, and events that it shifts");
+    }
+}
+
+/// Remote tension along the rail that goes from one value to the next along the path.
+struct Tension<'a>(&'a CrackedBody);
+
+impl LoadPath for Tension<'_> {
+    fn nodal_forces(&self, at: f64) -> Vec<f64> {
+        self.0.faces.nodal_forces(|_| Stress { xx: at, ..Stress::ZERO })
+    }
+
+    fn over_mouths(&self, _: f64) -> Vec<f64> {
+        vec![0.0]
+    }
+}
+
+fn trapped(bulk_modulus: f64, leak: bool) -> CrackFluid {
+    fluid(FluidModel::Trapped { bulk_modulus, leak }, PressureProfile::Linear)
+}
+
+/// A crack that is sealed at a tension of 100 MPa and then loaded by others: pressure and K_I at
+/// each.
+fn sealed(bulk_modulus: f64, tensions: &[f64], solver: &dyn ContactSolver, meshed: bool) -> Vec<[f64; 2]> {
+    let cracks = vec![surface_crack(0.0, LENGTH, 90.0)];
+    let rolling = if meshed {
+        Rolling::meshed(cracks.clone(), 0.0, 0.0)
+    } else {
+        Rolling::over(cracks.clone(), 0.0, 0.0)
+    };
+    let whole = rolling.body();
+    let problem = FaceProblem::new(&whole, &[0.0]).unwrap();
+    let problem = problem.with_fluid(Some(on(&whole, &cracks, &trapped(bulk_modulus, false))));
+    let mut stepper = Stepper::new(&problem, solver, 1e-3, &vec![0.0; problem.points()]);
+    let path = Tension(&whole);
+    stepper.begin(0.0);
+    stepper.advance(&path, 100.0, &mut |_, _| {}).unwrap();
+    stepper.seal(0);
+    let mut results = Vec::new();
+    for &tension in tensions {
+        let mut last = [0.0; 2];
+        let mut take = |solution: &FaceSolution, forces: &[f64]| {
+            last = [solution.fluid[0].pressure, solution.sifs(&whole, forces)[0].ki];
+        };
+        stepper.advance(&path, tension, &mut take).unwrap();
+        results.push(last);
+    }
+    assert!(stepper.counts().violation_max < 1e-8, "{:?}", stepper.counts());
+    results
+}
+
+#[test]
+fn a_sealed_crack_keeps_its_volume() {
+    let tensions = [60.0, 0.0, -50.0, 0.0, 99.0, 130.0, 200.0, 80.0];
+    let (newton, latin) = (Newton::default(), Latin::default());
+    let solvers: [(&dyn ContactSolver, bool); 3] = [(&newton, false), (&newton, true), (&latin, false)];
+    for (solver, meshed) in solvers {
+        for (&s, [pressure, ki]) in tensions.iter().zip(sealed(f64::INFINITY, &tensions, solver, meshed)) {
+            close(pressure, (100.0 - s).max(0.0), Of(1e-6, 100.0), "p = max(0, 100 - s)");
+            let want = EDGE * s.max(100.0) * (PI * LENGTH).sqrt();
+            close(ki, want, Relative(if meshed { 5e-3 } else { 1e-3 }), "K_I of max(100, s)");
+        }
+        let bulk = 2200.0;
+        for (&s, [p, _]) in tensions.iter().zip(sealed(bulk, &tensions, solver, meshed)) {
+            // (p + s)/100 = e^(-p/B)
+            let mut want: f64 = 0.0;
+            for _ in 0..60 {
+                let curve = (-want / bulk).exp();
+                want -= ((want + s) / 100.0 - curve) / (0.01 + curve / bulk);
+            }
+            close(p, want.max(0.0), Of(1e-6, 100.0), "(p + s)/100 = e^(-p/B)");
+        }
+    }
+}
+
+const HISTORIES: [(f64, f64, f64); 5] =
+    [(15.0, -0.4, 0.1), (15.0, -0.1, 0.1), (30.0, -0.4, 0.3), (45.0, -0.3, 0.1), (60.0, 0.2, 0.0)];
+
+#[test]
+fn trapped_fluid_in_both_engines_and_by_both_solvers() {
+    let mut errors = Vec::new();
+    for (degrees, wheel_friction, crack_friction) in HISTORIES {
+        for (bulk_modulus, leak) in [(f64::INFINITY, false), (2200.0, false)] {
+            let cracks = vec![surface_crack(0.0, LENGTH, degrees)];
+            let fluid = trapped(bulk_modulus, leak);
+            let rolling = Rolling::over(cracks.clone(), crack_friction, wheel_friction);
+            let one = wet(&rolling, &fluid, &Newton::default());
+            let h = history(&one);
+            let most = |i: usize| h.iter().fold(0.0f64, |m, k| m.max(k[i]));
+            let meshed = Rolling::meshed(cracks, crack_friction, wheel_friction);
+            let other = wet(&meshed, &fluid, &Newton::default());
+            let latin = wet(&rolling, &fluid, &Latin::default());
+            println!(
+                "{degrees} {wheel_friction} {crack_friction} B {bulk_modulus} {leak}: K_I {:.2}, p {:.1}, engines {:?}, solvers {:?}, {:?}",
+                most(0),
+                most(2),
+                apart(&one, &other),
+                apart(&one, &latin),
+                one.counts
+            );
+            errors.push((apart(&one, &other), apart(&one, &latin)));
+            assert!(one.counts.complementarity_max < 1e-8, "{:?}", one.counts);
+        }
+    }
+    for (engines, solvers) in errors {
+        for error in engines {
+            close(error, 0.0, Absolute(1e-2), "both engines, of the peak");
+        }
+        for error in solvers {
+            close(error, 0.0, Absolute(1e-6), "both solvers, of the peak");
+        }
+    }
+}
+
+#[test]
+fn trapped_fluid_does_not_feel_the_modulus_of_the_steel() {
+    let cracks = vec![surface_crack(0.0, LENGTH, 15.0)];
+    let network = CrackNetwork::new(cracks.clone()).unwrap();
+    let rolling = Rolling::over(cracks.clone(), 0.1, -0.4);
+    let histories = [210e3, 70e3].map(|young| {
+        let steel = IsotropicElastic::new(young, 0.3).unwrap();
+        let whole = cracked_body(&network, &steel, FaceResolution::default()).unwrap();
+        let problem = FaceProblem::new(&whole, &[0.1]).unwrap();
+        let fluid = on(&whole, &cracks, &trapped(f64::INFINITY, false));
+        rolling.on(&problem.with_fluid(Some(fluid)), &Newton::default())
+    });
+    for error in apart(&histories[0], &histories[1]) {
+        close(error, 0.0, Absolute(1e-8), "an incompressible fluid knows volumes only");
+    }
+}
