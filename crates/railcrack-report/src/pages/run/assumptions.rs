@@ -31,7 +31,7 @@ fn limits(case: &Case) -> String {
         "no wear"
     };
     format!(
-        "Limits: two dimensions, small-scale yielding, no fluid in the crack, {wear}. The load cycles carry the scatter \
+        "Limits: two dimensions, small-scale yielding, no fluid in the crack but what the case gives, {wear}. The load cycles carry the scatter \
          of the growth law, a factor of several."
     )
 }
