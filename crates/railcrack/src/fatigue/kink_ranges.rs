@@ -65,3 +65,27 @@ pub(super) fn tangential(extremes: &[Sif], angle: f64) -> f64 {
     let of = |k: &Sif| half * (k.ki * half * half - 1.5 * k.kii * angle.sin());
     extremes.iter().map(of).fold(0.0, f64::max)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ROUNDING: f64 = 1e-12;
+
+    /// In pure mode II the largest tangential stress is 2/√3 K_II, at cos θ = 1/3.
+    #[test]
+    fn tangential_stress_of_pure_mode_two() {
+        let angle = -(1.0_f64 / 3.0).acos();
+        let value = tangential(&[Sif { ki: 0.0, kii: 1.0 }], angle);
+        assert!((value - 2.0 / 3f64.sqrt()).abs() < ROUNDING, "{value}");
+        assert!(tangential(&[Sif { ki: 0.0, kii: 1.0 }], angle + 0.01) < value);
+    }
+
+    /// Straight ahead k1 and k2 are K_I and K_II: a closed tip has moved along itself only.
+    #[test]
+    fn vector_ranges_leave_out_closed_faces() {
+        let tip = |ki: f64, kii: f64| Sif { ki, kii };
+        let range = vector_range(&[tip(-100.0, 0.0), tip(3.0, 4.0), tip(0.0, -2.0)], 0.0);
+        assert!((range - 45f64.sqrt()).abs() < ROUNDING, "{range}");
+    }
+}
