@@ -1244,7 +1244,7 @@ fn wheels_that_make_no_mix() {
 fn fluid() {
     check(&[
         wrong(Append("[fluid]\nleak = true"), 10, "fluid.model", "`fluid.model` is missing", ""),
-        wrong(Append("[fluid]\nmodel = \"wet\""), 11, "fluid.model", "`fluid.model = \"wet\"`", "trapped"),
+        wrong(Append("[fluid]\nmodel = \"wet\""), 11, "fluid.model", "\"trapped\"", ""),
         wrong(
             Append("[fluid]\nmodel = \"trapped\"\nbulk_modulus_mpa = -2200"),
             12,
