@@ -262,7 +262,11 @@ impl LatinSteps<'_> {
 
     /// The largest difference of the local from the global solution: forces and jumps, and what the
     /// difference of the forces means for K, each relative to its largest value so far.
+    /// Infinite where one is no number.
     fn indicator(&mut self, jump: &[f64], force: &[f64], load: &[f64], influence: &Matrix) -> f64 {
+        if jump.iter().chain(force).any(|value| !value.is_finite()) {
+            return f64::INFINITY;
+        }
         let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0f64, |m, v| m.max(v.abs()));
         let local = &self.solution;
         let gap: Vec<f64> = local.contact.iter().zip(force).map(|(a, b)| a - b).collect();

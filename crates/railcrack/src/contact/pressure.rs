@@ -14,6 +14,9 @@ const CLOSED: f64 = 1e-9;
 const MOST_EXPONENT: f64 = 50.0;
 /// Newton iterations for a compressible fluid; two or three serve.
 const ITERATIONS: usize = 40;
+/// Largest fall of a pressure in one of them, over B: left of the solution they converge from any
+/// distance, but e^(-p/B) must not overflow on the way there.
+const LARGEST_FALL: f64 = 2.0;
 /// Change of the pressure relative to itself at which they end.
 const SETTLED: f64 = 1e-13;
 
@@ -120,7 +123,16 @@ impl PocketRows<'_> {
         let pressures: Vec<f64> = solved.iter().map(|state| state.pressure).collect();
         self.add(&pressures, jump, contact);
         for _ in 0..ITERATIONS {
-            let change = self.solve(&solved, self.defects(&solved, &given, jump))?;
+            let mut change = self.solve(&solved, self.defects(&solved, &given, jump))?;
+            let fall = (0..change.len())
+                .filter(|&k| solved[k].status == PocketStatus::Sealed)
+                .fold(0.0f64, |m, k| m.max(-change[k]));
+            if fall > LARGEST_FALL * self.bulk {
+                change.iter_mut().for_each(|change| *change *= LARGEST_FALL * self.bulk / fall);
+            }
+            if change.iter().any(|change| !change.is_finite()) {
+                return Err(Degenerate);
+            }
             self.add(&change, jump, contact);
             solved.iter_mut().zip(&change).for_each(|(state, change)| state.pressure += change);
             let largest = |of: &dyn Fn(usize) -> f64| (0..change.len()).map(of).fold(0.0f64, f64::max);
