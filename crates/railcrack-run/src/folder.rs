@@ -10,7 +10,7 @@ use super::files::{
     CASE_FILE, CHECKPOINT_FILE, FIELDS_FOLDER, INPUTS_FOLDER, PLOT_FILES, PLOTS_FOLDER, REPORT_FILE,
     ROLLED_FOLDER, RUN_FILES, SUMMARY_FILE,
 };
-use super::lock::FolderLock;
+use super::lock::{FolderLock, LOCK_FILE};
 use super::stored_name::check_inputs;
 use railcrack_case::Case;
 use serde::Serialize;
@@ -236,7 +236,8 @@ pub fn read_if_there(path: &Path) -> Result<Option<Vec<u8>>, OutputError> {
 
 /// Removes a run: its case, its results, and its folder where nothing else is in it.
 pub(crate) fn clear_run(folder: &Path) -> Result<(), OutputError> {
-    if run_file_in(folder).is_none() {
+    // A kill at its very end leaves the lock alone.
+    if run_file_in(folder).is_none() && !folder.join(LOCK_FILE).exists() {
         return Ok(());
     }
     let lock = FolderLock::take(folder)?;

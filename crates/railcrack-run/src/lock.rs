@@ -107,4 +107,13 @@ mod tests {
         drop(FolderLock::take(&folder).unwrap());
         fs::remove_dir_all(&folder).unwrap();
     }
+
+    #[test]
+    fn a_lock_that_is_alone_goes_with_the_run() {
+        let folder = std::env::temp_dir().join(format!("railcrack-alone-{}", std::process::id()));
+        fs::create_dir_all(&folder).unwrap();
+        fs::write(folder.join(LOCK_FILE), "1\n").unwrap();
+        crate::folder::clear_run(&folder).unwrap();
+        assert!(!folder.exists());
+    }
 }
