@@ -123,6 +123,12 @@ pub(crate) fn read_sections(root: &DeTable, reading: Reading, report: &mut Repor
         }
         let repeats = matches!(section.presence, SectionPresence::Repeated | SectionPresence::Several);
         let is_given = reading.overrides_in(section.name) && !repeats;
+        if repeats {
+            reading.overrides_beyond(section.name, tables.len()).for_each(|given| {
+                let says = format!("`{}`: the file has no such `{}`", given.shown, section.header());
+                report.add(Fault::new(says).help(format!("it has {}", tables.len())));
+            });
+        }
         if tables.is_empty() && (section.presence == SectionPresence::Defaulted || is_given) {
             sections.push(read_section(section, 1, None, reading, report));
         }

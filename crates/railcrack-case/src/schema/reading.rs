@@ -36,6 +36,15 @@ impl Reading<'_> {
     pub fn overrides_in(&self, section: &str) -> bool {
         self.overrides.iter().any(|given| given.section == section)
     }
+
+    /// The values from elsewhere for tables of `section`, or of a part of it, that a file with
+    /// `count` of them has not.
+    pub fn overrides_beyond(&self, section: &str, count: usize) -> impl Iterator<Item = &Override> {
+        self.overrides.iter().filter(move |given| {
+            let outer = given.section.split('.').next();
+            outer == Some(section) && given.number.unwrap_or(1) > count
+        })
+    }
 }
 
 /// A value from elsewhere that takes the place of the file's.

@@ -48,6 +48,8 @@ fn a_setting_is_the_value_of_the_file() {
         ("contact.frction=0.1", "nearest known key: `friction`"),
         ("contct.friction=0.1", "nearest known section: `contact`"),
         ("contact.friction=9.0", "`--set contact.friction=9.0`: must be a number in"),
+        ("crack[9].friction=0.1", "`--set crack[9].friction=0.1`: the file has no such `[[crack]]`"),
+        ("wheel[1].contact.friction=0.1", "the file has no such `[[wheel]]`"),
         ("contact.friction=\"x\"", "not a string"),
         ("contact[2].friction=0.1", "there is one `[contact]`"),
         ("crack[0].friction=0.1", "counts cracks from 1"),
