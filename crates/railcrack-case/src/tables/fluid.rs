@@ -22,8 +22,8 @@ section! {
     BULK_MODULUS: f64 = number("bulk_modulus_mpa", "MPa", positive(f64::INFINITY), f64::INFINITY,
         "Bulk modulus B of the fluid, V = V0 exp(-p/B): 2200 is water, inf cannot be compressed.")
         .only_with(MODEL, TRAPPED, "the pressure is that over the mouth");
-    LEAK: bool = switch("leak", Preset::Switch(false),
-        "Whether fluid at more than the pressure over the mouth leaves through it; true is refused for now.")
+    LEAK: bool = switch("leak", Preset::Switch(true),
+        "Whether fluid at more than the pressure over the mouth leaves through it as soon as no closed face lies on its way.")
         .only_with(MODEL, TRAPPED, "the pressure is that over the mouth");
     WET_CRACKS: Vec<f64> = numbers("cracks", "", closed(1.0, 1e4), &[1.0],
         "Numbers of the cracks with fluid, from 1, copies counted; without this key all. Joined cracks share it.")
@@ -86,13 +86,7 @@ pub(crate) fn read_fluid(
             FluidModel::Mouth { cap: section.get(PRESSURE_CAP)? }
         }
         FluidKind::Trapped => {
-            if section.get(LEAK)? {
-                let says = "a leak along open faces cannot be followed yet";
-                report
-                    .add(section.fault(LEAK, says).help("leak = false keeps all fluid: a bound from above"));
-                return None;
-            }
-            FluidModel::Trapped { bulk_modulus: section.get(BULK_MODULUS)?, leak: false }
+            FluidModel::Trapped { bulk_modulus: section.get(BULK_MODULUS)?, leak: section.get(LEAK)? }
         }
     };
     let profile = section.get(PRESSURE_PROFILE).unwrap_or_default();

@@ -1266,13 +1266,7 @@ fn fluid() {
             "needs model = \"mouth\"",
             "limited by its volume",
         ),
-        wrong(
-            Append("[fluid]\nmodel = \"trapped\"\nleak = true"),
-            12,
-            "fluid.leak",
-            "cannot be followed yet",
-            "a bound from above",
-        ),
+        wrong(Append("[fluid]\nmodel = \"trapped\"\nleak = 1"), 12, "fluid.leak", "true or false", ""),
         wrong(
             Append("[fluid]\nmodel = \"mouth\"\nleak = false"),
             12,

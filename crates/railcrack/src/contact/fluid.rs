@@ -14,9 +14,8 @@ pub enum FluidModel {
     Trapped {
         /// B, MPa: V = V0 e^(−p/B); infinite for a fluid that cannot be compressed.
         bulk_modulus: f64,
-        /// Whether fluid at more than the pressure over the mouth leaves through it, where it
-        /// finds a way of open faces. Unfinished: load steps with such a leak may fail to converge,
-        /// and cases refuse it.
+        /// Whether fluid at more than the pressure over the mouth leaves through it as soon as no
+        /// closed face lies on its way.
         leak: bool,
     },
 }
@@ -97,8 +96,6 @@ pub enum PocketStatus {
     Cavity,
     /// Fluid leaves along open faces: p is the pressure over the mouth.
     Leaking,
-    /// Fluid leaves past this face point, which is about to open: p keeps it there.
-    Throttled(usize),
 }
 
 /// The fluid of a pocket.

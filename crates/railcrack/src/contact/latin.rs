@@ -5,7 +5,7 @@ use super::problem::ROUND_OFF;
 use super::tableau::FaceRate;
 use super::{
     ContactSolver, FaceProblem, FaceResponse, FaceScale, FaceSolution, LoadStep, NotConverged, Pocket,
-    PocketState, PocketStatus, PointStatus, StepSolver,
+    PointStatus, StepSolver,
 };
 use crate::linear::spd_inverse;
 use crate::math::{Anderson, Matrix, dot};
@@ -112,16 +112,6 @@ impl<'a> LatinSteps<'a> {
         }
     }
 
-    /// No contact force at `point`, whatever its opening: the pressure holds it at none.
-    fn force_free(&mut self, point: usize, target: (f64, f64)) {
-        let (t, n) = (2 * point, 2 * point + 1);
-        let k = self.direction[t];
-        let solution = &mut self.solution;
-        (solution.jump[t], solution.jump[n]) = (target.0 / k, target.1 / k);
-        (solution.contact[t], solution.contact[n]) = (0.0, 0.0);
-        solution.status[point] = PointStatus::Open;
-    }
-
     /// The law at `point` met along −f̂ + k ŵ = `target` (shear, normal): fills ŵ, f̂ and the
     /// status.
     fn local_stage(&mut self, point: usize, target: (f64, f64), reference: f64) {
@@ -163,10 +153,6 @@ impl<'a> StepSolver<'a> for LatinSteps<'a> {
         let mut residual = vec![0.0; n];
         let mut indicator = f64::INFINITY;
         self.solution.fluid.clone_from(&faces.solution().fluid);
-        // What a throttled pocket is kept at is known from the statuses; as an unknown of this
-        // iteration it would not be one of a minimum.
-        let mut outside = step.outside.to_vec();
-        let throttled: Vec<(usize, usize)> = hold_throttled(&mut self.solution.fluid, &mut outside);
         let mut no_force = vec![0.0; n];
         for iteration in 1..=max_iterations {
             let Some(global) = &self.global else { return Err(failure(0, indicator)) };
@@ -184,7 +170,7 @@ impl<'a> StepSolver<'a> for LatinSteps<'a> {
                     bulk: problem.bulk_modulus(),
                     units: &self.units,
                 };
-                let pressed = rows.press(&mut self.solution.fluid, &outside, &mut jump, &mut no_force);
+                let pressed = rows.press(&mut self.solution.fluid, step.outside, &mut jump, &mut no_force);
                 pressed.map_err(|_| failure(iteration, indicator))?;
             }
             for i in 0..n {
@@ -193,20 +179,10 @@ impl<'a> StepSolver<'a> for LatinSteps<'a> {
             for point in 0..n / 2 {
                 let target = |i: usize| self.direction[i] * jump[i] - force[i];
                 let target = (target(2 * point), target(2 * point + 1));
-                if throttled.iter().any(|&(_, held)| held == point) {
-                    self.force_free(point, target);
-                } else {
-                    self.local_stage(point, target, step.reference_slip[point]);
-                }
+                self.local_stage(point, target, step.reference_slip[point]);
             }
             indicator = self.indicator(&jump, &force, step.forces, influence);
             if indicator <= tolerance && !self.follow_pockets(step) {
-                for &(k, point) in &throttled {
-                    self.solution.fluid[k].status = PocketStatus::Throttled(point);
-                    self.solution.status[point] = PointStatus::Open;
-                    self.solution.jump[2 * point + 1] = 0.0;
-                    self.solution.contact[2 * point..2 * point + 2].fill(0.0);
-                }
                 faces.adopt(&self.solution);
                 return Ok(iteration);
             }
@@ -228,20 +204,6 @@ impl<'a> StepSolver<'a> for LatinSteps<'a> {
     }
 }
 
-/// Gives throttled pockets the pressure that they have; which they are, and the points that they
-/// keep about to open.
-fn hold_throttled(fluid: &mut [PocketState], outside: &mut [f64]) -> Vec<(usize, usize)> {
-    let mut throttled = Vec::new();
-    for (k, state) in fluid.iter_mut().enumerate() {
-        if let PocketStatus::Throttled(point) = state.status {
-            outside[k] = state.pressure;
-            state.status = PocketStatus::Vented;
-            throttled.push((k, point));
-        }
-    }
-    throttled
-}
-
 impl LatinSteps<'_> {
     /// Gives every pocket the status that its conditions ask for; whether one has changed.
     fn follow_pockets(&mut self, step: LoadStep) -> bool {
@@ -251,8 +213,7 @@ impl LatinSteps<'_> {
         let loose = self.settings.tolerance / ROUND_OFF;
         let scale = FaceScale { jump: loose * jump, force: loose * force };
         for k in 0..step.outside.len() {
-            let asked = demanded(self.problem, &self.solution, scale, (k, step.outside[k]), &self.units[k]);
-            if let Some(status) = asked {
+            if let Some(status) = demanded(self.problem, &self.solution, scale, k) {
                 self.solution.fluid[k].status = status;
                 changed = true;
             }

@@ -6,6 +6,7 @@ mod fixtures;
 mod fluid;
 mod latin;
 mod law;
+mod letting_off;
 mod newton;
 mod parabola;
 mod pocket_way;

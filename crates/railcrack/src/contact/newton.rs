@@ -3,8 +3,8 @@
 use super::pressure::demanded as demanded_pocket;
 use super::problem::ROUND_OFF;
 use super::{
-    ContactSolver, FaceProblem, FaceResponse, FaceScale, LoadStep, NotConverged, PocketState, PocketStatus,
-    PointStatus, StepSolver,
+    ContactSolver, FaceProblem, FaceResponse, FaceScale, LoadStep, NotConverged, PocketState, PointStatus,
+    StepSolver,
 };
 
 /// Semismooth Newton: every point that violates the conditions of its status changes it, until none
@@ -130,14 +130,8 @@ impl<'a> NewtonSteps<'a> {
         for k in 0..step.outside.len() {
             let solution = faces.solution();
             let state = solution.fluid[k];
-            let of = (k, step.outside[k]);
-            let Some(status) = demanded_pocket(self.problem, solution, scale, of, faces.unit(k)) else {
-                continue;
-            };
+            let Some(status) = demanded_pocket(self.problem, solution, scale, k) else { continue };
             faces.set_pocket(k, PocketState { status, ..state });
-            if let PocketStatus::Throttled(point) = status {
-                faces.set_status(point, PointStatus::Open, step.reference_slip[point]);
-            }
             changed = true;
         }
         changed

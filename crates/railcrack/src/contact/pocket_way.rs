@@ -2,7 +2,7 @@
 
 use super::condition::Degenerate;
 use super::parabola::Parabola;
-use super::pressure::{PocketRows, content, round_off, way_out};
+use super::pressure::{PocketRows, content, is_empty, round_off, way_out};
 use super::problem::ROUND_OFF;
 use super::tableau::FaceRate;
 use super::{FaceProblem, FaceScale, FaceSolution, PocketState, PocketStatus};
@@ -38,23 +38,27 @@ pub(super) struct PocketWay {
     /// Coefficients of τ and τ² of the pressure and of the volume of each pocket.
     pressures: Vec<[f64; 2]>,
     volumes: Vec<[f64; 2]>,
-    /// Share of the step from which a pocket has fluid to let off at once.
-    pub lets_off: Option<f64>,
+    /// By how much (MPa) the pressure of open faces has to exceed that over the mouth for fluid to
+    /// be let off.
+    pub loud: f64,
+}
+
+/// What happens to a pocket.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum PocketEvent {
+    /// Its pressure is determined in another way.
+    Becomes(PocketStatus),
+    /// Fluid at more than the pressure over the mouth has found a way out.
+    LetsOff,
 }
 
 /// Multiple of round-off within which two pressures are one.
 const ALIKE: f64 = 100.0;
 
 impl PocketWay {
-    pub(super) fn new(problem: &FaceProblem, outside: OutsidePressure) -> Self {
+    pub(super) fn new(problem: &FaceProblem, outside: OutsidePressure, loud: f64) -> Self {
         let m = problem.pockets().len();
-        Self {
-            outside,
-            units: Vec::new(),
-            pressures: vec![[0.0; 2]; m],
-            volumes: vec![[0.0; 2]; m],
-            lets_off: None,
-        }
+        Self { outside, units: Vec::new(), pressures: vec![[0.0; 2]; m], volumes: vec![[0.0; 2]; m], loud }
     }
 
     fn rows<'e>(&'e self, problem: &'e FaceProblem) -> PocketRows<'e> {
@@ -72,49 +76,35 @@ impl PocketWay {
         &mut self,
         problem: &FaceProblem,
         units: &[FaceRate],
-        now: &mut FaceSolution,
+        now: &FaceSolution,
         rates: &mut [FaceRate; 2],
         share: f64,
     ) -> Result<(), Degenerate> {
         self.units = units.to_vec();
-        for k in 0..now.fluid.len() {
-            if let PocketStatus::Throttled(j) = now.fluid[k].status
-                && self.units[k].jump[2 * j + 1] <= 0.0
-            {
-                // Pressure does not open this point: the fluid leaves at once.
-                now.fluid[k].content = content(problem, now, k);
-                now.fluid[k].status = PocketStatus::Sealed;
-                self.lets_off.get_or_insert(share);
-            }
-        }
         let rows = self.rows(problem);
         let states = &now.fluid;
         let bulk = problem.bulk_modulus();
         let [first, second] = &*rates;
-        let along = |k: usize, of: &dyn Fn(&[f64]) -> f64| {
-            let (one, two) = (of(&first.jump), of(&second.jump));
-            let state = &states[k];
-            (state.status, one + 2.0 * share * two, 2.0 * two)
-        };
-        let condition = |k: usize| match states[k].status {
-            PocketStatus::Throttled(j) => along(k, &|jump: &[f64]| jump[2 * j + 1]),
-            _ => along(k, &|jump: &[f64]| problem.pockets()[k].volume(jump)),
+        // Rate and second derivative of the volume by the load alone.
+        let of_load = |k: usize| {
+            let pocket = &problem.pockets()[k];
+            let (one, two) = (pocket.volume(&first.jump), pocket.volume(&second.jump));
+            (one + 2.0 * share * two, 2.0 * two)
         };
         let given = |k: usize| self.outside.of(k, share);
-        let speeds = (0..states.len()).map(|k| match condition(k) {
-            (PocketStatus::Vented | PocketStatus::Leaking, ..) => given(k).rate(),
-            (PocketStatus::Cavity, ..) => 0.0,
-            (PocketStatus::Sealed | PocketStatus::Throttled(_), speed, _) => -speed,
+        let speeds = (0..states.len()).map(|k| match states[k].status {
+            PocketStatus::Vented | PocketStatus::Leaking => given(k).rate(),
+            PocketStatus::Cavity => 0.0,
+            PocketStatus::Sealed => -of_load(k).0,
         });
         let speeds = rows.solve(states, speeds.collect())?;
-        let bends = (0..states.len()).map(|k| match condition(k) {
-            (PocketStatus::Vented | PocketStatus::Leaking, ..) => given(k).bend(),
-            (PocketStatus::Cavity, ..) => 0.0,
-            (PocketStatus::Throttled(_), _, bend) => -bend,
-            (PocketStatus::Sealed, _, bend) => {
+        let bends = (0..states.len()).map(|k| match states[k].status {
+            PocketStatus::Vented | PocketStatus::Leaking => given(k).bend(),
+            PocketStatus::Cavity => 0.0,
+            PocketStatus::Sealed => {
                 let PocketState { pressure, content, .. } = states[k];
                 let squeezed = content * super::pressure::compressed(pressure, bulk);
-                squeezed * (speeds[k] / bulk).powi(2) - bend
+                squeezed * (speeds[k] / bulk).powi(2) - of_load(k).1
             }
         });
         let bends = rows.solve(states, bends.collect())?;
@@ -155,13 +145,8 @@ impl PocketWay {
         }
     }
 
-    /// Whether a pocket keeps `point` about to open.
-    pub(super) fn holds(&self, now: &FaceSolution, point: usize) -> bool {
-        now.fluid.iter().any(|state| state.status == PocketStatus::Throttled(point))
-    }
-
     /// The first change of a pocket within `span` of the step from `share` on: after which part of
-    /// it, which pocket, its new status.
+    /// it, which pocket, what happens to it.
     pub(super) fn next_event(
         &self,
         problem: &FaceProblem,
@@ -169,12 +154,12 @@ impl PocketWay {
         scale: FaceScale,
         share: f64,
         mut span: f64,
-    ) -> Option<(f64, usize, PocketStatus)> {
+    ) -> Option<(f64, usize, PocketEvent)> {
         let mut next = None;
         for k in 0..now.fluid.len() {
-            if let Some((after, status)) = self.event_of(problem, now, scale, k, share, span) {
+            if let Some((after, event)) = self.event_of(problem, now, scale, k, share, span) {
                 span = after;
-                next = Some((after, k, status));
+                next = Some((after, k, event));
             }
         }
         next
@@ -188,32 +173,39 @@ impl PocketWay {
         k: usize,
         share: f64,
         span: f64,
-    ) -> Option<(f64, PocketStatus)> {
-        use PocketStatus::{Cavity, Leaking, Sealed, Throttled, Vented};
+    ) -> Option<(f64, PocketEvent)> {
+        use PocketEvent::{Becomes, LetsOff};
+        use PocketStatus::{Cavity, Leaking, Sealed, Vented};
         let pocket = &problem.pockets()[k];
         let PocketState { status, pressure, content } = now.fluid[k];
         let (small_pressure, small_volume) = round_off(pocket, scale);
         let [first, second] = self.pressures[k];
         let inside = Parabola::of(pressure, first, second, share);
-        let excess = self.outside.of(k, share).plus(inside.times(-1.0));
+        let short_of = self.outside.of(k, share).plus(inside.times(-1.0));
         let volume = Parabola::of(pocket.volume(&now.jump), self.volumes[k][0], self.volumes[k][1], share);
         match status {
             Vented => None,
             Sealed => {
-                let empties = inside.first_fall(small_pressure, span).map(|after| (after, Cavity));
+                let empties = inside.first_fall(small_pressure, span).map(|after| (after, Becomes(Cavity)));
                 let span = empties.map_or(span, |(after, _)| after);
-                let may_leak = problem.leaks()
-                    && pressure <= self.outside.of(k, share).value() + ALIKE * small_pressure
-                    && way_out(problem, now, k);
-                let leaks = may_leak.then(|| excess.first_fall(small_pressure, span)).flatten();
-                leaks.map(|after| (after, Leaking)).or(empties)
+                if !problem.leaks() || !way_out(problem, now, k) {
+                    return empties;
+                }
+                let leaks = if short_of.value() >= -ALIKE * small_pressure {
+                    short_of.first_fall(small_pressure, span).map(|after| (after, Becomes(Leaking)))
+                } else {
+                    let quiet = short_of.plus(Parabola::constant(self.loud));
+                    let is_loud = (quiet.value() < 0.0).then_some(0.0);
+                    is_loud.or_else(|| quiet.first_fall(small_pressure, span)).map(|after| (after, LetsOff))
+                };
+                leaks.or(empties)
             }
             Cavity if content == 0.0 => None,
             Cavity => {
                 let missing = volume.plus(Parabola::constant(-content));
-                missing.first_fall(small_volume, span).map(|after| (after, Sealed))
+                missing.first_fall(small_volume, span).map(|after| (after, Becomes(Sealed)))
             }
-            Leaking | Throttled(_) => {
+            Leaking => {
                 let bulk = problem.bulk_modulus();
                 // Content over e^(p/B) now, to second order.
                 let (rate, bend) = (inside.rate() / bulk, inside.bend() / bulk);
@@ -221,11 +213,7 @@ impl PocketWay {
                 let speed = volume.rate() + value * rate;
                 let bend = volume.bend() + 2.0 * volume.rate() * rate + value * (bend + rate * rate);
                 let less = Parabola::along(value, speed, bend).times(-1.0);
-                let fills = less.rate_falls(small_volume, span).map(|after| (after, Sealed));
-                let span = fills.map_or(span, |(after, _)| after);
-                let is_throttled = matches!(status, Throttled(_));
-                let falls = is_throttled.then(|| excess.times(-1.0).first_fall(small_pressure, span));
-                falls.flatten().map(|after| (after, Leaking)).or(fills)
+                less.rate_falls(small_volume, span).map(|after| (after, Becomes(Sealed)))
             }
         }
     }
@@ -238,56 +226,34 @@ impl PocketWay {
         status: PocketStatus,
     ) -> PocketState {
         let before = now.fluid[k];
-        let leaves = matches!(before.status, PocketStatus::Leaking | PocketStatus::Throttled(_));
+        let leaves = before.status == PocketStatus::Leaking;
         let filled = if leaves { content(problem, now, k) } else { before.content };
         PocketState { status, content: filled, ..before }
     }
 
-    /// Consequences for the pockets of the change of face point `point` in `now`, which `opened` it
-    /// or did not: each with its new state.
-    pub(super) fn after_change(
-        &mut self,
+    /// The pockets that the change of face point `point` in `now` closes, and what happens to each:
+    /// where no fluid is left, its pressure goes too.
+    pub(super) fn closed_by(
         problem: &FaceProblem,
         now: &FaceSolution,
         scale: FaceScale,
-        (point, opened): (usize, bool),
-        share: f64,
-    ) -> Vec<(usize, PocketState)> {
-        use PocketStatus::{Leaking, Sealed, Throttled};
-        if !problem.leaks() {
-            return Vec::new();
-        }
-        let mut changes = Vec::new();
-        for (k, pocket) in problem.pockets().iter().enumerate() {
-            if pocket.points.binary_search(&point).is_err() {
-                continue;
-            }
-            let state = now.fluid[k];
-            let (small, _) = round_off(pocket, scale);
-            let outside = self.outside.of(k, share).value();
-            let status = match state.status {
-                Sealed if way_out(problem, now, k) => {
-                    if opened && state.pressure > outside - ALIKE * small {
-                        Throttled(point)
-                    } else if state.pressure > outside + ALIKE * small {
-                        self.lets_off.get_or_insert(share);
-                        continue;
-                    } else {
-                        continue;
-                    }
-                }
-                Leaking | Throttled(_) if !way_out(problem, now, k) => Sealed,
-                _ => continue,
-            };
-            changes.push((k, Self::changed(problem, now, k, status)));
-        }
-        changes
+        point: usize,
+    ) -> Vec<(usize, PocketEvent)> {
+        let closes = |&k: &usize| {
+            now.fluid[k].status == PocketStatus::Leaking
+                && problem.pockets()[k].points.binary_search(&point).is_ok()
+                && !way_out(problem, now, k)
+        };
+        let what = |k: usize| match is_empty(problem, now, scale, k) {
+            true => (k, PocketEvent::LetsOff),
+            false => (k, PocketEvent::Becomes(PocketStatus::Sealed)),
+        };
+        (0..now.fluid.len()).filter(closes).map(what).collect()
     }
 
     /// The pressures for the error `error` of the load in jumps alone, added to it.
     pub(super) fn add_error(&self, problem: &FaceProblem, now: &FaceSolution, error: &mut FaceRate) {
         let of = |(k, state): (usize, &PocketState)| match state.status {
-            PocketStatus::Throttled(j) => -error.jump[2 * j + 1],
             PocketStatus::Sealed => -problem.pockets()[k].volume(&error.jump),
             _ => 0.0,
         };

@@ -19,6 +19,11 @@ const ITERATIONS: usize = 40;
 const LARGEST_FALL: f64 = 2.0;
 /// Change of the pressure relative to itself at which they end.
 const SETTLED: f64 = 1e-13;
+/// Volume of a pocket over the largest jump (mm), in mm, that is none: it holds no fluid.
+const NO_VOLUME: f64 = 1e-9;
+/// Share of itself by which the content of a leaking pocket may have grown: fluid does not come
+/// back, and what it loses in a step has no such limit.
+const GROWN: f64 = 1e-9;
 
 /// e^(−p/B).
 pub(super) fn compressed(pressure: f64, bulk: f64) -> f64 {
@@ -42,7 +47,6 @@ impl PocketRows<'_> {
     fn coefficient(&self, k: usize, q: usize, state: &PocketState) -> f64 {
         match state.status {
             PocketStatus::Vented | PocketStatus::Cavity | PocketStatus::Leaking => f64::from(k == q),
-            PocketStatus::Throttled(j) => self.units[q].jump[2 * j + 1],
             PocketStatus::Sealed => {
                 let own = state.content / self.bulk * compressed(state.pressure, self.bulk);
                 self.pockets[k].volume(&self.units[q].jump) + if k == q { own } else { 0.0 }
@@ -77,7 +81,6 @@ impl PocketRows<'_> {
         let of = |(k, state): (usize, &PocketState)| match state.status {
             PocketStatus::Vented | PocketStatus::Leaking => outside[k] - state.pressure,
             PocketStatus::Cavity => -state.pressure,
-            PocketStatus::Throttled(j) => -jump[2 * j + 1],
             PocketStatus::Sealed => {
                 state.content * compressed(state.pressure, self.bulk) - self.pockets[k].volume(jump)
             }
@@ -160,6 +163,11 @@ pub(super) fn content(problem: &FaceProblem, solution: &FaceSolution, k: usize) 
     volume.max(0.0) / compressed(solution.fluid[k].pressure, problem.bulk_modulus())
 }
 
+/// Whether pocket `k` holds no fluid, of jumps of `scale`.
+pub(super) fn is_empty(problem: &FaceProblem, solution: &FaceSolution, scale: FaceScale, k: usize) -> bool {
+    problem.pockets()[k].volume(&solution.jump) <= NO_VOLUME * scale.jump
+}
+
 /// Whether fluid finds a way of open faces from all open points of pocket `k` to its mouth: no
 /// closed face lies between.
 pub(super) fn way_out(problem: &FaceProblem, solution: &FaceSolution, k: usize) -> bool {
@@ -185,61 +193,27 @@ pub(super) fn way_out(problem: &FaceProblem, solution: &FaceSolution, k: usize) 
     pocket.points.iter().all(|&j| !is_open(j) || reached[j])
 }
 
-/// The open face point on the way out of pocket `k` that closes first as the pressure falls, and
-/// the pressure (MPa) at which it does; `unit` is the response to a unit pressure.
-fn first_to_close(
-    problem: &FaceProblem,
-    solution: &FaceSolution,
-    k: usize,
-    unit: &FaceRate,
-) -> Option<(usize, f64)> {
-    let mut trial = solution.clone();
-    let mut seals = |j: usize| {
-        let before = std::mem::replace(&mut trial.status[j], super::PointStatus::Stick);
-        let seals = !way_out(problem, &trial, k);
-        trial.status[j] = before;
-        seals
-    };
-    let falls = |&j: &usize| {
-        let by = unit.jump[2 * j + 1];
-        let is_open = !solution.status[j].is_closed();
-        (is_open && by > 0.0).then(|| (j, solution.jump[2 * j + 1].max(0.0) / by))
-    };
-    let mut open: Vec<(usize, f64)> = problem.pockets()[k].points.iter().filter_map(falls).collect();
-    open.sort_by(|a, b| a.1.total_cmp(&b.1));
-    let (point, fall) = open.into_iter().find(|(j, _)| seals(*j))?;
-    Some((point, solution.fluid[k].pressure - fall))
-}
-
-/// The status that the conditions of pocket `k` ask for with the pressure `outside` its mouth,
-/// where it is another one; `unit` is the response to a unit pressure in it.
+/// The status that the conditions of pocket `k` ask for, where it is another one. What has found a
+/// way out at too high a pressure is let off between load steps.
 pub(super) fn demanded(
     problem: &FaceProblem,
     solution: &FaceSolution,
     scale: FaceScale,
-    (k, outside): (usize, f64),
-    unit: &FaceRate,
+    k: usize,
 ) -> Option<PocketStatus> {
-    use PocketStatus::{Cavity, Leaking, Sealed, Throttled, Vented};
+    use PocketStatus::{Cavity, Leaking, Sealed, Vented};
     let pocket = &problem.pockets()[k];
     let PocketState { status, pressure, content: filled } = solution.fluid[k];
     let (small_pressure, small_volume) = round_off(pocket, scale);
-    let grown = || content(problem, solution, k) > filled * (1.0 + 1e-9) + small_volume;
     match status {
         Vented => None,
-        Sealed if pressure < -small_pressure || filled == 0.0 => Some(Cavity),
-        Sealed if problem.leaks() && pressure > outside + small_pressure && way_out(problem, solution, k) => {
-            // It falls until the way closes.
-            match first_to_close(problem, solution, k, unit) {
-                Some((point, at)) if at > outside => Some(Throttled(point)),
-                _ => Some(Leaking),
-            }
-        }
-        Sealed => None,
+        Sealed => (pressure < -small_pressure).then_some(Cavity),
         Cavity => (filled > 0.0 && pocket.volume(&solution.jump) < filled - small_volume).then_some(Sealed),
-        Leaking if !way_out(problem, solution, k) => Some(Sealed),
-        Throttled(_) if pressure < outside - small_pressure => Some(Leaking),
-        Leaking | Throttled(_) => grown().then_some(Sealed),
+        Leaking => {
+            let grown = || content(problem, solution, k) > filled * (1.0 + GROWN) + small_volume;
+            let closed = || !way_out(problem, solution, k) && !is_empty(problem, solution, scale, k);
+            (closed() || grown()).then_some(Sealed)
+        }
     }
 }
 

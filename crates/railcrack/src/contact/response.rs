@@ -85,11 +85,6 @@ impl<'a> FaceResponse<'a> {
         self.solution.fluid[k] = state;
     }
 
-    /// The response to a unit pressure of pocket `k` in the last equilibrium.
-    pub(super) fn unit(&self, k: usize) -> &FaceRate {
-        &self.units[k]
-    }
-
     /// Responses to a unit pressure of each pocket with the present statuses.
     pub(super) fn unit_rates(&mut self) -> Result<&[FaceRate], Degenerate> {
         self.tableau.rates(1, &mut self.units)?;

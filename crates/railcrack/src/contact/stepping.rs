@@ -1,8 +1,8 @@
 //! Adaptive load steps: friction depends on the order of events.
 
 use super::pocket_way::OutsidePressure;
-use super::pressure::{content, round_off, total, violation, way_out};
-use super::trace::{Accuracy, StepLoad, Stop, Traced, follow};
+use super::pressure::{content, total, violation};
+use super::trace::{Accuracy, LetsOff, StepLoad, Stop, Traced, follow};
 use super::{
     ContactSolver, FaceProblem, FaceResponse, FaceScale, FaceSolution, LoadStep, NotConverged, PocketState,
     PocketStatus, PointStatus, StepSolver,
@@ -20,23 +20,6 @@ pub trait LoadPath: Sync {
     /// is an unknown; none where there are none.
     fn over_mouths(&self, _at: f64) -> Vec<f64> {
         Vec::new()
-    }
-}
-
-/// A load that stays while the pressure of pockets changes from one value to another.
-struct LettingOff {
-    load: Vec<f64>,
-    /// First and last pressure of each pocket, MPa.
-    pressures: Vec<[f64; 2]>,
-}
-
-impl LoadPath for LettingOff {
-    fn nodal_forces(&self, _: f64) -> Vec<f64> {
-        self.load.clone()
-    }
-
-    fn over_mouths(&self, at: f64) -> Vec<f64> {
-        self.pressures.iter().map(|[from, to]| from + at * (to - from)).collect()
     }
 }
 
@@ -124,21 +107,23 @@ pub struct SteppingCounts {
 /// by more than `tolerance` of the largest jump seen there, the step is cut. The end of a step is
 /// solved under the exact load.
 pub struct Stepper<'a> {
-    problem: &'a FaceProblem<'a>,
+    pub(super) problem: &'a FaceProblem<'a>,
     solver: Box<dyn StepSolver<'a> + 'a>,
-    faces: FaceResponse<'a>,
-    tolerance: f64,
+    pub(super) faces: FaceResponse<'a>,
+    pub(super) tolerance: f64,
     control: StepControl,
     /// Slip or opening of each point that counts as large, mm.
     scale: Vec<f64>,
     /// The largest jump and force so far.
-    largest: FaceScale,
+    pub(super) largest: FaceScale,
     /// The accepted solution.
-    current: FaceSolution,
-    at: f64,
-    load: Vec<f64>,
+    pub(super) current: FaceSolution,
+    pub(super) at: f64,
+    pub(super) load: Vec<f64>,
     /// Pressure over the mouth of each pocket, MPa.
-    outside: Vec<f64>,
+    pub(super) outside: Vec<f64>,
+    /// The largest pressure of fluid or over a mouth so far, MPa.
+    pub(super) largest_pressure: f64,
     counts: SteppingCounts,
     interrupted: &'a (dyn Fn() -> bool + Sync),
 }
@@ -156,10 +141,12 @@ const HELD_SLIP: f64 = 0.2;
 const EXPECTED_SHARE: f64 = 2e-2;
 /// Difference of two jumps, over the error that a step may make, that is none.
 const ALIKE: f64 = 1e-3;
-/// Volume of a pocket over the largest jump (mm), in mm, that is none: it holds no fluid.
-const NO_VOLUME: f64 = 1e-9;
-/// Multiple of round-off by which a pressure exceeds another one.
-const LOUD: f64 = 1e3;
+/// Steps that are shorter than this share of the way between stations do not look for the place
+/// within them at which fluid is let off.
+const PLACED: f64 = 1e-3;
+/// What a step that ends where fluid is let off goes beyond that place, as a share of itself, so
+/// that the way out is open at its end.
+const BEYOND: f64 = 1e-3;
 /// Smallest step as a fraction of the distance between stations.
 const SMALLEST: f64 = 1e-7;
 
@@ -170,6 +157,8 @@ enum Attempt {
     Shorter(f64),
     /// The same, without tracing.
     Untraced(f64),
+    /// To be tried again, the fluid to be let off at its end.
+    ThenLetOff,
 }
 
 /// A step that can be followed to less than this share of it is made untraced, with a share
@@ -199,6 +188,7 @@ impl<'a> Stepper<'a> {
             at: 0.0,
             load: vec![0.0; 2 * problem.points()],
             outside: vec![0.0; problem.pockets().len()],
+            largest_pressure: 0.0,
             counts: SteppingCounts::default(),
             interrupted: &|| false,
         }
@@ -229,88 +219,6 @@ impl<'a> Stepper<'a> {
         };
         let fluid = self.current.fluid.iter().zip(&other.fluid);
         self.current.status == other.status && fluid.clone().all(filled) && (0..other.jump.len()).all(near)
-    }
-
-    /// Closes pocket `k` with the fluid that it holds now, without pressure.
-    pub fn seal(&mut self, k: usize) {
-        let volume = self.problem.pockets()[k].volume(&self.current.jump);
-        let content = if volume > NO_VOLUME * self.largest.jump { volume } else { 0.0 };
-        let status = if content > 0.0 { PocketStatus::Sealed } else { PocketStatus::Cavity };
-        self.set_pocket(k, PocketState { status, pressure: 0.0, content });
-    }
-
-    /// Lets the pressure of pocket `k` off, with the load as it is; then its mouth is free.
-    /// `accepted` as in [`Stepper::advance`].
-    ///
-    /// Errors: as [`Stepper::advance`].
-    pub fn release(
-        &mut self,
-        k: usize,
-        accepted: &mut dyn FnMut(&FaceSolution, &[f64]),
-    ) -> Result<(), SteppingError> {
-        self.let_off(k, 0.0, accepted)?;
-        self.outside[k] = 0.0;
-        self.set_pocket(k, PocketState::FREE);
-        Ok(())
-    }
-
-    /// The pressure of pocket `k` goes to `to` (MPa) with the load as it is.
-    fn let_off(
-        &mut self,
-        k: usize,
-        to: f64,
-        accepted: &mut dyn FnMut(&FaceSolution, &[f64]),
-    ) -> Result<(), SteppingError> {
-        let state = self.current.fluid[k];
-        let from = state.pressure;
-        if from != to {
-            let mut pressures: Vec<[f64; 2]> = self.outside.iter().map(|&outside| [outside; 2]).collect();
-            pressures[k] = [from, to];
-            self.set_pocket(k, PocketState { status: PocketStatus::Vented, ..state });
-            let (at, outside) = (self.at, self.outside.clone());
-            self.outside[k] = from;
-            self.begin(0.0);
-            let path = LettingOff { load: self.load.clone(), pressures };
-            let result = self.advance(&path, 1.0, accepted);
-            self.begin(at);
-            self.outside = outside;
-            result?;
-        }
-        Ok(())
-    }
-
-    fn set_pocket(&mut self, k: usize, state: PocketState) {
-        self.current.fluid[k] = state;
-        self.faces.set_pocket(k, state);
-    }
-
-    /// Lets off what has found a way out at more than the pressure over the mouth.
-    fn let_off_all(&mut self, accepted: &mut dyn FnMut(&FaceSolution, &[f64])) -> Result<(), SteppingError> {
-        if !self.problem.leaks() {
-            return Ok(());
-        }
-        for k in 0..self.current.fluid.len() {
-            let state = self.current.fluid[k];
-            let (small, _) = round_off(&self.problem.pockets()[k], self.largest);
-            let outside = self.outside[k];
-            if state.status == PocketStatus::Sealed
-                && state.pressure > outside + LOUD * small
-                && way_out(self.problem, &self.current, k)
-            {
-                self.let_off(k, outside, accepted)?;
-                let content = content(self.problem, &self.current, k);
-                let open = way_out(self.problem, &self.current, k);
-                let status = if content == 0.0 {
-                    PocketStatus::Cavity
-                } else if open {
-                    PocketStatus::Leaking
-                } else {
-                    PocketStatus::Sealed
-                };
-                self.set_pocket(k, PocketState { status, content, ..self.current.fluid[k] });
-            }
-        }
-        Ok(())
     }
 
     /// The nodal forces of the current solution.
@@ -345,6 +253,7 @@ impl<'a> Stepper<'a> {
         let mut step = whole;
         let (mut attempts, mut failures) = (0, 0);
         let mut control = self.control;
+        let mut lets_off = LetsOff::There;
         while self.at != station {
             if (self.interrupted)() {
                 return Err(SteppingError::Interrupted { at: self.at });
@@ -355,7 +264,11 @@ impl<'a> Stepper<'a> {
             attempts += 1;
             let target = if step.abs() >= (station - self.at).abs() { station } else { self.at + step };
             let smallest = (target - self.at).abs() <= SMALLEST * whole.abs();
-            match self.attempt(path, target, if smallest { StepControl::Fixed } else { control }, accepted) {
+            if (target - self.at).abs() <= PLACED * whole.abs() {
+                lets_off = LetsOff::AtItsEnd;
+            }
+            let manner = (if smallest { StepControl::Fixed } else { control }, lets_off);
+            match self.attempt(path, target, manner, accepted) {
                 Ok(Attempt::Accepted) => {
                     if target != station {
                         self.counts.substeps += 1;
@@ -363,8 +276,10 @@ impl<'a> Stepper<'a> {
                     self.let_off_all(accepted)?;
                     step = station - self.at;
                     control = self.control;
+                    lets_off = LetsOff::There;
                 }
                 Ok(Attempt::Shorter(share)) => step = share * (target - self.at),
+                Ok(Attempt::ThenLetOff) => lets_off = LetsOff::AtItsEnd,
                 Ok(Attempt::Untraced(share)) => {
                     step = share * (target - self.at);
                     control = StepControl::Fixed;
@@ -386,14 +301,15 @@ impl<'a> Stepper<'a> {
         &mut self,
         path: &dyn LoadPath,
         target: f64,
-        control: StepControl,
+        (control, lets_off): (StepControl, LetsOff),
         accepted: &mut dyn FnMut(&FaceSolution, &[f64]),
     ) -> Result<Attempt, NotConverged> {
         let (end, outside) = (path.nodal_forces(target), path.over_mouths(target));
+        self.largest_pressure = outside.iter().fold(self.largest_pressure, |most, p| most.max(*p));
         self.faces.keep();
         let has_memory = self.problem.has_friction() || !self.problem.pockets().is_empty();
         let result = if control == StepControl::Adaptive && has_memory {
-            self.traced(path, target, (end, outside), accepted)
+            self.traced(path, target, (end, outside), lets_off, accepted)
         } else {
             self.untraced(target, (end, outside), accepted)
         };
@@ -410,6 +326,7 @@ impl<'a> Stepper<'a> {
         path: &dyn LoadPath,
         target: f64,
         (end, outside_end): (Vec<f64>, Vec<f64>),
+        lets_off: LetsOff,
         accepted: &mut dyn FnMut(&FaceSolution, &[f64]),
     ) -> Result<Attempt, NotConverged> {
         let along = |share: f64| self.at + share * (target - self.at);
@@ -436,18 +353,19 @@ impl<'a> Stepper<'a> {
             },
             allowed: &|j| allowed(tolerance, scale_of[j]),
             outside: outside.clone(),
+            loud: self.loud(),
+            lets_off,
         };
         let traced = follow(self.problem, &mut self.faces, &self.current, scale, accuracy);
-        let Traced { reference_slip, changes, lets_off } = match traced {
+        let Traced { reference_slip, changes } = match traced {
             Ok(traced) => traced,
             Err(Stop::Inaccurate { excess }) => return Ok(Attempt::Shorter((0.9 / excess.cbrt()).max(0.2))),
             Err(Stop::Lost { share }) if share > EARLY => return Ok(Attempt::Shorter(BEFORE * share)),
             Err(Stop::Lost { .. }) => return Ok(Attempt::Untraced(UNTRACED)),
-        };
-        if let Some(share) = lets_off.filter(|share| (EARLY..BEFORE).contains(share)) {
             // The step ends where fluid finds its way out.
-            return Ok(Attempt::Shorter(share));
-        }
+            Err(Stop::LetsOff { share }) if share > 1.0 - 2.0 * BEYOND => return Ok(Attempt::ThenLetOff),
+            Err(Stop::LetsOff { share }) => return Ok(Attempt::Shorter((share * (1.0 + BEYOND)).max(EARLY))),
+        };
         let before = self.faces.solution().status.clone();
         let pockets = self.faces.solution().fluid.clone();
         self.solve(&load.end, &reference_slip, &outside_end)?;
@@ -461,10 +379,9 @@ impl<'a> Stepper<'a> {
         if (0..self.problem.points()).any(astray) {
             return Ok(Attempt::Shorter(0.5));
         }
-        let leaves =
-            |state: &PocketState| matches!(state.status, PocketStatus::Leaking | PocketStatus::Throttled(_));
-        let mut pairs = pockets.iter().zip(&after.fluid);
-        if lets_off.is_none() && pairs.any(|(traced, solved)| leaves(traced) != leaves(solved)) {
+        let leaks = |state: &PocketState| state.status == PocketStatus::Leaking;
+        let closes = pockets.iter().zip(&after.fluid).any(|(traced, solved)| leaks(traced) != leaks(solved));
+        if closes && lets_off == LetsOff::There {
             return Ok(Attempt::Shorter(0.5));
         }
         for change in &changes {
@@ -526,7 +443,8 @@ impl<'a> Stepper<'a> {
         self.outside = outside;
         for k in 0..self.current.fluid.len() {
             let state = self.current.fluid[k];
-            if matches!(state.status, PocketStatus::Leaking | PocketStatus::Throttled(_)) {
+            self.largest_pressure = self.largest_pressure.max(state.pressure);
+            if state.status == PocketStatus::Leaking {
                 let content = content(self.problem, &self.current, k);
                 self.set_pocket(k, PocketState { content, ..state });
             }

@@ -2,10 +2,10 @@
 
 use super::condition::Degenerate;
 use super::parabola::Parabola;
-use super::pocket_way::{OutsidePressure, PocketWay};
+use super::pocket_way::{OutsidePressure, PocketEvent, PocketWay};
 use super::problem::ROUND_OFF;
 use super::tableau::FaceRate;
-use super::{FaceProblem, FaceResponse, FaceScale, FaceSolution, PocketStatus, PointStatus};
+use super::{FaceProblem, FaceResponse, FaceScale, FaceSolution, PointStatus};
 
 /// The load within a step, at share τ of it: start + τ first + τ² second.
 pub(super) struct StepLoad {
@@ -41,8 +41,6 @@ impl StepLoad {
 pub(super) struct Traced {
     /// The slip (mm, p) from which friction counts at its end.
     pub reference_slip: Vec<f64>,
-    /// Share of the step from which a pocket has fluid to let off at once.
-    pub lets_off: Option<f64>,
     /// Where statuses changed: what was rising may fall from there on, so that extremes of K lie
     /// there.
     pub changes: Vec<Change>,
@@ -64,6 +62,19 @@ pub(super) struct Accuracy<'s> {
     pub allowed: &'s dyn Fn(usize) -> f64,
     /// The pressure over the mouths of pockets.
     pub outside: OutsidePressure,
+    /// By how much (MPa) a pressure on open faces exceeds it before fluid is let off.
+    pub loud: f64,
+    /// Whether the step ends where fluid has to be let off.
+    pub lets_off: LetsOff,
+}
+
+/// What a step does where fluid has to be let off.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum LetsOff {
+    /// It ends there.
+    There,
+    /// It goes on, and fluid is let off at its end.
+    AtItsEnd,
 }
 
 /// A step that was not followed to its end.
@@ -78,6 +89,11 @@ pub(super) enum Stop {
     Inaccurate {
         /// Error of the slip at which a point would be held, over what is allowed.
         excess: f64,
+    },
+    /// Fluid at more than the pressure over the mouth has found a way out.
+    LetsOff {
+        /// Share of the step.
+        share: f64,
     },
 }
 
@@ -120,7 +136,7 @@ struct Event {
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum StatusChange {
     Point(usize, PointStatus),
-    Pocket(usize, PocketStatus),
+    Pocket(usize, PocketEvent),
 }
 
 /// Follows the faces from `current` through a step, of whose load `faces` has the coefficients as
@@ -135,7 +151,9 @@ pub(super) fn follow<'a>(
     accuracy: Accuracy<'_>,
 ) -> Result<Traced, Stop> {
     let n = 2 * problem.points();
-    let pockets = PocketWay::new(problem, accuracy.outside.clone());
+    // Fluid that is let off at the end of the step stays until then.
+    let loud = if accuracy.lets_off == LetsOff::There { accuracy.loud } else { f64::INFINITY };
+    let pockets = PocketWay::new(problem, accuracy.outside.clone(), loud);
     let mut way = Way {
         problem,
         faces,
@@ -168,8 +186,8 @@ pub(super) fn follow<'a>(
     for (k, state) in way.now.fluid.iter().enumerate() {
         way.faces.set_pocket(k, *state);
     }
-    let Way { reference_slip, changes, pockets, .. } = way;
-    Ok(Traced { reference_slip, changes, lets_off: pockets.lets_off })
+    let Way { reference_slip, changes, .. } = way;
+    Ok(Traced { reference_slip, changes })
 }
 
 impl Way<'_, '_> {
@@ -196,7 +214,7 @@ impl Way<'_, '_> {
             return Ok(());
         }
         let units = self.faces.unit_rates()?;
-        self.pockets.press(self.problem, units, &mut self.now, &mut self.rates, self.share)
+        self.pockets.press(self.problem, units, &self.now, &mut self.rates, self.share)
     }
 
     /// The first change of status within the step.
@@ -204,9 +222,6 @@ impl Way<'_, '_> {
         let mut next: Option<Event> = None;
         let mut span = 1.0 - self.share;
         for point in 0..self.problem.points() {
-            if self.pockets.holds(&self.now, point) {
-                continue;
-            }
             if let Some((after, status)) = self.event_of(point, span) {
                 span = after;
                 next = Some(Event { change: StatusChange::Point(point, status), after });
@@ -214,7 +229,7 @@ impl Way<'_, '_> {
         }
         let scale = PocketWay::scale_of(self.round_off);
         let pocket = self.pockets.next_event(self.problem, &self.now, scale, self.share, span);
-        let of_pocket = |(after, k, status)| Event { change: StatusChange::Pocket(k, status), after };
+        let of_pocket = |(after, k, event)| Event { change: StatusChange::Pocket(k, event), after };
         pocket.map(of_pocket).or(next)
     }
 
@@ -268,7 +283,8 @@ impl Way<'_, '_> {
     fn change(&mut self, event: Event) -> Result<(), Stop> {
         let (point, status) = match event.change {
             StatusChange::Point(point, status) => (point, status),
-            StatusChange::Pocket(k, status) => {
+            StatusChange::Pocket(_, PocketEvent::LetsOff) => return Err(Stop::LetsOff { share: self.share }),
+            StatusChange::Pocket(k, PocketEvent::Becomes(status)) => {
                 self.changes.push(Change { share: self.share, solution: self.now.clone() });
                 self.now.fluid[k] = PocketWay::changed(self.problem, &self.now, k, status);
                 return Ok(());
@@ -285,9 +301,14 @@ impl Way<'_, '_> {
         self.now.status[point] = status;
         self.faces.set_status(point, status, slip);
         let scale = PocketWay::scale_of(self.round_off);
-        let opened = (point, status == PointStatus::Open);
-        for (k, state) in self.pockets.after_change(self.problem, &self.now, scale, opened, self.share) {
-            self.now.fluid[k] = state;
+        for (k, event) in PocketWay::closed_by(self.problem, &self.now, scale, point) {
+            match event {
+                PocketEvent::Becomes(status) => {
+                    self.now.fluid[k] = PocketWay::changed(self.problem, &self.now, k, status);
+                }
+                PocketEvent::LetsOff if self.accuracy.lets_off == LetsOff::AtItsEnd => {}
+                PocketEvent::LetsOff => return Err(Stop::LetsOff { share: self.share }),
+            }
         }
         Ok(())
     }

@@ -1,0 +1,121 @@
+//! Fluid that is trapped, and let off where it has found a way out.
+
+use super::pressure::{content, is_empty, way_out};
+use super::{FaceSolution, LoadPath, PocketState, PocketStatus, Stepper, SteppingError};
+
+/// Pressure by which fluid on open faces exceeds that over the mouth before it is let off, over the
+/// tolerance times the largest pressure seen. Without such a threshold it could leave in ever
+/// smaller portions.
+const LOUD: f64 = 0.5;
+/// Share of that threshold that is enough at the end of a step, which should end beyond it.
+const ALMOST: f64 = 0.9;
+
+/// A load that stays while the pressure of pockets changes from one value to another.
+struct LettingOff {
+    load: Vec<f64>,
+    /// First and last pressure of each pocket, MPa.
+    pressures: Vec<[f64; 2]>,
+}
+
+impl LoadPath for LettingOff {
+    fn nodal_forces(&self, _: f64) -> Vec<f64> {
+        self.load.clone()
+    }
+
+    fn over_mouths(&self, at: f64) -> Vec<f64> {
+        self.pressures.iter().map(|[from, to]| from + at * (to - from)).collect()
+    }
+}
+
+impl Stepper<'_> {
+    /// Closes pocket `k` with the fluid that it holds now, without pressure.
+    pub fn seal(&mut self, k: usize) {
+        let empty = is_empty(self.problem, &self.current, self.largest, k);
+        let content = if empty { 0.0 } else { self.problem.pockets()[k].volume(&self.current.jump) };
+        let status = if empty { PocketStatus::Cavity } else { PocketStatus::Sealed };
+        self.set_pocket(k, PocketState { status, pressure: 0.0, content });
+    }
+
+    /// Lets the pressure of pocket `k` off, with the load as it is; then its mouth is free.
+    /// `accepted` as in [`Stepper::advance`].
+    ///
+    /// Errors: as [`Stepper::advance`].
+    pub fn release(
+        &mut self,
+        k: usize,
+        accepted: &mut dyn FnMut(&FaceSolution, &[f64]),
+    ) -> Result<(), SteppingError> {
+        self.let_off(k, 0.0, accepted)?;
+        self.outside[k] = 0.0;
+        self.set_pocket(k, PocketState::FREE);
+        Ok(())
+    }
+
+    /// The pressure of pocket `k` goes to `to` (MPa) with the load as it is. The faces follow it
+    /// event by event, as they follow a load: where friction stops them depends on the way.
+    fn let_off(
+        &mut self,
+        k: usize,
+        to: f64,
+        accepted: &mut dyn FnMut(&FaceSolution, &[f64]),
+    ) -> Result<(), SteppingError> {
+        let state = self.current.fluid[k];
+        let from = state.pressure;
+        if from != to {
+            let mut pressures: Vec<[f64; 2]> = self.outside.iter().map(|&outside| [outside; 2]).collect();
+            pressures[k] = [from, to];
+            self.set_pocket(k, PocketState { status: PocketStatus::Vented, ..state });
+            let (at, outside) = (self.at, self.outside.clone());
+            self.outside[k] = from;
+            self.begin(0.0);
+            let path = LettingOff { load: self.load.clone(), pressures };
+            let result = self.advance(&path, 1.0, accepted);
+            self.begin(at);
+            self.outside = outside;
+            result?;
+        }
+        Ok(())
+    }
+
+    pub(super) fn set_pocket(&mut self, k: usize, state: PocketState) {
+        self.current.fluid[k] = state;
+        self.faces.set_pocket(k, state);
+    }
+
+    /// Lets off what has found a way out at more than the pressure over the mouth, and the pressure
+    /// of pockets that hold no fluid any more.
+    pub(super) fn let_off_all(
+        &mut self,
+        accepted: &mut dyn FnMut(&FaceSolution, &[f64]),
+    ) -> Result<(), SteppingError> {
+        if !self.problem.leaks() {
+            return Ok(());
+        }
+        for k in 0..self.current.fluid.len() {
+            let state = self.current.fluid[k];
+            let outside = self.outside[k];
+            let loud = state.pressure > outside + ALMOST * self.loud();
+            if state.status == PocketStatus::Sealed && loud && way_out(self.problem, &self.current, k) {
+                self.let_off(k, outside, accepted)?;
+                // What has closed meanwhile keeps the rest.
+                let open = way_out(self.problem, &self.current, k);
+                let status = if open { PocketStatus::Leaking } else { PocketStatus::Sealed };
+                let content = content(self.problem, &self.current, k);
+                self.set_pocket(k, PocketState { status, content, ..self.current.fluid[k] });
+            } else if state.status != PocketStatus::Leaking {
+                continue;
+            }
+            if is_empty(self.problem, &self.current, self.largest, k) {
+                self.let_off(k, 0.0, accepted)?;
+                let dry = PocketState { status: PocketStatus::Cavity, pressure: 0.0, content: 0.0 };
+                self.set_pocket(k, dry);
+            }
+        }
+        Ok(())
+    }
+
+    /// Excess of a pressure (MPa) over that outside at which fluid is let off.
+    pub(super) fn loud(&self) -> f64 {
+        LOUD * self.tolerance * self.largest_pressure
+    }
+}
