@@ -43,7 +43,7 @@ pub(super) struct PocketWay {
     pub loud: f64,
 }
 
-/// What happens to a pocket.
+/// An event of a pocket.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum PocketEvent {
     /// Its pressure is determined in another way.

@@ -144,8 +144,8 @@ const ALIKE: f64 = 1e-3;
 /// Steps that are shorter than this share of the way between stations do not look for the place
 /// within them at which fluid is let off.
 const PLACED: f64 = 1e-3;
-/// What a step that ends where fluid is let off goes beyond that place, as a share of itself, so
-/// that the way out is open at its end.
+/// Share of itself by which a step that ends where fluid is let off goes beyond that place, so that
+/// the way out is open at its end.
 const BEYOND: f64 = 1e-3;
 /// Smallest step as a fraction of the distance between stations.
 const SMALLEST: f64 = 1e-7;

@@ -68,7 +68,7 @@ pub(super) struct Accuracy<'s> {
     pub lets_off: LetsOff,
 }
 
-/// What a step does where fluid has to be let off.
+/// The end of a step in which fluid has to be let off.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum LetsOff {
     /// It ends there.

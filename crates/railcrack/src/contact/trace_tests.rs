@@ -24,7 +24,13 @@ fn followed(
     let end = (0..2).map(|i| start[i] + first[i] + second[i]).collect();
     faces.load([end, first.to_vec(), second.to_vec()]);
     let outside = OutsidePressure::default();
-    let accuracy = Accuracy { missed: &|| missed.to_vec(), allowed: &|_| allowed, outside };
+    let accuracy = Accuracy {
+        missed: &|| missed.to_vec(),
+        allowed: &|_| allowed,
+        outside,
+        loud: 0.0,
+        lets_off: LetsOff::There,
+    };
     let traced = follow(&problem, &mut faces, current, SCALE, accuracy);
     faces.equilibrate().unwrap();
     (traced, faces.solution().clone())
@@ -133,7 +139,13 @@ fn a_way_without_next_change_is_lost_where_it_ends() {
     let forces = |jump: [f64; 2]| body.stiffness.times(&jump);
     faces.load([forces([3.0, -0.5]), forces([3.0, -1.0]), vec![0.0; 2]]);
     let outside = OutsidePressure::default();
-    let accuracy = Accuracy { missed: &|| vec![0.0; 2], allowed: &|_| 1.0, outside };
+    let accuracy = Accuracy {
+        missed: &|| vec![0.0; 2],
+        allowed: &|_| 1.0,
+        outside,
+        loud: 0.0,
+        lets_off: LetsOff::There,
+    };
     let scale = FaceScale { jump: 1.0, force: 1.0 };
     let lost = follow(&problem, &mut faces, &current, scale, accuracy).err().unwrap();
     assert!(matches!(lost, Stop::Lost { share } if (share - 0.5).abs() < 1e-6), "{lost:?}");

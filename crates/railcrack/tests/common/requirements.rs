@@ -558,4 +558,45 @@ pub const REQUIREMENTS: &[Requirement] = &[
         "",
         "Load cycles of a straight crack converge to second order in the increment.",
     ),
+    requirement(
+        "fluid::pressure_and_volume_of_open_cracks",
+        "",
+        "Fluid: a unit pressure gives the K_I and the volume of edge and buried cracks in closed form, in both engines.",
+    ),
+    requirement(
+        "fluid::pressure_from_the_mouth_adds_to_an_open_crack",
+        "",
+        "Fluid: the pressure from the mouth is superposed on an open crack.",
+    ),
+    requirement(
+        "fluid::pressure_from_the_mouth_in_both_engines",
+        "",
+        "Fluid: histories with pressure from the mouth agree between the engines.",
+    ),
+    requirement(
+        "fluid::a_sealed_crack_keeps_its_volume",
+        "",
+        "Fluid: a sealed crack has the pressure of its closed form under changing tension, compressible or not.",
+    ),
+    requirement(
+        "fluid::a_leaking_crack_keeps_what_is_left",
+        "",
+        "Fluid: a leaking crack has the pressure of its closed form, and none once it is empty.",
+    ),
+    requirement(
+        "fluid::trapped_fluid_in_both_engines_and_by_both_solvers",
+        "",
+        "Fluid: histories with trapped fluid, leaking or not, agree between the engines and between the contact solvers.",
+    ),
+    requirement(
+        "fluid::a_leak_by_small_fixed_steps",
+        "",
+        "Fluid: leaks agree with those of small fixed load steps.",
+    ),
+    requirement("fluid::mirrored_travel", "", "Fluid: a mirrored case has the mirrored history."),
+    requirement(
+        "fluid::trapped_fluid_does_not_feel_the_modulus_of_the_steel",
+        "",
+        "Fluid: with an incompressible fluid K and pressure do not depend on E.",
+    ),
 ];
