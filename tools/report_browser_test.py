@@ -271,6 +271,8 @@ def check_explorer(browser, checks, name, folder):
                 checks.near(x, float(row["xc_over_a"]), f"{what}, wheel")
                 checks.near(k, float(row[column]), what)
         checks.near(browser.run("document.querySelector('#scene svg').dataset.centre"), float(here[0]["xc_mm"]), f"{name}: the wheel over the cracks")
+        if "fluid_mpa" in here[0] and not many:
+            check_fluid(browser, checks, f"{name}: fluid, step {step}, position {position}", here)
         for figure in ["face-status", "face-pressure"]:
             line = browser.run(f"document.querySelector('#{figure} line.here')?.dataset.x")
             checks.near(line, float(here[0]["xc_over_a"]), f"{name}: the line on {figure}")
@@ -325,6 +327,19 @@ def check_explorer(browser, checks, name, folder):
     browser.until(f"document.getElementById('wheel').value !== '{pressed}'")
     browser.run("document.getElementById('play').click()")
     checks.that(not browser.complaints, f"{name}: no complaints after all this", browser.complaints)
+
+
+def check_fluid(browser, checks, what, here):
+    """The pressure of the fluid is in the picture of the cracks, drawn and written; `here` are the rows of the tips."""
+    pressures = dict((row["crack"], float(row["fluid_mpa"])) for row in here)
+    there = browser.run("document.querySelector('#scene svg').dataset.fluid").split()
+    checks.that(len(there) == len(pressures), f"{what}: a pressure for each crack", there)
+    for got, want in zip(there, pressures.values()):
+        checks.near(got, want, what)
+    drawn = browser.run("document.querySelectorAll('#scene g.fluid path, #scene path.fluid').length")
+    checks.that((drawn > 0) == any(pressure > 0 for pressure in pressures.values()), f"{what}: drawn under pressure only", drawn)
+    written = browser.run("document.getElementById('readout').textContent")
+    checks.that("fluid p = " in written, f"{what}: the readout has it", written)
 
 
 def check_fields(browser, checks, name, folder):

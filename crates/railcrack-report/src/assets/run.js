@@ -37,6 +37,7 @@
       Promise.all(step.tips.map(async (tip) => ({
         ki: tip.ki ? await singles(tip.ki) : [],
         kii: tip.kii ? await singles(tip.kii) : [],
+        fluid: tip.fluid ? await Promise.all(tip.fluid.map(singles)) : null,
       }))),
     ),
   );
@@ -93,6 +94,17 @@
       return index;
     }));
   }
+
+  /** Pressure and volume of the fluid in a crack at the chosen step and position; null of a dry one. */
+  function fluidOf(crack) {
+    const tip = shown[state.step].tips.findIndex((tip) => tip.crack === crack);
+    const fluid = tip < 0 ? null : histories[state.step][tip].fluid;
+    return fluid && { pressure: fluid[0][state.position], volume: fluid[1][state.position] };
+  }
+  /** The largest pressure of fluid in the run. */
+  const mostPressure = d3.max(histories.flat().flatMap(({ fluid }) => (fluid ? Array.from(fluid[0]) : []))) ?? 0;
+  const isWet = histories.flat().some(({ fluid }) => fluid);
+  const tension = (fluid) => (fluid && mostPressure > 0 ? Math.max(fluid.pressure, 0) / mostPressure : 0);
 
   // ---- Geometry ------------------------------------------------------------------------------------------------
 
@@ -188,6 +200,7 @@
       const now = polyline(i + 1, state.step);
       marks.push(Plot.line(depths(now), { stroke: data.cracks.length === 1 ? "var(--ink)" : crackColour(i + 1), strokeWidth: 3 }));
     });
+    if (isWet) marks.push(...data.cracks.flatMap((_, i) => fluidIn(i + 1)));
     marks.push(Plot.dot(shown[state.step].tips, {
       x: "x", y: (tip) => -tip.y, r: 4, fill: "var(--ground)", stroke: "var(--ink)", strokeWidth: 1.5,
       channels: { crack: "crack", length: "length" },
@@ -222,8 +235,27 @@
       ariaLabel: "Cracks to scale below the wheel", style, marks,
     });
     svg.dataset.centre = xc;
+    if (isWet) svg.dataset.fluid = data.cracks.map((_, i) => fluidOf(i + 1)?.pressure ?? 0).join(" ");
     svg.dataset.pieces = pieces.length;
     show("scene", svg);
+  }
+
+  /** The fluid in a crack: the stronger its colour, the higher its pressure. */
+  function fluidIn(crack) {
+    const fluid = fluidOf(crack);
+    const share = tension(fluid);
+    if (!(share > 0)) return [];
+    const points = polyline(crack, state.step);
+    const length = d3.sum(d3.pairs(points, (p, q) => Math.hypot(q[0] - p[0], q[1] - p[1])));
+    const parts = data.fluid_falls ? 24 : 1;
+    const place = (s) => { const { at } = frame(points, s); return [at[0], -at[1]]; };
+    const part = (k) => {
+      // With the kinks of the crack between the ends of the part.
+      const line = parts === 1 ? points.map(([px, py]) => [px, -py]) : [place(k * length / parts), place((k + 1) * length / parts)];
+      const here = data.fluid_falls ? share * (1 - (k + 0.5) / parts) : share;
+      return Plot.line(line, { stroke: "var(--c5)", strokeWidth: 4 + 5 * here, strokeOpacity: 0.15 + 0.85 * here, strokeLinecap: "round", className: "fluid" });
+    };
+    return d3.range(parts).map(part);
   }
 
   function drawResidual() {
@@ -367,6 +399,7 @@
       return [at[0] + move * (slip * t[0] + opening * n[0]), -(at[1] + move * (slip * t[1] + opening * n[1]))];
     });
     const [plus, minus] = [face(1), face(-1)];
+    const fluid = fluidOf(faces.crack);
     const contact = stations.filter(({ status }) => status > 0).map(({ s, status }) => ({ p: frame(points, s).at, status, s }));
     const [left, right] = d3.extent(points, (p) => p[0]);
     const bottom = -d3.min(points, (p) => p[1]);
@@ -391,6 +424,7 @@
       marks: [
         Plot.rect([0], { x1: x[0], x2: x[1], y1: surface, y2: y[0], fill: "var(--rail)" }),
         Plot.line([...plus, ...[...minus].reverse()], { fill: "var(--ground)", stroke: "none" }),
+        fluid ? Plot.line([...plus, ...[...minus].reverse()], { fill: "var(--c5)", fillOpacity: 0.15 + 0.85 * tension(fluid), stroke: "none", className: "fluid" }) : null,
         buried ? null : Plot.line([[x[0], 0], [x[1], 0]], { stroke: "var(--ink)", strokeWidth: 1.5 }),
         Plot.line(points.map(([px, py]) => [px, -py]), { stroke: "var(--quiet)", strokeDasharray: "2 3" }),
         Plot.line(plus, { stroke: "var(--c0)", strokeWidth: 2.2 }),
@@ -408,12 +442,14 @@
       { name: "undeformed", colour: "var(--quiet)", dashed: true },
       { name: "stick", colour: STATUS_COLOURS[1], dots: "only" },
       { name: "slip", colour: STATUS_COLOURS[2], dots: "only" },
+      ...(fluid ? [{ name: "fluid, the stronger the higher its pressure", colour: "var(--c5)" }] : []),
     ]));
     const openings = stations.map(({ jump }) => jump[1]);
     const slips = stations.map(({ jump }) => Math.abs(jump[0]));
     find("deformed-caption").textContent =
       `Crack ${faces.crack}. Displacement jump magnified ${words(magnified)} times, half of it drawn on each face. ` +
-      `At this position the largest opening is ${microns(d3.max(openings))}, the largest slip ${microns(d3.max(slips))}.`;
+      `At this position the largest opening is ${microns(d3.max(openings))}, the largest slip ${microns(d3.max(slips))}` +
+      `${fluid ? `, and the pressure of the fluid ${signed(fluid.pressure, 1)} MPa${data.fluid_falls ? " at the mouth" : ""}` : ""}.`;
   }
 
   // ---- Face maps -----------------------------------------------------------------------------------------------
@@ -570,7 +606,9 @@
     const name = (tip) => (data.cracks.length > 1 || step.tips.length > 1 ? tipName(tip) : "");
     const k = step.tips.map((tip, i) => {
       const { ki, kii } = histories[state.step][i];
-      return `${name(tip) && `${name(tip)}: `}K_{I} = ${signed(ki[state.position] ?? 0, 3)}, K_{II} = ${signed(kii[state.position] ?? 0, 3)} MPa\u221am`;
+      const fluid = fluidOf(tip.crack);
+      const wet = fluid ? `, fluid p = ${signed(fluid.pressure, 1)} MPa, V = ${words(fluid.volume)} mm\u00b2` : "";
+      return `${name(tip) && `${name(tip)}: `}K_{I} = ${signed(ki[state.position] ?? 0, 3)}, K_{II} = ${signed(kii[state.position] ?? 0, 3)} MPa\u221am${wet}`;
     });
     const shownK = k.length <= 4 ? k.join("; ") : k[Math.max(0, step.tips.indexOf(tip))];
     const whose = name(tip) || "the crack";
@@ -595,6 +633,7 @@
   // ---- Controls --------------------------------------------------------------------------------------------------
 
   find("explorer").hidden = false;
+  if (isWet) find("scene").querySelector("figcaption").append(" Wide and blue: fluid in the cracks, the wider the higher its pressure.");
   find("step").max = shown.length - 1;
   find("wheel").max = positions.length - 1;
   find("step").disabled = shown.length < 2;

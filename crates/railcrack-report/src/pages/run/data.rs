@@ -4,7 +4,8 @@ use super::stored::RunFolder;
 use crate::figures::near;
 use crate::numbers::{number, numbers};
 use crate::shown::{Deflated, ShownRun};
-use railcrack::growth::{RunStop, TipStop};
+use railcrack::contact::FluidModel;
+use railcrack::growth::{CrackFluid, PressureProfile, RunStop, TipStop};
 use railcrack::words::Choice;
 use railcrack_run::csv::TipRow;
 use railcrack_run::histories::History;
@@ -42,6 +43,7 @@ pub(super) fn explorer(run: &RunFolder, shown: &ShownRun) -> Value {
         "cracks": summary.cracks.iter().map(|crack| json!({
             "points": crack.points_mm.iter().map(|p| numbers(*p)).collect::<Vec<_>>(),
         })).collect::<Vec<_>>(),
+        "fluid_falls": fluid_falls(run),
         "pieces": pieces(run),
         "junctions": junctions(run),
         "residual": (!run.residual.is_empty()).then(|| json!({
@@ -50,6 +52,16 @@ pub(super) fn explorer(run: &RunFolder, shown: &ShownRun) -> Value {
         })),
         "steps": steps,
     })
+}
+
+/// Whether the pressure of the fluid falls from the mouth to the tip, as far as cracks of their own
+/// show it.
+fn fluid_falls(run: &RunFolder) -> bool {
+    let fluid = run.case.fluid.as_ref();
+    let falls = |fluid: &CrackFluid| {
+        matches!(fluid.model, FluidModel::Mouth { .. }) && fluid.profile == PressureProfile::Linear
+    };
+    fluid.is_some_and(falls) && run.summary.junctions.is_empty()
 }
 
 /// Of every crack the first and the last of its final points that it has in `step`. An end without
@@ -147,6 +159,7 @@ fn tips(run: &RunFolder, histories: &[History], step: usize) -> Vec<Value> {
     let tip = |row: &TipRow| {
         let history = histories.iter().find(|h| (h.crack, h.tip) == (row.crack, row.tip));
         let packed = |k: fn(&History) -> &[f64]| history.map(|history| Deflated::singles(k(history)));
+        let is_wet = history.is_some_and(|history| !history.pressure.is_empty());
         json!({
             "crack": row.crack,
             "tip": row.tip,
@@ -162,6 +175,7 @@ fn tips(run: &RunFolder, histories: &[History], step: usize) -> Vec<Value> {
             "stop": row.stop_word(),
             "ki": packed(|history| &history.ki),
             "kii": packed(|history| &history.kii),
+            "fluid": is_wet.then(|| [packed(|history| &history.pressure), packed(|history| &history.volume)]),
         })
     };
     run.growth.iter().filter(|row| row.step == step).map(tip).collect()
