@@ -3,9 +3,14 @@
 
 use divan::{Bencher, black_box};
 use railcrack::body::CrackedBody;
-use railcrack::contact::{ContactSolver, FaceProblem, Latin, Newton};
+use railcrack::contact::{ContactSolver, FaceProblem, FluidModel, Latin, Newton};
 use railcrack::dislocation;
-use railcrack::growth::{Growth, RailLoad, StabilisedPassage, StepRecord, Unobserved, stabilised_passage};
+use railcrack::field::HertzWheel;
+use railcrack::growth::{
+    CrackFluid, Growth, PressureProfile, RailLoad, StabilisedPassage, StepRecord, Unobserved,
+    stabilised_passage,
+};
+use railcrack::load::HertzianContact;
 use railcrack_case::{Case, Overrides};
 use std::path::{Path, PathBuf};
 
@@ -66,4 +71,28 @@ fn growth_step(bencher: Bencher, solver: &str) {
     bencher
         .with_inputs(|| case.prepare(None).unwrap().growth(None))
         .bench_local_values(|mut run: Growth| -> Option<StepRecord> { run.next_step(&Unobserved).unwrap() });
+}
+
+/// The passages of the reference case over a lubricated crack under a driven wheel: dry, with the
+/// pressure of the contact over the mouth, and with trapped fluid that leaks or does not.
+#[divan::bench(args = ["dry", "mouth", "sealed", "leaking"], sample_count = 20, sample_size = 1)]
+fn passages_with_fluid(bencher: Bencher, fluid: &str) {
+    let case = read(REFERENCE);
+    let body = body(&case);
+    let trapped = |leak| FluidModel::Trapped { bulk_modulus: 2200.0, leak };
+    let model = match fluid {
+        "mouth" => Some(FluidModel::Mouth { cap: 300.0 }),
+        "sealed" => Some(trapped(false)),
+        "leaking" => Some(trapped(true)),
+        _ => None,
+    };
+    let profile = PressureProfile::Linear;
+    let fluid = model.map(|model| CrackFluid { model, profile, cracks: None }.on(&case.cracks, &body.faces));
+    let problem = FaceProblem::new(&body, &[0.1]).unwrap().with_fluid(fluid);
+    let contact = HertzianContact { peak_pressure: 845.0, half_width: 6.75, friction: -0.4 };
+    let wheel = HertzWheel::new(&contact, &case.steel).unwrap();
+    let load = RailLoad { wheel: &wheel, residual: None };
+    bencher.bench_local(|| {
+        stabilised_passage(&problem, &Newton::default(), load, &case.passages, &Unobserved).unwrap()
+    });
 }

@@ -2,6 +2,8 @@
 
 use super::common::{self, done, numbers, read};
 use std::path::Path;
+use std::process::Stdio;
+use std::time::{Duration, Instant};
 
 /// A quick crack under a driven wheel.
 const CRACK: &str = "\
@@ -64,4 +66,98 @@ fn a_buried_crack_says_that_its_fluid_was_there_from_the_beginning() {
     std::fs::write(folder.join("buried.toml"), format!("{buried}[fluid]\nmodel = \"trapped\"\n")).unwrap();
     let told = done(&folder, &["check", "buried.toml"]);
     assert!(told.contains("buried cracks hold theirs from the beginning"), "{told}");
+}
+
+const LEAKING: &str = "[fluid]\nmodel = \"trapped\"\nbulk_modulus_mpa = 2200\n";
+
+#[test]
+fn a_killed_run_with_fluid_resumes_to_the_same_files() {
+    let folder = common::folder("fluid", "killed");
+    let case = CRACK.replace("steps = 1", "steps = 4");
+    std::fs::write(folder.join("wet.toml"), format!("{case}{LEAKING}")).unwrap();
+    done(&folder, &["run", "wet.toml", "--out", "whole", "--quiet"]);
+    let growth = folder.join("killed/growth.csv");
+    let mut child = common::command(&folder, &["run", "wet.toml", "--out", "killed", "--quiet"])
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    let rows = || {
+        let text = std::fs::read_to_string(&growth).unwrap_or_default();
+        text.lines().filter(|line| line.starts_with(|c: char| c.is_ascii_digit())).count()
+    };
+    let started = Instant::now();
+    while rows() < 2 && started.elapsed() < Duration::from_secs(60) {
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    done(&folder, &["run", "wet.toml", "--out", "killed", "--quiet", "--resume"]);
+    for file in ["sif.csv", "growth.csv", "faces.csv"] {
+        assert!(read(&folder.join("whole").join(file)) == read(&folder.join("killed").join(file)), "{file}");
+    }
+}
+
+/// Two wheels over one wet crack: each has the history of its own run, and the rate is their sum.
+#[test]
+fn a_mix_of_wheels_over_a_wet_crack() {
+    let folder = common::folder("fluid", "mix");
+    let (head, tail) = CRACK.split_once("[[crack]]").unwrap();
+    let contact = |friction: &str| head.replace("friction = -0.2", friction);
+    let wheels = ["friction = -0.2", "friction = 0.1"];
+    let mix = wheels.map(|friction| {
+        format!("[[wheel]]\nshare = 0.5\n{}", contact(friction).replace("[contact]", "[wheel.contact]"))
+    });
+    std::fs::write(folder.join("mix.toml"), format!("{}[[crack]]{tail}{LEAKING}", mix.concat())).unwrap();
+    done(&folder, &["run", "mix.toml", "--steps", "0", "--quiet"]);
+    let of = |name: &str, key: &str| numbers(&folder.join(name).join("sif.csv"), key);
+    let of_wheel = of("mix", "wheel");
+    let mut rates = 0.0;
+    for (i, friction) in wheels.iter().enumerate() {
+        let name = format!("alone-{i}");
+        let case = format!("{}[[crack]]{tail}{LEAKING}", contact(friction));
+        std::fs::write(folder.join(format!("{name}.toml")), case).unwrap();
+        done(&folder, &["run", &format!("{name}.toml"), "--steps", "0", "--quiet"]);
+        for key in ["ki_mpa_sqrt_m", "kii_mpa_sqrt_m", "fluid_mpa", "fluid_mm2"] {
+            let all = of("mix", key).into_iter().zip(&of_wheel);
+            let own: Vec<f64> = all.filter(|(_, wheel)| **wheel == (i + 1) as f64).map(|(v, _)| v).collect();
+            assert_eq!(own, of(&name, key), "wheel {}: {key}", i + 1);
+        }
+        rates += 0.5 * numbers(&folder.join(&name).join("growth.csv"), "rate_mm_per_cycle")[0];
+    }
+    // Its direction is the best of the mix, and of no wheel better than its own.
+    let rate = numbers(&folder.join("mix/growth.csv"), "rate_mm_per_cycle")[0];
+    assert!(rate <= rates * 1.000_001 && rate > 0.5 * rates, "{rate} {rates}");
+}
+
+/// A wet crack that is worn has the history of a crack of what is left of it.
+#[test]
+fn a_worn_crack_holds_less_water() {
+    let folder = common::folder("fluid", "worn");
+    let straight = CRACK
+        .replace("steps = 1", "steps = 4\ndirection = \"coplanar\"")
+        .replace("length_mm = 4.0", "length_mm = 6.0");
+    let wear = "[traffic]\naxle_load_t = 20.0\n[maintenance]\nwear_mm_per_mgt = 30.0\n";
+    std::fs::write(folder.join("worn.toml"), format!("{straight}{LEAKING}{wear}")).unwrap();
+    done(&folder, &["run", "worn.toml", "--quiet"]);
+    let table = folder.join("worn/growth.csv");
+    let last = |key: &str| *numbers(&table, key).last().unwrap();
+    let (length, removed) = (last("length_mm"), last("removed_mm"));
+    assert!(removed > 0.05, "{removed}");
+    let fresh = straight
+        .replace("length_mm = 6.0", &format!("length_mm = {length}"))
+        .replace("steps = 4", "steps = 0");
+    std::fs::write(folder.join("fresh.toml"), format!("{fresh}{LEAKING}")).unwrap();
+    done(&folder, &["run", "fresh.toml", "--quiet"]);
+    // Growth that waits for a whole segment makes the cut crack up to 4 % shorter, and its volume
+    // goes with the square of the length.
+    for (key, limit) in [("ki_mpa_sqrt_m", 4e-2), ("fluid_mpa", 4e-2), ("fluid_mm2", 8e-2)] {
+        let largest = |name: &str, step: f64| {
+            let file = folder.join(name).join("sif.csv");
+            let rows = numbers(&file, key).into_iter().zip(numbers(&file, "step"));
+            rows.filter(|row| row.1 == step).map(|row| row.0).fold(0.0, f64::max)
+        };
+        let (worn, fresh) = (largest("worn", last("step")), largest("fresh", 0.0));
+        assert!((worn / fresh - 1.0).abs() < limit, "{key}: {worn} {fresh}");
+    }
 }

@@ -589,6 +589,16 @@ pub const REQUIREMENTS: &[Requirement] = &[
         "Fluid: histories with trapped fluid, leaking or not, agree between the engines and between the contact solvers.",
     ),
     requirement(
+        "fluid::one_pocket_in_joined_cracks",
+        "",
+        "Fluid: a crack in two joined pieces has the history of that in one, with one pocket.",
+    ),
+    requirement(
+        "fluid::cracks_with_and_without_fluid",
+        "",
+        "Fluid: cracks far apart have pockets of their own, and a dry one beside a wet one stays dry.",
+    ),
+    requirement(
         "fluid::a_leak_by_small_fixed_steps",
         "",
         "Fluid: leaks agree with those of small fixed load steps.",

@@ -3,14 +3,14 @@
 
 use crate::common::{
     Absolute, Of, Relative, Rolling, RollingEngine, StepControl as Fixed, body, buried_crack, close,
-    default_elements, largest, surface_crack,
+    default_elements, joined_body, junction, largest, surface_crack,
 };
 use railcrack::body::CrackedBody;
 use railcrack::contact::{
     ContactSolver, FaceFluid, FaceProblem, FaceSolution, FluidModel, Latin, LoadPath, Newton, StepControl,
     Stepper,
 };
-use railcrack::crack::{Crack, CrackNetwork};
+use railcrack::crack::{Crack, CrackNetwork, End};
 use railcrack::dislocation::{FaceResolution, cracked_body};
 use railcrack::field::Uniform;
 use railcrack::growth::{CrackFluid, PressureProfile, StabilisedPassage};
@@ -261,6 +261,55 @@ fn a_leaking_crack_keeps_what_is_left() {
             }
         }
     }
+}
+
+/// A crack in two pieces that are joined below the mouth, across which there is one pocket, against
+/// the crack in one piece.
+#[test]
+fn one_pocket_in_joined_cracks() {
+    for (degrees, crack_friction, fluid) in [
+        (25.0, 0.1, trapped(f64::INFINITY, true)),
+        (15.0, 0.1, trapped(2200.0, false)),
+        (30.0, 0.3, fluid(FluidModel::Mouth { cap: 300.0 }, PressureProfile::Linear)),
+    ] {
+        let rolling = Rolling::over(vec![surface_crack(0.0, LENGTH, degrees)], crack_friction, -0.4);
+        let whole = wet(&rolling, &fluid, &Newton::default());
+        let along = Vec2::unit(-degrees.to_radians());
+        let (at, tip) = (along * (0.6 * LENGTH), along * LENGTH);
+        let cracks = [vec![Vec2::default(), at], vec![at, tip]].map(|p| Crack::polyline(p).unwrap());
+        let junctions = [junction(1, End::First, 0)];
+        let body = joined_body(&cracks, &junctions, default_elements());
+        let network = CrackNetwork::joined(cracks.to_vec(), junctions.to_vec()).unwrap();
+        let faces = fluid.on(&network, &body.faces);
+        assert_eq!((faces.pockets.len(), &faces.pockets[0].cracks[..]), (1, &[0, 1][..]));
+        let problem = FaceProblem::new(&body, &[crack_friction; 2]).unwrap();
+        let pieces = rolling.on(&problem.with_fluid(Some(faces)), &Newton::default());
+        for error in apart(&whole, &pieces) {
+            close(error, 0.0, Absolute(5e-3), "discretisation error of either");
+        }
+    }
+}
+
+/// Cracks far apart have pockets of their own, and only those of the list have fluid.
+#[test]
+fn cracks_with_and_without_fluid() {
+    let cracks: Vec<Crack> = [0.0, 800.0].map(|mouth| surface_crack(mouth, LENGTH, 30.0)).to_vec();
+    let rolling = Rolling::over(cracks, 0.2, -0.2);
+    let trapped = trapped(f64::INFINITY, true);
+    let both = wet(&rolling, &trapped, &Newton::default());
+    let second = wet(&rolling, &CrackFluid { cracks: Some(vec![1]), ..trapped }, &Newton::default());
+    let dry = rolling.solve();
+    let of = |passage: &StabilisedPassage, tip: usize| {
+        let record = &passage.passages[passage.passages.len() - 1];
+        record.sifs[tip].iter().map(|k| [k.ki, k.kii]).collect::<Vec<_>>()
+    };
+    let peak = largest(of(&both, 0).into_iter().flatten());
+    let apart = |one: Vec<[f64; 2]>, other: Vec<[f64; 2]>| {
+        largest(one.iter().zip(&other).flat_map(|(a, b)| [a[0] - b[0], a[1] - b[1]])) / peak
+    };
+    close(apart(of(&second, 1), of(&both, 1)), 0.0, Absolute(1e-3), "130 lengths apart");
+    close(apart(of(&second, 0), of(&dry, 0)), 0.0, Absolute(1e-3), "dry beside a wet one");
+    assert!(apart(of(&both, 0), of(&dry, 0)) > 0.5);
 }
 
 const HISTORIES: [(f64, f64, f64); 6] = [
