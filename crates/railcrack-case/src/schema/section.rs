@@ -28,6 +28,7 @@ pub(crate) fn read_section(
     let span = table.as_ref().map_or(0..0, |(_, span)| span.clone());
     let mut read = SectionValues { section, path, span, entries: Vec::new(), refused: Vec::new() };
     let mut given: Vec<(&'static Key, Range<usize>)> = Vec::new();
+    let mut varied: Vec<(&'static str, Vec<&str>)> = Vec::new();
     for (name, value) in table.iter().flat_map(|(table, _)| table.iter()) {
         let is_section =
             |s: &&Section| section.name.is_empty() && !s.name.is_empty() && s.name == name.get_ref();
@@ -38,7 +39,11 @@ pub(crate) fn read_section(
         match section.key(name.get_ref()) {
             Some(key) if reading.override_of(section.name, number, key.name).is_none() => {
                 given.push((key, name.span()));
-                read_value(&mut read, key, reading.chosen.of(value), file.list, report);
+                let chosen = reading.chosen.of(value);
+                if chosen.span() != value.span() {
+                    varied.push((key.name, words(value)));
+                }
+                read_value(&mut read, key, chosen, file.list, report);
             }
             Some(key) => {
                 // An option takes its place, but what stands here is checked like any other value.
@@ -64,8 +69,35 @@ pub(crate) fn read_section(
             }),
         }
     }
+    leave_out_of_runs(&mut read, &mut given, &varied);
     fill(&mut read, &given, reading, report);
     read
+}
+
+/// The words of a list.
+fn words<'d>(value: &'d Spanned<DeValue>) -> Vec<&'d str> {
+    let items = value.get_ref().as_array();
+    items.into_iter().flat_map(|items| items.iter()).filter_map(|item| item.get_ref().as_str()).collect()
+}
+
+/// Takes out what goes with another word of a list than the chosen one: in a study that varies this
+/// word it is for other runs. `varied` are the keys with lists of words.
+fn leave_out_of_runs(
+    read: &mut SectionValues,
+    given: &mut Vec<(&'static Key, Range<usize>)>,
+    varied: &[(&'static str, Vec<&str>)],
+) {
+    let is_for_others = |key: &Key| {
+        key.only_with.is_some_and(|with| {
+            let words = varied.iter().find(|(name, _)| *name == with.key).map(|(_, words)| words);
+            let in_others = words.is_some_and(|words| words.iter().any(|word| with.admits(word)));
+            in_others && read.named(with.key).is_some_and(|other| !other.is_admitted(&with))
+        })
+    };
+    let names: Vec<&str> =
+        given.iter().map(|(key, _)| *key).filter(|key| is_for_others(key)).map(|key| key.name).collect();
+    given.retain(|(key, _)| !names.contains(&key.name));
+    read.entries.retain(|entry| !names.contains(&entry.key.name));
 }
 
 fn read_value(

@@ -1,5 +1,6 @@
 //! Studies: which cases they make, and everything that is said of wrong ones.
 
+use railcrack::contact::FluidModel;
 use railcrack_case::{Case, CaseErrors, Combine, Engine, Input, Overrides, Study, study_schema};
 use serde_json::json;
 use std::path::Path;
@@ -296,6 +297,21 @@ fn wrong_lists() {
         )],
         &Overrides { engine: Some("xfem".into()), ..Overrides::default() },
     );
+}
+
+#[test]
+fn keys_of_one_word_of_a_list_are_for_its_runs() {
+    let fluid = |models: &str| {
+        format!("{GOOD}[fluid]\nmodel = [{models}]\npressure_cap_mpa = 100.0\nbulk_modulus_mpa = 2200.0\n")
+    };
+    let listed = study(&fluid("\"none\", \"mouth\", \"trapped\""));
+    let models: Vec<Option<FluidModel>> =
+        listed.runs[..3].iter().map(|run| run.case.fluid.as_ref().map(|fluid| fluid.model)).collect();
+    let trapped = FluidModel::Trapped { bulk_modulus: 2200.0, leak: true };
+    assert_eq!(models, [None, Some(FluidModel::Mouth { cap: 100.0 }), Some(trapped)]);
+    // Where no run has the word, the key is as wrong as in a case.
+    let errors = parse_with(&fluid("\"none\", \"trapped\""), &Overrides::default()).unwrap_err();
+    assert!(errors.to_string().contains("`fluid.pressure_cap_mpa` needs model = \"mouth\""), "{errors}");
 }
 
 #[test]
