@@ -419,13 +419,31 @@ def tick(browser, group, value):
     browser.settle()
 
 
+def check_switched(browser, checks, name, study):
+    """The switches of a study, by pointer and keyboard."""
+    data, switched, runs, drawn, rows = study
+    axis, group = switched[-1], len(switched) - 1
+    tick(browser, group, 0)
+    left = [run for run in data["runs"] if run["choice"][axis] != 0]
+    checks.that(browser.run(rows) == len(left), f"{name}: a value that is off hides its rows", browser.run(rows))
+    numbers = {str(run["number"]) for run in left}
+    expected = sum(1 for row in drawn if row["run"] in numbers)
+    checks.that(visible_paths(browser, "kii") == expected, f"{name}: and its curves", visible_paths(browser, "kii"), expected)
+    tick(browser, group, 0)
+    checks.that(browser.run(rows) == len(runs), f"{name}: on again, they are back")
+    # By keyboard.
+    browser.run("document.querySelector('#choices input').focus()")
+    browser.key(" ")
+    checks.that(browser.run(rows) < len(runs), f"{name}: the space key works a switch")
+    browser.key(" ")
+
+
 def check_switches(browser, checks, name, folder):
     """Switches hide and show curves and rows; the pointer brings a run out; curves and rows are those of the tables."""
     browser.open(folder / "report.html")
     runs = table(folder / "summary.csv")
     data = json.loads((folder / "study.json").read_text())
     drawn = [row for row in runs if row["state"] in ("done", "unfinished") or row["length_mm"]]
-    axes = [axis["keys"][0]["values"] for axis in data["axes"]]
     rows = "[...document.querySelectorAll('tr[data-choices]')].filter((r) => !r.hidden).length"
     checks.that(browser.run(rows) == len(runs), f"{name}: a row for each run")
     checks.that(visible_paths(browser, "kii") == len(drawn), f"{name}: a curve of K_II for each run with a step", visible_paths(browser, "kii"))
@@ -441,21 +459,12 @@ def check_switches(browser, checks, name, folder):
             checks.that(curve[0].startswith(f"run {row['run']}: "), f"{name}: {figure} has run {row['run']}", curve)
             checks.near(curve[1], float(row["load_cycles"]), f"{name}: {figure}, cycles of run {row['run']}")
             checks.near(curve[2], float(row[column]), f"{name}: {figure}, {column} of run {row['run']}")
-    # The last axis: switching its first value off leaves the others.
-    group = len(axes) - 1
-    tick(browser, group, 0)
-    left = [run for run in data["runs"] if run["choice"][group] != 0]
-    checks.that(browser.run(rows) == len(left), f"{name}: a value that is off hides its rows", browser.run(rows))
-    numbers = {str(run["number"]) for run in left}
-    expected = sum(1 for row in drawn if row["run"] in numbers)
-    checks.that(visible_paths(browser, "kii") == expected, f"{name}: and its curves", visible_paths(browser, "kii"), expected)
-    tick(browser, group, 0)
-    checks.that(browser.run(rows) == len(runs), f"{name}: on again, they are back")
-    # By keyboard.
-    browser.run("document.querySelector('#choices input').focus()")
-    browser.key(" ")
-    checks.that(browser.run(rows) < len(runs), f"{name}: the space key works a switch")
-    browser.key(" ")
+    # Samples have no switches; of the last other axis, switching its first value off leaves the others.
+    switched = [i for i, axis in enumerate(data["axes"]) if not any("distribution" in key for key in axis["keys"])]
+    fieldsets = browser.run("document.querySelectorAll('#choices fieldset').length")
+    checks.that(fieldsets == len(switched), f"{name}: switches for lists, none for samples", fieldsets, len(switched))
+    if switched:
+        check_switched(browser, checks, name, (data, switched, runs, drawn, rows))
     browser.box("#kii .drawing svg")
     left, top = browser.run(
         "(() => { const svg = document.querySelector('#kii .drawing svg'); const box = svg.getBoundingClientRect(); const c = railcrack.charts.get('kii').curves[0];"

@@ -21,7 +21,7 @@ pub use schema::{
     Availability, CaseError, CaseErrors, Choice, Form, Key, Kind, NumberRange, OnlyWith, Pair, Presence,
     Preset, RangeEnd, Section, SectionPresence, Value, Word,
 };
-pub use study::{Axis, Input, Keeping, SampleTable, Study, StudyRun, Variation, study_schema};
+pub use study::{Axis, Distribution, Input, Keeping, SampleTable, Study, StudyRun, Variation, study_schema};
 pub use tables::{
     Combine, ContactOrigin, ContactSolver, Engine, FieldOutput, Fracture, GivenWheel, Inspection, Kept,
     MaintenancePlan, MeshSettings, Output, PlasticSource, Rail, SECTIONS, STUDY, Scatter, ShakedownSettings,

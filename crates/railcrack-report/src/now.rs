@@ -73,7 +73,7 @@ fn study_now(folder: &StudyFolder) -> Result<PageNow, OutputError> {
     let plots = study_plots(plan, &runs, &styles);
     let over = results.count(|state| matches!(state, RunState::Done | RunState::Failed { .. }));
     Ok(PageNow {
-        html: study_page(plan, &runs, &styles, &folder.study_text()?, &plots).html(),
+        html: study_page((plan, &results.population), &runs, &styles, &folder.study_text()?, &plots).html(),
         progress: format!("{over} of {} runs are over", runs.len()),
         is_over: over == runs.len(),
     })

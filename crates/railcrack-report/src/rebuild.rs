@@ -195,7 +195,7 @@ impl Presentation for Pages {
                 None => folder.take_away(&format!("plots/{file}"))?,
             }
         }
-        let page = study_page(plan, &runs, &styles, &folder.study_text()?, &plots);
+        let page = study_page((plan, &results.population), &runs, &styles, &folder.study_text()?, &plots);
         folder.put(REPORT_FILE, page.html().as_bytes())
     }
 }

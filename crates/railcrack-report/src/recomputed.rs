@@ -7,8 +7,7 @@ use railcrack::growth::StepRecord;
 use railcrack_case::{Case, Output};
 use railcrack_run::csv::{SifScale, TipRow};
 use railcrack_run::simulation::{RunEntry, RunError, Simulation};
-use railcrack_run::study::StudyResults;
-use railcrack_run::{OutputError, Presentation, RunPresentation, StudyFolder};
+use railcrack_run::{OutputError, Presentation, RunPresentation};
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -104,17 +103,5 @@ impl Presentation for Gathering {
         output: Output,
     ) -> Result<Box<dyn RunPresentation>, OutputError> {
         Ok(self.run(output))
-    }
-
-    fn shakedown(&self, _: &Path) -> Result<(), OutputError> {
-        Ok(())
-    }
-
-    fn comparison(&self, _: &Path) -> Result<(), OutputError> {
-        Ok(())
-    }
-
-    fn study(&self, _: &StudyFolder, _: &StudyResults) -> Result<(), OutputError> {
-        Ok(())
     }
 }

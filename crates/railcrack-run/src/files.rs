@@ -32,6 +32,8 @@ pub const PLOTS_FOLDER: &str = "plots";
 pub const COMPARE_FILE: &str = "compare.json";
 /// Plan of a study.
 pub const PLAN_FILE: &str = "study.json";
+/// Samples between the runs of a study.
+pub const POPULATION_FILE: &str = "population.json";
 
 /// Every plot of a run or of a stabilised plastic state.
 pub(crate) const PLOT_FILES: [&str; 14] = [

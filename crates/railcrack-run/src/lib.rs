@@ -24,6 +24,7 @@ pub mod histories;
 mod lock;
 mod memory;
 mod parquet;
+pub mod population;
 mod presentation;
 pub mod queue;
 mod recorder;

@@ -26,17 +26,23 @@ pub trait Presentation: Sync {
     /// Plots and page of the stabilised plastic state in `folder`.
     ///
     /// Errors: a file is damaged; the system refuses.
-    fn shakedown(&self, folder: &Path) -> Result<(), OutputError>;
+    fn shakedown(&self, _folder: &Path) -> Result<(), OutputError> {
+        Ok(())
+    }
 
     /// Plots and page of the comparison in `folder`.
     ///
     /// Errors: a file is damaged; the system refuses.
-    fn comparison(&self, folder: &Path) -> Result<(), OutputError>;
+    fn comparison(&self, _folder: &Path) -> Result<(), OutputError> {
+        Ok(())
+    }
 
     /// Plots and page of the study in `folder` with its present `results`.
     ///
     /// Errors: the system refuses.
-    fn study(&self, folder: &StudyFolder, results: &StudyResults) -> Result<(), OutputError>;
+    fn study(&self, _folder: &StudyFolder, _results: &StudyResults) -> Result<(), OutputError> {
+        Ok(())
+    }
 }
 
 /// Plots and page of one run, gathered step by step.
@@ -66,18 +72,6 @@ impl Presentation for TablesOnly {
 
     fn resumed_run(&self, _: &Path, _: usize, _: Output) -> Result<Box<dyn RunPresentation>, OutputError> {
         Ok(Box::new(Self))
-    }
-
-    fn shakedown(&self, _: &Path) -> Result<(), OutputError> {
-        Ok(())
-    }
-
-    fn comparison(&self, _: &Path) -> Result<(), OutputError> {
-        Ok(())
-    }
-
-    fn study(&self, _: &StudyFolder, _: &StudyResults) -> Result<(), OutputError> {
-        Ok(())
     }
 }
 

@@ -14,6 +14,6 @@ mod variation;
 pub use axes::Axis;
 pub use expand::{Keeping, Study, StudyRun};
 pub use input::Input;
-pub use sampling::SampleTable;
+pub use sampling::{Distribution, SampleTable};
 pub use schema::study_schema;
 pub use variation::Variation;

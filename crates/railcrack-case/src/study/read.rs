@@ -4,7 +4,9 @@ use super::axes::{Axis, Settings};
 use super::expand::{Keeping, MOST_RUNS, Study, StudyRun, choices};
 use super::merge::RunErrors;
 use super::names::{name_variations, run_folder, run_label, run_title};
-use super::sampling::{DIMENSIONS, SampleTable, Sampled, Substitute, find_sampled, points, substituted};
+use super::sampling::{
+    DIMENSIONS, Distribution, SampleTable, Sampled, Substitute, find_sampled, points, substituted,
+};
 use super::variation::{Variation, find_variations};
 use crate::case::{Case, Overrides, build};
 use crate::schema::{
@@ -90,6 +92,10 @@ fn read_study(
     let root = &substituted(root, &drawn.values, report);
     let (mut variations, refused) = find_variations(root, overrides, report);
     name_variations(&mut variations);
+    for (key, distribution) in drawn.keys.iter().zip(drawn.distributions) {
+        let of_key = variations.iter_mut().filter(|variation| variation.key == *key);
+        of_key.for_each(|variation| variation.distribution = Some(distribution.clone()));
+    }
     if variations.is_empty() && report.is_clean() {
         report.add(nothing_varies(&source.name));
     }
@@ -133,6 +139,8 @@ fn read_study(
 #[derive(Default)]
 struct Drawn {
     keys: Vec<String>,
+    /// Of each key; none of a table.
+    distributions: Vec<Distribution>,
     values: Vec<Substitute>,
 }
 
@@ -148,6 +156,7 @@ fn drawn(root: &DeTable, section: &SectionValues, table: Option<&SampleTable>, r
         }
         return Drawn {
             keys: table.columns.iter().map(|(_, values)| values.dotted()).collect(),
+            distributions: Vec::new(),
             values: table.columns.iter().map(|(_, values)| values.clone()).collect(),
         };
     }
@@ -173,6 +182,7 @@ fn drawn(root: &DeTable, section: &SectionValues, table: Option<&SampleTable>, r
     let of_key = |(i, key): (usize, &Sampled)| key.values(points.iter().map(|point| point[i]));
     Drawn {
         keys: sampled.iter().map(|key| key.dotted.clone()).collect(),
+        distributions: sampled.iter().map(|key| key.distribution.clone()).collect(),
         values: sampled.iter().enumerate().map(of_key).collect(),
     }
 }

@@ -1,6 +1,6 @@
 //! Lists in place of values.
 
-use super::sampling::is_sampled;
+use super::sampling::{Distribution, is_sampled};
 use super::tables::{TableOf, all_tables};
 use crate::schema::{Fault, Key, Kind, Override, Raw, Report, Section, Value};
 use crate::tables::{CASE_FILE, RUN_FOLDERS, STUDY};
@@ -17,6 +17,8 @@ pub struct Variation {
     pub name: String,
     /// Its values in the order of the list; as text where a value is refused.
     pub values: Vec<Value>,
+    /// The distribution that they are drawn from; none of a list.
+    pub distribution: Option<Distribution>,
     /// Where the list stands.
     pub(super) span: Range<usize>,
     /// Where its elements stand.
@@ -44,7 +46,8 @@ pub(super) fn find_variations(
             let values = items.iter().map(|item| value_of(key, item, report)).collect();
             let elements = items.iter().map(Spanned::span).collect();
             let name = String::new();
-            found.push(Variation { key: dotted, name, values, span: value.span(), elements });
+            let distribution = None;
+            found.push(Variation { key: dotted, name, values, distribution, span: value.span(), elements });
         }
     }
     found.sort_by_key(|variation| variation.span.start);

@@ -78,19 +78,29 @@ fn tables(folder: &Path) -> Vec<String> {
     if names.is_empty() { vec!["none".to_owned()] } else { names }
 }
 
-/// Places of the wanted columns; all where none is named.
+/// Places of the wanted columns; all where none is named. A key of a study has its name with its
+/// section, or as far as it is the only one, without.
 fn chosen(headings: &[String], wanted: &[String]) -> Result<Vec<usize>, Failure> {
     if wanted.is_empty() {
         return Ok((0..headings.len()).collect());
     }
-    wanted
-        .iter()
-        .map(|name| {
-            headings.iter().position(|heading| heading == name.trim()).ok_or_else(|| {
-                Failure::Show(format!("there is no column `{name}`: there are {}", headings.join(", ")))
-            })
-        })
-        .collect()
+    let refused = |name: &str, there: &[String]| {
+        Failure::Show(format!("there is no column `{name}`: there are {}", there.join(", ")))
+    };
+    let place = |name: &String| {
+        let name = name.trim();
+        if let Some(place) = headings.iter().position(|heading| heading == name) {
+            return Ok(place);
+        }
+        let is_it = |heading: &String| heading.rsplit_once('.').is_some_and(|(_, key)| key == name);
+        let all: Vec<usize> = (0..headings.len()).filter(|&place| is_it(&headings[place])).collect();
+        match all[..] {
+            [place] => Ok(place),
+            [] => Err(refused(name, headings)),
+            _ => Err(refused(name, &picked(headings, &all))),
+        }
+    };
+    wanted.iter().map(place).collect()
 }
 
 fn picked(row: &[String], chosen: &[usize]) -> Vec<String> {
@@ -153,5 +163,21 @@ mod tests {
         let row = |fields: [&str; 2]| fields.map(str::to_owned).to_vec();
         let text = aligned(&row(["length_mm", "stop"]), &[row(["6.25", "arrest"]), row(["", ""])]);
         assert_eq!(text, "length_mm  stop\n     6.25  arrest\n\n");
+    }
+
+    #[test]
+    fn a_key_is_found_without_its_section_where_that_is_clear() {
+        let headings = ["run", "contact.friction", "crack[1].friction", "crack[1].angle_deg"];
+        let headings = headings.map(str::to_owned);
+        let of = |names: &[&str]| {
+            chosen(&headings, &names.iter().map(|name| (*name).to_owned()).collect::<Vec<_>>())
+        };
+        assert_eq!(of(&["angle_deg", "run", "contact.friction"]).ok(), Some(vec![3, 0, 1]));
+        let told = |names: &[&str]| match of(names) {
+            Err(Failure::Show(told)) => told,
+            _ => String::new(),
+        };
+        assert!(told(&["friction"]).ends_with("there are contact.friction, crack[1].friction"));
+        assert!(told(&["angle"]).contains("there are run, contact.friction"));
     }
 }

@@ -11,6 +11,7 @@ mod options;
 mod packed;
 mod paper;
 mod plastic_stress;
+mod population;
 mod reliability;
 mod report;
 mod run;

@@ -5,7 +5,8 @@
   const { charts, legend, plain, inParts, bringOut, DASHES } = railcrack;
   const place = document.getElementById("choices");
   const groups = JSON.parse(document.getElementById("choices-data").textContent);
-  const on = groups.map((group) => new Set(group.values.flatMap((value, i) => (value.shown ? [i] : []))));
+  // A group without values is always shown.
+  const on = groups.map((group) => (group.values.length ? new Set(group.values.flatMap((value, i) => (value.shown ? [i] : []))) : null));
 
   function show() {
     for (const chart of charts.values()) chart.choose(on);
@@ -14,6 +15,7 @@
   }
 
   groups.forEach((group, place_of_group) => {
+    if (!group.values.length) return;
     const set = document.createElement("fieldset");
     const name = document.createElement("legend");
     inParts(name, plain(group.name));
@@ -55,6 +57,6 @@
     row.addEventListener("pointerenter", () => bringOut(row.dataset.name));
     row.addEventListener("pointerleave", () => bringOut());
   }
-  place.hidden = false;
+  place.hidden = !groups.some((group) => group.values.length);
   show();
 })();

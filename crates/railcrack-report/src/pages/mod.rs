@@ -5,6 +5,7 @@ mod pictures;
 mod run;
 mod shakedown;
 mod study;
+mod ways;
 
 pub(crate) use compare::comparison_page;
 pub(crate) use run::{RunFolder, run_page};

@@ -1,15 +1,10 @@
 //! Scatter of what does not change the path of the crack, by sampling.
 
-use super::inspection::{CriticalBy, InspectionSummary, Place, detectable};
+use super::inspection::InspectionSummary;
 use super::path::GrowthPath;
-use super::walk::{SampledRates, SampledShares, Walk};
-use crate::run_info::MixInfo;
-use railcrack::growth::MOST_WHEELS;
-use railcrack_case::{Inspection, MaintenancePlan, Scatter};
-use rand_pcg::Pcg64Mcg;
-use rand_pcg::rand_core::{Rng, SeedableRng};
+use super::sampler::{Draws, KEYS, Sample, Sampler, Sampling};
+use railcrack_case::Scatter;
 use serde::{Deserialize, Serialize};
-use std::f64::consts::PI;
 
 /// Quantiles over all samples; null where the run does not reach that far.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -64,75 +59,6 @@ pub struct ScatterSummary {
     pub sensitivities: Vec<Sensitivity>,
 }
 
-/// Tonnages at which quantiles of the depth are given.
-const TONNAGES: usize = 41;
-
-/// Standard normal deviates, two at a time (Box & Muller), the same on any machine.
-struct Deviates {
-    source: Pcg64Mcg,
-    spare: Option<f64>,
-}
-
-impl Deviates {
-    fn new(seed: usize) -> Self {
-        Self { source: Pcg64Mcg::seed_from_u64(seed as u64), spare: None }
-    }
-
-    /// In (0, 1].
-    fn uniform(&mut self) -> f64 {
-        ((self.source.next_u64() >> 11) + 1) as f64 / (1u64 << 53) as f64
-    }
-
-    fn next(&mut self) -> f64 {
-        if let Some(spare) = self.spare.take() {
-            return spare;
-        }
-        let radius = (-2.0 * self.uniform().ln()).sqrt();
-        let (sine, cosine) = (2.0 * PI * self.uniform()).sin_cos();
-        self.spare = Some(radius * sine);
-        radius * cosine
-    }
-}
-
-/// One sample.
-struct Sample {
-    /// Deviates of C, m, toughness, detectable depth and wear, and of the share of each wheel.
-    deviates: [f64; KEYS.len()],
-    shares: [f64; MOST_WHEELS],
-    /// Whether the crack grows faster at first than it is removed.
-    grows: bool,
-    /// Million gross tonnes until critical and from detectable to critical; infinite beyond the
-    /// path.
-    to_critical: f64,
-    way: f64,
-}
-
-/// Keys of the quantities that scatter by one deviate each.
-const KEYS: [&str; 5] = ["c_log_std", "m_std", "toughness_std", "detectable_depth_std", "wear_std"];
-
-/// Another stream of random numbers for what came later: the samples of the first four quantities
-/// stay what they were.
-const LATER: usize = 0x5EED_0000_0000;
-
-/// The crack that is sampled, and its scatter.
-#[derive(Debug, Clone, Copy)]
-pub struct Sampling<'a> {
-    /// The crack.
-    pub path: &'a GrowthPath,
-    /// Standard deviations.
-    pub scatter: &'a Scatter,
-    /// The inspection, where there is one.
-    pub inspection: Option<&'a Inspection>,
-    /// A length that is critical, mm.
-    pub critical_length: Option<f64>,
-    /// Mean load of an axle, t.
-    pub tonnes: f64,
-    /// Wear and grinding, where there are any.
-    pub maintenance: Option<&'a MaintenancePlan>,
-    /// The wheels of a mix.
-    pub mix: &'a [MixInfo],
-}
-
 /// The samples.
 ///
 /// The histories of K along the path do not depend on C, nor on m, the wear and the shares of the
@@ -142,92 +68,114 @@ pub struct Sampling<'a> {
 /// dl/dN = da/dN − w/sin θ with the rates that the run has at each length, grinding as wear in the
 /// mean.
 pub fn sampled(of: Sampling) -> ScatterSummary {
-    let Sampling { path, scatter, inspection, critical_length, tonnes, maintenance, mix } = of;
-    // Shares that do not scatter leave the rates as they are, to the last bit.
-    let mix = if scatter.share_log_std > 0.0 { mix } else { &[] };
-    let mean = inspection.copied().unwrap_or_default();
-    let nominal = InspectionSummary::of(path, &mean, critical_length, tonnes);
-    let removal = maintenance.filter(|plan| plan.removal() > 0.0 || scatter.wear_std > 0.0);
-    let walk = Walk::of(path, removal.is_some());
-    let longest = 1e-6 * tonnes * path.points.last().map_or(0.0, |point| point.axles);
-    let spread = 1.0 + 2.0 * scatter.c_log_std;
-    let tonnages: Vec<f64> =
-        (0..TONNAGES).map(|i| spread * longest * i as f64 / (TONNAGES - 1) as f64).collect();
-    let mut depths: Vec<Vec<f64>> = (0..TONNAGES).map(|_| Vec::with_capacity(scatter.samples)).collect();
-    let mut deviates = Deviates::new(scatter.seed);
-    let mut later = Deviates::new(scatter.seed ^ LATER);
-    let mut samples = Vec::with_capacity(scatter.samples);
+    let scatter = of.scatter;
+    let sampler = Sampler::of(of);
+    let mut gathered = Gathered::new(scatter, tonnages(of.path, scatter, of.tonnes));
     let mut mgt = Vec::new();
-    let up = walk.up();
-    let critical = CriticalBy::first(up, &mean, critical_length).map(|(_, place)| place);
-    let end: Place = critical.unwrap_or((up.points.len() - 1, 0.0));
+    let mut draws = Draws::of(scatter, of.mix);
     for _ in 0..scatter.samples {
-        let [c, m, toughness, detected] = [0; 4].map(|_| deviates.next());
-        let wear = if scatter.wear_std > 0.0 { later.next() } else { 0.0 };
-        let mut z_shares = [0.0; MOST_WHEELS];
-        if scatter.share_log_std > 0.0 {
-            z_shares.iter_mut().take(mix.len()).for_each(|z| *z = later.next());
-        }
-        let shares = SampledShares::of(mix, z_shares.map(|z| (scatter.share_log_std * z).exp()), tonnes);
-        let sample = SampledRates {
-            faster: (scatter.c_log_std * c).exp(),
-            steeper: scatter.m_std * m,
-            shares,
-            removal: removal.map(|plan| {
-                let wear = (plan.wear + scatter.wear_std * wear).max(0.0);
-                wear + (plan.removal() - plan.wear)
-            }),
-        };
-        let grows = walk.tonnage(&sample, &mut mgt);
-        let along = if grows { up } else { walk.down() };
-        let to = |place: Place| if grows { GrowthPath::at(place, &mgt) } else { f64::INFINITY };
-        let breaks = scatter.toughness.and_then(|value| {
-            let toughness = value + scatter.toughness_std * toughness;
-            up.reaches(|point| point.largest_k1, toughness)
-        });
-        let to_critical = breaks.map_or(to(end), |place| to(place).min(to(end)));
-        let depth =
-            mean.detectable_depth.map(|depth| (depth + scatter.detectable_depth_std * detected).max(0.0));
-        let from = detectable(up, &mean, depth).map_or(f64::INFINITY, to);
-        let way = if from.is_finite() { (to_critical - from).max(0.0) } else { f64::INFINITY };
-        let deviates = [c, m, toughness, detected, wear];
-        samples.push(Sample { deviates, shares: z_shares, grows, to_critical, way });
-        for (i, at) in tonnages.iter().enumerate() {
-            depths[i].push(depth_at(along, &mgt, *at));
-        }
+        let sample = sampler.sample(&draws.next(), &mut mgt);
+        let depths = gathered.tonnages.iter().map(|at| sampler.depth_at(&sample, &mgt, *at)).collect();
+        gathered.take(sample, depths);
     }
-    let share_of = |is_it: &dyn Fn(&Sample) -> bool| {
-        samples.iter().filter(|sample| is_it(sample)).count() as f64 / scatter.samples as f64
-    };
-    ScatterSummary {
-        samples: scatter.samples,
-        seed: scatter.seed,
-        mgt_to_critical: quantiles(samples.iter().map(|sample| sample.to_critical).collect()),
-        mgt_detectable_to_critical: quantiles(samples.iter().map(|sample| sample.way).collect()),
-        probability_critical_before_inspection: nominal
-            .interval_mgt
-            .map(|interval| share_of(&|sample| sample.way < interval)),
-        probability_growing: removal.map(|_| share_of(&|sample| sample.grows)),
-        depth: tonnages
-            .into_iter()
-            .zip(depths)
-            .map(|(mgt, depths)| DepthQuantiles { mgt, depth_mm: quantiles(depths) })
-            .collect(),
-        sensitivities: sensitivities(&samples, scatter, mix.len()),
+    let mean = of.inspection.copied().unwrap_or_default();
+    let nominal = InspectionSummary::of(of.path, &mean, of.critical_length, of.tonnes);
+    let mut sensitivities: Vec<Sensitivity> = (0..KEYS.len())
+        .filter(|&i| spread(scatter)[i] > 0.0)
+        .map(|i| gathered.sensitivity(KEYS[i], |sample, _| sample.draw.deviates[i]))
+        .collect();
+    if scatter.share_log_std > 0.0 {
+        let of_wheel = |wheel| gathered.sensitivity("share_log_std", |sample, _| sample.draw.shares[wheel]);
+        let share = (0..of.mix.len()).map(|wheel| of_wheel(wheel).share).sum();
+        sensitivities.push(Sensitivity { key: "share_log_std".to_owned(), share });
     }
+    gathered.summary(scatter, nominal.interval_mgt, sampler.is_removed(), sensitivities)
 }
 
-/// Depth (mm) at the tonnage `at`; infinite beyond the last point.
-fn depth_at(path: &GrowthPath, mgt: &[f64], at: f64) -> f64 {
-    let next = mgt.partition_point(|here| *here <= at);
-    match (next.checked_sub(1), mgt.get(next)) {
-        (Some(i), Some(after)) => {
-            let share = (at - mgt[i]) / (after - mgt[i]);
-            path.points[i].depth + share * (path.points[i + 1].depth - path.points[i].depth)
+/// Tonnages (million gross tonnes) at which quantiles of the depth are given along `path`, from 0.
+pub(crate) fn tonnages(path: &GrowthPath, scatter: &Scatter, tonnes: f64) -> Vec<f64> {
+    let longest = 1e-6 * tonnes * path.points.last().map_or(0.0, |point| point.axles);
+    let spread = 1.0 + 2.0 * scatter.c_log_std;
+    (0..TONNAGES).map(|i| spread * longest * i as f64 / (TONNAGES - 1) as f64).collect()
+}
+
+/// Number of these tonnages.
+const TONNAGES: usize = 41;
+
+/// Standard deviations of [`KEYS`].
+pub(crate) fn spread(scatter: &Scatter) -> [f64; KEYS.len()] {
+    [scatter.c_log_std, scatter.m_std, scatter.toughness_std, scatter.detectable_depth_std, scatter.wear_std]
+}
+
+/// Samples, and their depths at given tonnages.
+pub(crate) struct Gathered {
+    samples: Vec<Sample>,
+    tonnages: Vec<f64>,
+    depths: Vec<Vec<f64>>,
+}
+
+impl Gathered {
+    /// No samples yet; `tonnages` in million gross tonnes.
+    pub fn new(scatter: &Scatter, tonnages: Vec<f64>) -> Self {
+        let depths = tonnages.iter().map(|_| Vec::with_capacity(scatter.samples)).collect();
+        Self { samples: Vec::with_capacity(scatter.samples), tonnages, depths }
+    }
+
+    /// Takes `sample` with its `depths` (mm) at the tonnages.
+    pub fn take(&mut self, sample: Sample, depths: Vec<f64>) {
+        self.samples.push(sample);
+        self.depths.iter_mut().zip(depths).for_each(|(all, depth)| all.push(depth));
+    }
+
+    /// Squared correlation of `deviate`, of a sample and its index, with the logarithm of the way
+    /// to critical, over the samples that get there.
+    pub fn sensitivity(&self, key: &str, deviate: impl Fn(&Sample, usize) -> f64) -> Sensitivity {
+        let reached: Vec<(f64, f64)> = self
+            .samples
+            .iter()
+            .enumerate()
+            .filter(|(_, sample)| sample.way.is_finite() && sample.way > 0.0)
+            .map(|(i, sample)| (deviate(sample, i), sample.way.ln()))
+            .collect();
+        let count = reached.len() as f64;
+        let mean = |of: &dyn Fn(&(f64, f64)) -> f64| reached.iter().map(of).sum::<f64>() / count;
+        let (centre, middle) = (mean(&|(own, _)| *own), mean(&|(_, way)| *way));
+        let covariance = mean(&|(own, way)| (own - centre) * (way - middle));
+        let variances = mean(&|(own, _)| (own - centre).powi(2)) * mean(&|(_, way)| (way - middle).powi(2));
+        let share = covariance * covariance / variances;
+        Sensitivity { key: key.to_owned(), share: if share.is_finite() { share } else { 0.0 } }
+    }
+
+    /// The results, where the crack is inspected every `interval` million gross tonnes; of what
+    /// `is_removed` it is told how often the crack grows all the same.
+    pub fn summary(
+        self,
+        scatter: &Scatter,
+        interval: Option<f64>,
+        is_removed: bool,
+        mut sensitivities: Vec<Sensitivity>,
+    ) -> ScatterSummary {
+        let count = self.samples.len().max(1) as f64;
+        let share_of = |is_it: &dyn Fn(&Sample) -> bool| {
+            self.samples.iter().filter(|sample| is_it(sample)).count() as f64 / count
+        };
+        sensitivities.sort_by(|a, b| b.share.total_cmp(&a.share));
+        ScatterSummary {
+            samples: self.samples.len(),
+            seed: scatter.seed,
+            mgt_to_critical: quantiles(self.samples.iter().map(|sample| sample.to_critical).collect()),
+            mgt_detectable_to_critical: quantiles(self.samples.iter().map(|sample| sample.way).collect()),
+            probability_critical_before_inspection: interval
+                .map(|interval| share_of(&|sample| sample.way < interval)),
+            probability_growing: is_removed.then(|| share_of(&|sample| sample.grows)),
+            depth: self
+                .tonnages
+                .into_iter()
+                .zip(self.depths)
+                .map(|(mgt, depths)| DepthQuantiles { mgt, depth_mm: quantiles(depths) })
+                .collect(),
+            sensitivities,
         }
-        (Some(i), None) if mgt[i] == at => path.points[i].depth,
-        (Some(_), None) => f64::INFINITY,
-        (None, _) => path.points[0].depth,
     }
 }
 
@@ -241,41 +189,6 @@ fn quantiles(mut values: Vec<f64>) -> Quantiles {
         value.is_finite().then_some(*value)
     };
     Quantiles { p05: at(0.05), p50: at(0.5), p95: at(0.95) }
-}
-
-/// Squared correlations of the deviates with the logarithm of the tonnage.
-fn sensitivities(samples: &[Sample], scatter: &Scatter, wheels: usize) -> Vec<Sensitivity> {
-    let spread = [
-        scatter.c_log_std,
-        scatter.m_std,
-        scatter.toughness_std,
-        scatter.detectable_depth_std,
-        scatter.wear_std,
-    ];
-    let reached: Vec<(&Sample, f64)> = samples
-        .iter()
-        .filter(|sample| sample.way.is_finite() && sample.way > 0.0)
-        .map(|sample| (sample, sample.way.ln()))
-        .collect();
-    let count = reached.len() as f64;
-    let mean = |of: &dyn Fn(&(&Sample, f64)) -> f64| reached.iter().map(of).sum::<f64>() / count;
-    let middle = mean(&|(_, way)| *way);
-    let variance = mean(&|(_, way)| (way - middle) * (way - middle));
-    let share = |deviate: &dyn Fn(&Sample) -> f64| {
-        let centre = mean(&|(sample, _)| deviate(sample));
-        let covariance = mean(&|(sample, way)| (deviate(sample) - centre) * (way - middle));
-        let own = mean(&|(sample, _)| (deviate(sample) - centre).powi(2));
-        let share = covariance * covariance / (variance * own);
-        if share.is_finite() { share } else { 0.0 }
-    };
-    let of = |i: usize| Sensitivity { key: KEYS[i].to_owned(), share: share(&|sample| sample.deviates[i]) };
-    let mut all: Vec<Sensitivity> = (0..KEYS.len()).filter(|&i| spread[i] > 0.0).map(of).collect();
-    if scatter.share_log_std > 0.0 {
-        let of_wheels = (0..wheels).map(|wheel| share(&|sample| sample.shares[wheel])).sum();
-        all.push(Sensitivity { key: "share_log_std".to_owned(), share: of_wheels });
-    }
-    all.sort_by(|a, b| b.share.total_cmp(&a.share));
-    all
 }
 
 #[cfg(test)]

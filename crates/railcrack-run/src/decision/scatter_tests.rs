@@ -2,7 +2,9 @@
 
 use super::super::path::PathPoint;
 use super::*;
+use crate::run_info::MixInfo;
 use railcrack::growth::StressMoves;
+use railcrack_case::{Inspection, MaintenancePlan};
 
 /// A crack under Paris' law with ΔK = 4 √length, from 4 to 16 mm.
 fn path() -> GrowthPath {

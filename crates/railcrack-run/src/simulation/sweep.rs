@@ -4,6 +4,7 @@ use super::drive::Ending;
 use super::error::RunError;
 use super::observer::StudyObserver;
 use super::run::{RunEntry, Simulation};
+use crate::population::PopulationPlan;
 use crate::queue::{NextRun, RunQueue, WaitingRun};
 use crate::study::{Outcome, PlannedRun, RunEnd, StudyAxis, StudyFolder, StudyKey, StudyPlan};
 use crate::verify::check_numbers;
@@ -191,6 +192,7 @@ pub fn study_plan(study: &Study, options: Vec<String>) -> StudyPlan {
             key: variation.key.clone(),
             name: variation.name.clone(),
             values: (0..axis.len()).map(|i| variation.shown(i)).collect(),
+            distribution: variation.distribution.as_ref().map(ToString::to_string),
         };
         StudyAxis { keys: axis.variations.iter().map(key).collect() }
     };
@@ -207,6 +209,7 @@ pub fn study_plan(study: &Study, options: Vec<String>) -> StudyPlan {
         colour_axis: study.colour_axis,
         run_folders: study.keeping == Keeping::Folders,
         options,
+        population: PopulationPlan::of(study),
         runs: study.runs.iter().map(run).collect(),
     }
 }

@@ -1,9 +1,10 @@
 //! Plan of a study: the runs that it computes.
 
+use crate::population::PopulationPlan;
 use serde::{Deserialize, Serialize};
 
 /// Keys that vary in a study, how, and the runs that this makes. `study.json` holds it.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct StudyPlan {
     /// Version of the program that began the study.
     pub version: String,
@@ -20,6 +21,9 @@ pub struct StudyPlan {
     pub run_folders: bool,
     /// Options of the command in place of values of the file: `--steps 2`.
     pub options: Vec<String>,
+    /// Facts of the cases that samples between the runs take; none where none are made.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub population: Option<PopulationPlan>,
     /// Every run.
     pub runs: Vec<PlannedRun>,
 }
@@ -45,6 +49,9 @@ pub struct StudyKey {
     pub name: String,
     /// Its values as text; numbers read back to the same bits.
     pub values: Vec<String>,
+    /// The distribution that they are drawn from, as TOML; none of a list.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub distribution: Option<String>,
 }
 
 /// A run of a study.
@@ -62,6 +69,11 @@ impl StudyAxis {
     /// Number of its values.
     pub fn len(&self) -> usize {
         self.keys.first().map_or(0, |key| key.values.len())
+    }
+
+    /// Whether its values are drawn from distributions.
+    pub fn is_drawn(&self) -> bool {
+        self.keys.iter().any(|key| key.distribution.is_some())
     }
 
     /// Whether it has no value, which no axis of a study is.

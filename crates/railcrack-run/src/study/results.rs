@@ -6,6 +6,7 @@ use super::packed::PackedRuns;
 use super::plan::PlannedRun;
 use super::state::{RunState, StudyRow};
 use crate::files::SUMMARY_FILE;
+use crate::population::Population;
 use crate::representative::RepresentativeTip;
 use crate::verify::check_numbers;
 use crate::{OutputError, RunFolder};
@@ -16,6 +17,9 @@ use std::io::ErrorKind;
 pub struct StudyResults {
     /// The runs.
     pub rows: Vec<StudyRow>,
+    /// Samples between the runs, for each choice of the keys that are not drawn; empty until they
+    /// are made.
+    pub population: Vec<Population>,
 }
 
 impl StudyFolder {
@@ -25,7 +29,7 @@ impl StudyFolder {
     pub fn read_results(&self) -> Result<StudyResults, OutputError> {
         let packed = self.packed()?;
         let rows: Result<_, _> = self.plan().runs.iter().map(|run| self.row(run, &packed)).collect();
-        Ok(StudyResults { rows: rows? })
+        Ok(StudyResults { rows: rows?, population: Vec::new() })
     }
 
     /// A damaged run is one that has failed: nothing of its numbers goes into the results.

@@ -5,6 +5,9 @@ use super::results::StudyResults;
 use super::table::{StudySummaryRow, TimesRow};
 use crate::OutputError;
 use crate::csv::Table;
+use crate::files::POPULATION_FILE;
+use crate::folder::json_text;
+use crate::population::Population;
 use crate::presentation::Presentation;
 
 impl StudyFolder {
@@ -16,9 +19,14 @@ impl StudyFolder {
     /// Errors: a file of a run is damaged; the system refuses.
     pub fn write_results(&self, presentation: &dyn Presentation) -> Result<StudyResults, OutputError> {
         loop {
-            let results = self.read_results()?;
+            let mut results = self.read_results()?;
             self.put(StudySummaryRow::FILE, &results.table(self.plan())?)?;
             self.put(TimesRow::FILE, &results.times()?)?;
+            if self.plan().population.is_some() {
+                results.population = Population::of(self.plan(), &results);
+                let text = json_text(&self.path().join(POPULATION_FILE), &results.population)?;
+                self.put(POPULATION_FILE, text.as_bytes())?;
+            }
             self.write_tables(&results)?;
             presentation.study(self, &results)?;
             // Another process may have finished the last run, and written all results, while this

@@ -317,6 +317,8 @@ fn large_inverse(factor: &Matrix, interruption: Interruption<'_>) -> Result<Matr
 }
 
 /// The inverse of a square matrix, by Gaussian elimination with partial pivoting.
+///
+/// Errors: it is singular.
 pub fn general_inverse(matrix: &Matrix) -> Result<Matrix, LinearError> {
     let order = matrix.rows();
     if order <= SMALL {

@@ -20,8 +20,8 @@ mod sweep;
 
 pub(crate) use bordered::BorderedFactor;
 pub use cholesky::{SparseCholesky, SparseFactor};
-pub(crate) use dense::{SmallFactor, add_product, general_inverse, products_of_rows};
-pub use dense::{product, spd_inverse, spd_inverse_unless};
+pub(crate) use dense::{SmallFactor, add_product, products_of_rows};
+pub use dense::{general_inverse, product, spd_inverse, spd_inverse_unless};
 pub use elements::ElementSum;
 pub use error::LinearError;
 pub use gram::gram;

@@ -1,19 +1,35 @@
 //! Distributions of a value.
 
 use super::normal;
-use crate::schema::Kind;
+use std::fmt;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// A distribution of the values of a key.
+/// A distribution of the values of a key. Its text, as TOML, is what [`Distribution::parse`] reads.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Distribution {
+#[non_exhaustive]
+pub enum Distribution {
     /// Mean and standard deviation.
-    Normal { mean: f64, deviation: f64 },
+    Normal {
+        /// Mean, in the unit of the key.
+        mean: f64,
+        /// Standard deviation, in the unit of the key.
+        deviation: f64,
+    },
     /// From the lowest to the highest value, all alike.
-    Uniform { low: f64, high: f64 },
+    Uniform {
+        /// The lowest value.
+        low: f64,
+        /// The highest value.
+        high: f64,
+    },
     /// exp of a normal distribution: the median, and the standard deviation of the logarithm.
-    LogNormal { median: f64, deviation: f64 },
+    LogNormal {
+        /// The median, in the unit of the key.
+        median: f64,
+        /// Standard deviation of the logarithm.
+        deviation: f64,
+    },
     /// Values as written, each with its share of all, which add up to 1.
     Choice(Vec<(String, f64)>),
 }
@@ -26,11 +42,15 @@ pub(super) const ACCEPTED: &str = "{ normal = [mean, deviation] }, { uniform = [
 /// mathematical functions of every machine give the same.
 const DIGITS: usize = 12;
 
+/// The key of a distribution that is read by itself.
+const KEY: &str = "value";
+
 impl Distribution {
-    /// The distribution that `table` names for a key of `kind`; `text` is that of the file.
+    /// The distribution that `table` names for a key, which may be a number or not; `text` is that
+    /// of the file.
     ///
     /// Errors: what is wrong.
-    pub(super) fn read(table: &DeTable, kind: Kind, text: &str) -> Result<Self, String> {
+    pub(super) fn read(table: &DeTable, is_number: bool, text: &str) -> Result<Self, String> {
         let mut entries = table.iter();
         let (Some((name, value)), None) = (entries.next(), entries.next()) else {
             return Err("a distribution has one name".to_owned());
@@ -45,7 +65,7 @@ impl Distribution {
         let numbers: Option<Vec<f64>> = items.iter().map(|item| number(item.get_ref())).collect();
         let pair = numbers.and_then(|numbers| <[f64; 2]>::try_from(numbers).ok());
         let pair = pair.filter(|pair| pair.iter().all(|number| number.is_finite()));
-        if !matches!(kind, Kind::Number { .. }) && ["normal", "uniform", "log-normal"].contains(&name) {
+        if !is_number && ["normal", "uniform", "log-normal"].contains(&name) {
             return Err("only numbers have such a distribution; words and integers have `choice`".to_owned());
         }
         match (name, pair) {
@@ -63,8 +83,40 @@ impl Distribution {
         }
     }
 
+    /// The distribution of numbers written in `text`, as TOML; none where it is no distribution.
+    #[must_use]
+    pub fn parse(text: &str) -> Option<Self> {
+        let document = format!("{KEY} = {text}");
+        let root = DeTable::parse(&document).ok()?;
+        let DeValue::Table(table) = root.get_ref().get(KEY)?.get_ref() else { return None };
+        Self::read(table, true, &document).ok()
+    }
+
+    /// `value` (TOML) in standard deviations from the mean; of a log-normal distribution its
+    /// logarithm. None for a value that is no number.
+    #[must_use]
+    pub fn standardised(&self, value: &str) -> Option<f64> {
+        let number: f64 = value.parse().ok()?;
+        let standardised = match self {
+            Self::Normal { mean, deviation } => (number - mean) / deviation,
+            Self::Uniform { low, high } => 12.0_f64.sqrt() * ((number - low) / (high - low) - 0.5),
+            Self::LogNormal { median, deviation } => (number / median).ln() / deviation,
+            Self::Choice(values) => {
+                let numbers: Option<Vec<(f64, f64)>> =
+                    values.iter().map(|(value, share)| Some((value.parse().ok()?, *share))).collect();
+                let numbers = numbers?;
+                let mean: f64 = numbers.iter().map(|(value, share)| value * share).sum();
+                let variance: f64 =
+                    numbers.iter().map(|(value, share)| share * (value - mean) * (value - mean)).sum();
+                if variance > 0.0 { (number - mean) / variance.sqrt() } else { 0.0 }
+            }
+        };
+        standardised.is_finite().then_some(standardised)
+    }
+
     /// The value, as TOML, that a share `u` in (0, 1) of all lies below.
-    pub(super) fn value(&self, u: f64) -> String {
+    #[must_use]
+    pub fn value(&self, u: f64) -> String {
         match self {
             Self::Normal { mean, deviation } => decimal(mean + deviation * normal::quantile(u)),
             Self::Uniform { low, high } => decimal(low + (high - low) * u),
@@ -78,6 +130,24 @@ impl Distribution {
                     u < below
                 });
                 chosen.or(values.last()).map_or_else(String::new, |(value, _)| value.clone())
+            }
+        }
+    }
+}
+
+impl fmt::Display for Distribution {
+    /// As TOML.
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Normal { mean, deviation } => write!(f, "{{ normal = [{mean:?}, {deviation:?}] }}"),
+            Self::Uniform { low, high } => write!(f, "{{ uniform = [{low:?}, {high:?}] }}"),
+            Self::LogNormal { median, deviation } => {
+                write!(f, "{{ log-normal = [{median:?}, {deviation:?}] }}")
+            }
+            Self::Choice(values) => {
+                let pairs: Vec<String> =
+                    values.iter().map(|(value, share)| format!("[{value}, {share:?}]")).collect();
+                write!(f, "{{ choice = [{}] }}", pairs.join(", "))
             }
         }
     }
@@ -132,5 +202,27 @@ mod tests {
         assert_eq!(Distribution::LogNormal { median: 2.0, deviation: 0.5 }.value(0.5), "2.0");
         let choice = Distribution::Choice(vec![("\"a\"".into(), 0.25), ("\"b\"".into(), 0.75)]);
         assert_eq!([0.2, 0.3, 0.999_999_9].map(|u| choice.value(u)), ["\"a\"", "\"b\"", "\"b\""]);
+    }
+
+    #[test]
+    fn values_are_standardised_and_texts_lead_back_to_their_distributions() {
+        let all = [
+            (Distribution::Normal { mean: 0.3, deviation: 0.05 }, normal::quantile as fn(f64) -> f64),
+            (Distribution::Uniform { low: -1.0, high: 3.0 }, |u| 12.0_f64.sqrt() * (u - 0.5)),
+            (Distribution::LogNormal { median: 2.0, deviation: 0.5 }, normal::quantile),
+        ];
+        for (distribution, exact) in all {
+            for u in [1e-3, 0.3, 0.5, 0.99] {
+                let found = distribution.standardised(&distribution.value(u)).unwrap();
+                assert!((found - exact(u)).abs() < 1e-8, "{distribution} at {u}: {found}");
+            }
+            assert_eq!(Distribution::parse(&distribution.to_string()), Some(distribution));
+        }
+        let choice = Distribution::parse("{ choice = [[0.1, 1], [0.5, 3]] }").unwrap();
+        // Mean 0.4, standard deviation √(0.25 · 0.3² + 0.75 · 0.1²).
+        assert!((choice.standardised("0.1").unwrap() + 0.3 / 0.03_f64.sqrt()).abs() < 1e-12);
+        assert_eq!(Distribution::parse(&choice.to_string()), Some(choice));
+        assert_eq!(Distribution::parse("{ normal = [1, 0] }"), None);
+        assert_eq!(Distribution::Choice(vec![("\"a\"".into(), 1.0)]).standardised("\"a\""), None);
     }
 }

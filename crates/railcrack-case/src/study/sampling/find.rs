@@ -15,7 +15,7 @@ pub(in crate::study) struct Sampled {
     /// Its name with its section.
     pub dotted: String,
     pub span: Range<usize>,
-    distribution: Distribution,
+    pub distribution: Distribution,
 }
 
 impl Sampled {
@@ -38,7 +38,7 @@ pub(in crate::study) fn find_sampled(root: &DeTable, report: &mut Report) -> Vec
     let text = report.source.text.clone();
     let mut found = Vec::new();
     for (place, dotted, span, kind, table) in places(root) {
-        match Distribution::read(table, kind, &text) {
+        match Distribution::read(table, matches!(kind, Kind::Number { .. }), &text) {
             Ok(distribution) => found.push(Sampled { place, dotted, span, distribution }),
             Err(says) => {
                 let message = format!("`{dotted} = {}`: {says}", report.shown(&span));

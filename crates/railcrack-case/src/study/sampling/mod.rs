@@ -8,6 +8,7 @@ mod sobol;
 mod substitute;
 mod table;
 
+pub use distribution::Distribution;
 pub(super) use find::{Sampled, find_sampled, is_sampled};
 pub(super) use points::points;
 pub(super) use sobol::DIMENSIONS;

@@ -2,6 +2,8 @@
 
 use crate::exit::Exit;
 use railcrack_run::StudyFolder;
+use railcrack_run::decision::Quantiles;
+use railcrack_run::population::Population;
 use railcrack_run::simulation::{Ending, FailedRun};
 use railcrack_run::study::{RunState, StudyResults};
 use serde_json::{Value, json};
@@ -29,11 +31,36 @@ pub fn result_text(
     .collect();
     let mut text = format!("{} runs: {}\n", results.rows.len(), counted.join(", "));
     text.push_str(&failed_text(failed));
+    text.extend(results.population.iter().filter_map(population));
     text.push_str(&format!("results in {}\n", folder.path().display()));
     if ending == Ending::Interrupted {
         text.push_str("the same command with --resume goes on from here\n");
     }
     text
+}
+
+/// Result of the samples between the runs, in a line or two; none where none are made.
+fn population(of: &Population) -> Option<String> {
+    let Some(scatter) = &of.scatter else {
+        return Some(format!("no samples between the runs: {}\n", of.reason.as_deref()?));
+    };
+    let whose = if of.choice.is_empty() { String::new() } else { format!("{}: ", of.choice) };
+    let Quantiles { p05, p50, p95 } = scatter.mgt_detectable_to_critical;
+    let shown =
+        |mgt: Option<f64>| mgt.map_or_else(|| "beyond the runs".to_owned(), |mgt| format!("{mgt:.3}"));
+    let error = of.error.map_or_else(String::new, |error| {
+        format!(
+            "interpolated between {} runs: error {:.2} % (root mean square), {:.2} % at most\n",
+            of.runs, error.rms_percent, error.worst_percent
+        )
+    });
+    Some(format!(
+        "{whose}detectable to critical, MGT: {} (5 %), {} (median), {} (95 %) of {} samples\n{error}",
+        shown(p05),
+        shown(p50),
+        shown(p95),
+        scatter.samples
+    ))
 }
 
 /// The same as one object.
@@ -51,6 +78,7 @@ pub fn result_json(folder: &StudyFolder, results: &StudyResults, failed: &[Faile
         "unfinished": results.count(|state| *state == RunState::Unfinished),
         "missing": results.count(|state| *state == RunState::Missing),
         "failed": failed,
+        "population": results.population,
     })
 }
 

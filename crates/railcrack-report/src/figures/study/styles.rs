@@ -52,7 +52,7 @@ impl<'a> Styles<'a> {
         }
     }
 
-    /// The switches of the page.
+    /// The switches of the page: none for single samples.
     pub(crate) fn choices(&self) -> Choices {
         let group = |(i, axis): (usize, &StudyAxis)| {
             let choice = |value: usize| Choice {
@@ -60,7 +60,8 @@ impl<'a> Styles<'a> {
                 mark: self.mark(i, value),
                 at_first: AtFirst::Shown,
             };
-            ChoiceGroup { name: axis.name(), values: (0..axis.len()).map(choice).collect() }
+            let values = if axis.is_drawn() { 0..0 } else { 0..axis.len() };
+            ChoiceGroup { name: axis.name(), values: values.map(choice).collect() }
         };
         Choices { groups: self.plan.axes.iter().enumerate().map(group).collect() }
     }

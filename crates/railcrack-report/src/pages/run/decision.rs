@@ -1,11 +1,12 @@
 //! The decision block of a run: depth over traffic, wheels, interval, scatter.
 
 use super::stored::RunFolder;
-use crate::numbers::{fixed, grouped, significant, tonnage};
+use crate::numbers::{fixed, significant, tonnage};
 use crate::page::Block;
+use crate::pages::ways::ways;
 use crate::table::{MISSING, Table};
 use railcrack_run::decision::{
-    CriticalBy, Decision, InspectionSummary, MaintenanceSummary, Quantiles, ScatterSummary, WheelSummary,
+    CriticalBy, Decision, InspectionSummary, MaintenanceSummary, ScatterSummary, WheelSummary,
 };
 
 /// Rows of the table of depths, about; `summary.json` has all.
@@ -95,26 +96,6 @@ fn scatter(scatter: &ScatterSummary) -> Option<String> {
     let ways = ways(scatter);
     let sentences: Vec<String> = ways.into_iter().chain(growing).collect();
     (!sentences.is_empty()).then(|| sentences.join(" "))
-}
-
-/// The way from detectable to critical in the samples; none where half of them do not get there.
-fn ways(scatter: &ScatterSummary) -> Option<String> {
-    let Quantiles { p05, p50, p95 } = scatter.mgt_detectable_to_critical;
-    let shown = |mgt: Option<f64>| mgt.map_or_else(|| "more than the run".to_owned(), tonnage);
-    let mut text = format!(
-        "From detectable to critical it takes {} MGT in the median of {} samples, {} at 5 % and {} at 95 %.",
-        shown(Some(p50?)),
-        grouped(scatter.samples as f64),
-        shown(p05),
-        shown(p95)
-    );
-    if let Some(probability) = scatter.probability_critical_before_inspection {
-        text.push_str(&format!(
-            " A crack that was just missed is critical before the next inspection with a probability of {}.",
-            significant(probability)
-        ));
-    }
-    Some(text)
 }
 
 fn depths(decision: &Decision) -> Table {

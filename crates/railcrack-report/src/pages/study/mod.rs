@@ -3,27 +3,31 @@
 mod charts;
 mod facts;
 mod many;
+mod population;
 mod runs;
 
 pub(crate) use many::MANY;
 
 use crate::figures::{Plot, StudyRun, Styles};
 use crate::page::{Block, Page, Section};
+use railcrack_run::population::Population;
 use railcrack_run::study::StudyPlan;
 
 /// Runs up to which the table stands above the charts.
 const SHORT_TABLE: usize = 12;
 
-/// The page of the study `plan` with its `runs`; `study` is the text of its file.
+/// The page of the study `plan` with the samples between its `runs`; `study` is the text of its
+/// file.
 pub(crate) fn study_page(
-    plan: &StudyPlan,
+    (plan, populations): (&StudyPlan, &[Population]),
     runs: &[StudyRun],
     styles: &Styles,
     study: &str,
     plots: &[Plot],
 ) -> Page {
+    let decision = population::blocks(populations);
     if runs.len() > MANY {
-        return page(plan, runs, study, many::blocks(plan, runs));
+        return page(plan, runs, study, decision, many::blocks(plan, runs));
     }
     let table = Block::Table(runs::table(plan, runs));
     let mut together = vec![Block::Choices(styles.choices())];
@@ -35,13 +39,20 @@ pub(crate) fn study_page(
         together.extend(charts);
         together.push(table);
     }
-    page(plan, runs, study, together)
+    page(plan, runs, study, decision, together)
 }
 
-/// The page with what it shows of all runs `together`.
-fn page(plan: &StudyPlan, runs: &[StudyRun], study: &str, together: Vec<Block>) -> Page {
+/// The page with the `decision`, and what it shows of all runs `together`.
+fn page(
+    plan: &StudyPlan,
+    runs: &[StudyRun],
+    study: &str,
+    decision: Vec<Block>,
+    together: Vec<Block>,
+) -> Page {
     let warnings = facts::warnings(runs);
-    let lead = if warnings.is_empty() { Vec::new() } else { vec![Block::Warnings(warnings)] };
+    let mut lead = if warnings.is_empty() { Vec::new() } else { vec![Block::Warnings(warnings)] };
+    lead.extend(decision);
     Page {
         title: plan.title.clone(),
         kind: "Parametric study".to_owned(),

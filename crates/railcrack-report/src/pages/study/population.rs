@@ -1,0 +1,91 @@
+//! Samples between the runs of a study.
+
+use crate::chart::{Chart, ChartAxis, ChartRange, Curve, CurveLook};
+use crate::numbers::{fixed, significant, tonnage};
+use crate::page::Block;
+use crate::pages::ways::ways;
+use crate::table::Table;
+use railcrack_run::decision::{DepthQuantiles, Quantiles, ScatterSummary};
+use railcrack_run::population::Population;
+
+/// The first blocks of the page of a study: the result of its samples; none without any.
+pub(super) fn blocks(populations: &[Population]) -> Vec<Block> {
+    let mut blocks = Vec::new();
+    for (place, population) in populations.iter().enumerate() {
+        let heading = match population.choice.as_str() {
+            "" => "Decision".to_owned(),
+            choice => format!("Decision, {choice}"),
+        };
+        blocks.push(Block::Heading(heading));
+        match (&population.scatter, &population.reason) {
+            (Some(scatter), _) => blocks.extend(of(place, population, scatter)),
+            (None, reason) => {
+                let reason = reason.as_deref().unwrap_or("no run is done");
+                blocks.push(Block::Text(format!("No samples are made between the runs: {reason}.")));
+            }
+        }
+    }
+    blocks
+}
+
+fn of(place: usize, population: &Population, scatter: &ScatterSummary) -> Vec<Block> {
+    let mut sentences: Vec<String> = ways(scatter).into_iter().collect();
+    if let Some(interval) = population.interval_mgt {
+        let mgt = tonnage(interval);
+        sentences.push(format!("With all keys at their means the inspection interval is {mgt} MGT."));
+    }
+    let left_out = match population.left_out {
+        0 => String::new(),
+        count => format!("; {count} whose crack does not grow are left out"),
+    };
+    let error = population.error.map_or_else(String::new, |error| {
+        format!(
+            " The error of an interpolated way is {} % (root mean square; at most {} %), over {} runs that \
+             were left out one by one or lie beyond these.",
+            significant(error.rms_percent),
+            significant(error.worst_percent),
+            error.runs
+        )
+    });
+    sentences.push(format!("Paths are interpolated between {} runs{left_out}.{error}", population.runs));
+    let mut blocks = vec![Block::List(sentences)];
+    blocks.extend(depths(place, &scatter.depth).map(Block::Chart));
+    if !scatter.sensitivities.is_empty() {
+        let mut table = Table::new(["Quantity", "Share of the scatter (%)"]);
+        table.caption = "Squared correlation of each quantity with the logarithm of the way from detectable \
+                         to critical"
+            .to_owned();
+        for sensitivity in &scatter.sensitivities {
+            table.row([sensitivity.key.clone(), fixed(100.0 * sensitivity.share, 1)]);
+        }
+        blocks.push(Block::Table(table));
+    }
+    blocks
+}
+
+/// Depth over traffic in the median and at 5 and 95 %.
+fn depths(place: usize, depths: &[DepthQuantiles]) -> Option<Chart> {
+    type OfShare = fn(&Quantiles) -> Option<f64>;
+    let shares: [(&str, OfShare, CurveLook); 3] = [
+        ("median", |quantiles| quantiles.p50, CurveLook::Line),
+        ("5 %", |quantiles| quantiles.p05, CurveLook::Dashed),
+        ("95 %", |quantiles| quantiles.p95, CurveLook::Dashed),
+    ];
+    let curve = |(name, of, look): (&str, OfShare, CurveLook)| {
+        let points: Vec<[f64; 2]> =
+            depths.iter().filter_map(|at| Some([at.mgt, of(&at.depth_mm)?])).collect();
+        (points.len() > 1).then(|| Curve::line(name, points).with_look(look))
+    };
+    let curves: Vec<Curve> = shares.into_iter().filter_map(curve).collect();
+    (!curves.is_empty()).then(|| Chart {
+        id: format!("population-{}", place + 1),
+        caption:
+            "Depth of the crack against traffic: the median of the samples, and the depths that 5 % and \
+                  95 % of them stay below, as far as they are within the computed paths."
+                .to_owned(),
+        x: ChartAxis::linear("Million gross tonnes", "").over(ChartRange::AroundZero),
+        y: ChartAxis::depth(),
+        curves,
+        ..Chart::default()
+    })
+}

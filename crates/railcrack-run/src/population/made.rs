@@ -1,0 +1,233 @@
+//! A population of cracks made from the runs of a study.
+
+use super::interpolation::Interpolation;
+use super::plan::{PopulationPlan, distributions};
+use super::result::{InterpolationError, Population};
+use super::shape::{NUMBERS, numbers_of, path_of, path_of_tip};
+use crate::decision::{
+    Draws, Gathered, GrowthPath, InspectionSummary, KEYS, Sampler, Sampling, ScatterSummary, Sensitivity,
+    spread, tonnages,
+};
+use crate::study::{RunState, StudyAxis, StudyPlan, StudyResults, StudyRow};
+use railcrack::growth::RunStop;
+use railcrack::math::Matrix;
+use railcrack_case::{Distribution, Inspection, Scatter};
+use rayon::prelude::*;
+
+/// Runs between which paths are interpolated at most; those beyond measure its error.
+const MOST_RUNS: usize = 200;
+/// Share of the runs that may be left out.
+const MOST_LEFT_OUT: f64 = 0.05;
+/// Samples of a piece that one thread makes.
+const PIECE: usize = 1000;
+
+/// Runs with the index of their values of the drawn keys.
+type DrawnRuns<'a> = Vec<(usize, &'a StudyRow)>;
+
+/// A run as a point of the space of inputs.
+struct Point {
+    inputs: Vec<f64>,
+    path: GrowthPath,
+    numbers: Vec<f64>,
+    breaks: bool,
+}
+
+impl Population {
+    /// Of the runs of a study that are done; empty where `plan` has no samples between them.
+    pub fn of(plan: &StudyPlan, results: &StudyResults) -> Vec<Self> {
+        let Some(population) = &plan.population else { return Vec::new() };
+        let Some(drawn) = plan.axes.iter().position(StudyAxis::is_drawn) else { return Vec::new() };
+        let texts = plan.axes[drawn].keys.iter().map(|key| key.distribution.as_deref());
+        let distributions = distributions(texts);
+        let mut groups: Vec<(Vec<usize>, DrawnRuns)> = Vec::new();
+        for (run, row) in plan.runs.iter().zip(&results.rows) {
+            let mut choice = run.choice.clone();
+            let index = std::mem::take(&mut choice[drawn]);
+            match groups.iter_mut().find(|(other, _)| *other == choice) {
+                Some((_, runs)) => runs.push((index, row)),
+                None => groups.push((choice, vec![(index, row)])),
+            }
+        }
+        let of_group = |(choice, runs): (Vec<usize>, DrawnRuns)| {
+            let names = plan.axes.iter().zip(&choice).enumerate().filter(|(axis, _)| *axis != drawn);
+            let choice: Vec<String> =
+                names.map(|(_, (axis, &index))| format!("{} = {}", axis.name(), axis.value(index))).collect();
+            let made = match &distributions {
+                Some(distributions) => Self::of_runs(population, &plan.axes[drawn], distributions, &runs),
+                None => Err("a key is drawn that is no number".to_owned()),
+            };
+            let made = made.unwrap_or_else(Self::none);
+            Self { choice: choice.join(", "), ..made }
+        };
+        groups.into_iter().map(of_group).collect()
+    }
+
+    fn none(reason: String) -> Self {
+        Self {
+            choice: String::new(),
+            runs: 0,
+            left_out: 0,
+            error: None,
+            interval_mgt: None,
+            scatter: None,
+            reason: Some(reason),
+        }
+    }
+
+    fn of_runs(
+        plan: &PopulationPlan,
+        axis: &StudyAxis,
+        distributions: &[Distribution],
+        runs: &[(usize, &StudyRow)],
+    ) -> Result<Self, String> {
+        let done: Vec<_> = runs.iter().filter(|(_, row)| row.state == RunState::Done).collect();
+        let points: Vec<Point> =
+            done.iter().filter_map(|(index, row)| Point::of(axis, *index, distributions, row)).collect();
+        let left_out = done.len() - points.len();
+        if left_out as f64 > MOST_LEFT_OUT * done.len() as f64 {
+            return Err(format!("{left_out} of {} cracks do not grow", done.len()));
+        }
+        let (base, beyond) = points.split_at(points.len().min(MOST_RUNS));
+        let inputs: Vec<Vec<f64>> = base.iter().map(|point| point.inputs.clone()).collect();
+        let numbers = Matrix::from_fn(base.len(), NUMBERS, |i, j| base[i].numbers[j]);
+        let interpolation = Interpolation::of(&inputs, &numbers)
+            .ok_or_else(|| format!("{} runs are too few for {} keys", base.len(), distributions.len()))?;
+        let breaks = !base.is_empty() && base.iter().all(|point| point.breaks);
+        let inspection = plan.inspection();
+        let way = |path: &GrowthPath| {
+            InspectionSummary::of(path, &inspection, plan.critical_length_mm, plan.axle_load_t)
+        };
+        let known = |(point, numbers): (&Point, Vec<f64>)| {
+            let exact = way(&GrowthPath { breaks: point.breaks, ..point.path.clone() });
+            let found = way(&path_of(&numbers, point.breaks));
+            let pair = exact.mgt_detectable_to_critical.zip(found.mgt_detectable_to_critical);
+            pair.filter(|(exact, found)| *exact > 0.0 && *found > 0.0)
+        };
+        let ways: Vec<(f64, f64)> = if beyond.is_empty() {
+            base.iter()
+                .enumerate()
+                .map(|(i, point)| (point, interpolation.left_out(i)))
+                .filter_map(known)
+                .collect()
+        } else {
+            beyond.iter().map(|point| (point, interpolation.at(&point.inputs))).filter_map(known).collect()
+        };
+        let nominal = path_of(&interpolation.at(&vec![0.0; distributions.len()]), breaks);
+        let samples = Samples { plan, scatter: plan.scatter(), inspection, interpolation, breaks };
+        let interval_mgt = way(&nominal).interval_mgt;
+        Ok(Self {
+            choice: String::new(),
+            runs: base.len(),
+            left_out,
+            error: InterpolationError::of(&ways),
+            interval_mgt,
+            scatter: Some(samples.made(axis, distributions, &points, interval_mgt)),
+            reason: None,
+        })
+    }
+}
+
+impl Point {
+    /// Of a run that is done, which has the values at `index` of the drawn keys; none where its
+    /// crack does not grow.
+    fn of(axis: &StudyAxis, index: usize, distributions: &[Distribution], row: &StudyRow) -> Option<Self> {
+        let values = axis.keys.iter().zip(distributions);
+        let inputs: Option<Vec<f64>> =
+            values.map(|(key, distribution)| distribution.standardised(key.values.get(index)?)).collect();
+        let tip = row.representative.as_ref()?;
+        let path = path_of_tip(tip)?;
+        let numbers = numbers_of(&path)?;
+        Some(Self { inputs: inputs?, numbers, path, breaks: tip.last().stop == Some(RunStop::Fracture) })
+    }
+}
+
+impl InterpolationError {
+    /// Of pairs of ways: exact and interpolated. None without any.
+    fn of(ways: &[(f64, f64)]) -> Option<Self> {
+        if ways.is_empty() {
+            return None;
+        }
+        let count = ways.len() as f64;
+        let errors: Vec<f64> = ways.iter().map(|(exact, found)| (found / exact).ln()).collect();
+        let squares = errors.iter().map(|error| error * error).sum::<f64>();
+        let mean = ways.iter().map(|(exact, _)| exact.ln()).sum::<f64>() / count;
+        let variance: f64 = ways.iter().map(|(exact, _)| (exact.ln() - mean).powi(2)).sum();
+        Some(Self {
+            runs: ways.len(),
+            rms_percent: 100.0 * (squares / count).sqrt(),
+            worst_percent: 100.0 * errors.iter().fold(0.0, |worst: f64, error| worst.max(error.abs())),
+            explained: if variance > 0.0 { 1.0 - squares / variance } else { 1.0 },
+        })
+    }
+}
+
+/// How samples are made.
+struct Samples<'a> {
+    plan: &'a PopulationPlan,
+    scatter: Scatter,
+    inspection: Inspection,
+    interpolation: Interpolation,
+    breaks: bool,
+}
+
+impl Samples<'_> {
+    fn made(
+        &self,
+        axis: &StudyAxis,
+        distributions: &[Distribution],
+        points: &[Point],
+        interval: Option<f64>,
+    ) -> ScatterSummary {
+        let scatter = &self.scatter;
+        let longest = points.iter().map(|point| &point.path).max_by(|a, b| {
+            let end = |path: &GrowthPath| path.points.last().map_or(0.0, |point| point.axles);
+            end(a).total_cmp(&end(b))
+        });
+        let tonnages = longest.map_or_else(Vec::new, |path| tonnages(path, scatter, self.plan.axle_load_t));
+        let mut gathered = Gathered::new(scatter, tonnages.clone());
+        let mut draws = Draws::of(scatter, &[]);
+        let mut inputs: Vec<Vec<f64>> = Vec::with_capacity(scatter.samples);
+        let mut deviates = Vec::with_capacity(scatter.samples);
+        for _ in 0..scatter.samples {
+            deviates.push(draws.next());
+            let drawn = |of: &Distribution| of.standardised(&of.value(draws.share())).unwrap_or(0.0);
+            inputs.push(distributions.iter().map(drawn).collect());
+        }
+        let made: Vec<_> = inputs
+            .par_chunks(PIECE)
+            .zip(deviates.par_chunks(PIECE))
+            .flat_map_iter(|(inputs, draws)| {
+                let mut mgt = Vec::new();
+                let of_one = |(inputs, draw): (&Vec<f64>, _)| {
+                    let path = path_of(&self.interpolation.at(inputs), self.breaks);
+                    let sampler = Sampler::of(Sampling {
+                        path: &path,
+                        scatter,
+                        inspection: Some(&self.inspection),
+                        critical_length: self.plan.critical_length_mm,
+                        tonnes: self.plan.axle_load_t,
+                        maintenance: None,
+                        mix: &[],
+                    });
+                    let sample = sampler.sample(draw, &mut mgt);
+                    let depth = |at: &f64| sampler.depth_at(&sample, &mgt, *at);
+                    (sample, tonnages.iter().map(depth).collect::<Vec<f64>>())
+                };
+                inputs.iter().zip(draws).map(of_one).collect::<Vec<_>>()
+            })
+            .collect();
+        for (sample, depths) in made {
+            gathered.take(sample, depths);
+        }
+        let of_keys = axis
+            .keys
+            .iter()
+            .enumerate()
+            .map(|(key, of)| gathered.sensitivity(&of.name, |_, sample| inputs[sample][key]));
+        let of_law = (0..KEYS.len())
+            .filter(|&i| spread(scatter)[i] > 0.0)
+            .map(|i| gathered.sensitivity(KEYS[i], |sample, _| sample.draw.deviates[i]));
+        let sensitivities: Vec<Sensitivity> = of_keys.chain(of_law).collect();
+        gathered.summary(scatter, interval, false, sensitivities)
+    }
+}

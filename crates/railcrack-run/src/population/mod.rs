@@ -1,0 +1,11 @@
+//! Samples between the runs of a study whose values are drawn: inputs that change the path of the
+//! crack act by interpolated paths, the scatter of the law by its own deviates.
+
+mod interpolation;
+mod made;
+mod plan;
+mod result;
+mod shape;
+
+pub use plan::PopulationPlan;
+pub use result::{InterpolationError, Population};
