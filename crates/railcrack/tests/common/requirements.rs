@@ -594,6 +594,11 @@ pub const REQUIREMENTS: &[Requirement] = &[
         "Fluid: a crack in two joined pieces has the history of that in one, with one pocket.",
     ),
     requirement(
+        "fluid::closed_faces_hold_no_fluid",
+        "",
+        "Fluid: a kinked crack that is closed as the wheel comes has the history of a dry one.",
+    ),
+    requirement(
         "fluid::cracks_with_and_without_fluid",
         "",
         "Fluid: cracks far apart have pockets of their own, and a dry one beside a wet one stays dry.",

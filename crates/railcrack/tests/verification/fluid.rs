@@ -3,7 +3,7 @@
 
 use crate::common::{
     Absolute, Of, Relative, Rolling, RollingEngine, StepControl as Fixed, body, buried_crack, close,
-    default_elements, joined_body, junction, largest, surface_crack,
+    default_elements, joined_body, junction, largest, polyline, surface_crack,
 };
 use railcrack::body::CrackedBody;
 use railcrack::contact::{
@@ -288,6 +288,23 @@ fn one_pocket_in_joined_cracks() {
             close(error, 0.0, Absolute(5e-3), "discretisation error of either");
         }
     }
+}
+
+/// The faces of a kinked crack that is closed everywhere have a volume where they slip along the
+/// kink, by the interpolation there. No fluid is in it.
+#[test]
+fn closed_faces_hold_no_fluid() {
+    let cracks = vec![polyline(&[(0.0, 0.0), (5.437847, -2.53571), (5.655221, -2.637437)])];
+    let rolling = Rolling { travel: -1.0, ..Rolling::over(cracks, 0.1, -0.2) };
+    let dry = rolling.solve();
+    let dry = &dry.passages[dry.passages.len() - 1];
+    let wet = wet(&rolling, &trapped(2200.0, true), &Newton::default());
+    assert!(wet.counts.complementarity_max < 1e-8, "{:?}", wet.counts);
+    let wet = &wet.passages[wet.passages.len() - 1];
+    assert!(wet.fluid[0].iter().all(|fluid| fluid.pressure == 0.0));
+    let apart = wet.sifs[0].iter().zip(&dry.sifs[0]).flat_map(|(a, b)| [a.ki - b.ki, a.kii - b.kii]);
+    let peak = largest(dry.sifs[0].iter().map(|k| k.kii));
+    close(largest(apart) / peak, 0.0, Absolute(1e-6), "load steps end elsewhere");
 }
 
 /// Cracks far apart have pockets of their own, and only those of the list have fluid.
