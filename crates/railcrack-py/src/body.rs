@@ -208,6 +208,10 @@ pub fn case_body(py: Python<'_>, case: &Case, threads: Option<usize>) -> PyResul
             let engine = DislocationEngine { steel: case.steel, resolution: case.face_resolution() };
             made(py, engine, &case.cracks, case.steel, threads)
         }
+        Engine::Space => {
+            let says = "a body is made of cracks in the plane; engine = \"space\" computes runs";
+            Err(bad_input(py, says))
+        }
     }
 }
 

@@ -1,9 +1,10 @@
 //! Plots and report of a results folder, built from its files.
 
 use crate::figures::{
-    Plot, STUDY_PLOTS, StudyRun, Styles, comparison_plots, run_plots, shakedown_plots, study_plots,
+    Plot, STUDY_PLOTS, StudyRun, Styles, comparison_plots, run_plots, shakedown_plots, space_plots,
+    study_plots,
 };
-use crate::pages::{RunFolder, comparison_page, run_page, shakedown_page, study_page};
+use crate::pages::{RunFolder, comparison_page, run_page, shakedown_page, space_page, study_page};
 use crate::recomputed::recomputed;
 use crate::shown::{ShownRun, ShownStep};
 use railcrack::growth::StepRecord;
@@ -96,12 +97,19 @@ fn write_run(run: &RunFolder, shown: &ShownRun) -> Result<(), OutputError> {
 
 /// Plots and page as far as `output` wants them.
 fn write_chosen(run: &RunFolder, shown: &ShownRun, output: Output) -> Result<(), OutputError> {
-    let plots = run_plots(&run.summary, &run.growth, shown);
+    let plots = match &run.case.space {
+        Some(_) => space_plots(&run.summary, &run.growth, shown),
+        None => run_plots(&run.summary, &run.growth, shown),
+    };
     if output.plots {
         write_plots(&run.path.join(PLOTS_FOLDER), &plots)?;
     }
     if output.report {
-        put(&run.path.join(REPORT_FILE), &run_page(run, shown, &plots).html())?;
+        let page = match &run.case.space {
+            Some(space) => space_page(run, space, shown, &plots),
+            None => run_page(run, shown, &plots),
+        };
+        put(&run.path.join(REPORT_FILE), &page.html())?;
     }
     Ok(())
 }

@@ -5,6 +5,7 @@ use super::checksum::Seal;
 use super::field_names::name;
 use super::files::FIELDS_FOLDER;
 use super::folder::{Durability, replace_file};
+use super::space_fields::space_grids;
 use railcrack::body::{Face, FieldGrid};
 use railcrack::growth::{FieldSnapshot, StepRecord};
 use railcrack::mesh::{Array, CellBlock, CellShape, UnstructuredGrid};
@@ -32,12 +33,13 @@ pub fn field_file(step: usize, position: usize) -> String {
 /// The fields of a step: of each wheel position its number (from 1), the name of its file in the
 /// run folder, and what the file holds.
 pub fn field_grids(record: &StepRecord) -> impl Iterator<Item = (usize, String, UnstructuredGrid)> {
-    record.fields.iter().flat_map(|fields| {
+    let plane = record.fields.iter().flat_map(|fields| {
         fields.snapshots.iter().map(|snapshot| {
             let position = snapshot.position + 1;
             (position, field_file(record.step, position), grid_of(&fields.grid, snapshot))
         })
-    })
+    });
+    plane.chain(space_grids(record))
 }
 
 /// Writes the fields of a step, each to its file.
@@ -48,7 +50,7 @@ pub(crate) fn write_fields(
     record: &StepRecord,
     durability: Durability,
 ) -> Result<Vec<FieldFileEntry>, OutputError> {
-    if record.fields.is_some() {
+    if record.fields.is_some() || record.front.as_ref().is_some_and(|front| !front.written.is_empty()) {
         let directory = folder.join(FIELDS_FOLDER);
         fs::create_dir_all(&directory).map_err(OutputError::io("create", &directory))?;
     }
@@ -94,6 +96,7 @@ fn grid_of(grid: &FieldGrid, field: &FieldSnapshot) -> UnstructuredGrid {
     });
     UnstructuredGrid {
         points: grid.points.clone(),
+        z: Vec::new(),
         cells: vec![
             block(CellShape::QuadraticQuad, grid.quads.concat()),
             block(CellShape::Triangle, grid.triangles.concat()),

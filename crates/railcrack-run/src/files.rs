@@ -36,9 +36,11 @@ pub const PLAN_FILE: &str = "study.json";
 pub const POPULATION_FILE: &str = "population.json";
 
 /// Every plot of a run or of a stabilised plastic state.
-pub(crate) const PLOT_FILES: [&str; 14] = [
+pub(crate) const PLOT_FILES: [&str; 16] = [
     "ki.svg",
     "kii.svg",
+    "kiii.svg",
+    "along-front.svg",
     "paths.svg",
     "length-cycles.svg",
     "faces.svg",

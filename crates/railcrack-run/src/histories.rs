@@ -18,6 +18,8 @@ pub struct History {
     pub ki: Vec<f64>,
     /// K_II, MPa√m.
     pub kii: Vec<f64>,
+    /// K_III in space, MPa√m; empty in the plane.
+    pub kiii: Vec<f64>,
     /// Pressure of the fluid in the crack, MPa; empty for dry cracks.
     pub pressure: Vec<f64>,
     /// Volume of the crack with fluid per width, mm²; empty for dry cracks.
@@ -53,6 +55,7 @@ impl History {
                 history.xc_over_a.push(row.xc_over_a);
                 history.ki.push(row.ki);
                 history.kii.push(row.kii);
+                history.kiii.extend(row.kiii);
                 history.pressure.extend(row.fluid_pressure);
                 history.volume.extend(row.fluid_volume);
             }

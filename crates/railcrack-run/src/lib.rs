@@ -36,6 +36,7 @@ mod run_log;
 mod same_case;
 pub mod shakedown;
 pub mod simulation;
+mod space_fields;
 mod stored_name;
 pub mod study;
 mod summary;

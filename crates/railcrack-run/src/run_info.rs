@@ -66,6 +66,7 @@ impl RunInfo {
         let maintenance = self.maintenance.map(|_| "maintenance");
         let fluid = self.fluid.then_some("fluid");
         let wheels = self.mix.iter().map(|_| "wheel");
-        traffic.into_iter().chain(wheels).chain(maintenance).chain(fluid).collect()
+        let space = (self.engine == Engine::Space).then_some("space");
+        traffic.into_iter().chain(wheels).chain(maintenance).chain(fluid).chain(space).collect()
     }
 }

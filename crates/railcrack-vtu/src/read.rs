@@ -139,6 +139,7 @@ impl File<'_> {
         let (points, cells) = (count(piece, "NumberOfPoints")?, count(piece, "NumberOfCells")?);
         let grid = UnstructuredGrid {
             points: self.points(piece, points)?,
+            z: Vec::new(),
             cells: self.cells(piece, cells)?,
             point_data: self.data(piece, "PointData", points)?,
             cell_data: self.data(piece, "CellData", cells)?,

@@ -33,7 +33,7 @@ pub(super) fn put(path: &Path, text: &[u8]) -> Result<(), VtuError> {
 }
 
 /// The file of `grid`: numbers in base64, little endian, with headers of 64 bits, compressed in
-/// blocks by zlib as VTK does by default. The points get z = 0. The text is ASCII except for the
+/// blocks by zlib as VTK does by default. Points of the plane get z = 0. The text is ASCII except for the
 /// names of arrays.
 ///
 /// Errors: an inconsistent grid; a number that is not finite.
@@ -42,7 +42,8 @@ pub fn vtu_text(grid: &UnstructuredGrid) -> Result<Vec<u8>, GridError> {
     for array in grid.point_data.iter().chain(&grid.cell_data) {
         array.finite()?;
     }
-    let points = Array::vectors("points", &grid.points);
+    let mut points = Array::vectors("points", &grid.points);
+    points.values.iter_mut().skip(2).step_by(3).zip(&grid.z).for_each(|(to, z)| *to = *z);
     points.finite()?;
     let mut text = Vec::new();
     line(&mut text, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>");

@@ -4,10 +4,11 @@ use super::case::Case;
 use super::cracks::{check_fit, place_cracks};
 use super::limits::check_size;
 use super::mix::{MixedWheel, ReadWheel, read_mix};
+use super::space::read_space;
 use crate::files::read_profile;
 use crate::schema::{Report, SectionValues, Sections, Value, Written};
 use crate::tables::{
-    AXLE_LOAD, CENTRE, CONTACT, CRACK, ENGINE, Engine, FLUID, FOUNDATION, FRACTURE, FROM, FieldOutput,
+    AXLE_LOAD, CENTRE, CONTACT, CRACK, ContactExtent, ENGINE, Engine, FLUID, FOUNDATION, FRACTURE, FROM, FieldOutput,
     Fracture, GROWTH, GivenWheel, INSPECTION, LAW_KEYS, MAINTENANCE, MESH, MeshSettings, OUTPUT, Output,
     PASSAGE, PLASTIC_STRESS, PROFILE, PlasticSource, RAIL, RAIL_TEMPERATURE, RESIDUAL_STRESS, Rail, SCATTER,
     SHAKEDOWN, SOLVER, SOLVER_CONTACT, Scattering, ShakedownSettings, TEMPERATURE, TITLE, TO, TOP, TRACK,
@@ -111,6 +112,10 @@ pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) 
         is_mix: mix.as_ref().is_none_or(|mix| mix.len() > 1),
     };
     let scatter = scatter.map(|s| read_scatter(s, scattering, report));
+    let space = match is_in_space(&sections) {
+        true => read_space(&sections, placed.as_ref(), wheel.as_ref(), rail.as_ref(), report).map(Some),
+        false => Some(None),
+    };
     let (placed, rail) = (placed?, rail?);
     let maintenance = match maintenance {
         Some(read) => Some(read?),
@@ -139,6 +144,7 @@ pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) 
         growth_steel: growth.as_ref()?.steel,
         growth_rates: growth?.rates,
         fracture: fracture?,
+        space: space?,
         mesh: MeshSettings::read(sections.one(&MESH)?),
         engine: solver.get(ENGINE)?,
         contact_solver: solver.get(SOLVER_CONTACT)?,
@@ -174,6 +180,11 @@ fn place_wheel(
     Some(MixedWheel { name, share, axle_load, wheel, passages })
 }
 
+/// Whether the engine is that in space.
+fn is_in_space(sections: &Sections) -> bool {
+    sections.one(&SOLVER).and_then(|solver| solver.get(ENGINE)) == Some(Engine::Space)
+}
+
 /// The one wheel of the case.
 fn read_wheel(
     sections: &Sections,
@@ -185,6 +196,7 @@ fn read_wheel(
         contact: sections.one(&CONTACT)?,
         track: sections.one(&TRACK),
         temperature: sections.one(&TEMPERATURE),
+        extent: if is_in_space(sections) { ContactExtent::Ellipse } else { ContactExtent::Strip },
     };
     let travel = sections.one(&PASSAGE).and_then(read_travel)?;
     GivenWheel::read(of_wheel, steel?, travel, folder, report)

@@ -1,6 +1,7 @@
 //! Checked case: everything that a run computes, in the types of the mechanics.
 
 use super::mix::MixedWheel;
+use super::space::SpaceCase;
 use crate::files::{Companion, ProfileFile, RatesFile, ToughnessFile};
 use crate::schema::{Value, Written};
 use crate::tables::{
@@ -49,6 +50,8 @@ pub struct Case {
     pub growth_rates: Option<RatesFile>,
     /// Brittle fracture, where it is given.
     pub fracture: Option<Fracture>,
+    /// Crack and wheel in space, for that engine.
+    pub space: Option<SpaceCase>,
     /// Discretisation.
     pub mesh: MeshSettings,
     /// Engine that computes the cracked rail.

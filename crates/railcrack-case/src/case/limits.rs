@@ -1,8 +1,9 @@
 //! Largest sizes of a run, computed before anything is made.
 
 use super::case::Case;
+use super::space::{MOST_SPACE_POINTS, face_points};
 use crate::schema::{Report, SectionValues, Sections};
-use crate::tables::{ELEMENT_SIZE, Engine, INTERFACE_ELEMENTS, INTERFACE_SPACING, MESH, PASSAGE, POSITIONS};
+use crate::tables::{ELEMENT_SIZE, Engine, INTERFACE_ELEMENTS, INTERFACE_SPACING, MESH, PASSAGE, POSITIONS, SPACE_CELLS};
 use railcrack::crack::Crack;
 use railcrack::dislocation;
 use railcrack::xfem::MOST_MESH_UNKNOWNS;
@@ -53,6 +54,11 @@ pub(super) fn check_size(case: &Case, sections: &Sections, report: &mut Report) 
         return false;
     }
     let points = wanted_face_points(case);
+    if case.engine == Engine::Space && points > MOST_SPACE_POINTS as f64 {
+        let says = format!("with space_rings, {points} face points; there can be {MOST_SPACE_POINTS} in space");
+        report.add(mesh.fault(SPACE_CELLS, says).help("fewer space_cells or space_rings"));
+        return false;
+    }
     if points.is_nan() || points > MOST_FACE_POINTS {
         let says = format!("{points:.2e} face points; there can be {MOST_FACE_POINTS:e}");
         let (fault, help) = match case.engine {
@@ -63,7 +69,7 @@ pub(super) fn check_size(case: &Case, sections: &Sections, report: &mut Report) 
             Engine::Xfem if case.mesh.interface_spacing.is_some() => {
                 (mesh.fault(INTERFACE_SPACING, says), "a larger [mesh] interface_spacing_mm makes fewer")
             }
-            Engine::Xfem => (mesh.fault(ELEMENT_SIZE, says), "a larger [mesh] element_size_mm makes fewer"),
+            Engine::Xfem | Engine::Space => (mesh.fault(ELEMENT_SIZE, says), "a larger [mesh] element_size_mm makes fewer"),
         };
         report.add(fault.help(help));
         return false;
@@ -86,6 +92,10 @@ pub(super) fn check_size(case: &Case, sections: &Sections, report: &mut Report) 
 /// points follow the elements that a crack crosses.
 fn wanted_face_points(case: &Case) -> f64 {
     match case.engine {
+        Engine::Space => {
+            let is_buried = case.space.as_ref().is_some_and(|space| space.shape.buried.is_some());
+            face_points(case.mesh.space, is_buried) as f64
+        }
         Engine::Dislocation => dislocation::face_points(&case.cracks, case.face_resolution()) as f64,
         Engine::Xfem => {
             let spacing = case.mesh.interface_spacing.unwrap_or(f64::INFINITY);

@@ -2,7 +2,7 @@
 
 use crate::schema::{Fault, Report, SectionValues, Sections};
 use crate::tables::{
-    AXLE_LOAD, CONTACT, GivenWheel, PASSAGE, SHARE, TEMPERATURE, TRACK, TRAFFIC, WHEEL, WHEEL_AXLE_LOAD,
+    AXLE_LOAD, CONTACT, ContactExtent, GivenWheel, PASSAGE, SHARE, TEMPERATURE, TRACK, TRAFFIC, WHEEL, WHEEL_AXLE_LOAD,
     WHEEL_CONTACT, WHEEL_NAME, WHEEL_TEMPERATURE, WHEEL_TRACK, WheelSections, read_travel,
 };
 use railcrack::growth::{MOST_WHEELS, PassageSettings};
@@ -61,6 +61,7 @@ pub(super) fn read_mix(
             contact: sections.part(given, &WHEEL_CONTACT)?,
             track: sections.part(given, &WHEEL_TRACK).or_else(|| sections.one(&TRACK)),
             temperature: sections.part(given, &WHEEL_TEMPERATURE).or_else(|| sections.one(&TEMPERATURE)),
+            extent: ContactExtent::Strip,
         };
         let wheel = GivenWheel::read(of_wheel, steel?, travel, folder, report)?;
         Some(ReadWheel {

@@ -13,14 +13,16 @@ mod read;
 mod setting;
 mod shared;
 mod size;
+mod space;
 
 pub use carried::{CarriedStress, CarriedStressError, Projection, Release};
 pub use case::{Case, RolledRailError};
 pub use mix::MixedWheel;
 pub use overrides::Overrides;
-pub use prepared::PreparedRun;
+pub use prepared::{CaseGrowth, PreparedRun};
 pub use shared::{RailKey, SharedRail, SharedRailError};
 pub use size::RunSize;
+pub use space::SpaceCase;
 
 pub(crate) use build::build;
 pub(crate) use setting::place_of;

@@ -10,9 +10,12 @@ use railcrack::bulk::Boundary;
 use railcrack::contact::{self, Latin, Newton};
 use railcrack::dislocation::{DislocationEngine, FaceResolution};
 use railcrack::field::{StressField, Sum};
-use railcrack::growth::{self, FieldSettings, Growth, GrowthProblem, GrowthState};
+use railcrack::growth::{
+    self, FieldSettings, Growth, GrowthError, GrowthProblem, GrowthState, Observer, StepRecord, TipJudge,
+};
 use railcrack::math::MPA_SQRT_MM;
 use railcrack::residual::PlasticField;
+use railcrack::space::SpaceGrowth;
 use railcrack::xfem::{
     EnrichmentRadius, Layers, RailEnd, Window, XfemEngine, XfemSettings, default_element_sizes,
 };
@@ -71,7 +74,7 @@ impl Case {
     }
 
     /// The fields to be computed; none where none are asked for.
-    fn field_settings(&self) -> Option<FieldSettings> {
+    pub(super) fn field_settings(&self) -> Option<FieldSettings> {
         let every = NonZeroUsize::new(self.fields.every)?;
         let mouth = self.cracks.cracks().first()?.points()[0].x;
         let positions: Vec<f64> =
@@ -109,11 +112,12 @@ impl Case {
             shared.give_to(&mut finite_elements);
         }
         let residual = self.carried_stress(plastic.as_ref(), &mut finite_elements)?;
-        let engine: Box<dyn BodyEngine> = match self.engine {
-            Engine::Xfem => Box::new(finite_elements),
+        let engine: Option<Box<dyn BodyEngine>> = match self.engine {
+            Engine::Xfem => Some(Box::new(finite_elements)),
             Engine::Dislocation => {
-                Box::new(DislocationEngine { steel: self.steel, resolution: self.face_resolution() })
+                Some(Box::new(DislocationEngine { steel: self.steel, resolution: self.face_resolution() }))
             }
+            Engine::Space => None,
         };
         Ok(PreparedRun { case: self, engine, residual })
     }
@@ -148,10 +152,50 @@ fn beside(case: &Case, other: &MixedWheel, residual: Option<&Arc<dyn StressField
 /// Temperature (°C) of a rail of which none is given.
 const ROOM_TEMPERATURE: f64 = 20.0;
 
+/// The growth loop of a run, in the plane or in space.
+pub enum CaseGrowth {
+    /// Of cracks in the plane.
+    Plane(Box<Growth>),
+    /// Of a crack in space.
+    Space(Box<SpaceGrowth>),
+}
+
+impl CaseGrowth {
+    /// Has `judge` give direction and rate of every tip; in space the rate of every front point.
+    #[must_use]
+    pub fn judged_by(self, judge: Arc<dyn TipJudge>) -> Self {
+        match self {
+            Self::Plane(growth) => Self::Plane(Box::new(growth.judged_by(judge))),
+            Self::Space(growth) => Self::Space(Box::new(growth.judged_by(judge))),
+        }
+    }
+
+    /// The state after the last computed step.
+    #[must_use]
+    pub fn state(&self) -> &GrowthState {
+        match self {
+            Self::Plane(growth) => growth.state(),
+            Self::Space(growth) => growth.state(),
+        }
+    }
+
+    /// Computes the next step; none when the run has ended. On an error the state is that before
+    /// the step.
+    ///
+    /// Errors: those of the growth loops.
+    pub fn next_step(&mut self, observer: &dyn Observer) -> Result<Option<StepRecord>, GrowthError> {
+        match self {
+            Self::Plane(growth) => growth.next_step(observer),
+            Self::Space(growth) => growth.next_step(observer),
+        }
+    }
+}
+
 /// A run before its first step.
 pub struct PreparedRun<'a> {
     case: &'a Case,
-    engine: Box<dyn BodyEngine>,
+    /// None of a run in space.
+    engine: Option<Box<dyn BodyEngine>>,
     residual: CarriedStress,
 }
 
@@ -163,8 +207,13 @@ impl PreparedRun<'_> {
     }
 
     /// The growth loop from `state` on, or from the beginning where there is none.
-    pub fn growth(self, state: Option<GrowthState>) -> Growth {
+    pub fn growth(self, state: Option<GrowthState>) -> CaseGrowth {
         let Self { case, engine, residual } = self;
+        let Some(engine) = engine else {
+            let shared: Option<Arc<dyn StressField>> = residual.field.map(Arc::from);
+            let stays = with_temperature(case, &case.wheel, shared.as_ref());
+            return CaseGrowth::Space(Box::new(case.space_growth(stays, state).expect("the case is checked")));
+        };
         let newton: Box<dyn contact::ContactSolver> = Box::new(Newton::default());
         let latin: Box<dyn contact::ContactSolver> = Box::new(Latin::default());
         let (solver, fallback) = match case.contact_solver {
@@ -189,6 +238,6 @@ impl PreparedRun<'_> {
             rail: case.rail.extent,
         };
         let state = state.unwrap_or_else(|| GrowthState::initial(&case.cracks));
-        Growth::new(problem, state)
+        CaseGrowth::Plane(Box::new(Growth::new(problem, state)))
     }
 }

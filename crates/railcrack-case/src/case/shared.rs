@@ -37,7 +37,7 @@ impl SharedRail {
         let Some(mut engine) = case.shareable_elements()? else { return Ok(None) };
         match case.engine {
             Engine::Xfem => drop(engine.body(&case.cracks)?),
-            Engine::Dislocation => drop(engine.background(&case.cracks)?.clone()),
+            Engine::Dislocation | Engine::Space => drop(engine.background(&case.cracks)?.clone()),
         }
         Ok(Some(Self { engine }))
     }
@@ -64,7 +64,7 @@ impl Case {
 
     fn shareable_elements(&self) -> Result<Option<XfemEngine>, CarriedStressError> {
         match (&self.plastic_stress, self.engine) {
-            (Some(PlasticSource::Rolled), _) | (None, Engine::Dislocation) => Ok(None),
+            (Some(PlasticSource::Rolled), _) | (None, Engine::Dislocation | Engine::Space) => Ok(None),
             _ => Ok(Some(self.finite_elements(self.plastic_field(None)?.as_ref()))),
         }
     }

@@ -1,6 +1,7 @@
 //! Size of a run: unknowns and memory.
 
 use super::case::Case;
+use super::space::{face_points, front_points};
 use crate::tables::{Engine, PlasticSource};
 use railcrack::dislocation;
 use railcrack::residual::PlasticField;
@@ -14,7 +15,7 @@ pub struct RunSize {
     pub tips: usize,
     /// Displacement unknowns behind the face points; none in the dislocation engine.
     pub displacements: usize,
-    /// Unknowns of the contact problem: two per face point.
+    /// Unknowns of the contact problem: two per face point, three in space.
     pub unknowns: usize,
     /// Estimate of the memory needed, bytes.
     pub memory_bytes: usize,
@@ -38,8 +39,13 @@ impl Case {
     /// The size of the run.
     #[must_use]
     pub fn size(&self) -> RunSize {
-        let tips = self.cracks.tips().len();
+        let is_buried = self.space.as_ref().is_some_and(|space| space.shape.buried.is_some());
+        let tips = match self.engine {
+            Engine::Space => front_points(self.mesh.space, is_buried),
+            _ => self.cracks.tips().len(),
+        };
         let (face_points, displacements, factor) = match self.engine {
+            Engine::Space => (face_points(self.mesh.space, is_buried), 0, 0),
             Engine::Dislocation => (dislocation::face_points(&self.cracks, self.face_resolution()), 0, 0),
             // Errors of a plastic stress are reported by its reader; that of rolling is not there
             // yet.
@@ -50,7 +56,7 @@ impl Case {
                 Err(_) => (0, 0, 0),
             },
         };
-        let unknowns = 2 * face_points;
+        let unknowns = if self.engine == Engine::Space { 3 * face_points } else { 2 * face_points };
         let number = size_of::<f64>();
         let matrices = MATRICES * unknowns * unknowns + 2 * tips * unknowns;
         // Face record of one passage: four numbers and a status per position and point.

@@ -48,7 +48,7 @@ fn read(path: &Path) -> Result<(String, PlasticField), (String, &'static str)> {
     // Data on points are taken where both are there.
     let point_data = used(&grid.point_data);
     let cell_data = if point_data.is_empty() { used(&grid.cell_data) } else { Vec::new() };
-    let kept = UnstructuredGrid { points: grid.points, cells: grid.cells, point_data, cell_data };
+    let kept = UnstructuredGrid { points: grid.points, z: grid.z, cells: grid.cells, point_data, cell_data };
     let text = vtu_text(&kept).map_err(|error| (error.to_string(), EXPECTED))?;
     let text = String::from_utf8(text).map_err(|error| (error.to_string(), EXPECTED))?;
     Ok((text, field))

@@ -18,7 +18,7 @@ const HERTZIAN: &str = "a table has its own pressure and extent";
 
 section! {
     CONTACT "contact", Required, "Wheel on rail: one passage is one axle.",
-        forms [[PEAK_PRESSURE, HALF_WIDTH], [LINE_LOAD, WHEEL_RADIUS, RAIL_RADIUS],
+        forms [[PEAK_PRESSURE, HALF_WIDTH, LATERAL_HALF_WIDTH, LATERAL], [LINE_LOAD, WHEEL_RADIUS, RAIL_RADIUS],
             [WHEEL_LOAD, WHEEL_RADIUS, RAIL_HEAD_RADIUS, WHEEL_PROFILE_RADIUS, LATERAL],
             [CONTACT_PROFILE, SCALE, STRIP]],
         instead "wheel";
@@ -46,8 +46,14 @@ section! {
     WHEEL_PROFILE_RADIUS: f64 = number("wheel_profile_radius_mm", "mm", PROFILE_RADII, f64::INFINITY,
         "Radius of the wheel's profile across the rail; inf is straight, negative is concave.")
         .only_with_any(KIND, "hertz", &["carter"], HERTZIAN);
-    LATERAL: f64 = number("lateral_mm", "mm", within(100.0), 0.0, "Lateral offset of the strip from the middle of the ellipse.")
-        .only_with_any(KIND, "hertz", &["carter"], HERTZIAN);
+    LATERAL_HALF_WIDTH: f64 = number("lateral_half_width_mm", "mm", closed(0.1, 1e3), 6.0,
+        "Semi-axis b of the contact ellipse across the rail; peak_pressure_mpa and half_width_mm are then those of the ellipse. \
+         The engine space needs it, or the radii; the others take the strip of the ellipse over the middle of the crack.")
+        .only_with_any(KIND, "hertz", &["carter"], HERTZIAN).optional();
+    LATERAL: f64 = number("lateral_mm", "mm", within(100.0), 0.0,
+        "Lateral offset between the middle of the ellipse and the strip of the plane engines, 0 without it; in space the \
+         lateral position of the ellipse.")
+        .only_with_any(KIND, "hertz", &["carter"], HERTZIAN).optional();
     CONTACT_PROFILE: String = file("profile", "inputs/contact-table", "contact.csv",
         "CSV read by header, u_mm,p_mpa,q_mpa: u from the wheel's centre along +x, linear between rows, zero outside; or a .mat \
          file of the rolling-contact program CONTACT.")
@@ -61,6 +67,9 @@ section! {
         "Wheel-rail friction coefficient. hertz: signed, > 0 drags the rail along +x (a braking wheel running towards +x); \
          carter: of the slip zone, not negative; table: optional, then |q| <= friction p is required.")
         .required_but_with(KIND, TABLE, "a table has its own shear");
+    LATERAL_FRICTION: f64 = number("lateral_friction", "", closed(-1.0, 1.0), 0.0,
+        "Shear across the rail over pressure, > 0 towards +z; engine space only, 0 without it.")
+        .only_with(KIND, "hertz", "the strips of the plane engines have no shear across").optional();
     TRACTION: f64 = number("traction", "", closed(-1.0, 1.0), -0.5,
         "Traction Q/(friction P), signed as the shear on the rail along +x: < 0 drives a wheel that runs towards +x; 1 and \
          -1 are full sliding.")
@@ -102,6 +111,13 @@ impl Choice for ContactKind {
 pub enum ContactOrigin {
     /// Peak pressure and half-width are given.
     Given,
+    /// Peak pressure and both semi-axes of the ellipse are given.
+    GivenEllipse {
+        /// The ellipse.
+        ellipse: HertzEllipse,
+        /// Offset of the strip from its middle, mm.
+        lateral: f64,
+    },
     /// A line load on cylinders.
     LineLoad {
         /// R of 1/R = 1/R_wheel + 1/R_rail, mm.
@@ -127,17 +143,27 @@ impl ContactOrigin {
         match self {
             Self::LineLoad { radius } => Some(*radius),
             Self::Ellipse { wheel, .. } => Some(wheel.wheel_radius),
-            Self::Given | Self::Table(_) => None,
+            Self::Given | Self::GivenEllipse { .. } | Self::Table(_) => None,
         }
     }
 }
 
+/// How much of an ellipse of contact counts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum ContactExtent {
+    /// The strip over the middle of the crack, in the plane.
+    Strip,
+    /// All of it, in space.
+    Ellipse,
+}
+
 /// The contact on a rail of `steel` of a wheel that runs towards `travel`; files are relative to
-/// `folder`.
+/// `folder`. Of the whole ellipse, it is the strip in its middle.
 pub(crate) fn read_contact(
     section: &SectionValues,
     steel: &IsotropicElastic,
     travel: Travel,
+    extent: ContactExtent,
     folder: &Path,
     report: &mut Report,
 ) -> Option<(Contact, ContactOrigin)> {
@@ -151,7 +177,7 @@ pub(crate) fn read_contact(
         report.add(section.fault(FRICTION, "must be a number in [0, 1]").help(help));
         return None;
     }
-    let (contact, origin) = read_hertz(section, steel, friction, report)?;
+    let (contact, origin) = read_hertz(section, steel, friction, extent, report)?;
     let contact = match kind {
         ContactKind::Carter => Contact::Carter(CarterContact {
             peak_pressure: contact.peak_pressure,
@@ -195,13 +221,15 @@ fn read_hertz(
     section: &SectionValues,
     steel: &IsotropicElastic,
     friction: f64,
+    extent: ContactExtent,
     report: &mut Report,
 ) -> Option<(HertzianContact, ContactOrigin)> {
     if let (Some(peak_pressure), Some(half_width)) = (section.get(PEAK_PRESSURE), section.get(HALF_WIDTH)) {
-        return Some((HertzianContact { peak_pressure, half_width, friction }, ContactOrigin::Given));
+        let contact = HertzianContact { peak_pressure, half_width, friction };
+        return read_given(section, contact, extent, report);
     }
     if section.get(WHEEL_LOAD).is_some() {
-        return read_ellipse(section, steel, friction, report);
+        return read_ellipse(section, steel, friction, extent, report);
     }
     let line_load = section.get(LINE_LOAD)?;
     let (wheel, rail) = (section.get(WHEEL_RADIUS)?, section.get(RAIL_RADIUS)?);
@@ -220,10 +248,61 @@ fn read_hertz(
     Some((contact.ok()?, ContactOrigin::LineLoad { radius }))
 }
 
+/// Peak pressure and half-width as given: of a line contact, or of an ellipse with its strip.
+fn read_given(
+    section: &SectionValues,
+    contact: HertzianContact,
+    extent: ContactExtent,
+    report: &mut Report,
+) -> Option<(HertzianContact, ContactOrigin)> {
+    let HertzianContact { peak_pressure, half_width, friction } = contact;
+    let lateral = section.get(LATERAL).unwrap_or(0.0);
+    let Some(across) = section.get(LATERAL_HALF_WIDTH) else {
+        if section.is_given(LATERAL) {
+            let says = "is an offset within the contact ellipse, whose semi-axis across the rail is missing";
+            report.add(section.fault(LATERAL, says).help("lateral_half_width_mm, or no lateral_mm"));
+            return None;
+        }
+        return Some((contact, ContactOrigin::Given));
+    };
+    let ellipse = HertzEllipse { peak_pressure, along: half_width, across };
+    let strip = strip(section, &ellipse, extent.offset(lateral), friction, report)?;
+    Some((strip, ContactOrigin::GivenEllipse { ellipse, lateral }))
+}
+
+impl ContactExtent {
+    /// The offset of the strip that stands for the contact.
+    fn offset(self, lateral: f64) -> f64 {
+        match self {
+            Self::Strip => lateral,
+            Self::Ellipse => 0.0,
+        }
+    }
+}
+
+/// The strip of an ellipse that the plane engines take.
+fn strip(
+    section: &SectionValues,
+    ellipse: &HertzEllipse,
+    lateral: f64,
+    friction: f64,
+    report: &mut Report,
+) -> Option<HertzianContact> {
+    ellipse
+        .strip(lateral, friction)
+        .map_err(|_| {
+            let across = ellipse.across;
+            let says = format!("is outside of the contact, which reaches {across:.3} mm to either side");
+            report.add(section.fault(LATERAL, says).help("a strip within the ellipse"));
+        })
+        .ok()
+}
+
 fn read_ellipse(
     section: &SectionValues,
     steel: &IsotropicElastic,
     friction: f64,
+    extent: ContactExtent,
     report: &mut Report,
 ) -> Option<(HertzianContact, ContactOrigin)> {
     let wheel = WheelOnRail {
@@ -232,18 +311,11 @@ fn read_ellipse(
         rail_head_radius: section.get(RAIL_HEAD_RADIUS)?,
         wheel_profile_radius: section.get(WHEEL_PROFILE_RADIUS)?,
     };
-    let lateral = section.get(LATERAL)?;
+    let lateral = section.get(LATERAL).unwrap_or(0.0);
     let ellipse = HertzEllipse::new(&wheel, steel)
         .map_err(|error| report.add(section.fault(WHEEL_PROFILE_RADIUS, error)))
         .ok()?;
-    let contact = ellipse
-        .strip(lateral, friction)
-        .map_err(|_| {
-            let across = ellipse.across;
-            let says = format!("is outside of the contact, which reaches {across:.3} mm to either side");
-            report.add(section.fault(LATERAL, says).help("a strip within the ellipse"));
-        })
-        .ok()?;
+    let contact = strip(section, &ellipse, extent.offset(lateral), friction, report)?;
     let refusal = out_of_range(PEAK_PRESSURE, contact.peak_pressure)
         .or_else(|| out_of_range(HALF_WIDTH, contact.half_width));
     if let Some(says) = refusal {

@@ -18,6 +18,11 @@ section! {
         .required();
     CRACK_FRICTION: f64 = number("friction", "", closed(0.0, 2.0), 0.5, "Crack-face friction coefficient.")
         .required();
+    SURFACE_HALF_LENGTH: f64 = number("surface_half_length_mm", "mm", closed(1e-3, 1e4), 6.0,
+        "Half axis of the elliptical crack along the surface, for the engine space, in which length_mm is the other one; the \
+         plane engines take the crack as long along the surface.").optional();
+    CRACK_LATERAL: f64 = number("lateral_mm", "mm", within(1e3), 0.0,
+        "Lateral position of the middle of the crack, for the engine space; 0 without it.").optional();
     COUNT: usize = integer("count", (1, 100), 1, "Number of equal cracks, copies to the right included.");
     SPACING: f64 = number("spacing_mm", "mm", positive(1e4), 3.375,
         "Distance from one copy to the next; needed when count > 1. Cracks, copies or not, stand at least a thousandth of the \

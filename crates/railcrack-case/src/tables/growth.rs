@@ -24,6 +24,10 @@ section! {
         .only_with_any(LAW, "paris", &["paris-threshold"], OWN_CONSTANTS);
     MODE_2_WEIGHT: f64 = number("mode_2_weight", "", closed(0.0, 100.0), 0.772, "Weight w of mode II.")
         .only_with(EQUIVALENT, "hourlier-pineau", "only this range has a weight of mode II");
+    MODE_3_WEIGHT: f64 = number("mode_3_weight", "", closed(0.0, 100.0), 1.103,
+        "Weight of mode III in the engine space; without it mode_2_weight/(1 - nu), with which modes II and III count by \
+         their energy release rates.")
+        .only_with(EQUIVALENT, "hourlier-pineau", "only this range has a weight of mode III").optional();
     THRESHOLD: f64 = number("threshold_mpa_sqrt_m", "MPa sqrt(m)", closed(0.0, 1e3), 0.0,
         "Threshold of dKeq, at or below which a crack does not grow.")
         .only_with_any(LAW, "paris", &["paris-threshold", "walker", "forman"], OWN_THRESHOLD);

@@ -1,6 +1,7 @@
 //! `[mesh]`: discretisation of rail and crack faces.
 
 use crate::schema::{SectionValues, integer, number, positive, section};
+use railcrack::space::SpaceResolution;
 
 section! {
     MESH "mesh", Defaulted, "Discretisation.";
@@ -17,6 +18,11 @@ section! {
     INTERFACE_ELEMENTS: usize = integer("interface_elements", (8, 400), 48,
         "Elements along each crack in the dislocation engine, before its grading towards mouth and kinks; without \
          it 48, and 180 shared by all cracks, but at least 28 each, where there are more than three.").optional();
+    SPACE_CELLS: usize = integer("space_cells", (2, 16), 4,
+        "Cells from the middle of the crack to each side of its inner block, in the engine space; along the front are four \
+         times as many.").optional();
+    SPACE_RINGS: usize = integer("space_rings", (2, 16), 4,
+        "Cells from the inner block to the front, in the engine space.").optional();
 }
 
 /// Discretisation; without a value, each engine chooses it from the cracks.
@@ -30,6 +36,8 @@ pub struct MeshSettings {
     pub interface_spacing: Option<f64>,
     /// Elements along each crack in the dislocation engine.
     pub interface_elements: Option<usize>,
+    /// Cells of a crack in space.
+    pub space: SpaceResolution,
 }
 
 impl MeshSettings {
@@ -39,6 +47,10 @@ impl MeshSettings {
             tip_enrichment_radius: section.get(TIP_ENRICHMENT_RADIUS),
             interface_spacing: section.get(INTERFACE_SPACING),
             interface_elements: section.get(INTERFACE_ELEMENTS),
+            space: SpaceResolution {
+                block: section.get(SPACE_CELLS).unwrap_or(SpaceResolution::default().block),
+                ring: section.get(SPACE_RINGS).unwrap_or(SpaceResolution::default().ring),
+            },
         }
     }
 }

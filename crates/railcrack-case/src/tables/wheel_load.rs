@@ -1,6 +1,6 @@
 //! The load of one wheel: `[contact]`, `[track]`, `[temperature]`.
 
-use super::contact::{ContactOrigin, read_contact};
+use super::contact::{ContactExtent, ContactOrigin, read_contact};
 use super::track::{read_temperature, read_track};
 use crate::files::Companion;
 use crate::schema::{Report, SectionValues};
@@ -27,6 +27,7 @@ pub(crate) struct WheelSections<'a> {
     pub contact: &'a SectionValues,
     pub track: Option<&'a SectionValues>,
     pub temperature: Option<&'a SectionValues>,
+    pub extent: ContactExtent,
 }
 
 impl GivenWheel {
@@ -39,7 +40,7 @@ impl GivenWheel {
         folder: &Path,
         report: &mut Report,
     ) -> Option<Self> {
-        let contact = read_contact(sections.contact, steel, travel, folder, report);
+        let contact = read_contact(sections.contact, steel, travel, sections.extent, folder, report);
         let track = sections.track.map(|s| read_track(s, Some(sections.contact), report));
         let temperature = sections.temperature.map(|s| read_temperature(s, report));
         let (contact, origin) = contact?;

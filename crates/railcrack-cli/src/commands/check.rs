@@ -107,6 +107,7 @@ fn parts(case: &Case, folder: &Path) -> Vec<(&'static str, Vec<Row>)> {
         ("temperature", temperature(case)),
         ("passage", passage(case)),
         ("cracks", cracks(case)),
+        ("crack in space", in_space(case)),
         ("residual stress", residual_stress(case)),
         ("plastic stress", plastic_stress(case)),
         ("solution", solution(case)),
@@ -184,10 +185,50 @@ fn origin(case: &Case) -> Vec<Row> {
                     number(ellipse.peak_pressure)
                 ),
             ),
-            ("strip", format!("{} mm beside its middle", number(*lateral))),
+            offset(case, *lateral),
+        ],
+        ContactOrigin::GivenEllipse { ellipse, lateral } => vec![
+            (
+                "Hertz ellipse",
+                format!(
+                    "a = {} mm along, b = {} mm across, p0 = {} MPa",
+                    number(ellipse.along),
+                    number(ellipse.across),
+                    number(ellipse.peak_pressure)
+                ),
+            ),
+            offset(case, *lateral),
         ],
         ContactOrigin::Table(file) => vec![("table", file.given_name().into())],
     }
+}
+
+/// The strip of an ellipse in the plane, the place of the ellipse in space.
+fn offset(case: &Case, lateral: f64) -> Row {
+    match case.space {
+        Some(_) => ("lateral", format!("middle at z = {} mm", number(lateral))),
+        None => ("strip", format!("{} mm beside its middle", number(lateral))),
+    }
+}
+
+/// The crack of a case in space.
+fn in_space(case: &Case) -> Vec<Row> {
+    let Some(space) = &case.space else { return Vec::new() };
+    let shape = &space.shape;
+    let mut rows = vec![
+        ("half axes", format!("{} mm down the dip, {} mm along the surface", number(shape.depth), number(shape.half_length))),
+        ("dip", format!("{} degrees", number(shape.dip.to_degrees()))),
+        ("middle", format!("x = {} mm, z = {} mm", number(shape.middle[0]), number(shape.middle[1]))),
+    ];
+    if let Some(centre) = shape.buried {
+        rows.push(("buried", format!("{} mm down the dip", number(centre))));
+    }
+    let cells = case.mesh.space;
+    rows.push(("cells", format!("{} beside the middle, {} to the front", cells.block, cells.ring)));
+    if space.wheel.lateral_friction != 0.0 {
+        rows.push(("lateral friction", space.wheel.lateral_friction.to_string()));
+    }
+    rows
 }
 
 /// The wheels of a mix; the sections around this one are about the first of them.

@@ -12,6 +12,7 @@ mod rolled_field;
 mod run;
 mod shakedown;
 mod sif;
+mod space;
 mod study;
 
 pub(crate) use compare::{comparison_plots, lengths_of_both, steps_of_both};
@@ -20,6 +21,7 @@ pub(crate) use plot::{Plot, chart};
 pub(crate) use run::run_plots;
 pub(crate) use shakedown::shakedown_plots;
 pub(crate) use sif::far_chart;
+pub(crate) use space::space_plots;
 pub(crate) use study::{
     STUDY_PLOTS, StudyRun, Styles, band_charts, stratified, study_charts, study_plots, values,
 };

@@ -4,10 +4,12 @@ mod compare;
 mod pictures;
 mod run;
 mod shakedown;
+mod space;
 mod study;
 mod ways;
 
 pub(crate) use compare::comparison_page;
 pub(crate) use run::{RunFolder, run_page};
 pub(crate) use shakedown::shakedown_page;
+pub(crate) use space::space_page;
 pub(crate) use study::{MANY, study_page};

@@ -132,6 +132,7 @@ pub fn step(size: Size, step: usize) -> (StepRecord, GrowthState) {
         xc: xc.clone(),
         sifs: (0..size.cracks).map(|tip| xc.iter().map(|&x| sif(x, tip, p)).collect()).collect(),
         fluid: Vec::new(),
+        kiii: Vec::new(),
     };
     let cycles = |n: usize| 4.1e5 * (1.0 - 0.9f64.powi(n as i32));
     let tips = now.iter().enumerate().map(|(i, crack)| tip_record(i, crack, step, is_last)).collect();
@@ -142,6 +143,7 @@ pub fn step(size: Size, step: usize) -> (StepRecord, GrowthState) {
         passages: vec![passage(0), passage(1)],
         faces: faces(size, &now, &xc),
         fields: step.is_multiple_of(2).then(|| fields(step)),
+        front: None,
         load_cycles: cycles(step),
         removed: 0.0,
         dofs: 30_000 + step,
@@ -172,6 +174,7 @@ pub fn step(size: Size, step: usize) -> (StepRecord, GrowthState) {
         break_outs: Vec::new(),
         interval: None,
         worn: Default::default(),
+        front: None,
         load_cycles: cycles(if is_last { step } else { step + 1 }),
         stopped: vec![vec![None]; size.cracks],
         deferred: vec![vec![DeferredGrowth::default()]; size.cracks],
@@ -236,6 +239,7 @@ fn tip_record(i: usize, crack: &Crack, step: usize, is_last: bool) -> TipRecord 
         turned_by: None,
         mouth_sine: Some(0.5),
         opened_by: 0,
+        front: None,
     }
 }
 
@@ -268,7 +272,7 @@ fn faces(size: Size, cracks: &[Crack], xc: &[f64]) -> FaceRecord {
         FaceState { opening: 0.0, slip: 2e-3 * u.tanh() / (1.0 + s), s22, s12, status }
     };
     let states = xc.iter().map(|&x| points.iter().map(|p| state(x, p.s)).collect()).collect();
-    FaceRecord { points, states }
+    FaceRecord { points, states, across: None }
 }
 
 /// Computes the steps from `from` to `to` (exclusive) into `recorder`.

@@ -215,6 +215,13 @@ mod tests {
             mgt: None,
             shares: Default::default(),
             removed: None,
+            phi_deg: None,
+            lateral: None,
+            half_length: None,
+            delta_kiii: None,
+            wanted_kink_deg: None,
+            wanted_ratio: None,
+            followed: None,
         };
         (0..5).map(row).collect()
     }

@@ -38,6 +38,12 @@ table! {
         s12: f64 = "s12_mpa";
         /// `open`, `stick` or `slip`.
         status: FaceStatus = "status";
+        /// Lateral position of a face point in space, mm.
+        lateral: Option<f64> = "z_mm", with "space";
+        /// Slip along the trace of the plane of a crack in space, mm.
+        slip_across: Option<f64> = "slip_z_mm", with "space";
+        /// Shear stress transmitted along that trace, MPa.
+        s23: Option<f64> = "s23_mpa", with "space";
     }
 }
 
@@ -46,7 +52,8 @@ impl FaceRow {
     pub fn of_step(record: &StepRecord) -> impl Iterator<Item = Self> {
         let StepRecord { step, passages, faces, .. } = record;
         faces.states.iter().enumerate().flat_map(move |(i, states)| {
-            faces.points.iter().zip(states).map(move |(point, state)| Self {
+            let across = faces.across.as_ref();
+            faces.points.iter().zip(states).enumerate().map(move |(a, (point, state))| Self {
                 step: *step,
                 passage: passages.len(),
                 position: i + 1,
@@ -58,6 +65,9 @@ impl FaceRow {
                 s22: state.s22,
                 s12: state.s12,
                 status: state.status,
+                lateral: across.and_then(|across| across.lateral.get(a).copied()),
+                slip_across: across.and_then(|across| Some(across.states.get(i)?.get(a)?[0])),
+                s23: across.and_then(|across| Some(across.states.get(i)?.get(a)?[1])),
             })
         })
     }

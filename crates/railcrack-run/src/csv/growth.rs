@@ -70,6 +70,25 @@ table! {
         /// Removed of the running surface by wear and grinding up to the start of the step, mm:
         /// coordinates and depths count from the surface that is left. With `[maintenance]`.
         removed: Option<f64> = "removed_mm", with "maintenance";
+        /// Parametric angle of a front point in space, degrees: 0 and 180 at the surface, 90
+        /// deepest.
+        phi_deg: Option<f64> = "phi_deg", with "space";
+        /// Lateral position of a front point in space, mm.
+        lateral: Option<f64> = "tip_z_mm", with "space";
+        /// Half axis of the crack in space along the surface, mm; `length_mm` is the one along the
+        /// dip.
+        half_length: Option<f64> = "surface_half_length_mm", with "space";
+        /// Range of K_III of a front point in space, MPa√m.
+        delta_kiii: Option<f64> = "delta_kiii_mpa_sqrt_m", with "space";
+        /// Kink that the direction criterion would choose by K_I and K_II at a front point in
+        /// space, degrees; the crack grows in its plane.
+        wanted_kink_deg: Option<f64> = "wanted_kink_deg", with "space";
+        /// Growth rate of that kink over that straight ahead, both without mode III.
+        wanted_ratio: Option<f64> = "wanted_ratio", with "space";
+        /// Increment of a front point over what its own rate alone would make of it, 1 where the
+        /// ellipse follows the local rates; empty without growth and in the layer at the surface,
+        /// which does not count.
+        followed: Option<f64> = "followed", with "space";
     }
 }
 
@@ -107,6 +126,13 @@ impl TipRow {
             mgt: None,
             shares: tip.shares,
             removed: None,
+            phi_deg: tip.front.map(|front| front.phi.to_degrees()),
+            lateral: tip.front.map(|front| front.lateral),
+            half_length: tip.front.map(|front| front.half_length),
+            delta_kiii: tip.front.map(|front| front.delta_kiii / MPA_SQRT_MM),
+            wanted_kink_deg: tip.front.and_then(|front| front.wanted_kink).map(f64::to_degrees),
+            wanted_ratio: tip.front.and_then(|front| front.wanted_ratio),
+            followed: tip.front.and_then(|front| front.followed),
         }
     }
 
@@ -153,6 +179,13 @@ mod tests {
             mgt: None,
             shares: WheelShares::default(),
             removed: None,
+            phi_deg: None,
+            lateral: None,
+            half_length: None,
+            delta_kiii: None,
+            wanted_kink_deg: None,
+            wanted_ratio: None,
+            followed: None,
         }
     }
 

@@ -2,6 +2,7 @@
 
 use super::table;
 use railcrack::growth::{PassageRecord, StepRecord};
+use railcrack::math::MPA_SQRT_MM;
 
 table! {
     /// K of a tip at a wheel position, in the units of `sif.csv`.
@@ -39,6 +40,11 @@ table! {
         fluid_pressure: Option<f64> = "fluid_mpa", with "fluid";
         /// Volume of the crack per width, mm².
         fluid_volume: Option<f64> = "fluid_mm2", with "fluid";
+        /// Parametric angle of a front point in space, degrees: 0 and 180 at the surface, 90
+        /// deepest.
+        phi_deg: Option<f64> = "phi_deg", with "space";
+        /// K_III of a front point in space, MPa√m.
+        kiii: Option<f64> = "kiii_mpa_sqrt_m", with "space";
     }
 }
 
@@ -88,6 +94,7 @@ impl SifRow {
         passages.iter().enumerate().flat_map(move |(p, passage)| {
             record.tips.iter().zip(&passage.sifs).enumerate().flat_map(move |(t, (tip, history))| {
                 let fluid = passage.fluid.get(t);
+                let kiii = passage.kiii.get(t);
                 passage.xc.iter().zip(history).enumerate().map(move |(i, (&xc, sif))| Self {
                     step: record.step,
                     passage: p + 1,
@@ -101,6 +108,8 @@ impl SifRow {
                     wheel: Some(wheel),
                     fluid_pressure: fluid.and_then(|fluid| Some(fluid.get(i)?.pressure)),
                     fluid_volume: fluid.and_then(|fluid| Some(fluid.get(i)?.volume)),
+                    phi_deg: tip.front.map(|front| front.phi.to_degrees()),
+                    kiii: kiii.and_then(|kiii| Some(kiii.get(i)? / MPA_SQRT_MM)),
                 })
             })
         })

@@ -4,6 +4,7 @@ use super::error::RunError;
 use super::observer::RunObserver;
 use crate::{OutputError, Recorder, Summary};
 use railcrack::growth::{Growth, GrowthError, GrowthState, Observer, StepRecord};
+use railcrack_case::CaseGrowth;
 use std::sync::mpsc::{SyncSender, sync_channel};
 
 /// Source of growth steps: [`Growth`], and synthetic runs in tests.
@@ -12,6 +13,16 @@ pub trait StepSource {
     fn next_step(&mut self, observer: &dyn Observer) -> Result<Option<StepRecord>, GrowthError>;
     /// The state after the last computed step.
     fn state(&self) -> &GrowthState;
+}
+
+impl StepSource for CaseGrowth {
+    fn next_step(&mut self, observer: &dyn Observer) -> Result<Option<StepRecord>, GrowthError> {
+        CaseGrowth::next_step(self, observer)
+    }
+
+    fn state(&self) -> &GrowthState {
+        CaseGrowth::state(self)
+    }
 }
 
 impl StepSource for Growth {

@@ -6,8 +6,8 @@ use super::job::{Job, Stage};
 use super::observer::{RunObserver, Silent};
 use super::residual_stress::{Residual, prepare};
 use crate::{Existing, FolderLock, OutputError, Presentation, Recorder, Summary, TablesOnly};
-use railcrack::growth::{Growth, GrowthState, TipJudge};
-use railcrack_case::{Case, SharedRail};
+use railcrack::growth::{GrowthState, TipJudge};
+use railcrack_case::{Case, CaseGrowth, SharedRail};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -81,7 +81,7 @@ impl Simulation<'_> {
     /// The growth loop from `stage` on, and the residual stress that the rail carries.
     ///
     /// Errors: the plastic state cannot be computed, or the residual stress not be made.
-    pub(super) fn growth(&self, stage: Stage) -> Result<(Growth, Option<Residual>), RunError> {
+    pub(super) fn growth(&self, stage: Stage) -> Result<(CaseGrowth, Option<Residual>), RunError> {
         let (prepared, residual) = prepare(self.case, &stage)?;
         let growth = prepared.growth(stage.state);
         let growth = match self.judge {

@@ -40,6 +40,36 @@ impl EquivalentRange {
         }
     }
 
+    /// ΔK_eq with ΔK_III = `delta_kiii` of a front in space; all MPa √mm.
+    ///
+    /// * Hourlier & Pineau: √(ΔK_I² + w ΔK_II² + w₃ ΔK_III²); without `mode_3_weight` w₃ =
+    ///   w/(1 − ν), with which modes II and III count by their energy release rates.
+    /// * Tanaka 1974: (ΔK_I⁴ + 8 ΔK_II⁴ + 8 ΔK_III⁴/(1 − ν))^¼.
+    /// * Richard, Fulland & Sander 2005: ΔK_I/2 + ½ √(ΔK_I² + 4 (1.155 ΔK_II)² + 4 ΔK_III²).
+    /// * Bold, Brown & Allen give none: that of ΔK_I and ΔK_II.
+    #[must_use]
+    pub fn of_three(
+        &self,
+        [delta_ki, delta_kii, delta_kiii]: [f64; 3],
+        poisson: f64,
+        mode_3_weight: Option<f64>,
+    ) -> f64 {
+        match *self {
+            Self::HourlierPineau { mode_2_weight } => {
+                let weight = mode_3_weight.unwrap_or(mode_2_weight / (1.0 - poisson));
+                self.of(delta_ki, delta_kii).hypot(weight.sqrt() * delta_kiii)
+            }
+            Self::Tanaka => {
+                let plane = delta_ki.powi(4) + 8.0 * delta_kii.powi(4);
+                (plane + 8.0 * delta_kiii.powi(4) / (1.0 - poisson)).sqrt().sqrt()
+            }
+            Self::Richard => {
+                0.5 * (delta_ki + delta_ki.hypot(2.0 * 1.155 * delta_kii).hypot(2.0 * delta_kiii))
+            }
+            Self::Bold => self.of(delta_ki, delta_kii),
+        }
+    }
+
     /// The formula as a line of text.
     #[must_use]
     pub fn formula(&self) -> String {
@@ -60,5 +90,28 @@ impl EquivalentRange {
             Self::Richard => "richard",
             Self::Bold => "bold",
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn mode_three_counts_by_its_energy_and_vanishes_with_it() {
+        let laws = [EquivalentRange::RAIL_STEEL, EquivalentRange::Tanaka, EquivalentRange::Richard];
+        for law in laws {
+            assert!((law.of_three([9.0, 12.0, 0.0], 0.3, None) - law.of(9.0, 12.0)).abs() < 1e-12);
+        }
+        // 0.772/0.7 · 5² beside that of ΔK_II = 5 √0.7⁻¹.
+        let by_energy = EquivalentRange::RAIL_STEEL;
+        let other = by_energy.of(0.0, 5.0 / 0.7f64.sqrt());
+        assert!((by_energy.of_three([0.0, 0.0, 5.0], 0.3, None) - other).abs() < 1e-12);
+        assert!((by_energy.of_three([3.0, 0.0, 4.0], 0.3, Some(1.0)) - 5.0).abs() < 1e-12);
+        // Richard, Fulland & Sander 2005: α₂ = 1. Pure mode III: ΔK_eq = ΔK_III.
+        assert!((EquivalentRange::Richard.of_three([0.0, 0.0, 5.0], 0.3, None) - 5.0).abs() < 1e-12);
+        // Tanaka 1974: (8/0.7)^¼ = 1.838.
+        let tanaka = EquivalentRange::Tanaka.of_three([0.0, 0.0, 5.0], 0.3, None);
+        assert!((tanaka - 5.0 * (8.0f64 / 0.7).powf(0.25)).abs() < 1e-12);
     }
 }

@@ -217,6 +217,7 @@ impl Growth {
             beside: beside.into_iter().map(|passage| passage.passages).collect(),
             faces: passage.faces,
             fields,
+            front: None,
             load_cycles,
             removed: self.state.worn.removed,
             dofs: body.dofs,
@@ -363,6 +364,7 @@ impl Growth {
                 turned_by: turned_by.and_then(|kink| turned_by_wheel(&direction, &wheels, kink.angle)),
                 opened_by: under.opened_by,
                 mouth_sine: mouth_sine(crack),
+                front: None,
             }
         })
         .collect()

@@ -11,6 +11,7 @@ mod face_load;
 mod fields;
 #[cfg(test)]
 mod fixtures;
+mod front;
 mod increments;
 mod joining;
 mod judge;
@@ -41,6 +42,9 @@ pub use deferred::DeferredGrowth;
 pub use driver::{Growth, GrowthProblem, NEAR_TIE};
 pub use error::GrowthError;
 pub use fields::{FieldRecord, FieldSettings, FieldSnapshot};
+pub use front::{
+    FaceAcross, FrontInterval, FrontMotion, FrontRecord, FrontShape, FrontState, FrontTip,
+};
 pub use increments::{Advance, TipAdvance, advance};
 pub use judge::TipJudge;
 pub use maintenance::{Grinding, Maintenance, StressMoves};

@@ -140,7 +140,7 @@ pub(super) fn passages_under(
                 counts: wheel.counts(passages.len()),
                 passages,
                 histories: pass.histories,
-                faces: FaceRecord { points, states: pass.states },
+                faces: FaceRecord { points, states: pass.states, across: None },
                 last_change,
             });
         }
@@ -260,6 +260,7 @@ impl Rolling<'_> {
             xc: self.xc.to_vec(),
             sifs: vec![Vec::new(); tips_of],
             fluid: vec![Vec::new(); if problem.fluid().is_some() { tips_of } else { 0 }],
+            kiii: Vec::new(),
         };
         let mut pass =
             Pass { record, histories: Vec::new(), states: Vec::new(), marks: Vec::new(), joins: false };
@@ -486,7 +487,7 @@ mod tests {
         let mut passage = StabilisedPassage {
             passages: Vec::new(),
             histories: vec![history(10.0, -500.0), history(-20.0, 30.0)],
-            faces: FaceRecord { points: Vec::new(), states: Vec::new() },
+            faces: FaceRecord { points: Vec::new(), states: Vec::new(), across: None },
             counts: SolverCounts::default(),
             last_change: None,
         };

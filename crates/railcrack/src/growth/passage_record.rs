@@ -1,5 +1,6 @@
 //! Records of a passage: histories of K and states of the crack faces.
 
+use super::FaceAcross;
 use crate::body::FacePoint;
 use crate::contact::{FaceState, FluidState};
 use crate::fracture::Sif;
@@ -14,6 +15,8 @@ pub struct PassageRecord {
     pub sifs: Vec<Vec<Sif>>,
     /// `fluid[tip][position]` in the crack of each tip; empty without fluid.
     pub fluid: Vec<Vec<FluidState>>,
+    /// K_III, `kiii[tip][position]`, MPa √mm; empty in the plane.
+    pub kiii: Vec<Vec<f64>>,
 }
 
 /// The faces during the stabilised passage.
@@ -23,6 +26,8 @@ pub struct FaceRecord {
     pub points: Vec<FacePoint>,
     /// `states[position][point]`.
     pub states: Vec<Vec<FaceState>>,
+    /// The third direction, of a crack in space.
+    pub across: Option<FaceAcross>,
 }
 
 /// Effort of the contact solver in one growth step.
@@ -44,7 +49,7 @@ pub struct SolverCounts {
 
 impl SolverCounts {
     /// This and the effort for another wheel on the same body.
-    pub(super) fn and(self, other: Self) -> Self {
+    pub(crate) fn and(self, other: Self) -> Self {
         Self {
             passages: self.passages.max(other.passages),
             substeps: self.substeps + other.substeps,

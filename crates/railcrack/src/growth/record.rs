@@ -1,7 +1,7 @@
 //! Records of a growth step.
 
 use super::{
-    DeferredGrowth, FaceRecord, FieldRecord, PassageRecord, Piece, RunStop, SolverCounts, TipStop, Warning,
+    DeferredGrowth, FaceRecord, FieldRecord, FrontRecord, FrontTip, PassageRecord, Piece, RunStop, SolverCounts, TipStop, Warning,
     WheelShares,
 };
 use crate::body::BodyTimes;
@@ -54,6 +54,8 @@ pub struct TipRecord {
     pub opened_by: usize,
     /// Sine of the angle of its crack at the mouth; none for a buried crack.
     pub mouth_sine: Option<f64>,
+    /// What a point of a front in space has beside.
+    pub front: Option<FrontTip>,
 }
 
 /// Wall time of the phases of one step, seconds.
@@ -89,6 +91,8 @@ pub struct StepRecord {
     pub faces: FaceRecord,
     /// The fields around the cracks, where they are wanted and the engine has them.
     pub fields: Option<FieldRecord>,
+    /// The crack in space, of a run there.
+    pub front: Option<FrontRecord>,
     /// Load cycles at the start of the step.
     pub load_cycles: f64,
     /// Removed of the running surface since the beginning, by wear and grinding, mm.

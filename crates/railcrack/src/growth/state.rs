@@ -1,7 +1,7 @@
 //! The state of a run between two steps.
 
 use super::{
-    Advance, BreakOut, DeferredGrowth, EarlierRates, Interval, RunStop, TipDrive, TipStop, WornSurface,
+    Advance, BreakOut, DeferredGrowth, EarlierRates, FrontState, Interval, RunStop, TipDrive, TipStop, WornSurface,
 };
 use crate::crack::{Crack, CrackNetwork, Junction};
 use serde::{Deserialize, Serialize};
@@ -28,6 +28,8 @@ pub struct GrowthState {
     pub deferred: Vec<Vec<DeferredGrowth>>,
     /// The running surface as wear and grinding have left it.
     pub worn: WornSurface,
+    /// The crack in space, of a run there.
+    pub front: Option<FrontState>,
     /// Set when the run has ended.
     pub ended: Option<RunStop>,
 }
@@ -47,6 +49,7 @@ impl GrowthState {
             stopped: tips().map(|tips| vec![None; tips]).collect(),
             deferred: tips().map(|tips| vec![DeferredGrowth::default(); tips]).collect(),
             worn: WornSurface::default(),
+            front: None,
             ended: None,
         }
     }

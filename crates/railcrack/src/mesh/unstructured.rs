@@ -1,4 +1,4 @@
-//! An unstructured grid of the plane with data on its points and cells.
+//! An unstructured grid with data on its points and cells.
 
 use super::{Array, GridError};
 use crate::math::Vec2;
@@ -72,11 +72,13 @@ impl CellBlock {
     }
 }
 
-/// A grid of the plane z = 0 with data on its points and cells.
+/// A grid with data on its points and cells: of the plane z = 0, or of a surface in space.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct UnstructuredGrid {
     /// Points, mm.
     pub points: Vec<Vec2>,
+    /// Third coordinate of each point, mm; empty for the plane z = 0.
+    pub z: Vec<f64>,
     /// Cells, block after block.
     pub cells: Vec<CellBlock>,
     /// Data with an entry per point.
@@ -116,6 +118,10 @@ impl UnstructuredGrid {
             if let Some(&point) = block.connectivity.iter().find(|&&point| point >= points) {
                 return Err(GridError::NoSuchPoint { block: i, point, points });
             }
+        }
+        if !self.z.is_empty() && self.z.len() != self.points.len() {
+            let (found, entries) = (self.z.len(), self.points.len());
+            return Err(GridError::Length { name: "z".to_owned(), found, components: 1, entries });
         }
         for (data, entries) in [(&self.point_data, self.points.len()), (&self.cell_data, self.cell_count())] {
             for (i, array) in data.iter().enumerate() {

@@ -6,10 +6,12 @@ use super::grid::{Grid, SpaceResolution};
 use super::image_table::ImageTable;
 use super::plane::{PlaneFrame, Surroundings};
 use super::shape::SpaceCrack;
-use crate::linear::{LinearError, spd_inverse};
+use crate::interruption::{Interrupted, Interruption};
+use crate::linear::{LinearError, spd_inverse_unless};
 use crate::material::IsotropicElastic;
 use crate::math::{Matrix, gauss_legendre};
 use std::f64::consts::PI;
+use std::sync::Arc;
 use thiserror::Error;
 
 /// Points per cell and direction at which the stress of the uncracked rail is taken.
@@ -21,6 +23,24 @@ pub enum SpaceError {
     /// The stiffness of the crack is not positive definite, or not finite.
     #[error(transparent)]
     Linear(#[from] LinearError),
+    /// Given up on request.
+    #[error("{0}")]
+    Interrupted(#[from] Interrupted),
+}
+
+/// The half-space seen from planes of one dip: what cracks that grow in their plane share.
+#[derive(Debug, Clone)]
+pub struct SpaceKernel {
+    dip: f64,
+    poisson: f64,
+    table: Arc<ImageTable>,
+}
+
+impl SpaceKernel {
+    /// For planes that go down at `dip` (radians) in steel of Poisson's ratio `poisson`.
+    pub fn new(dip: f64, poisson: f64) -> Self {
+        Self { dip, poisson, table: Arc::new(ImageTable::new(dip, poisson)) }
+    }
 }
 
 /// A point of the front.
@@ -44,6 +64,15 @@ pub struct FrontSif {
     pub kii: f64,
     /// Tearing.
     pub kiii: f64,
+}
+
+impl FrontSif {
+    /// The largest difference from another one, MPa √mm.
+    #[must_use]
+    pub fn difference(&self, other: &Self) -> f64 {
+        let of = |a: f64, b: f64| (a - b).abs();
+        of(self.ki, other.ki).max(of(self.kii, other.kii)).max(of(self.kiii, other.kiii))
+    }
 }
 
 /// Where the stress of the uncracked rail is taken, and its part in the nodal forces.
@@ -80,14 +109,30 @@ impl SpaceBody {
         surroundings: Surroundings,
         resolution: SpaceResolution,
     ) -> Result<Self, SpaceError> {
+        let kernel = (surroundings == Surroundings::HalfSpace)
+            .then(|| SpaceKernel::new(crack.dip, steel.poisson()));
+        Self::with_kernel(crack, steel, kernel.as_ref(), resolution, Interruption::NEVER)
+    }
+
+    /// The body with `crack` in the half-space of `kernel`, or in the full space without one. Given
+    /// up on an `interruption`.
+    ///
+    /// Errors: a stiffness that is not positive definite; the interruption.
+    pub fn with_kernel(
+        crack: &SpaceCrack,
+        steel: &IsotropicElastic,
+        kernel: Option<&SpaceKernel>,
+        resolution: SpaceResolution,
+        interruption: Interruption<'_>,
+    ) -> Result<Self, SpaceError> {
         let grid = Grid::new(crack, resolution);
         let poisson = steel.poisson();
-        let image = (surroundings == Surroundings::HalfSpace)
-            .then(|| ImagePart { table: ImageTable::new(crack.dip, poisson), dip: crack.dip });
-        let mut stiffness = Galerkin::new(&grid, poisson, image.as_ref()).stiffness();
+        debug_assert!(kernel.is_none_or(|kernel| (kernel.dip, kernel.poisson) == (crack.dip, poisson)));
+        let image = kernel.map(|kernel| ImagePart { table: Arc::clone(&kernel.table), dip: crack.dip });
+        let mut stiffness = Galerkin::new(&grid, poisson, image.as_ref()).stiffness_unless(interruption)?;
         let mu = steel.shear_modulus();
         (0..stiffness.rows()).for_each(|i| stiffness.row_mut(i).iter_mut().for_each(|v| *v *= mu));
-        let compliance = spd_inverse(&stiffness)?;
+        let compliance = spd_inverse_unless(interruption, &stiffness)?;
         let sif_of_jumps = front_rows(&grid, steel);
         let sif_influence = crate::linear::product(&sif_of_jumps, &compliance)?;
         let frame = PlaneFrame::new(crack.dip);
@@ -128,6 +173,15 @@ impl SpaceBody {
     /// Points of the crack that carry a jump: x, lateral and depth, mm.
     pub fn points(&self) -> &[[f64; 3]] {
         &self.points
+    }
+
+    /// The area (mm²) that each point stands for: ∫ of its hat.
+    pub fn areas(&self) -> Vec<f64> {
+        let mut areas = vec![0.0; self.points.len()];
+        for (point, weight) in self.loads.iter().flat_map(|load| load.hats) {
+            areas[point] += weight;
+        }
+        areas
     }
 
     /// Points of the front, by growing φ.

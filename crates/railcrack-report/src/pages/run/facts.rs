@@ -72,7 +72,7 @@ pub(super) fn verdict(run: &RunFolder) -> String {
 }
 
 /// Why the run ended, in a sentence.
-fn stop_sentence(run: &RunFolder) -> String {
+pub(in crate::pages) fn stop_sentence(run: &RunFolder) -> String {
     let steps = run.summary.steps;
     match run.summary.stop.map(RunStop::word) {
         None => format!("The run has not ended: step {steps} is the last finished one."),

@@ -23,7 +23,9 @@ use railcrack_run::decision::Quantiles;
 use railcrack_run::files::CASE_FILE;
 use serde_json::Value;
 
+pub(super) use facts::stop_sentence;
 pub(crate) use stored::RunFolder;
+pub(super) use warnings::warnings;
 
 const EXPLORER: &str = include_str!("../../assets/run.html");
 const EXPLORER_SCRIPT: &str = include_str!("../../assets/run.js");
@@ -34,7 +36,7 @@ const TABLE_ROWS: usize = 500;
 
 /// The page of a run with its long tables `shown` and its `plots`.
 pub(crate) fn run_page(run: &RunFolder, shown: &ShownRun, plots: &[Plot]) -> Page {
-    let warnings = warnings::warnings(run);
+    let warnings = warnings(run);
     let mut page = Page {
         title: run.summary.title.clone(),
         kind: "Crack growth under rolling contact".to_owned(),

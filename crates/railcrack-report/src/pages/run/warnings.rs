@@ -12,7 +12,7 @@ const OF_A_KIND: usize = 3;
 
 /// A sentence each: those of the run, grouped by kind, the boundary of a block, a run that has not
 /// ended.
-pub(super) fn warnings(run: &RunFolder) -> Vec<String> {
+pub(in crate::pages) fn warnings(run: &RunFolder) -> Vec<String> {
     let mut texts = Vec::new();
     if !run.summary.complete {
         texts.push(

@@ -55,15 +55,12 @@ fn roll(degrees: f64, friction: f64, lateral: f64, lateral_friction: f64) -> (Ve
         friction: 0.1,
         lateral_friction,
     };
-    let settings = SpacePassageSettings {
-        passage: Passage { from: -20.0, to: 20.0, positions: 31 },
-        tolerance: f64::INFINITY,
-        halvings: 0,
-    };
+    let passage = Passage { from: -20.0, to: 20.0, positions: 31 };
+    let settings = SpacePassageSettings { tolerance: f64::INFINITY, halvings: 0 };
     let contact = SpaceContact { body: &body, friction };
     let wheel = |position: f64, point: [f64; 3]| wheel.stress(position, point, 0.3);
-    let load = SpaceLoad { wheel: &wheel, constant: None };
-    let history = space_passage(&contact, &load, &settings, &mut contact.virgin()).unwrap();
+    let load = SpaceLoad { wheel: &wheel, constant: None, station: 2.0 };
+    let history = space_passage(&contact, &load, passage, &settings, &mut contact.virgin()).unwrap();
     assert!(history.violation < 1e-8, "{}", history.violation);
     (body.front().iter().map(|front| front.phi).collect(), history)
 }

@@ -1,0 +1,219 @@
+//! What a case needs for the engine in space, and what it cannot have there.
+
+use super::case::Case;
+use super::cracks::PlacedCracks;
+use crate::schema::{Report, Section, SectionValues, Sections};
+use crate::tables::{
+    CONTACT, COUNT, CRACK, CRACK_LATERAL, ContactKind, ContactOrigin, ContactSolver, Engine, FLUID, FRICTION,
+    GROWTH, GivenWheel, KIND, LATERAL_FRICTION, LATERAL_HALF_WIDTH, LAW, LawName, MAINTENANCE, MODE_3_WEIGHT,
+    PLASTIC_STRESS, Rail, SOLVER, SOLVER_CONTACT, SURFACE_HALF_LENGTH, TRACK, WHEEL,
+};
+use railcrack::bulk::Boundary;
+use railcrack::crack::Crack;
+use railcrack::growth::{FrontShape, GrowthState};
+use railcrack::load::HertzEllipse;
+use railcrack::space::{EllipticWheel, SpaceGrowth, SpaceProblem, SpaceResolution};
+use std::f64::consts::PI;
+
+/// The parts of a case that only the engine in space knows.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SpaceCase {
+    /// The crack at the beginning.
+    pub shape: FrontShape,
+    /// The wheel.
+    pub wheel: EllipticWheel,
+    /// Weight of mode III in the range of Hourlier and Pineau, where it is given.
+    pub mode_3_weight: Option<f64>,
+}
+
+/// Most points of the faces: three unknowns at each make dense matrices of 300 MB.
+pub(super) const MOST_SPACE_POINTS: usize = 2000;
+
+/// Sections of which the engine knows nothing, and why.
+const REFUSED: [(Section, &str); 5] = [
+    (WHEEL, "computes one wheel"),
+    (TRACK, "does not follow the bending of the rail"),
+    (FLUID, "computes dry cracks"),
+    (PLASTIC_STRESS, "takes residual stress as a balanced profile ([residual_stress]) only"),
+    (MAINTENANCE, "has no mouth that wear and grinding could cut"),
+];
+
+/// The crack, the wheel and the law of the engine in space; none where something is wrong or
+/// missing, which `report` then says.
+pub(super) fn read_space(
+    sections: &Sections,
+    placed: Option<&PlacedCracks>,
+    wheel: Option<&GivenWheel>,
+    rail: Option<&Rail>,
+    report: &mut Report,
+) -> Option<SpaceCase> {
+    for (section, why) in &REFUSED {
+        if let Some(given) = sections.all(section).next() {
+            let says = format!("the engine space {why}");
+            report.add(given.fault_of_all(says).help("engine = \"dislocation\" or \"xfem\", or no such section"));
+        }
+    }
+    let solver = sections.one(&SOLVER)?;
+    if solver.get(SOLVER_CONTACT) == Some(ContactSolver::Latin) {
+        let says = "the engine space solves its contact by Newton's method";
+        report.add(solver.fault(SOLVER_CONTACT, says).help("contact = \"newton\""));
+    }
+    if rail.is_some_and(|rail| rail.boundary != Boundary::HalfPlane) {
+        let says = "the engine space knows the half-space only";
+        let rail = sections.one(&crate::tables::RAIL)?;
+        report.add(rail.fault_of_name("boundary", says).help("boundary = \"half-plane\""));
+    }
+    let growth = sections.one(&GROWTH)?;
+    if growth.get(LAW) == Some(LawName::Bold) {
+        let says = "has no mode III, which cracks in space have";
+        report.add(growth.fault(LAW, says).help("another law, such as law = \"paris\""));
+    }
+    let given: Vec<&SectionValues> = sections.all(&CRACK).collect();
+    if let Some(second) = given.get(1) {
+        report.add(second.fault_of_all("the engine space computes one crack").help(PLANE_ENGINES));
+    }
+    let section = given.first()?;
+    if section.get(COUNT).is_some_and(|count| count > 1) {
+        report.add(section.fault(COUNT, "the engine space computes one crack").help(PLANE_ENGINES));
+    }
+    let half_length = section.get(SURFACE_HALF_LENGTH);
+    if half_length.is_none() && !section.is_refused(SURFACE_HALF_LENGTH) {
+        let key = section.dotted(SURFACE_HALF_LENGTH.key.name);
+        let message = format!(
+            "`{key}` is missing: the engine space needs the half axis of the crack along the surface, in mm"
+        );
+        report.add(crate::schema::Fault::of(key, section.span.clone(), message));
+    }
+    let shape = placed.and_then(|placed| {
+        let crack = placed.network.cracks().first()?;
+        read_shape(crack, half_length?, section.get(CRACK_LATERAL).unwrap_or(0.0), section, report)
+    });
+    let wheel = read_wheel(sections, wheel, report);
+    Some(SpaceCase { shape: shape?, wheel: wheel?, mode_3_weight: growth.get(MODE_3_WEIGHT) })
+}
+
+const PLANE_ENGINES: &str = "engine = \"dislocation\" or \"xfem\" computes several cracks, in the plane";
+
+fn read_shape(
+    crack: &Crack,
+    half_length: f64,
+    lateral: f64,
+    section: &SectionValues,
+    report: &mut Report,
+) -> Option<FrontShape> {
+    let points = crack.points();
+    let &[mut top, mut bottom] = points else {
+        let says = "the engine space computes plane cracks: two points";
+        report.add(section.fault_of_name("points_mm", says));
+        return None;
+    };
+    if bottom.y > top.y {
+        std::mem::swap(&mut top, &mut bottom);
+    }
+    let dip = -(bottom - top).angle();
+    let length = crack.length();
+    // Where the plane meets the surface; of a crack parallel to it nowhere, which is refused below.
+    let to_surface = -top.y / dip.sin();
+    let buried = (!crack.is_surface_breaking()).then_some(to_surface + 0.5 * length);
+    let shape = FrontShape {
+        dip: dip.rem_euclid(2.0 * PI),
+        depth: if buried.is_some() { 0.5 * length } else { length },
+        half_length,
+        middle: [top.x - to_surface * dip.cos(), lateral],
+        buried,
+    };
+    if let Err(error) = shape.crack() {
+        let name = if section.is_given_name("angle_deg") { "angle_deg" } else { "points_mm" };
+        report.add(section.fault_of_name(name, format!("the engine space has no such crack: {error}")));
+        return None;
+    }
+    let aspect = half_length / shape.depth;
+    if !(1.0 / LARGEST_ASPECT..=LARGEST_ASPECT).contains(&aspect) {
+        let says = format!(
+            "the half axes of the crack are in the ratio {aspect:.3}; the cells of the engine space take 1/{LARGEST_ASPECT} to \
+             {LARGEST_ASPECT}"
+        );
+        report.add(section.fault(SURFACE_HALF_LENGTH, says).help("a plane engine computes the limit of wide cracks"));
+        return None;
+    }
+    Some(shape)
+}
+
+/// Half axes of a crack that its grid resolves.
+const LARGEST_ASPECT: f64 = 25.0;
+
+fn read_wheel(sections: &Sections, wheel: Option<&GivenWheel>, report: &mut Report) -> Option<EllipticWheel> {
+    let section = sections.one(&CONTACT)?;
+    if section.get(KIND).is_some_and(|kind| kind != ContactKind::Hertz) {
+        let says = "the engine space has the ellipse of Hertz in full sliding";
+        report.add(section.fault(KIND, says).help("kind = \"hertz\""));
+        return None;
+    }
+    let (ellipse, lateral): (HertzEllipse, f64) = match &wheel?.origin {
+        ContactOrigin::Ellipse { ellipse, lateral, .. } | ContactOrigin::GivenEllipse { ellipse, lateral } => {
+            (*ellipse, *lateral)
+        }
+        _ => {
+            let key = section.dotted(LATERAL_HALF_WIDTH.key.name);
+            let message = format!(
+                "`{key}` is missing: the engine space needs the semi-axis of the contact ellipse across the rail, in mm"
+            );
+            let help = "beside peak_pressure_mpa and half_width_mm; or wheel_load_kn with the radii of wheel and rail";
+            report.add(crate::schema::Fault::of(key, section.span.clone(), message).help(help));
+            return None;
+        }
+    };
+    Some(EllipticWheel {
+        peak_pressure: ellipse.peak_pressure,
+        half_width: ellipse.along,
+        lateral_half_width: ellipse.across,
+        lateral,
+        friction: section.get(FRICTION)?,
+        lateral_friction: section.get(LATERAL_FRICTION).unwrap_or(0.0),
+    })
+}
+
+/// Points of the faces of a crack of this resolution.
+pub(super) fn face_points(resolution: SpaceResolution, is_buried: bool) -> usize {
+    let SpaceResolution { block, ring } = resolution;
+    let rows = ring.saturating_sub(1);
+    if is_buried {
+        (2 * block + 1).pow(2) + 8 * block * rows
+    } else {
+        (2 * block + 1) * (block + 1) + (4 * block + 1) * rows
+    }
+}
+
+/// Points of its front.
+pub(super) fn front_points(resolution: SpaceResolution, is_buried: bool) -> usize {
+    if is_buried { 8 * resolution.block } else { 4 * resolution.block + 1 }
+}
+
+impl Case {
+    /// The growth of the crack in space from `state` on, or from the beginning; none of a case for
+    /// another engine.
+    pub(super) fn space_growth(
+        &self,
+        residual: Option<Box<dyn railcrack::field::StressField>>,
+        state: Option<GrowthState>,
+    ) -> Option<SpaceGrowth> {
+        let space = self.space.as_ref().filter(|_| self.engine == Engine::Space)?;
+        let state = match state {
+            Some(state) => state,
+            None => GrowthState::initial_in_space(space.shape).ok()?,
+        };
+        let problem = SpaceProblem {
+            steel: self.steel,
+            wheel: space.wheel,
+            residual,
+            friction: self.crack_friction.first().copied().unwrap_or(0.0),
+            resolution: self.mesh.space,
+            passages: self.passages,
+            growth: self.growth.clone(),
+            mode_3_weight: space.mode_3_weight,
+            fields: self.field_settings(),
+            rail: self.rail.extent,
+        };
+        Some(SpaceGrowth::new(problem, state))
+    }
+}

@@ -1,0 +1,314 @@
+//! The page of a growth run in space.
+
+use super::pictures::{charts, still};
+use super::run::{RunFolder, stop_sentence, warnings};
+use crate::figures::Plot;
+use crate::numbers::{fixed, grouped, number, numbers, significant, tonnage};
+use crate::page::{Block, Fact, Page, Section};
+use crate::shown::{Deflated, ShownRun};
+use crate::table::Table;
+use railcrack::growth::RunStop;
+use railcrack::space::VERTEX_LAYER;
+use railcrack::words::Choice;
+use railcrack_case::SpaceCase;
+use railcrack_run::csv::TipRow;
+use railcrack_run::files::CASE_FILE;
+use railcrack_run::histories::History;
+use serde_json::{Value, json};
+
+const EXPLORER: &str = include_str!("../../assets/space.html");
+const EXPLORER_SCRIPT: &str = include_str!("../../assets/space.js");
+/// Rows of the table of steps; `growth.csv` has all.
+const TABLE_ROWS: usize = 500;
+
+/// The page of a run with its histories `shown` and its `plots`.
+pub(crate) fn space_page(run: &RunFolder, space: &SpaceCase, shown: &ShownRun, plots: &[Plot]) -> Page {
+    let warnings = warnings(run);
+    let mut page = Page {
+        title: run.summary.title.clone(),
+        kind: "Crack growth in space under rolling contact".to_owned(),
+        verdict: verdict(run),
+        facts: facts(run, warnings.len()),
+        lead: Vec::new(),
+        sections: Vec::new(),
+    };
+    if !warnings.is_empty() {
+        page.lead.push(Block::Warnings(warnings));
+    }
+    if run.summary.steps_recorded > 0 {
+        page.lead.push(charts(plots, &["length-cycles", "along-front"]));
+        page.lead.push(Block::Table(front_table(run)));
+    }
+    page.lead.push(Block::Heading("Assumptions".to_owned()));
+    page.lead.push(Block::List(assumptions(run, space)));
+    if run.summary.steps_recorded > 0 {
+        page.sections.push(explorer(run, space, shown, plots));
+        page.sections.push(Section {
+            id: "fronts".to_owned(),
+            heading: "Fronts".to_owned(),
+            blocks: vec![charts(plots, &["from-above", "from-the-front"])],
+        });
+        page.sections.push(steps(run));
+    }
+    page.sections.push(Section {
+        id: "case".to_owned(),
+        heading: "Case".to_owned(),
+        blocks: vec![Block::Folded {
+            heading: format!("{CASE_FILE}, defaults filled in"),
+            blocks: vec![Block::Verbatim(run.text.clone())],
+        }],
+    });
+    page
+}
+
+/// The deepest point in the first and in the last step.
+fn deepest(run: &RunFolder) -> Option<(&TipRow, &TipRow)> {
+    let distance = |row: &&TipRow| (row.phi_deg.unwrap_or(0.0) - 90.0).abs();
+    let first = run.growth.iter().filter(|row| row.step == 0).min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
+    Some((first, run.history(first.crack, first.tip).last()?))
+}
+
+fn verdict(run: &RunFolder) -> String {
+    let Some((first, last)) = deepest(run) else { return "No step is finished yet.".to_owned() };
+    let axes = |row: &TipRow| {
+        format!("{} by {} mm", fixed(row.length, 2), fixed(row.half_length.unwrap_or(0.0), 2))
+    };
+    let grown = last.length > first.length || last.half_length > first.half_length;
+    let text = if grown {
+        let tonnes = run.case.axle_load.map_or_else(String::new, |load| {
+            format!(" ({} million gross tonnes at {load} t per axle)", tonnage(last.load_cycles * load / 1e6))
+        });
+        format!(
+            "The crack with half axes of {} (down the dip, along the surface) grows to {} in {} load cycles{tonnes}.",
+            axes(first),
+            axes(last),
+            grouped(last.load_cycles)
+        )
+    } else if last.stop == Some(RunStop::NoTipGrows(railcrack::growth::TipStop::Arrest)) {
+        format!("The crack with half axes of {} does not grow.", axes(first))
+    } else {
+        format!(
+            "The crack with half axes of {} is at ΔK_{{eq}} = {} MPa√m at its deepest point and grows there by {} mm per \
+             load cycle at first; no increment was computed.",
+            axes(first),
+            significant(first.delta_keq),
+            significant(first.rate)
+        )
+    };
+    format!("{text} {}", stop_sentence(run))
+}
+
+fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
+    let Some((first, last)) = deepest(run) else { return Vec::new() };
+    let fact = |name: &str, value: String, note: String| Fact { name: name.to_owned(), value, note };
+    let from_to = |a: f64, b: f64| format!("{} → {} mm", fixed(a, 2), fixed(b, 2));
+    let sides = |row: &TipRow| row.half_length.unwrap_or(0.0);
+    let mut facts = vec![fact("Load cycles", grouped(last.load_cycles), "axles".to_owned())];
+    if let Some(load) = run.case.axle_load {
+        let tonnes = tonnage(last.load_cycles * load / 1e6);
+        facts.push(fact("Million gross tonnes", tonnes, format!("at {load} t per axle")));
+    }
+    let depth = from_to(-first.place[1], -last.place[1]);
+    facts.push(fact("Depth", depth, format!("half axis down the dip {}", from_to(first.length, last.length))));
+    facts.push(fact("On the surface", from_to(2.0 * sides(first), 2.0 * sides(last)), "length of the mouth; of a buried crack, its width".to_owned()));
+    facts.push(fact(
+        "ΔK_{eq}",
+        format!("{} MPa√m", significant(first.delta_keq)),
+        "at the deepest point of the initial crack".to_owned(),
+    ));
+    if let Some((angle, ratio)) = first.wanted_kink_deg.zip(first.wanted_ratio) {
+        facts.push(fact(
+            "Wanted kink",
+            format!("{}°", fixed(angle, 0)),
+            format!("at the deepest point, {} times as fast as straight ahead; growth stays in the plane", fixed(ratio, 2)),
+        ));
+    }
+    let stop = run.summary.stop.map_or("not ended", RunStop::word).replace('-', " ");
+    facts.push(fact("Ended by", stop, format!("after step {} of {}", run.summary.steps, run.case.growth.steps)));
+    facts.push(fact(
+        "Warnings",
+        if warnings == 0 { "none".to_owned() } else { warnings.to_string() },
+        if warnings == 0 { String::new() } else { "below".to_owned() },
+    ));
+    facts
+}
+
+/// The front in the last finished step.
+fn front_table(run: &RunFolder) -> Table {
+    let headings = [
+        "φ (°)",
+        "z (mm)",
+        "Depth (mm)",
+        "ΔK_{I}",
+        "ΔK_{II}",
+        "ΔK_{III}",
+        "ΔK_{eq} (MPa√m)",
+        "Rate (mm/cycle)",
+        "Wanted kink (°)",
+    ];
+    let mut table = Table::new(headings);
+    table.caption = format!("The front in the last finished step, {}; K in MPa√m", run.summary.steps);
+    for row in run.last() {
+        table.row([
+            fixed(row.phi_deg.unwrap_or(0.0), 1),
+            fixed(row.lateral.unwrap_or(0.0), 3),
+            fixed(-row.place[1], 3),
+            fixed(row.delta_ki, 3),
+            fixed(row.delta_kii, 3),
+            fixed(row.delta_kiii.unwrap_or(0.0), 3),
+            fixed(row.delta_keq, 3),
+            significant(row.rate),
+            row.wanted_kink_deg.map_or_else(String::new, |kink| fixed(kink, 0)),
+        ]);
+    }
+    table
+}
+
+fn assumptions(run: &RunFolder, space: &SpaceCase) -> Vec<String> {
+    let case = &run.case;
+    let wheel = &space.wheel;
+    let stays = match (case.residual_stress.is_some(), case.wheel.load.temperature.is_some()) {
+        (false, false) => "The rail carries no other stress.",
+        (true, false) => "The rail carries the residual stress of the case, the same at all lateral positions.",
+        (false, true) => "The rail carries the stress of its temperature.",
+        (true, true) => "The rail carries the residual stress of the case and that of its temperature.",
+    };
+    vec![
+        format!(
+            "Rail: linear elastic half-space, E = {} MPa, ν = {}; no curvature of its head and no edge. {stays}",
+            grouped(case.steel.young()),
+            case.steel.poisson()
+        ),
+        format!(
+            "Wheel: elliptical Hertzian contact in full sliding, p_{{0}} = {} MPa, semi-axes {} mm along and {} mm across the rail, middle \
+             at z = {} mm, shear over pressure {} along x and {} along z. The contact is not affected by the crack.",
+            fixed(wheel.peak_pressure, 0),
+            fixed(wheel.half_width, 2),
+            fixed(wheel.lateral_half_width, 2),
+            fixed(wheel.lateral, 2),
+            wheel.friction,
+            wheel.lateral_friction
+        ),
+        format!(
+            "Crack faces: unilateral contact with Coulomb friction {} in two directions, slip by backward Euler in load steps until K \
+             changes by less than {} of its peak.",
+            case.crack_friction.first().copied().unwrap_or(0.0),
+            case.passages.step_tolerance
+        ),
+        format!(
+            "Growth: da/dN = {} mm per cycle at each point of the front, with K_{{III}} in the equivalent range. The front stays an ellipse in its \
+             plane: of all ellipses the one is taken that grows nearest to the local rates. Points within {:.0}° of the surface do not count: \
+             K has a layer there that no cell resolves.",
+            case.growth.law.rate.formula(),
+            VERTEX_LAYER.to_degrees()
+        ),
+        format!(
+            "Solution: Galerkin boundary elements, {} points of the faces; contact solved {} times, with a relative violation of its \
+             conditions of at most {:.0e}.",
+            run.summary.face_points,
+            grouped(run.summary.contact_solves as f64),
+            run.summary.complementarity_max
+        ),
+        "Limits: one plane crack, growth in its plane, small-scale yielding, no fluid, no wear. The load cycles carry the scatter of the \
+         growth law, a factor of several."
+            .to_owned(),
+    ]
+}
+
+fn explorer(run: &RunFolder, space: &SpaceCase, shown: &ShownRun, plots: &[Plot]) -> Section {
+    let data = data(run, space, shown);
+    let mut blocks =
+        vec![Block::Viewer { html: EXPLORER, data_id: "space-data", data, script: EXPLORER_SCRIPT }];
+    let stills = ["ki.svg", "kii.svg", "kiii.svg", "paths.svg"].map(|file| still(plots, file, ""));
+    blocks.extend(stills.into_iter().flatten());
+    Section { id: "passage".to_owned(), heading: "Passage of the wheel".to_owned(), blocks }
+}
+
+fn data(run: &RunFolder, space: &SpaceCase, shown: &ShownRun) -> Value {
+    let steps: Vec<Value> = shown.steps().into_iter().map(|step| step_data(run, shown, step)).collect();
+    let xc_over_a: &[f64] = shown.histories(0).first().map_or(&[], |history| &history.xc_over_a);
+    let cracks = run.summary.cracks.first();
+    let origin = cracks.and_then(|crack| crack.initial_points_mm.first()).map_or(0.0, |p| p[0]);
+    json!({
+        "wheel": {
+            "half_width": number(space.wheel.half_width),
+            "lateral_half_width": number(space.wheel.lateral_half_width),
+            "lateral": number(space.wheel.lateral),
+        },
+        "origin": origin,
+        "dip": space.shape.dip,
+        "middle": number(space.shape.middle[0]),
+        "buried": space.shape.buried.is_some(),
+        "layer": VERTEX_LAYER.to_degrees(),
+        "positions": numbers(xc_over_a.iter().copied()),
+        "last_step": run.summary.steps_recorded.saturating_sub(1),
+        "steps": steps,
+    })
+}
+
+fn step_data(run: &RunFolder, shown: &ShownRun, step: usize) -> Value {
+    let rows: Vec<&TipRow> = run.growth.iter().filter(|row| row.step == step).collect();
+    let first = rows.first();
+    let point = |row: &&TipRow| {
+        let history = shown.histories(step).iter().find(|history| history.tip == row.tip);
+        let packed = |k: fn(&History) -> &[f64]| history.map(|history| Deflated::singles(k(history)));
+        json!({
+            "phi": number(row.phi_deg.unwrap_or(0.0)),
+            "x": number(row.place[0]),
+            "depth": number(-row.place[1]),
+            "z": number(row.lateral.unwrap_or(0.0)),
+            "delta_keq": number(row.delta_keq),
+            "rate": number(row.rate),
+            "wanted": row.wanted_kink_deg.map(number),
+            "ki": packed(|history| &history.ki),
+            "kii": packed(|history| &history.kii),
+            "kiii": packed(|history| &history.kiii),
+        })
+    };
+    json!({
+        "step": step,
+        "depth": first.map(|row| number(row.length)),
+        "half_length": first.and_then(|row| row.half_length).map(number),
+        "cycles": first.map(|row| row.load_cycles),
+        "front": rows.iter().map(point).collect::<Vec<_>>(),
+    })
+}
+
+fn steps(run: &RunFolder) -> Section {
+    let mut table = Table::new([
+        "Step",
+        "φ (°)",
+        "Half axis down the dip (mm)",
+        "Along the surface (mm)",
+        "ΔK_{eq} (MPa√m)",
+        "Rate (mm/cycle)",
+        "Increment (mm)",
+        "Of its own rate",
+        "Load cycles",
+        "Stop",
+    ]);
+    for row in run.growth.iter().take(TABLE_ROWS) {
+        table.row([
+            row.step.to_string(),
+            fixed(row.phi_deg.unwrap_or(0.0), 1),
+            fixed(row.length, 3),
+            fixed(row.half_length.unwrap_or(0.0), 3),
+            fixed(row.delta_keq, 3),
+            significant(row.rate),
+            fixed(row.increment, 4),
+            row.followed.map_or_else(String::new, |share| fixed(share, 2)),
+            grouped(row.load_cycles),
+            row.stop_word().replace('-', " "),
+        ]);
+    }
+    table.caption = "State at the start of each growth step; ranges over the stabilised passage".to_owned();
+    if run.growth.len() > TABLE_ROWS {
+        table.caption.push_str(&format!("; the first {TABLE_ROWS} rows of growth.csv"));
+    }
+    let heading = format!("{} rows", run.growth.len().min(TABLE_ROWS));
+    Section {
+        id: "steps".to_owned(),
+        heading: "All growth steps".to_owned(),
+        blocks: vec![Block::Folded { heading, blocks: vec![Block::Table(table)] }],
+    }
+}

@@ -1,0 +1,101 @@
+//! Fronts of cracks in space: what their records have beside those of tips in the plane.
+
+use serde::{Deserialize, Serialize};
+
+/// Shape of a planar crack in space: half of an ellipse that breaks the surface, or a whole one
+/// below it.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct FrontShape {
+    /// Angle between the plane and +x on the way down, radians.
+    pub dip: f64,
+    /// Half axis l along the dip, mm.
+    pub depth: f64,
+    /// Half axis c along the surface, mm.
+    pub half_length: f64,
+    /// x and lateral position (mm) of the middle of the trace of the plane in the surface.
+    pub middle: [f64; 2],
+    /// Distance (mm) of the middle of a buried ellipse from that trace, along the dip; none for a
+    /// crack that breaks the surface.
+    pub buried: Option<f64>,
+}
+
+/// A point of a front beside its [`TipRecord`](super::TipRecord).
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct FrontTip {
+    /// Parametric angle of the ellipse, radians: 0 at the end of larger lateral position, π/2 at
+    /// the deepest point.
+    pub phi: f64,
+    /// Lateral position, mm.
+    pub lateral: f64,
+    /// Half axis of the crack along the surface, mm.
+    pub half_length: f64,
+    /// Range of K_III, MPa √mm.
+    pub delta_kiii: f64,
+    /// Kink that the direction criterion would choose by K_I and K_II, radians; none where nothing
+    /// drives one. Growth stays in the plane.
+    pub wanted_kink: Option<f64>,
+    /// Growth rate of that kink over that straight ahead, both without mode III.
+    pub wanted_ratio: Option<f64>,
+    /// Whether the point counts in the growth of the front; the layer where the front meets the
+    /// surface does not.
+    pub counts: bool,
+    /// Its increment over what its own rate alone would make of it; none without growth, and where
+    /// it does not count.
+    pub followed: Option<f64>,
+}
+
+/// Increment of a front whose cycles are known once the speed at its end is.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct FrontInterval {
+    /// Which of the motions of the front set the pace.
+    pub motion: FrontMotion,
+    /// Its speed at the start, mm per cycle.
+    pub speed: f64,
+    /// Cycles by that speed alone.
+    pub cycles: f64,
+    /// Whether it has that number of cycles, whatever the speed at its end.
+    pub is_settled: bool,
+}
+
+/// Motions of an elliptical front.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum FrontMotion {
+    /// Down the dip; of a buried crack, the end further down.
+    Down,
+    /// Up the dip, of a buried crack.
+    Up,
+    /// Towards larger lateral positions.
+    Plus,
+    /// Towards smaller ones.
+    Minus,
+}
+
+/// A crack in space between two steps.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct FrontState {
+    /// Its shape at the start of the step to compute next.
+    pub shape: FrontShape,
+    /// The increment that led to it.
+    pub interval: Option<FrontInterval>,
+}
+
+/// Faces of a crack in space beside their [`FaceRecord`](super::FaceRecord).
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct FaceAcross {
+    /// Lateral position of each face point, mm.
+    pub lateral: Vec<f64>,
+    /// `states[position][point]`: slip along the trace (mm), and the shear stress transmitted
+    /// along it (MPa).
+    pub states: Vec<Vec<[f64; 2]>>,
+}
+
+/// A crack in space at one step.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FrontRecord {
+    /// Its shape.
+    pub shape: FrontShape,
+    /// Corners of its cells: face points, then the points of the front.
+    pub cells: Vec<[usize; 4]>,
+    /// Output positions (from 0) whose jumps are written.
+    pub written: Vec<usize>,
+}

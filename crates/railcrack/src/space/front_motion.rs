@@ -1,0 +1,219 @@
+//! Growth of an elliptical front by the rates along it.
+//!
+//! The front stays an ellipse. Its motions are the speeds of its ends: down the dip and to both
+//! sides, and up the dip where it is buried. Of all motions without a retreating end, the one is
+//! taken whose normal speed is nearest to the local rates, in the mean square along the front.
+
+use super::body::FrontPoint;
+use crate::growth::{FrontMotion, FrontShape};
+use std::f64::consts::PI;
+
+/// Half of the layer (radians of φ) in which the front meets the surface: no cell resolves it.
+pub const VERTEX_LAYER: f64 = 15.0 * PI / 180.0;
+
+/// The speeds of an elliptical front, mm per cycle, or their increments, mm.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct FrontSpeeds {
+    motions: Vec<(FrontMotion, f64)>,
+}
+
+/// Whether the point at φ counts in the growth of `shape`.
+pub(super) fn counts(shape: &FrontShape, phi: f64) -> bool {
+    // Points at the limit itself count, whatever the round-off.
+    let least = VERTEX_LAYER - 1e-9;
+    shape.buried.is_some() || (phi >= least && phi <= PI - least)
+}
+
+fn motions(shape: &FrontShape) -> &'static [FrontMotion] {
+    const ALL: [FrontMotion; 4] =
+        [FrontMotion::Down, FrontMotion::Plus, FrontMotion::Minus, FrontMotion::Up];
+    if shape.buried.is_some() { &ALL } else { &ALL[..3] }
+}
+
+/// The normal speed of the front at φ under a unit speed of `motion`.
+fn normal_speed(shape: &FrontShape, motion: FrontMotion, point: &FrontPoint) -> f64 {
+    let (sin, cos) = point.phi.sin_cos();
+    let [down, along] = point.normal;
+    match motion {
+        // The mouth of a crack that breaks the surface stays where it is.
+        FrontMotion::Down if shape.buried.is_none() => down * sin,
+        FrontMotion::Down => 0.5 * down * (sin + 1.0),
+        FrontMotion::Up => 0.5 * down * (sin - 1.0),
+        FrontMotion::Plus => 0.5 * along * (cos + 1.0),
+        FrontMotion::Minus => 0.5 * along * (cos - 1.0),
+    }
+}
+
+impl FrontSpeeds {
+    /// The motion of `shape` nearest to `rates` (mm per cycle) at the points of its `front`; those
+    /// in the layer at the surface do not count.
+    pub fn nearest(shape: &FrontShape, front: &[FrontPoint], rates: &[f64]) -> Self {
+        let motions = motions(shape);
+        let weights = arc_lengths(shape, front);
+        let rows: Vec<(Vec<f64>, f64, f64)> = front
+            .iter()
+            .zip(rates)
+            .zip(weights)
+            .filter(|((point, _), _)| counts(shape, point.phi))
+            .map(|((point, rate), weight)| {
+                (motions.iter().map(|&motion| normal_speed(shape, motion, point)).collect(), *rate, weight)
+            })
+            .collect();
+        // Every set of ends that move, of which there are sixteen at most.
+        let sets = (0u32..1 << motions.len()).filter_map(|set| {
+            let moving: Vec<usize> = (0..motions.len()).filter(|k| set >> k & 1 == 1).collect();
+            let speeds = least_squares(&rows, &moving)?;
+            speeds.iter().all(|speed| *speed >= 0.0).then(|| {
+                let mut all = vec![0.0; motions.len()];
+                moving.iter().zip(speeds).for_each(|(&k, speed)| all[k] = speed);
+                let error: f64 = rows.iter().map(|(n, rate, w)| w * (crate::math::dot(n, &all) - rate).powi(2)).sum();
+                (error, all)
+            })
+        });
+        let best = sets.reduce(|a, b| if b.0 < a.0 { b } else { a });
+        let speeds = best.map_or_else(|| vec![0.0; motions.len()], |(_, speeds)| speeds);
+        Self { motions: motions.iter().copied().zip(speeds).collect() }
+    }
+
+    /// The fastest motion and its speed.
+    pub fn fastest(&self) -> Option<(FrontMotion, f64)> {
+        let moving = self.motions.iter().copied().filter(|(_, speed)| *speed > 0.0);
+        moving.reduce(|a, b| if b.1 > a.1 { b } else { a })
+    }
+
+    /// The speed of `motion`.
+    pub fn of(&self, motion: FrontMotion) -> f64 {
+        self.motions.iter().find(|(other, _)| *other == motion).map_or(0.0, |(_, speed)| *speed)
+    }
+
+    /// The normal speed at a point of the front.
+    pub fn at(&self, shape: &FrontShape, point: &FrontPoint) -> f64 {
+        self.motions.iter().map(|(motion, speed)| speed * normal_speed(shape, *motion, point)).sum()
+    }
+
+    /// `shape` after these speeds for `cycles`.
+    pub fn moved(&self, shape: &FrontShape, cycles: f64) -> FrontShape {
+        let by = |motion| cycles * self.of(motion);
+        let (left, right) = (by(FrontMotion::Plus), by(FrontMotion::Minus));
+        let (down, up) = (by(FrontMotion::Down), by(FrontMotion::Up));
+        FrontShape {
+            depth: shape.depth + if shape.buried.is_some() { 0.5 * (down + up) } else { down },
+            half_length: shape.half_length + 0.5 * (left + right),
+            middle: [shape.middle[0], shape.middle[1] + 0.5 * (left - right)],
+            buried: shape.buried.map(|centre| centre + 0.5 * (down - up)),
+            ..*shape
+        }
+    }
+}
+
+/// The length of front that each point stands for, mm.
+fn arc_lengths(shape: &FrontShape, front: &[FrontPoint]) -> Vec<f64> {
+    let distance = |a: &FrontPoint, b: &FrontPoint| {
+        let [x, y, z]: [f64; 3] = std::array::from_fn(|i| a.position[i] - b.position[i]);
+        x.hypot(y).hypot(z)
+    };
+    let count = front.len();
+    let neighbour = |from: usize, to: Option<usize>| to.map_or(0.0, |to| distance(&front[from], &front[to]));
+    let is_closed = shape.buried.is_some();
+    (0..count)
+        .map(|i| {
+            let before = if i > 0 { Some(i - 1) } else { is_closed.then_some(count - 1) };
+            let after = if i + 1 < count { Some(i + 1) } else { is_closed.then_some(0) };
+            0.5 * (neighbour(i, before) + neighbour(i, after))
+        })
+        .collect()
+}
+
+/// The speeds of the `moving` motions; none where they are not determined.
+fn least_squares(rows: &[(Vec<f64>, f64, f64)], moving: &[usize]) -> Option<Vec<f64>> {
+    let order = moving.len();
+    let mut matrix = vec![vec![0.0; order + 1]; order];
+    for (normal, rate, weight) in rows {
+        for (i, &a) in moving.iter().enumerate() {
+            for (j, &b) in moving.iter().enumerate() {
+                matrix[i][j] += weight * normal[a] * normal[b];
+            }
+            matrix[i][order] += weight * normal[a] * rate;
+        }
+    }
+    // Elimination without exchange: the matrix is positive definite.
+    for k in 0..order {
+        let pivot = matrix[k][k];
+        if pivot.is_nan() || pivot <= 0.0 {
+            return None;
+        }
+        for i in 0..order {
+            if i != k {
+                let factor = matrix[i][k] / pivot;
+                for j in k..=order {
+                    let above = matrix[k][j];
+                    matrix[i][j] -= factor * above;
+                }
+            }
+        }
+    }
+    Some((0..order).map(|k| matrix[k][order] / matrix[k][k]).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn shape(buried: Option<f64>) -> FrontShape {
+        FrontShape { dip: 0.5, depth: 3.0, half_length: 5.0, middle: [0.0, 1.0], buried }
+    }
+
+    fn front(shape: &FrontShape, count: usize) -> Vec<FrontPoint> {
+        let last = if shape.buried.is_some() { 2.0 * PI } else { PI };
+        let step = last / if shape.buried.is_some() { count as f64 } else { count as f64 - 1.0 };
+        let point = |i: usize| {
+            let phi = step * i as f64;
+            let (sin, cos) = phi.sin_cos();
+            let normal = [sin / shape.depth, cos / shape.half_length];
+            let size = normal[0].hypot(normal[1]);
+            FrontPoint {
+                phi,
+                position: [0.0, shape.half_length * cos, shape.depth * sin],
+                normal: normal.map(|n| n / size),
+            }
+        };
+        (0..count).map(point).collect()
+    }
+
+    #[test]
+    fn an_ellipse_that_grows_as_one_is_found() {
+        for buried in [None, Some(10.0)] {
+            let shape = shape(buried);
+            let front = front(&shape, 17);
+            let wanted = FrontSpeeds {
+                motions: motions(&shape).iter().copied().zip([1e-6, 3e-6, 2e-6, 5e-7]).collect(),
+            };
+            let rates: Vec<f64> = front.iter().map(|point| wanted.at(&shape, point)).collect();
+            let found = FrontSpeeds::nearest(&shape, &front, &rates);
+            for &(motion, speed) in &wanted.motions {
+                assert!((found.of(motion) - speed).abs() < 1e-16, "{motion:?} {found:?}");
+            }
+            assert_eq!(found.fastest().unwrap().0, FrontMotion::Plus);
+            // Each end goes by its own speed.
+            let grown = found.moved(&shape, 1e6);
+            let ends = |of: &FrontShape| {
+                [of.middle[1] + of.half_length, of.middle[1] - of.half_length, of.buried.unwrap_or(0.0) + of.depth]
+            };
+            let by: Vec<f64> = ends(&grown).iter().zip(ends(&shape)).map(|(a, b)| a - b).collect();
+            assert!((by[0] - 3.0).abs() < 1e-9 && (by[1] + 2.0).abs() < 1e-9 && (by[2] - 1.0).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn no_end_retreats_and_the_layer_at_the_surface_does_not_count() {
+        let shape = shape(None);
+        let front = front(&shape, 33);
+        let at = |rate: fn(f64) -> f64| front.iter().map(|point| rate(point.phi)).collect::<Vec<f64>>();
+        // Fast at one side only.
+        let found = FrontSpeeds::nearest(&shape, &front, &at(|phi| if phi < 0.5 * PI { 1e-6 } else { 0.0 }));
+        assert!(found.motions.iter().all(|(_, speed)| *speed >= 0.0), "{found:?}");
+        assert!(found.of(FrontMotion::Plus) > 1e-7 && found.of(FrontMotion::Minus) == 0.0, "{found:?}");
+        let found = FrontSpeeds::nearest(&shape, &front, &at(|phi| if phi < 0.2 { 1.0 } else { 0.0 }));
+        assert_eq!(found.fastest(), None);
+    }
+}

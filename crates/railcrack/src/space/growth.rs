@@ -1,0 +1,381 @@
+//! Growth of a planar crack in space, step by step: passages, rates along the front, the next
+//! ellipse.
+
+use super::body::{SpaceBody, SpaceError, SpaceKernel};
+use super::contact::{SpaceContact, SpaceContactError};
+use super::front_motion::{FrontSpeeds, counts};
+use super::grid::SpaceResolution;
+use super::nuclei::Symmetric;
+use super::passage::SpaceLoad;
+use super::records::{StepOf, face_record, passage_record};
+use super::shape::{Extent, ShapeError, SpaceCrack};
+use super::stabilised::{StabilisedSpace, stabilised_space_passage};
+use super::tips::{FrontDrive, FrontLaw};
+use super::wheel::EllipticWheel;
+use crate::body::BodyError;
+use crate::crack::{Crack, CrackError};
+use crate::field::StressField;
+use crate::growth::{
+    FieldSettings, FrontInterval, FrontRecord, FrontShape, FrontState, GrowthError, GrowthSettings,
+    GrowthState, Observer, PassageSettings, PhaseTimes, RunStop, StepRecord, TipJudge, TipStop, Warning,
+    WarningKind,
+};
+use crate::interruption::Interruption;
+use crate::material::IsotropicElastic;
+use crate::math::{RailBox, Vec2};
+use std::sync::Arc;
+use std::time::Instant;
+
+/// Distance of the wheel positions at which nodal forces are computed, over the half-width.
+const STATION: f64 = 0.1;
+/// A K_I that falls below zero by this share of the largest K is worth a warning.
+const OVERLAP: f64 = 0.02;
+/// Rates that differ from those of the ellipse by this share of the largest are worth a warning.
+const MISFIT: f64 = 0.25;
+/// Cycles that fall short by this fraction are the cycles asked for.
+const CYCLES_ROUNDING: f64 = 1e-12;
+/// The ligament of a buried crack to the surface, over its half axis, that is used up.
+const LIGAMENT: f64 = 0.05;
+
+/// Everything that decides how a crack in space grows.
+pub struct SpaceProblem {
+    /// The steel.
+    pub steel: IsotropicElastic,
+    /// The wheel.
+    pub wheel: EllipticWheel,
+    /// Stress of the rail that stays between passages: of depth alone, the same at all lateral
+    /// positions.
+    pub residual: Option<Box<dyn StressField>>,
+    /// Crack-face friction coefficient.
+    pub friction: f64,
+    /// Cells of the crack.
+    pub resolution: SpaceResolution,
+    /// Passages of the wheel.
+    pub passages: PassageSettings,
+    /// Rate, limits, and the criterion of direction that is reported.
+    pub growth: GrowthSettings,
+    /// Weight of mode III in the range of Hourlier and Pineau; none: by its energy release rate.
+    pub mode_3_weight: Option<f64>,
+    /// Positions and steps of which jumps are written.
+    pub fields: Option<FieldSettings>,
+    /// The rail.
+    pub rail: RailBox,
+}
+
+/// The growth of a crack in space; each step is computed on virgin faces.
+pub struct SpaceGrowth {
+    problem: SpaceProblem,
+    judge: Option<Arc<dyn TipJudge>>,
+    state: GrowthState,
+    kernel: Option<SpaceKernel>,
+}
+
+impl FrontShape {
+    /// The crack of this shape.
+    ///
+    /// Errors: an inadmissible shape.
+    pub fn crack(&self) -> Result<SpaceCrack, ShapeError> {
+        let extent = self.buried.map_or(Extent::SurfaceBreaking, |centre| Extent::Buried { centre });
+        let crack = SpaceCrack {
+            dip: self.dip,
+            half_length: self.half_length,
+            depth: self.depth,
+            middle: self.middle,
+            extent,
+            deviation: Vec::new(),
+        };
+        crack.checked()
+    }
+
+    /// The cut of the crack along the rail through its middle.
+    ///
+    /// Errors: an inadmissible shape.
+    pub fn section(&self) -> Result<Crack, CrackError> {
+        let Some(centre) = self.buried else {
+            return Crack::surface_breaking(self.middle[0], self.depth, self.dip);
+        };
+        let at = |s: f64| Vec2::new(self.middle[0], 0.0) + Vec2::unit(-self.dip) * s;
+        Crack::polyline(vec![at(centre - self.depth), at(centre + self.depth)])
+    }
+}
+
+impl GrowthState {
+    /// The beginning of a run with a crack in space.
+    ///
+    /// Errors: an inadmissible shape.
+    pub fn initial_in_space(shape: FrontShape) -> Result<Self, CrackError> {
+        let section = shape.section()?;
+        let network = crate::crack::CrackNetwork::new(vec![section]).map_err(|_| CrackError::TooFewPoints { count: 0 })?;
+        Ok(Self { front: Some(FrontState { shape, interval: None }), ..Self::initial(&network) })
+    }
+}
+
+fn body_error(step: usize, reason: impl std::error::Error + Send + Sync + 'static) -> GrowthError {
+    GrowthError::Body { step, source: BodyError { reason: Box::new(reason) } }
+}
+
+fn of_contact(step: usize, error: SpaceContactError) -> GrowthError {
+    match error {
+        SpaceContactError::Interrupted(_) => GrowthError::Interrupted { step },
+        other => body_error(step, other),
+    }
+}
+
+impl SpaceGrowth {
+    /// The growth under `problem` from `state` on, which has a crack in space.
+    #[must_use]
+    pub fn new(problem: SpaceProblem, state: GrowthState) -> Self {
+        Self { problem, judge: None, state, kernel: None }
+    }
+
+    /// Has `judge` give the rate of every front point, by its K_I and K_II.
+    #[must_use]
+    pub fn judged_by(self, judge: Arc<dyn TipJudge>) -> Self {
+        Self { judge: Some(judge), ..self }
+    }
+
+    /// The state after the last computed step.
+    pub fn state(&self) -> &GrowthState {
+        &self.state
+    }
+
+    /// Computes the next step; `None` when the run has ended. On an error the state is that before
+    /// the step.
+    ///
+    /// Errors: settings, a crack that cannot be computed, a contact that does not converge, an
+    /// interruption.
+    pub fn next_step(&mut self, observer: &dyn Observer) -> Result<Option<StepRecord>, GrowthError> {
+        let Some(front) = self.state.front.filter(|_| self.state.ended.is_none()) else { return Ok(None) };
+        self.problem.passages.check()?;
+        self.problem.growth.check()?;
+        let step = self.state.step;
+        let shape = front.shape;
+        let started = Instant::now();
+        let crack = shape.crack().map_err(|error| body_error(step, error))?;
+        let section = shape.section().map_err(|error| body_error(step, error))?;
+        let body = self.body(&crack, step, observer)?;
+        let body_s = started.elapsed().as_secs_f64();
+
+        let started = Instant::now();
+        let contact = SpaceContact { body: &body, friction: self.problem.friction };
+        let poisson = self.problem.steel.poisson();
+        let wheel = |position: f64, point: [f64; 3]| self.problem.wheel.stress(position, point, poisson);
+        let stays = |point: [f64; 3]| residual_stress(self.problem.residual.as_deref(), point);
+        let load = SpaceLoad {
+            wheel: &wheel,
+            constant: self.problem.residual.is_some().then_some(&stays as &super::passage::StressAt),
+            station: STATION * self.problem.wheel.half_width,
+        };
+        let passage = stabilised_space_passage(&contact, &load, &self.problem.passages, observer)
+            .map_err(|error| of_contact(step, error))?;
+        let contact_s = started.elapsed().as_secs_f64();
+
+        let started = Instant::now();
+        let law = FrontLaw {
+            growth: &self.problem.growth,
+            poisson,
+            mode_3_weight: self.problem.mode_3_weight,
+            judge: self.judge.as_deref(),
+        };
+        let drive = FrontDrive::new(&law, &shape, body.front(), &passage);
+        let speeds = FrontSpeeds::nearest(&shape, body.front(), &drive.growing);
+        let load_cycles = self.state.load_cycles + self.passed(front.interval, &speeds);
+        let way = self.way(&shape, &speeds, &drive, load_cycles);
+        let tips = StepOf { shape, body: &body }.tips(drive, &speeds, &way);
+        let mut warnings = self.warnings(&passage, step);
+        warnings.extend(misfit(&tips, &speeds, &shape, body.front(), step));
+        let record = StepRecord {
+            step,
+            cracks: vec![section],
+            junctions: Vec::new(),
+            passages: passage.passages.iter().map(passage_record).collect(),
+            beside: Vec::new(),
+            faces: face_record(&body, &passage),
+            fields: None,
+            front: Some(FrontRecord {
+                shape,
+                cells: body.cells().to_vec(),
+                written: self.written(&passage, step),
+            }),
+            load_cycles,
+            removed: 0.0,
+            dofs: 3 * body.points().len(),
+            counts: passage.counts,
+            times: PhaseTimes {
+                body_s,
+                contact_s,
+                growth_s: started.elapsed().as_secs_f64(),
+                ..PhaseTimes::default()
+            },
+            pieces: Vec::new(),
+            warnings,
+            stop: way.stop,
+            tips,
+        };
+        self.state.step += 1;
+        self.state.load_cycles = load_cycles;
+        self.state.ended = way.stop;
+        self.state.front = Some(FrontState { shape: way.shape, interval: way.interval });
+        if let Ok(section) = way.shape.section() {
+            self.state.cracks = vec![section];
+        }
+        Ok(Some(record))
+    }
+
+    fn body(
+        &mut self,
+        crack: &SpaceCrack,
+        step: usize,
+        observer: &dyn Observer,
+    ) -> Result<SpaceBody, GrowthError> {
+        let asked = || observer.interrupted();
+        let steel = self.problem.steel;
+        let kernel = self.kernel.get_or_insert_with(|| SpaceKernel::new(crack.dip, steel.poisson()));
+        let interruption = Interruption::when(&asked);
+        let body =
+            SpaceBody::with_kernel(crack, &steel, Some(kernel), self.problem.resolution, interruption);
+        body.map_err(|error| match error {
+            SpaceError::Interrupted(_) => GrowthError::Interrupted { step },
+            SpaceError::Linear(_) if observer.interrupted() => GrowthError::Interrupted { step },
+            other => body_error(step, other),
+        })
+    }
+
+    /// Cycles of the increment that led here: the trapezoidal rule in the inverse of the speed.
+    fn passed(&self, interval: Option<FrontInterval>, speeds: &FrontSpeeds) -> f64 {
+        let Some(interval) = interval else { return 0.0 };
+        let end = speeds.of(interval.motion);
+        let slowest = self.problem.growth.arrest_rate;
+        if interval.is_settled || end <= 0.0 || end < slowest {
+            return interval.cycles;
+        }
+        0.5 * interval.cycles * (1.0 + interval.speed / end)
+    }
+
+    /// The way to the next step.
+    fn way(&self, shape: &FrontShape, speeds: &FrontSpeeds, drive: &FrontDrive, load_cycles: f64) -> Way {
+        let growth = &self.problem.growth;
+        let stays = |stop| Way { shape: *shape, interval: None, cycles: 0.0, stop: Some(stop) };
+        if drive.breaks {
+            return stays(RunStop::Fracture);
+        }
+        if growth.critical_length.is_some_and(|critical| shape.depth >= critical) {
+            return stays(RunStop::CriticalLength);
+        }
+        let most = growth.stop_after_cycles.unwrap_or(f64::INFINITY);
+        if load_cycles >= most * (1.0 - CYCLES_ROUNDING) {
+            return stays(RunStop::Cycles);
+        }
+        if self.state.step >= growth.steps {
+            return stays(RunStop::StepsDone);
+        }
+        let Some((motion, speed)) = speeds.fastest() else {
+            return stays(RunStop::NoTipGrows(TipStop::Arrest));
+        };
+        let (wanted, left) = (growth.increment * shape.depth / speed, most - load_cycles);
+        let (cycles, is_settled) = if wanted <= left { (wanted, false) } else { (left, true) };
+        let next = speeds.moved(shape, cycles);
+        if let Some(stop) = self.leaves(&next) {
+            return stays(RunStop::NoTipGrows(stop));
+        }
+        let interval = FrontInterval { motion, speed, cycles, is_settled };
+        Way { shape: next, interval: Some(interval), cycles, stop: None }
+    }
+
+    /// Whether a crack of this shape would leave the rail, or has no ligament left.
+    fn leaves(&self, shape: &FrontShape) -> Option<TipStop> {
+        let rail = self.problem.rail;
+        let deepest = shape.buried.unwrap_or(0.0) + shape.depth;
+        let (depth, x) = (deepest * shape.dip.sin(), shape.middle[0] + deepest * shape.dip.cos());
+        let inside = depth < rail.depth && (x - rail.centre).abs() < 0.5 * rail.width;
+        if !inside {
+            return Some(TipStop::LeavesRail);
+        }
+        let spent = shape.buried.is_some_and(|centre| centre - shape.depth < LIGAMENT * shape.depth);
+        spent.then_some(TipStop::BreakOut)
+    }
+
+    /// The output positions whose jumps are written in this step.
+    fn written(&self, passage: &StabilisedSpace, step: usize) -> Vec<usize> {
+        let wanted = self.problem.fields.as_ref().filter(|fields| step.is_multiple_of(fields.every.get()));
+        let Some((fields, history)) = wanted.zip(passage.passages.last()) else { return Vec::new() };
+        let nearest = |at: &f64| {
+            let distance = |x: &f64| (x - at).abs();
+            let all = history.positions.iter().enumerate();
+            all.min_by(|a, b| distance(a.1).total_cmp(&distance(b.1))).map(|(i, _)| i)
+        };
+        let mut positions: Vec<usize> = fields.positions.iter().filter_map(nearest).collect();
+        positions.sort_unstable();
+        positions.dedup();
+        positions
+    }
+
+    fn warnings(&self, passage: &StabilisedSpace, step: usize) -> Vec<Warning> {
+        let mut warnings = Vec::new();
+        let tolerance = self.problem.passages.passage_tolerance;
+        if let Some(change) = passage.last_change.filter(|change| *change > tolerance) {
+            let text = format!(
+                "K still changes by {change:.2e} of its peak after {} passages, tolerance {tolerance:.1e}",
+                passage.counts.passages
+            );
+            warnings.push(Warning { step, kind: WarningKind::Passages, text });
+        }
+        if let Some(last) = passage.passages.last() {
+            let lowest = last.sifs.iter().flatten().map(|k| k.ki).fold(0.0, f64::min);
+            let share = lowest / last.peak().max(f64::MIN_POSITIVE);
+            if share < -OVERLAP {
+                let text = format!(
+                    "K_I goes down to {:.1} % of the largest K of the step, as if the faces overlapped ahead of the front; K is \
+                     known to that amount, and more cells ([mesh] space_cells, space_rings) resolve it",
+                    100.0 * share
+                );
+                warnings.push(Warning { step, kind: WarningKind::Engine, text });
+            }
+        }
+        warnings
+    }
+}
+
+/// The way from one step to the next.
+pub(super) struct Way {
+    /// The shape of the next step.
+    pub shape: FrontShape,
+    pub interval: Option<FrontInterval>,
+    /// Cycles by the speeds at the start of the step: what the front is grown by.
+    pub cycles: f64,
+    pub stop: Option<RunStop>,
+}
+
+/// The stress that stays, of the plane fields of the rail: x, lateral and depth.
+fn residual_stress(field: Option<&dyn StressField>, [x, _, depth]: [f64; 3]) -> Symmetric {
+    let Some(field) = field else { return [0.0; 6] };
+    let stress = field.stress(Vec2::new(x, -depth));
+    // y points up there, the depth down here; its z is lateral.
+    [stress.xx, stress.zz, stress.yy, 0.0, -stress.xy, 0.0]
+}
+
+/// Local rates that no ellipse follows.
+fn misfit(
+    tips: &[crate::growth::TipRecord],
+    speeds: &FrontSpeeds,
+    shape: &FrontShape,
+    front: &[super::body::FrontPoint],
+    step: usize,
+) -> Option<Warning> {
+    let counted = tips.iter().zip(front).filter(|(_, point)| counts(shape, point.phi));
+    let (mut most, mut largest) = (0.0f64, 0.0f64);
+    for (tip, point) in counted {
+        let rate = if tip.stop == Some(TipStop::Arrest) { 0.0 } else { tip.rate };
+        most = most.max((rate - speeds.at(shape, point)).abs());
+        largest = largest.max(rate);
+    }
+    (largest > 0.0 && most > MISFIT * largest).then(|| Warning {
+        step,
+        kind: WarningKind::Engine,
+        text: format!(
+            "the front would leave its ellipse: its rates differ from those of the nearest growing ellipse by up to {:.0} % of \
+             the largest",
+            100.0 * most / largest
+        ),
+    })
+}

@@ -1,0 +1,84 @@
+//! The stabilised passage over a crack in space.
+
+use super::body::FrontSif;
+use super::contact::{SpaceContact, SpaceContactError};
+use super::passage::{SpaceHistory, SpaceLoad, SpacePassageSettings, SpacePassages};
+use crate::contact::StepControl;
+use crate::growth::{Observer, PassageSettings, SolverCounts};
+
+/// How often an interval between two output positions may be halved.
+const HALVINGS: usize = 7;
+
+/// Passages until the history repeats.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StabilisedSpace {
+    /// All passages, the stabilised one last.
+    pub passages: Vec<SpaceHistory>,
+    /// K between two passages, after the last one, MPa √mm.
+    pub between: Vec<FrontSif>,
+    /// Effort of all passages.
+    pub counts: SolverCounts,
+    /// Change of K between the last two passages relative to its peak; none after a single one.
+    pub last_change: Option<f64>,
+}
+
+/// Computes passages over the faces of `contact` until K changes by less than the tolerance.
+///
+/// Load steps are controlled by the peak of K in a first passage of one step from position to
+/// position, which is not counted.
+///
+/// Errors: a contact that does not converge; an interruption by `observer`.
+pub fn stabilised_space_passage(
+    contact: &SpaceContact,
+    load: &SpaceLoad,
+    settings: &PassageSettings,
+    observer: &dyn Observer,
+) -> Result<StabilisedSpace, SpaceContactError> {
+    let passages = SpacePassages::new(contact, load, settings.passage, observer)?;
+    let mut faces = contact.virgin();
+    let coarse = SpacePassageSettings { tolerance: f64::INFINITY, halvings: 0 };
+    let fine = match settings.step_control {
+        StepControl::Fixed => coarse,
+        StepControl::Adaptive => {
+            let guarded = SpacePassageSettings { halvings: HALVINGS, ..coarse };
+            let peak = match passages.pass(&coarse, &mut contact.virgin()) {
+                Err(SpaceContactError::NotConverged { .. }) => passages.pass(&guarded, &mut contact.virgin()),
+                peak => peak,
+            }?
+            .peak();
+            let tolerance = (settings.step_tolerance * peak).max(f64::MIN_POSITIVE);
+            SpacePassageSettings { tolerance, halvings: HALVINGS, ..coarse }
+        }
+    };
+    let mut histories: Vec<SpaceHistory> = Vec::new();
+    let mut last_change = None;
+    while histories.len() < settings.max_passages {
+        let history = passages.pass(&fine, &mut faces)?;
+        if let Some(before) = histories.last() {
+            let peak = history.peak().max(f64::MIN_POSITIVE);
+            last_change = Some(history.difference(before) / peak);
+        }
+        histories.push(history);
+        if last_change.is_some_and(|change| change <= settings.passage_tolerance) {
+            break;
+        }
+    }
+    let outputs = settings.passage.positions;
+    let counts = histories.iter().fold(SolverCounts::default(), |sum, history| {
+        let one = SolverCounts {
+            passages: 0,
+            substeps: history.steps.saturating_sub(outputs + 2),
+            solves: history.steps,
+            iterations: history.iterations,
+            iterations_max: history.iterations_max,
+            complementarity_max: history.violation,
+        };
+        sum.and(one)
+    });
+    Ok(StabilisedSpace {
+        between: contact.body.sifs_of_jumps(&faces.jumps),
+        counts: SolverCounts { passages: histories.len(), ..counts },
+        passages: histories,
+        last_change,
+    })
+}
