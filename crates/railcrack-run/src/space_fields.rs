@@ -1,6 +1,7 @@
 //! A crack in space as a file of VTK: its faces with jumps, its front with K.
 
-use super::field_files::field_file;
+use super::field_names::name_in_space;
+use super::files::FIELDS_FOLDER;
 use railcrack::contact::FaceStatus;
 use railcrack::growth::{FaceAcross, FrontRecord, PassageRecord, StepRecord};
 use railcrack::math::{MPA_SQRT_MM, Vec2};
@@ -13,7 +14,8 @@ pub(crate) fn space_grids(record: &StepRecord) -> impl Iterator<Item = (usize, S
     parts.into_iter().flat_map(move |((front, across), passage)| {
         front.written.iter().map(move |&position| {
             let grid = grid_of(record, front, across, passage, position);
-            (position + 1, field_file(record.step, position + 1), grid)
+            let file = format!("{FIELDS_FOLDER}/{}", name_in_space(record.step, position + 1));
+            (position + 1, file, grid)
         })
     })
 }

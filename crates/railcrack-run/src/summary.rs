@@ -77,6 +77,23 @@ pub struct CrackSummary {
     pub path_mm: Option<Vec<[f64; 2]>>,
 }
 
+/// A crack in space in the first and in the last finished step.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct FrontSummary {
+    /// Half axis down the dip in step 0, mm.
+    pub initial_length_mm: f64,
+    /// Half axis along the surface in step 0, mm.
+    pub initial_surface_half_length_mm: f64,
+    /// Half axis down the dip, mm.
+    pub length_mm: f64,
+    /// Half axis along the surface, mm.
+    pub surface_half_length_mm: f64,
+    /// Depth of the deepest point of the front, mm.
+    pub depth_mm: f64,
+    /// Lateral positions of its ends, mm.
+    pub z_mm: [f64; 2],
+}
+
 /// A piece of the rail that cracks, or cracks and the running surface, enclose.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PieceSummary {
@@ -209,6 +226,9 @@ pub struct Summary {
     pub tips: Vec<TipSummary>,
     /// Paths.
     pub cracks: Vec<CrackSummary>,
+    /// The crack in space; left out in the plane.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub front: Option<FrontSummary>,
     /// Where cracks have joined each other.
     #[serde(default)]
     pub junctions: Vec<JunctionSummary>,
@@ -290,12 +310,32 @@ impl Summary {
                     path_mm: log.now.paths.get(i).map(|path| points(path)),
                 })
                 .collect(),
+            front: front(steps),
             junctions: log.now.junctions.iter().map(|junction| junction_summary(junction, log)).collect(),
             pieces: log.pieces().map(piece_summary).collect(),
             checksums: BTreeMap::new(),
             outcome: None,
         }
     }
+}
+
+/// The crack in space of a run there.
+fn front(steps: &[StepDigest]) -> Option<FrontSummary> {
+    let (first, last) = (steps.first()?, steps.last()?);
+    let axes = |step: &StepDigest| {
+        let tip = step.tips.first()?;
+        Some((tip.length, tip.front?.half_length))
+    };
+    let (initial, now) = (axes(first)?, axes(last)?);
+    let lateral = || last.tips.iter().filter_map(|tip| Some(tip.front?.lateral));
+    Some(FrontSummary {
+        initial_length_mm: initial.0,
+        initial_surface_half_length_mm: initial.1,
+        length_mm: now.0,
+        surface_half_length_mm: now.1,
+        depth_mm: last.tips.iter().map(|tip| -tip.y).fold(0.0, f64::max),
+        z_mm: [lateral().fold(f64::INFINITY, f64::min), lateral().fold(f64::NEG_INFINITY, f64::max)],
+    })
 }
 
 /// The largest k1 of all steps and tips.

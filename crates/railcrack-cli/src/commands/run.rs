@@ -211,7 +211,18 @@ pub fn result_text(finished: &Finished) -> String {
         text.push_str(&format!(", {tonnes:.3} million gross tonnes"));
     }
     text.push('\n');
-    for tip in &summary.tips {
+    if let Some(front) = &summary.front {
+        text.push_str(&format!(
+            "half axes {:.3} mm down the dip and {:.3} mm along the surface, from {:.3} and {:.3} mm; {:.3} mm deep\n",
+            front.length_mm,
+            front.surface_half_length_mm,
+            front.initial_length_mm,
+            front.initial_surface_half_length_mm,
+            front.depth_mm
+        ));
+    }
+    // A front has many points: its half axes stand for them.
+    for tip in summary.tips.iter().filter(|_| summary.front.is_none()) {
         let stop = tip.stop.map_or_else(String::new, |stop| format!(", {}", stop.word()));
         let waits = tip.waiting_mm > 0.0;
         let waiting = if waits { format!(", {:.3} mm waiting", tip.waiting_mm) } else { String::new() };

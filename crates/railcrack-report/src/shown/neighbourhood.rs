@@ -14,8 +14,6 @@ use std::path::{Path, PathBuf};
 /// The most cells of a grid in the page: about eight bytes each, and as many for each wheel
 /// position.
 const CELLS: usize = 20_000;
-/// Name of the jumps in the files of a crack in space.
-const JUMPS: &str = "jump_mm";
 /// The most wheel positions of a step.
 const POSITIONS: usize = 5;
 
@@ -74,11 +72,6 @@ impl ShownFields {
                 let grid = file.read()?;
                 Ok((file.position, file.path, grid))
             });
-            let mut grids = grids.peekable();
-            // Of a crack in space there are its faces alone.
-            if matches!(grids.peek(), Some(Ok((_, _, grid))) if grid.point_array(JUMPS).is_some()) {
-                return Ok(Self::default());
-            }
             shown.push(packed_fields(step, positions, grids)?);
         }
         Ok(shown)
