@@ -60,7 +60,8 @@ pub use run_info::{MixInfo, RunInfo};
 pub use shakedown::{ShakedownFolder, ShakedownSummary};
 pub use study::StudyFolder;
 pub use summary::{
-    CrackSummary, FrontSummary, FractureSummary, JunctionSummary, PhaseSeconds, PieceSummary, Summary, TipSummary,
+    CrackSummary, FractureSummary, FrontSummary, JunctionSummary, PhaseSeconds, PieceSummary, Summary,
+    TipSummary,
 };
 pub use tables::table_descriptions;
 pub use verify::{Verification, verify};

@@ -8,12 +8,12 @@ use super::space::read_space;
 use crate::files::read_profile;
 use crate::schema::{Report, SectionValues, Sections, Value, Written};
 use crate::tables::{
-    AXLE_LOAD, CENTRE, CONTACT, CRACK, ContactExtent, ENGINE, Engine, FLUID, FOUNDATION, FRACTURE, FROM, FieldOutput,
-    Fracture, GROWTH, GivenWheel, INSPECTION, LAW_KEYS, MAINTENANCE, MESH, MeshSettings, OUTPUT, Output,
-    PASSAGE, PLASTIC_STRESS, PROFILE, PlasticSource, RAIL, RAIL_TEMPERATURE, RESIDUAL_STRESS, Rail, SCATTER,
-    SHAKEDOWN, SOLVER, SOLVER_CONTACT, Scattering, ShakedownSettings, TEMPERATURE, TITLE, TO, TOP, TRACK,
-    TRAFFIC, WHEEL, WheelSections, read_fluid, read_growth, read_inspection, read_maintenance, read_passage,
-    read_passages, read_scatter, read_steel, read_travel,
+    AXLE_LOAD, CENTRE, CONTACT, CRACK, ContactExtent, ENGINE, Engine, FLUID, FOUNDATION, FRACTURE, FROM,
+    FieldOutput, Fracture, GROWTH, GivenWheel, INSPECTION, LAW_KEYS, MAINTENANCE, MESH, MeshSettings, OUTPUT,
+    Output, PASSAGE, PLASTIC_STRESS, PROFILE, PlasticSource, RAIL, RAIL_TEMPERATURE, RESIDUAL_STRESS, Rail,
+    SCATTER, SHAKEDOWN, SOLVER, SOLVER_CONTACT, Scattering, ShakedownSettings, TEMPERATURE, TITLE, TO, TOP,
+    TRACK, TRAFFIC, WHEEL, WheelSections, read_fluid, read_growth, read_inspection, read_maintenance,
+    read_passage, read_passages, read_scatter, read_steel, read_travel,
 };
 use railcrack::bulk::Boundary;
 use railcrack::crack::CrackNetwork;

@@ -3,7 +3,9 @@
 use super::case::Case;
 use super::space::{MOST_SPACE_POINTS, face_points};
 use crate::schema::{Report, SectionValues, Sections};
-use crate::tables::{ELEMENT_SIZE, Engine, INTERFACE_ELEMENTS, INTERFACE_SPACING, MESH, PASSAGE, POSITIONS, SPACE_CELLS};
+use crate::tables::{
+    ELEMENT_SIZE, Engine, INTERFACE_ELEMENTS, INTERFACE_SPACING, MESH, PASSAGE, POSITIONS, SPACE_CELLS,
+};
 use railcrack::crack::Crack;
 use railcrack::dislocation;
 use railcrack::xfem::MOST_MESH_UNKNOWNS;
@@ -55,7 +57,8 @@ pub(super) fn check_size(case: &Case, sections: &Sections, report: &mut Report) 
     }
     let points = wanted_face_points(case);
     if case.engine == Engine::Space && points > MOST_SPACE_POINTS as f64 {
-        let says = format!("with space_rings, {points} face points; there can be {MOST_SPACE_POINTS} in space");
+        let says =
+            format!("with space_rings, {points} face points; there can be {MOST_SPACE_POINTS} in space");
         report.add(mesh.fault(SPACE_CELLS, says).help("fewer space_cells or space_rings"));
         return false;
     }
@@ -69,7 +72,9 @@ pub(super) fn check_size(case: &Case, sections: &Sections, report: &mut Report) 
             Engine::Xfem if case.mesh.interface_spacing.is_some() => {
                 (mesh.fault(INTERFACE_SPACING, says), "a larger [mesh] interface_spacing_mm makes fewer")
             }
-            Engine::Xfem | Engine::Space => (mesh.fault(ELEMENT_SIZE, says), "a larger [mesh] element_size_mm makes fewer"),
+            Engine::Xfem | Engine::Space => {
+                (mesh.fault(ELEMENT_SIZE, says), "a larger [mesh] element_size_mm makes fewer")
+            }
         };
         report.add(fault.help(help));
         return false;

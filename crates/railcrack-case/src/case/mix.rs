@@ -2,8 +2,8 @@
 
 use crate::schema::{Fault, Report, SectionValues, Sections};
 use crate::tables::{
-    AXLE_LOAD, CONTACT, ContactExtent, GivenWheel, PASSAGE, SHARE, TEMPERATURE, TRACK, TRAFFIC, WHEEL, WHEEL_AXLE_LOAD,
-    WHEEL_CONTACT, WHEEL_NAME, WHEEL_TEMPERATURE, WHEEL_TRACK, WheelSections, read_travel,
+    AXLE_LOAD, CONTACT, ContactExtent, GivenWheel, PASSAGE, SHARE, TEMPERATURE, TRACK, TRAFFIC, WHEEL,
+    WHEEL_AXLE_LOAD, WHEEL_CONTACT, WHEEL_NAME, WHEEL_TEMPERATURE, WHEEL_TRACK, WheelSections, read_travel,
 };
 use railcrack::growth::{MOST_WHEELS, PassageSettings};
 use railcrack::material::IsotropicElastic;

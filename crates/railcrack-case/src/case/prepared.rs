@@ -212,7 +212,9 @@ impl PreparedRun<'_> {
         let Some(engine) = engine else {
             let shared: Option<Arc<dyn StressField>> = residual.field.map(Arc::from);
             let stays = with_temperature(case, &case.wheel, shared.as_ref());
-            return CaseGrowth::Space(Box::new(case.space_growth(stays, state).expect("the case is checked")));
+            return CaseGrowth::Space(Box::new(
+                case.space_growth(stays, state).expect("the case is checked"),
+            ));
         };
         let newton: Box<dyn contact::ContactSolver> = Box::new(Newton::default());
         let latin: Box<dyn contact::ContactSolver> = Box::new(Latin::default());

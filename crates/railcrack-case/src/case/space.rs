@@ -50,7 +50,9 @@ pub(super) fn read_space(
     for (section, why) in &REFUSED {
         if let Some(given) = sections.all(section).next() {
             let says = format!("the engine space {why}");
-            report.add(given.fault_of_all(says).help("engine = \"dislocation\" or \"xfem\", or no such section"));
+            report.add(
+                given.fault_of_all(says).help("engine = \"dislocation\" or \"xfem\", or no such section"),
+            );
         }
     }
     let solver = sections.one(&SOLVER)?;
@@ -133,7 +135,9 @@ fn read_shape(
             "the half axes of the crack are in the ratio {aspect:.3}; the cells of the engine space take 1/{LARGEST_ASPECT} to \
              {LARGEST_ASPECT}"
         );
-        report.add(section.fault(SURFACE_HALF_LENGTH, says).help("a plane engine computes the limit of wide cracks"));
+        report.add(
+            section.fault(SURFACE_HALF_LENGTH, says).help("a plane engine computes the limit of wide cracks"),
+        );
         return None;
     }
     Some(shape)
@@ -150,9 +154,8 @@ fn read_wheel(sections: &Sections, wheel: Option<&GivenWheel>, report: &mut Repo
         return None;
     }
     let (ellipse, lateral): (HertzEllipse, f64) = match &wheel?.origin {
-        ContactOrigin::Ellipse { ellipse, lateral, .. } | ContactOrigin::GivenEllipse { ellipse, lateral } => {
-            (*ellipse, *lateral)
-        }
+        ContactOrigin::Ellipse { ellipse, lateral, .. }
+        | ContactOrigin::GivenEllipse { ellipse, lateral } => (*ellipse, *lateral),
         _ => {
             let key = section.dotted(LATERAL_HALF_WIDTH.key.name);
             let message = format!(

@@ -18,8 +18,8 @@ const HERTZIAN: &str = "a table has its own pressure and extent";
 
 section! {
     CONTACT "contact", Required, "Wheel on rail: one passage is one axle.",
-        forms [[PEAK_PRESSURE, HALF_WIDTH, LATERAL_HALF_WIDTH, LATERAL], [LINE_LOAD, WHEEL_RADIUS, RAIL_RADIUS],
-            [WHEEL_LOAD, WHEEL_RADIUS, RAIL_HEAD_RADIUS, WHEEL_PROFILE_RADIUS, LATERAL],
+        forms [[PEAK_PRESSURE, HALF_WIDTH, LATERAL_HALF_WIDTH], [LINE_LOAD, WHEEL_RADIUS, RAIL_RADIUS],
+            [WHEEL_LOAD, WHEEL_RADIUS, RAIL_HEAD_RADIUS, WHEEL_PROFILE_RADIUS],
             [CONTACT_PROFILE, SCALE, STRIP]],
         instead "wheel";
     KIND: ContactKind = choice("kind", "Description of the contact.");
@@ -232,6 +232,7 @@ fn read_hertz(
         return read_ellipse(section, steel, friction, extent, report);
     }
     let line_load = section.get(LINE_LOAD)?;
+    refuse_lateral(section, report)?;
     let (wheel, rail) = (section.get(WHEEL_RADIUS)?, section.get(RAIL_RADIUS)?);
     let contact = HertzianContact::from_line_load(line_load, wheel, rail, steel, friction);
     let refusal = match &contact {
@@ -258,16 +259,23 @@ fn read_given(
     let HertzianContact { peak_pressure, half_width, friction } = contact;
     let lateral = section.get(LATERAL).unwrap_or(0.0);
     let Some(across) = section.get(LATERAL_HALF_WIDTH) else {
-        if section.is_given(LATERAL) {
-            let says = "is an offset within the contact ellipse, whose semi-axis across the rail is missing";
-            report.add(section.fault(LATERAL, says).help("lateral_half_width_mm, or no lateral_mm"));
-            return None;
-        }
+        refuse_lateral(section, report)?;
         return Some((contact, ContactOrigin::Given));
     };
     let ellipse = HertzEllipse { peak_pressure, along: half_width, across };
     let strip = strip(section, &ellipse, extent.offset(lateral), friction, report)?;
     Some((strip, ContactOrigin::GivenEllipse { ellipse, lateral }))
+}
+
+/// A line contact is the same at all lateral positions.
+fn refuse_lateral(section: &SectionValues, report: &mut Report) -> Option<()> {
+    if section.entry(LATERAL).is_none() {
+        return Some(());
+    }
+    let says = "is an offset within the contact ellipse, whose semi-axis across the rail is missing";
+    let help = "lateral_half_width_mm, or wheel_load_kn with the radii of wheel and rail, or no lateral_mm";
+    report.add(section.fault(LATERAL, says).help(help));
+    None
 }
 
 impl ContactExtent {

@@ -43,15 +43,16 @@ pub(crate) use contact::{
     CONTACT, ContactExtent, ContactKind, FRICTION, KIND, LATERAL_FRICTION, LATERAL_HALF_WIDTH,
 };
 pub(crate) use crack::{
-    ANGLE, ANGLES, COUNT, CRACK, CRACK_FRICTION, CRACK_LATERAL, LENGTH, MOUTH, POINTS, SPACING, SURFACE_HALF_LENGTH,
+    ANGLE, ANGLES, COUNT, CRACK, CRACK_FRICTION, CRACK_LATERAL, LENGTH, MOUTH, POINTS, SPACING,
+    SURFACE_HALF_LENGTH,
 };
 pub(crate) use file::CASE_FILE;
 pub(crate) use fluid::{FLUID, read_fluid};
 pub(crate) use fracture::FRACTURE;
 pub(crate) use growing::read_growth;
 pub(crate) use growth::{GROWTH, LAW, LAW_KEYS, MODE_3_WEIGHT, STEPS};
-pub(crate) use law_names::LawName;
 pub(crate) use inspection::{INSPECTION, SCATTER, Scattering, read_inspection, read_scatter};
+pub(crate) use law_names::LawName;
 pub(crate) use maintenance::{MAINTENANCE, read_maintenance};
 pub(crate) use mesh::{ELEMENT_SIZE, INTERFACE_ELEMENTS, INTERFACE_SPACING, MESH, SPACE_CELLS};
 pub(crate) use output::{OF_STUDY, OUTPUT, RUN_FOLDERS};

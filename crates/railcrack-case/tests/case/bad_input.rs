@@ -16,6 +16,53 @@ angle_deg = 15.0
 friction = 0.5
 ";
 
+/// A good case in space of fifteen lines, spoilt: angle, lines after the crack, contact.
+macro_rules! space {
+    ($kind:literal, $half_length:literal, $angle:literal, $beside:literal) => {
+        concat!(
+            "[contact]\n",
+            $kind,
+            "peak_pressure_mpa = 845.0\nhalf_width_mm = 6.75\nlateral_half_width_mm = 6.0\nfriction = 0.1\n[[crack]]\nmouth_mm = 0.0\n",
+            $angle,
+            "length_mm = 4.0\n",
+            $half_length,
+            "friction = 0.5\n",
+            "[solver]\nengine = \"space\"\n",
+            $beside
+        )
+    };
+}
+const SPACE_WITHOUT_LENGTH: &str = space!("", "", "angle_deg = 30.0\n", "");
+const SPACE_AT_3: &str =
+    space!("", "surface_half_length_mm = 6.0\n", "angle_deg = 3.0\n", "");
+const SPACE_WITH_TRACK: &str = space!(
+    "",
+    "surface_half_length_mm = 6.0\n",
+    "angle_deg = 30.0\n",
+    "[track]\nwheel_load_kn = 100\nsection = \"60E1\"\n"
+);
+const SPACE_TWICE: &str = space!(
+    "",
+    "surface_half_length_mm = 6.0\n",
+    "angle_deg = 30.0\n",
+    "[[crack]]\nmouth_mm = 20.0\nlength_mm = 4.0\nangle_deg = 30.0\nfriction = 0.5\n"
+);
+const SPACE_LATIN: &str =
+    space!("", "surface_half_length_mm = 6.0\n", "angle_deg = 30.0\n", "contact = \"latin\"\n");
+const SPACE_TOO_WIDE: &str = space!("", "surface_half_length_mm = 400.0\n", "angle_deg = 30.0\n", "");
+const SPACE_CARTER: &str = space!(
+    "kind = \"carter\"\ntraction = 0.5\n",
+    "surface_half_length_mm = 6.0\n",
+    "angle_deg = 30.0\n",
+    ""
+);
+const SPACE_BOLD: &str = space!(
+    "",
+    "surface_half_length_mm = 6.0\n",
+    "angle_deg = 30.0\n",
+    "[growth]\nlaw = \"bold\"\n"
+);
+
 /// How the good case is spoilt.
 enum Change {
     /// Lines appended.
@@ -410,14 +457,14 @@ fn types_and_words() {
             Append("[solver]\nengine = 5"),
             11,
             "solver.engine",
-            "must be \"xfem\" or \"dislocation\", not a number",
+            "must be \"xfem\" or \"dislocation\" or \"space\", not a number",
             "quotes",
         ),
         wrong(
             Append("[solver]\nengine = \"dislocations\""),
             11,
             "solver.engine",
-            "must be \"xfem\" or \"dislocation\"",
+            "must be \"xfem\" or \"dislocation\" or \"space\"",
             "nearest: \"dislocation\"",
         ),
         wrong(
@@ -645,9 +692,36 @@ fn loads() {
             Replace("friction = 0.025\n", "friction = 0.025\nlateral_mm = 1.0\n"),
             5,
             "contact.lateral_mm",
-            "says the same thing as `peak_pressure_mpa`",
+            "whose semi-axis across the rail is missing",
+            "lateral_half_width_mm",
+        ),
+        wrong(
+            Whole(SPACE_WITHOUT_LENGTH),
+            6,
+            "crack[1].surface_half_length_mm",
+            "needs the half axis of the crack along the surface",
             "",
         ),
+        wrong(
+            Replace("friction = 0.5\n", "friction = 0.5\nsurface_half_length_mm = 6.0\n[solver]\nengine = \"space\"\n"),
+            1,
+            "contact.lateral_half_width_mm",
+            "needs the semi-axis of the contact ellipse across the rail",
+            "radii of wheel and rail",
+        ),
+        wrong(
+            Whole(SPACE_AT_3),
+            8,
+            "crack[1].angle_deg",
+            "must lie between 5° and 175°",
+            "",
+        ),
+        wrong(Whole(SPACE_WITH_TRACK), 14, "track", "does not follow the bending", "dislocation"),
+        wrong(Whole(SPACE_TWICE), 14, "crack[2]", "computes one crack", "several cracks"),
+        wrong(Whole(SPACE_LATIN), 14, "solver.contact", "Newton's method", "newton"),
+        wrong(Whole(SPACE_TOO_WIDE), 10, "crack[1].surface_half_length_mm", "ratio 100.000", "plane engine"),
+        wrong(Whole(SPACE_CARTER), 2, "contact.kind", "full sliding", "hertz"),
+        wrong(Whole(SPACE_BOLD), 15, "growth.law", "no mode III", "paris"),
         wrong(
             Append("[track]\nwheel_load_kn = 100\nsecond_moment_mm4 = 3e7"),
             10,

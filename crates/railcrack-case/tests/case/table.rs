@@ -79,7 +79,7 @@ fn the_schema_has_every_key() {
 fn the_schema_says_what_the_reader_accepts() {
     let schema = json_schema();
     let key = |section: &str, key: &str| schema["properties"][section]["properties"][key].clone();
-    assert_eq!(key("solver", "engine")["enum"], json!(["xfem", "dislocation"]));
+    assert_eq!(key("solver", "engine")["enum"], json!(["xfem", "dislocation", "space"]));
     assert_eq!(key("growth", "increment")["minimum"], json!(1e-4));
     assert_eq!(key("growth", "increment")["maximum"], json!(0.5));
     assert_eq!(key("passage", "positions")["minimum"], json!(2));

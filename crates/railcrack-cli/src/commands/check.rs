@@ -216,7 +216,14 @@ fn in_space(case: &Case) -> Vec<Row> {
     let Some(space) = &case.space else { return Vec::new() };
     let shape = &space.shape;
     let mut rows = vec![
-        ("half axes", format!("{} mm down the dip, {} mm along the surface", number(shape.depth), number(shape.half_length))),
+        (
+            "half axes",
+            format!(
+                "{} mm down the dip, {} mm along the surface",
+                number(shape.depth),
+                number(shape.half_length)
+            ),
+        ),
         ("dip", format!("{} degrees", number(shape.dip.to_degrees()))),
         ("middle", format!("x = {} mm, z = {} mm", number(shape.middle[0]), number(shape.middle[1]))),
     ];

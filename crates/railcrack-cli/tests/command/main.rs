@@ -16,5 +16,6 @@ mod reliability;
 mod report;
 mod run;
 mod shakedown;
+mod space;
 mod sweep;
 mod view;

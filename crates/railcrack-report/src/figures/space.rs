@@ -11,8 +11,10 @@ use railcrack_run::Summary;
 use railcrack_run::csv::TipRow;
 use railcrack_run::histories::History;
 
-/// Points of the front whose histories are drawn, degrees.
-const DRAWN: [f64; 3] = [90.0, 45.0, 135.0];
+/// Points of the front whose histories are drawn, degrees: the last two where the two sides differ.
+const DRAWN: [f64; 5] = [90.0, 60.0, 30.0, 120.0, 150.0];
+/// Sides whose ranges differ by less of the largest are the same.
+const MIRRORED: f64 = 1e-3;
 /// Fronts that are drawn, at most.
 const FRONTS: usize = 9;
 
@@ -52,7 +54,8 @@ fn rows_of(growth: &[TipRow], step: usize) -> impl Iterator<Item = &TipRow> {
 /// The points of the front nearest to the drawn angles, as (tip, degrees), each once.
 fn drawn_points(growth: &[TipRow]) -> Vec<(usize, f64)> {
     let mut points: Vec<(usize, f64)> = Vec::new();
-    for wanted in DRAWN {
+    let count = if is_mirrored(growth) { 3 } else { DRAWN.len() };
+    for wanted in DRAWN.into_iter().take(count) {
         let of = |row: &TipRow| Some((row.tip, row.phi_deg?));
         let nearest = rows_of(growth, 0)
             .filter_map(of)
@@ -62,16 +65,27 @@ fn drawn_points(growth: &[TipRow]) -> Vec<(usize, f64)> {
     points
 }
 
+/// Whether both sides of the front are loaded alike.
+fn is_mirrored(growth: &[TipRow]) -> bool {
+    let ranges: Vec<f64> = rows_of(growth, 0).map(|row| row.delta_keq).collect();
+    let largest = ranges.iter().copied().fold(0.0, f64::max);
+    ranges.iter().zip(ranges.iter().rev()).all(|(a, b)| (a - b).abs() <= MIRRORED * largest)
+}
+
 fn history_plot(summary: &Summary, model: &str, growth: &[TipRow], shown: &ShownRun, mode: &Mode) -> Plot {
     let points = drawn_points(growth);
     let steps = shown.steps();
-    let ends: Vec<usize> = steps.first().into_iter().chain(steps.last().filter(|_| steps.len() > 1)).copied().collect();
+    let ends: Vec<usize> =
+        steps.first().into_iter().chain(steps.last().filter(|_| steps.len() > 1)).copied().collect();
     let mut curves = Vec::new();
     for (place, step) in ends.iter().enumerate() {
         for (number, (tip, phi)) in points.iter().enumerate() {
-            let Some(history) = shown.histories(*step).iter().find(|history| history.tip == *tip) else { continue };
+            let Some(history) = shown.histories(*step).iter().find(|history| history.tip == *tip) else {
+                continue;
+            };
             let values = history.xc_over_a.iter().zip((mode.of)(history)).map(|(&x, &k)| [x, k]).collect();
-            let curve = Curve::line(&format!("φ = {phi:.0}°"), values).with_colour(CurveColour::Category(number));
+            let curve =
+                Curve::line(&format!("φ = {phi:.0}°"), values).with_colour(CurveColour::Category(number));
             curves.push(if place == 0 { curve } else { curve.with_look(CurveLook::Dashed) });
         }
     }
@@ -106,7 +120,9 @@ fn ranges(summary: &Summary, model: &str, growth: &[TipRow]) -> Plot {
     for &step in &ends {
         for (number, (name, of)) in quantities.iter().enumerate() {
             let points = rows_of(growth, step).filter_map(|row| Some([row.phi_deg?, of(row)])).collect();
-            let curve = Curve::line(name, points).with_dots(CurveDots::All).with_colour(CurveColour::Category(number));
+            let curve = Curve::line(name, points)
+                .with_dots(CurveDots::All)
+                .with_colour(CurveColour::Category(number));
             curves.push(if step == 0 { curve } else { curve.with_look(CurveLook::Dashed) });
         }
     }

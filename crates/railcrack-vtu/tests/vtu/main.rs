@@ -41,6 +41,7 @@ fn grid_of_every_shape() -> UnstructuredGrid {
             Array { name: "pair".to_owned(), components: 2, values: (0..24).map(f64::from).collect() },
         ],
         points,
+        z: Vec::new(),
         cells,
     }
 }

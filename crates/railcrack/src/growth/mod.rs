@@ -42,9 +42,7 @@ pub use deferred::DeferredGrowth;
 pub use driver::{Growth, GrowthProblem, NEAR_TIE};
 pub use error::GrowthError;
 pub use fields::{FieldRecord, FieldSettings, FieldSnapshot};
-pub use front::{
-    FaceAcross, FrontInterval, FrontMotion, FrontRecord, FrontShape, FrontState, FrontTip,
-};
+pub use front::{FaceAcross, FrontInterval, FrontMotion, FrontRecord, FrontShape, FrontState, FrontTip};
 pub use increments::{Advance, TipAdvance, advance};
 pub use judge::TipJudge;
 pub use maintenance::{Grinding, Maintenance, StressMoves};

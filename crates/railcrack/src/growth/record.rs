@@ -1,8 +1,8 @@
 //! Records of a growth step.
 
 use super::{
-    DeferredGrowth, FaceRecord, FieldRecord, FrontRecord, FrontTip, PassageRecord, Piece, RunStop, SolverCounts, TipStop, Warning,
-    WheelShares,
+    DeferredGrowth, FaceRecord, FieldRecord, FrontRecord, FrontTip, PassageRecord, Piece, RunStop,
+    SolverCounts, TipStop, Warning, WheelShares,
 };
 use crate::body::BodyTimes;
 use crate::crack::{Crack, CrackTip, Junction};

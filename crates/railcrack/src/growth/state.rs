@@ -1,7 +1,8 @@
 //! The state of a run between two steps.
 
 use super::{
-    Advance, BreakOut, DeferredGrowth, EarlierRates, FrontState, Interval, RunStop, TipDrive, TipStop, WornSurface,
+    Advance, BreakOut, DeferredGrowth, EarlierRates, FrontState, Interval, RunStop, TipDrive, TipStop,
+    WornSurface,
 };
 use crate::crack::{Crack, CrackNetwork, Junction};
 use serde::{Deserialize, Serialize};

@@ -119,6 +119,7 @@ fn losses_vanish_for_linear_fields() {
     let connectivity = (0..4).flat_map(|j| (0..6).flat_map(move |i| cell(i, j))).collect();
     let values: Vec<Stress> = points.iter().map(|&p| linear(p)).collect();
     let grid = UnstructuredGrid {
+        z: Vec::new(),
         points,
         cells: vec![CellBlock { shape: CellShape::Quad, connectivity }],
         point_data: vec![Array::stresses("plastic_stress_mpa", &values)],
@@ -170,6 +171,7 @@ fn grown_disc(y: f64, plastic: Stress) -> PlasticField {
         })
         .collect();
     let grid = UnstructuredGrid {
+        z: Vec::new(),
         points,
         cells: vec![CellBlock { shape: CellShape::Triangle, connectivity }],
         point_data: vec![],

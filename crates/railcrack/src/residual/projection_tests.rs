@@ -116,6 +116,7 @@ fn the_loss_is_that_of_the_norms() {
     let connectivity = (0..values.len()).flat_map(|i| [2 * i + 2, 2 * i + 3, 2 * i + 1, 2 * i]).collect();
     let stresses: Vec<Stress> = values.iter().map(|&xx| Stress { xx, ..Stress::ZERO }).collect();
     let grid = UnstructuredGrid {
+        z: Vec::new(),
         points,
         cells: vec![CellBlock { shape: CellShape::Quad, connectivity }],
         point_data: vec![],

@@ -109,8 +109,8 @@ impl SpaceBody {
         surroundings: Surroundings,
         resolution: SpaceResolution,
     ) -> Result<Self, SpaceError> {
-        let kernel = (surroundings == Surroundings::HalfSpace)
-            .then(|| SpaceKernel::new(crack.dip, steel.poisson()));
+        let kernel =
+            (surroundings == Surroundings::HalfSpace).then(|| SpaceKernel::new(crack.dip, steel.poisson()));
         Self::with_kernel(crack, steel, kernel.as_ref(), resolution, Interruption::NEVER)
     }
 

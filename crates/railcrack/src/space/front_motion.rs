@@ -25,8 +25,7 @@ pub(super) fn counts(shape: &FrontShape, phi: f64) -> bool {
 }
 
 fn motions(shape: &FrontShape) -> &'static [FrontMotion] {
-    const ALL: [FrontMotion; 4] =
-        [FrontMotion::Down, FrontMotion::Plus, FrontMotion::Minus, FrontMotion::Up];
+    const ALL: [FrontMotion; 4] = [FrontMotion::Down, FrontMotion::Plus, FrontMotion::Minus, FrontMotion::Up];
     if shape.buried.is_some() { &ALL } else { &ALL[..3] }
 }
 
@@ -66,7 +65,8 @@ impl FrontSpeeds {
             speeds.iter().all(|speed| *speed >= 0.0).then(|| {
                 let mut all = vec![0.0; motions.len()];
                 moving.iter().zip(speeds).for_each(|(&k, speed)| all[k] = speed);
-                let error: f64 = rows.iter().map(|(n, rate, w)| w * (crate::math::dot(n, &all) - rate).powi(2)).sum();
+                let error: f64 =
+                    rows.iter().map(|(n, rate, w)| w * (crate::math::dot(n, &all) - rate).powi(2)).sum();
                 (error, all)
             })
         });
@@ -197,7 +197,11 @@ mod tests {
             // Each end goes by its own speed.
             let grown = found.moved(&shape, 1e6);
             let ends = |of: &FrontShape| {
-                [of.middle[1] + of.half_length, of.middle[1] - of.half_length, of.buried.unwrap_or(0.0) + of.depth]
+                [
+                    of.middle[1] + of.half_length,
+                    of.middle[1] - of.half_length,
+                    of.buried.unwrap_or(0.0) + of.depth,
+                ]
             };
             let by: Vec<f64> = ends(&grown).iter().zip(ends(&shape)).map(|(a, b)| a - b).collect();
             assert!((by[0] - 3.0).abs() < 1e-9 && (by[1] + 2.0).abs() < 1e-9 && (by[2] - 1.0).abs() < 1e-9);

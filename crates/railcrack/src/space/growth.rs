@@ -105,7 +105,8 @@ impl GrowthState {
     /// Errors: an inadmissible shape.
     pub fn initial_in_space(shape: FrontShape) -> Result<Self, CrackError> {
         let section = shape.section()?;
-        let network = crate::crack::CrackNetwork::new(vec![section]).map_err(|_| CrackError::TooFewPoints { count: 0 })?;
+        let network = crate::crack::CrackNetwork::new(vec![section])
+            .map_err(|_| CrackError::TooFewPoints { count: 0 })?;
         Ok(Self { front: Some(FrontState { shape, interval: None }), ..Self::initial(&network) })
     }
 }
@@ -232,8 +233,7 @@ impl SpaceGrowth {
         let steel = self.problem.steel;
         let kernel = self.kernel.get_or_insert_with(|| SpaceKernel::new(crack.dip, steel.poisson()));
         let interruption = Interruption::when(&asked);
-        let body =
-            SpaceBody::with_kernel(crack, &steel, Some(kernel), self.problem.resolution, interruption);
+        let body = SpaceBody::with_kernel(crack, &steel, Some(kernel), self.problem.resolution, interruption);
         body.map_err(|error| match error {
             SpaceError::Interrupted(_) => GrowthError::Interrupted { step },
             SpaceError::Linear(_) if observer.interrupted() => GrowthError::Interrupted { step },

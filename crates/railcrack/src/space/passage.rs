@@ -185,7 +185,8 @@ impl<'a> SpacePassages<'a> {
             return self.stations[nearest].clone();
         }
         // Lagrange's polynomial through the stations around it.
-        let first = (place.floor() as usize).saturating_sub(STENCIL / 2 - 1).min(self.intervals + 1 - STENCIL);
+        let first =
+            (place.floor() as usize).saturating_sub(STENCIL / 2 - 1).min(self.intervals + 1 - STENCIL);
         let weight = |k: usize| {
             let others = (first..first + STENCIL).filter(|&other| other != k);
             others.map(|other| (place - other as f64) / (k as f64 - other as f64)).product::<f64>()

@@ -22,7 +22,8 @@ pub(super) struct StepOf<'a> {
 impl StepOf<'_> {
     /// The points of the front with their increments and stops.
     pub fn tips(&self, drive: FrontDrive, speeds: &FrontSpeeds, way: &Way) -> Vec<TipRecord> {
-        let toughness_of = |tip: &TipRecord| way.stop == Some(RunStop::Fracture) && tip.rate >= crate::fatigue::RUNAWAY;
+        let toughness_of =
+            |tip: &TipRecord| way.stop == Some(RunStop::Fracture) && tip.rate >= crate::fatigue::RUNAWAY;
         let stop_of_all = match way.stop {
             Some(RunStop::NoTipGrows(stop)) => Some(stop),
             _ => None,
@@ -34,7 +35,9 @@ impl StepOf<'_> {
             .zip(points)
             .map(|((mut tip, rate), point)| {
                 tip.increment = way.cycles * speeds.at(&self.shape, point);
-                if let Some(front) = tip.front.as_mut().filter(|front| front.counts && rate > 0.0 && way.cycles > 0.0) {
+                if let Some(front) =
+                    tip.front.as_mut().filter(|front| front.counts && rate > 0.0 && way.cycles > 0.0)
+                {
                     front.followed = Some(tip.increment / (way.cycles * rate));
                 }
                 tip.stop = if toughness_of(&tip) {

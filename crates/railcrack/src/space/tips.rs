@@ -28,12 +28,7 @@ pub(super) struct FrontDrive {
 }
 
 impl FrontDrive {
-    pub fn new(
-        law: &FrontLaw,
-        shape: &FrontShape,
-        front: &[FrontPoint],
-        passage: &StabilisedSpace,
-    ) -> Self {
+    pub fn new(law: &FrontLaw, shape: &FrontShape, front: &[FrontPoint], passage: &StabilisedSpace) -> Self {
         let tips: Vec<TipRecord> =
             front.iter().enumerate().map(|(q, point)| law.tip(shape, q, point, passage)).collect();
         let growing = tips
@@ -54,19 +49,21 @@ impl FrontLaw<'_> {
         let samples = || {
             let output = last.into_iter().flat_map(|history| history.sifs.iter().map(|sifs| sifs[q]));
             // With the wheel away, before it comes and after it.
-            last.and_then(|history| history.before.get(q)).into_iter().chain(passage.between.get(q)).copied().chain(output)
+            last.and_then(|history| history.before.get(q))
+                .into_iter()
+                .chain(passage.between.get(q))
+                .copied()
+                .chain(output)
         };
-        let history =
-            SifHistory { samples: samples().map(|k| Sif { ki: k.ki, kii: k.kii }).collect() };
+        let history = SifHistory { samples: samples().map(|k| Sif { ki: k.ki, kii: k.kii }).collect() };
         let ranges = SifRanges::of(&history);
-        let (low, high) =
-            samples().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), k| (low.min(k.kiii), high.max(k.kiii)));
+        let (low, high) = samples()
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), k| (low.min(k.kiii), high.max(k.kiii)));
         let delta_kiii = (high - low).max(0.0);
         let modes = [ranges.delta_ki, ranges.delta_kii, delta_kiii];
         let delta_keq = self.growth.law.equivalent.of_three(modes, self.poisson, self.mode_3_weight);
         let rate = self.growth.law.rate.rate(delta_keq / MPA_SQRT_MM, ranges.load().ratio).min(RUNAWAY);
-        let direction =
-            HourlierPineau { law: self.growth.law.clone(), criterion: self.growth.criterion };
+        let direction = HourlierPineau { law: self.growth.law.clone(), criterion: self.growth.criterion };
         let kink = direction.kink(&history);
         let ahead = self.growth.law.rate(ranges.load());
         let [x, lateral, depth] = point.position;

@@ -90,6 +90,7 @@ fn rolled_rail_balances_to_its_own_residual_stress() {
         })
         .collect();
     let grid = UnstructuredGrid {
+        z: Vec::new(),
         points,
         cells: vec![CellBlock { shape: CellShape::Quad, connectivity }],
         point_data: vec![],

@@ -64,15 +64,15 @@ pub(crate) fn space_page(run: &RunFolder, space: &SpaceCase, shown: &ShownRun, p
 /// The deepest point in the first and in the last step.
 fn deepest(run: &RunFolder) -> Option<(&TipRow, &TipRow)> {
     let distance = |row: &&TipRow| (row.phi_deg.unwrap_or(0.0) - 90.0).abs();
-    let first = run.growth.iter().filter(|row| row.step == 0).min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
+    let first =
+        run.growth.iter().filter(|row| row.step == 0).min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
     Some((first, run.history(first.crack, first.tip).last()?))
 }
 
 fn verdict(run: &RunFolder) -> String {
     let Some((first, last)) = deepest(run) else { return "No step is finished yet.".to_owned() };
-    let axes = |row: &TipRow| {
-        format!("{} by {} mm", fixed(row.length, 2), fixed(row.half_length.unwrap_or(0.0), 2))
-    };
+    let axes =
+        |row: &TipRow| format!("{} by {} mm", fixed(row.length, 2), fixed(row.half_length.unwrap_or(0.0), 2));
     let grown = last.length > first.length || last.half_length > first.half_length;
     let text = if grown {
         let tonnes = run.case.axle_load.map_or_else(String::new, |load| {
@@ -109,8 +109,16 @@ fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
         facts.push(fact("Million gross tonnes", tonnes, format!("at {load} t per axle")));
     }
     let depth = from_to(-first.place[1], -last.place[1]);
-    facts.push(fact("Depth", depth, format!("half axis down the dip {}", from_to(first.length, last.length))));
-    facts.push(fact("On the surface", from_to(2.0 * sides(first), 2.0 * sides(last)), "length of the mouth; of a buried crack, its width".to_owned()));
+    facts.push(fact(
+        "Depth",
+        depth,
+        format!("half axis down the dip {}", from_to(first.length, last.length)),
+    ));
+    facts.push(fact(
+        "On the surface",
+        from_to(2.0 * sides(first), 2.0 * sides(last)),
+        "length of the mouth; of a buried crack, its width".to_owned(),
+    ));
     facts.push(fact(
         "ΔK_{eq}",
         format!("{} MPa√m", significant(first.delta_keq)),
@@ -120,11 +128,18 @@ fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
         facts.push(fact(
             "Wanted kink",
             format!("{}°", fixed(angle, 0)),
-            format!("at the deepest point, {} times as fast as straight ahead; growth stays in the plane", fixed(ratio, 2)),
+            format!(
+                "at the deepest point, {} times as fast as straight ahead; growth stays in the plane",
+                fixed(ratio, 2)
+            ),
         ));
     }
     let stop = run.summary.stop.map_or("not ended", RunStop::word).replace('-', " ");
-    facts.push(fact("Ended by", stop, format!("after step {} of {}", run.summary.steps, run.case.growth.steps)));
+    facts.push(fact(
+        "Ended by",
+        stop,
+        format!("after step {} of {}", run.summary.steps, run.case.growth.steps),
+    ));
     facts.push(fact(
         "Warnings",
         if warnings == 0 { "none".to_owned() } else { warnings.to_string() },
@@ -169,7 +184,9 @@ fn assumptions(run: &RunFolder, space: &SpaceCase) -> Vec<String> {
     let wheel = &space.wheel;
     let stays = match (case.residual_stress.is_some(), case.wheel.load.temperature.is_some()) {
         (false, false) => "The rail carries no other stress.",
-        (true, false) => "The rail carries the residual stress of the case, the same at all lateral positions.",
+        (true, false) => {
+            "The rail carries the residual stress of the case, the same at all lateral positions."
+        }
         (false, true) => "The rail carries the stress of its temperature.",
         (true, true) => "The rail carries the residual stress of the case and that of its temperature.",
     };

@@ -1,0 +1,129 @@
+//! Runs of a crack in space: files, resumption, the plane engines on the same case.
+
+use super::common::{self, column, command, done, names, numbers, read};
+use std::fs;
+use std::path::PathBuf;
+use std::process::Stdio;
+use std::time::{Duration, Instant};
+
+/// Quick: few cells, few positions.
+const CASE: &str = r#"
+title = "Curved front"
+
+[contact]
+peak_pressure_mpa = 845.0
+half_width_mm = 6.0
+lateral_half_width_mm = 5.0
+lateral_mm = 1.0
+friction = 0.1
+
+[passage]
+from_over_a = -3.0
+to_over_a = 3.0
+positions = 13
+step_tolerance = 0.05
+max_passages = 2
+
+[[crack]]
+mouth_mm = 0.0
+length_mm = 3.0
+surface_half_length_mm = 4.0
+angle_deg = 45.0
+friction = 0.3
+
+[growth]
+steps = 2
+
+[mesh]
+space_cells = 2
+space_rings = 2
+
+[solver]
+engine = "space"
+
+[traffic]
+axle_load_t = 20.0
+"#;
+
+fn workplace(name: &str) -> PathBuf {
+    let folder = common::folder("space", name);
+    fs::write(folder.join("case.toml"), CASE).unwrap();
+    folder
+}
+
+#[test]
+fn a_run_in_space_has_all_its_files() {
+    let folder = workplace("files");
+    assert!(done(&folder, &["check", "case.toml"]).contains("half axes            3 mm down the dip"));
+    let told = done(&folder, &["run", "case.toml", "--out", "run", "--quiet"]);
+    assert!(told.contains("half axes") && told.contains("steps-done at step 2"), "{told}");
+    let run = folder.join("run");
+    // Nine points of the front, three steps.
+    let phi = numbers(&run.join("growth.csv"), "phi_deg");
+    assert_eq!(phi.len(), 27);
+    assert!((phi[4] - 90.0).abs() < 1e-9 && phi[0] == 0.0 && (phi[8] - 180.0).abs() < 1e-9, "{phi:?}");
+    let of_step = |column: &str, step: usize| numbers(&run.join("growth.csv"), column)[9 * step..9 * step + 9].to_vec();
+    for (half_axis, least) in [("length_mm", 3.0), ("surface_half_length_mm", 4.0)] {
+        let axes: Vec<f64> = (0..3).map(|step| of_step(half_axis, step)[0]).collect();
+        assert!(axes[0] == least && axes[1] > axes[0] && axes[2] > axes[1], "{half_axis}: {axes:?}");
+    }
+    // The increments move the points by their normal: at the deepest one that is the half axis.
+    let grown = of_step("length_mm", 1)[0] - 3.0;
+    assert!((of_step("increment_mm", 0)[4] - grown).abs() < 1e-9);
+    assert!(of_step("load_cycles", 2)[0] > of_step("load_cycles", 1)[0]);
+    // The wheel at z = 1 mm loads the side of larger z more.
+    let rates = of_step("rate_mm_per_cycle", 0);
+    assert!(rates[2] > rates[6], "{rates:?}");
+    let passages = numbers(&run.join("sif.csv"), "passage");
+    let rows = passages.iter().filter(|passage| **passage == 1.0).count();
+    assert_eq!((rows, column(&run.join("sif.csv"), "kiii_mpa_sqrt_m").len()), (3 * 9 * 13, passages.len()));
+    assert!(numbers(&run.join("faces.csv"), "opening_mm").iter().all(|opening| *opening >= 0.0));
+    for name in names(&run.join("fields")) {
+        let text = read(&run.join("fields").join(&name));
+        assert!(name.starts_with("crack-step-0000-position-"), "{name}");
+        assert!(text.contains("jump_mm") && text.contains("kiii_mpa_sqrt_m"), "{name}");
+    }
+    for plot in ["ki.svg", "kii.svg", "kiii.svg", "along-front.svg", "paths.svg", "length-cycles.svg"] {
+        assert!(read(&run.join("plots").join(plot)).starts_with("<svg"), "{plot}");
+    }
+    let summary = read(&run.join("summary.json"));
+    assert!(summary.contains("\"front\"") && summary.contains("\"engine\": \"space\""));
+    let page = read(&run.join("report.html"));
+    assert!(page.contains("Seen from above") && page.contains("space-data"));
+    done(&folder, &["report", "run"]);
+    assert_eq!(read(&run.join("report.html")), page, "rebuilt bit for bit");
+    done(&folder, &["verify", "run"]);
+    // The same file in the plane: the strip over the middle of the crack.
+    let plane = done(&folder, &["run", "case.toml", "--engine", "dislocation", "--steps", "0", "--out", "plane", "--quiet"]);
+    assert!(plane.contains("crack 1 tip 1"), "{plane}");
+}
+
+#[test]
+fn a_killed_run_goes_on_to_the_same_files() {
+    let folder = workplace("resume");
+    done(&folder, &["run", "case.toml", "--out", "whole", "--quiet"]);
+    let line = ["run", "case.toml", "--out", "parts", "--quiet"];
+    let mut run = command(&folder, &line).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
+    let started = Instant::now();
+    while !folder.join("parts/checkpoint.bin").exists() && run.try_wait().unwrap().is_none() {
+        assert!(started.elapsed() < Duration::from_secs(120));
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    run.kill().unwrap();
+    run.wait().unwrap();
+    done(&folder, &["run", "case.toml", "--out", "parts", "--resume", "--quiet"]);
+    for file in ["sif.csv", "growth.csv", "faces.csv", "case.toml", "fields.pvd", "plots/kii.svg"] {
+        assert_eq!(read(&folder.join("whole").join(file)), read(&folder.join("parts").join(file)), "{file}");
+    }
+}
+
+#[test]
+fn a_study_takes_the_keys_of_space() {
+    let folder = workplace("study");
+    let study = CASE
+        .replace("surface_half_length_mm = 4.0", "surface_half_length_mm = [3.0, 5.0]")
+        .replace("steps = 2", "steps = 0");
+    fs::write(folder.join("study.toml"), study).unwrap();
+    done(&folder, &["sweep", "study.toml", "--out", "study", "--quiet"]);
+    assert_eq!(column(&folder.join("study/summary.csv"), "state"), ["done", "done"]);
+}
