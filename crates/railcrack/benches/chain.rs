@@ -7,11 +7,11 @@ use railcrack::contact::{ContactSolver, FaceProblem, FluidModel, Latin, Newton};
 use railcrack::dislocation;
 use railcrack::field::HertzWheel;
 use railcrack::growth::{
-    CrackFluid, Growth, PressureProfile, RailLoad, StabilisedPassage, StepRecord, Unobserved,
+    CrackFluid, PressureProfile, RailLoad, StabilisedPassage, StepRecord, Unobserved,
     stabilised_passage,
 };
 use railcrack::load::HertzianContact;
-use railcrack_case::{Case, Overrides};
+use railcrack_case::{Case, CaseGrowth, Overrides};
 use std::path::{Path, PathBuf};
 
 const REFERENCE: &str = "reference.toml";
@@ -68,9 +68,9 @@ fn stabilised_passage_latin(bencher: Bencher) {
 fn growth_step(bencher: Bencher, solver: &str) {
     let overrides = Overrides { contact: Some(solver.into()), ..Overrides::default() };
     let case = Case::read_with(&path(REFERENCE), &overrides).unwrap();
-    bencher
-        .with_inputs(|| case.prepare(None).unwrap().growth(None))
-        .bench_local_values(|mut run: Growth| -> Option<StepRecord> { run.next_step(&Unobserved).unwrap() });
+    bencher.with_inputs(|| case.prepare(None).unwrap().growth(None)).bench_local_values(
+        |mut run: CaseGrowth| -> Option<StepRecord> { run.next_step(&Unobserved).unwrap() },
+    );
 }
 
 /// The passages of the reference case over a lubricated crack under a driven wheel: dry, with the

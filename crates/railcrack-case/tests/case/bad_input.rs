@@ -33,8 +33,7 @@ macro_rules! space {
     };
 }
 const SPACE_WITHOUT_LENGTH: &str = space!("", "", "angle_deg = 30.0\n", "");
-const SPACE_AT_3: &str =
-    space!("", "surface_half_length_mm = 6.0\n", "angle_deg = 3.0\n", "");
+const SPACE_AT_3: &str = space!("", "surface_half_length_mm = 6.0\n", "angle_deg = 3.0\n", "");
 const SPACE_WITH_TRACK: &str = space!(
     "",
     "surface_half_length_mm = 6.0\n",
@@ -50,18 +49,10 @@ const SPACE_TWICE: &str = space!(
 const SPACE_LATIN: &str =
     space!("", "surface_half_length_mm = 6.0\n", "angle_deg = 30.0\n", "contact = \"latin\"\n");
 const SPACE_TOO_WIDE: &str = space!("", "surface_half_length_mm = 400.0\n", "angle_deg = 30.0\n", "");
-const SPACE_CARTER: &str = space!(
-    "kind = \"carter\"\ntraction = 0.5\n",
-    "surface_half_length_mm = 6.0\n",
-    "angle_deg = 30.0\n",
-    ""
-);
-const SPACE_BOLD: &str = space!(
-    "",
-    "surface_half_length_mm = 6.0\n",
-    "angle_deg = 30.0\n",
-    "[growth]\nlaw = \"bold\"\n"
-);
+const SPACE_CARTER: &str =
+    space!("kind = \"carter\"\ntraction = 0.5\n", "surface_half_length_mm = 6.0\n", "angle_deg = 30.0\n", "");
+const SPACE_BOLD: &str =
+    space!("", "surface_half_length_mm = 6.0\n", "angle_deg = 30.0\n", "[growth]\nlaw = \"bold\"\n");
 
 /// How the good case is spoilt.
 enum Change {
@@ -703,19 +694,16 @@ fn loads() {
             "",
         ),
         wrong(
-            Replace("friction = 0.5\n", "friction = 0.5\nsurface_half_length_mm = 6.0\n[solver]\nengine = \"space\"\n"),
+            Replace(
+                "friction = 0.5\n",
+                "friction = 0.5\nsurface_half_length_mm = 6.0\n[solver]\nengine = \"space\"\n",
+            ),
             1,
             "contact.lateral_half_width_mm",
             "needs the semi-axis of the contact ellipse across the rail",
             "radii of wheel and rail",
         ),
-        wrong(
-            Whole(SPACE_AT_3),
-            8,
-            "crack[1].angle_deg",
-            "must lie between 5° and 175°",
-            "",
-        ),
+        wrong(Whole(SPACE_AT_3), 8, "crack[1].angle_deg", "must lie between 5° and 175°", ""),
         wrong(Whole(SPACE_WITH_TRACK), 14, "track", "does not follow the bending", "dislocation"),
         wrong(Whole(SPACE_TWICE), 14, "crack[2]", "computes one crack", "several cracks"),
         wrong(Whole(SPACE_LATIN), 14, "solver.contact", "Newton's method", "newton"),

@@ -147,7 +147,10 @@ fn the_command_line_takes_the_place_of_the_file() {
     let lines: Vec<String> = errors.errors().iter().map(|e| e.one_line()).collect();
     assert_eq!(lines.len(), 3, "{lines:?}");
     assert!(lines[0].starts_with("case.toml: `--steps (too large)`: must be an integer from 0"), "{lines:?}");
-    assert!(lines[1].contains("`--engine fem`: must be \"xfem\" or \"dislocation\" or \"space\""), "{lines:?}");
+    assert!(
+        lines[1].contains("`--engine fem`: must be \"xfem\" or \"dislocation\" or \"space\""),
+        "{lines:?}"
+    );
     assert!(lines[2].contains("`--contact x`: must be \"newton\" or \"latin\""), "{lines:?}");
 }
 

@@ -62,7 +62,8 @@ fn a_run_in_space_has_all_its_files() {
     let phi = numbers(&run.join("growth.csv"), "phi_deg");
     assert_eq!(phi.len(), 27);
     assert!((phi[4] - 90.0).abs() < 1e-9 && phi[0] == 0.0 && (phi[8] - 180.0).abs() < 1e-9, "{phi:?}");
-    let of_step = |column: &str, step: usize| numbers(&run.join("growth.csv"), column)[9 * step..9 * step + 9].to_vec();
+    let of_step =
+        |column: &str, step: usize| numbers(&run.join("growth.csv"), column)[9 * step..9 * step + 9].to_vec();
     for (half_axis, least) in [("length_mm", 3.0), ("surface_half_length_mm", 4.0)] {
         let axes: Vec<f64> = (0..3).map(|step| of_step(half_axis, step)[0]).collect();
         assert!(axes[0] == least && axes[1] > axes[0] && axes[2] > axes[1], "{half_axis}: {axes:?}");
@@ -94,7 +95,10 @@ fn a_run_in_space_has_all_its_files() {
     assert_eq!(read(&run.join("report.html")), page, "rebuilt bit for bit");
     done(&folder, &["verify", "run"]);
     // The same file in the plane: the strip over the middle of the crack.
-    let plane = done(&folder, &["run", "case.toml", "--engine", "dislocation", "--steps", "0", "--out", "plane", "--quiet"]);
+    let plane = done(
+        &folder,
+        &["run", "case.toml", "--engine", "dislocation", "--steps", "0", "--out", "plane", "--quiet"],
+    );
     assert!(plane.contains("crack 1 tip 1"), "{plane}");
 }
 

@@ -106,9 +106,12 @@ fn history_plot(summary: &Summary, model: &str, growth: &[TipRow], shown: &Shown
     Plot::sheet(mode.file, sheet)
 }
 
+/// A quantity of a front point.
+type OfRow = fn(&TipRow) -> f64;
+
 /// Ranges along the front in the first step, and dashed in the last.
 fn ranges(summary: &Summary, model: &str, growth: &[TipRow]) -> Plot {
-    let quantities: [(&str, fn(&TipRow) -> f64); 4] = [
+    let quantities: [(&str, OfRow); 4] = [
         ("ΔK_{I}", |row| row.delta_ki),
         ("ΔK_{II}", |row| row.delta_kii),
         ("ΔK_{III}", |row| row.delta_kiii.unwrap_or(0.0)),
@@ -148,7 +151,7 @@ fn ranges(summary: &Summary, model: &str, growth: &[TipRow]) -> Plot {
 /// The fronts from above and from the side.
 fn fronts(summary: &Summary, model: &str, growth: &[TipRow]) -> Plot {
     let last = summary.steps_recorded - 1;
-    let parts = last.min(FRONTS - 1).max(1);
+    let parts = last.clamp(1, FRONTS - 1);
     let mut steps: Vec<usize> = (0..=parts).map(|part| (part * last + parts / 2) / parts).collect();
     steps.dedup();
     let is_closed = growth.iter().any(|row| row.phi_deg.is_some_and(|phi| phi > 180.5));

@@ -47,7 +47,7 @@ pub fn stabilised_space_passage(
             }?
             .peak();
             let tolerance = (settings.step_tolerance * peak).max(f64::MIN_POSITIVE);
-            SpacePassageSettings { tolerance, halvings: HALVINGS, ..coarse }
+            SpacePassageSettings { tolerance, halvings: HALVINGS }
         }
     };
     let mut histories: Vec<SpaceHistory> = Vec::new();
