@@ -7,8 +7,7 @@ use railcrack::contact::{ContactSolver, FaceProblem, FluidModel, Latin, Newton};
 use railcrack::dislocation;
 use railcrack::field::HertzWheel;
 use railcrack::growth::{
-    CrackFluid, PressureProfile, RailLoad, StabilisedPassage, StepRecord, Unobserved,
-    stabilised_passage,
+    CrackFluid, PressureProfile, RailLoad, StabilisedPassage, StepRecord, Unobserved, stabilised_passage,
 };
 use railcrack::load::HertzianContact;
 use railcrack_case::{Case, CaseGrowth, Overrides};
