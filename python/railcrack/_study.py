@@ -123,15 +123,22 @@ class Study(Sourced):
             else:
                 task = _Task(self._source, threads or 1, report)
                 results = _results(executor, task, waiting)
+                folders = {number: name for number, _, name in self._core.runs}
+                there: list[int] = []
                 for done, (number, answer) in enumerate(results):
                     if isinstance(answer, BaseException):
                         lost.append(number)
                         told("said", f"run {number}: {answer!r}")
                     else:
                         files, new = answer
-                        _put(folder, self._folder_of(number), files)
+                        _put(folder, folders[number], files)
                         failed.extend(new)
+                        there.append(number)
+                        if len(there) == _PACKED_AT_ONCE:
+                            self._core.pack(folder, there)
+                            there = []
                     told("run", done)
+                self._core.pack(folder, there)
         except KeyboardInterrupt:
             interrupted = True
         finally:
@@ -175,7 +182,7 @@ class Study(Sourced):
 
     def run(self, number: int) -> Run:
         """The results of a run."""
-        return Run.open(self.folder / "runs" / self._folder_of(number))
+        return Run.open(_railcrack.Study.run_folder(self.folder, number))
 
     @property
     def plot(self) -> StudyPlots:
@@ -194,6 +201,10 @@ class Study(Sourced):
         rows: list[tuple[str, Any]] = [("runs", len(self))]
         rows.extend((key, ", ".join(values)) for key, values in self.keys.items())
         return facts(self.title, rows, self.results._repr_html_() if self._out is not None else "")
+
+
+# Runs that came from workers and are packed together, where the study keeps no run folders.
+_PACKED_AT_ONCE = 200
 
 
 class _Counted:
@@ -218,7 +229,7 @@ class _Task:
         study = _study_of(self.source)
         with tempfile.TemporaryDirectory(prefix="railcrack-run-") as scratch:
             folder = Path(scratch) / "study"
-            failed, interrupted = study._core.compute(folder, [number], self.report, self.threads, None)
+            failed, interrupted = study._core.compute(folder, [number], self.report, self.threads, None, travel=True)
             if interrupted:
                 raise errors.Interrupted()
             run = folder / "runs" / study._folder_of(number)

@@ -75,6 +75,19 @@ def test_by_an_executor(kind: str, swept: Path, tmp_path: Path) -> None:
     assert_same_study(done.folder, swept)
 
 
+def test_runs_without_folders_travel_and_are_packed(swept: Path, tmp_path: Path) -> None:
+    study = rc.Study(STUDY + "[output]\nrun_folders = false\n")
+    with concurrent.futures.ThreadPoolExecutor(2) as executor:
+        away = study.map(executor, out=tmp_path / "away")
+    here = study.map(out=tmp_path / "here")
+    for done in (away, here):
+        assert done.results["state"].tolist() == ["done"] * 6
+        assert not [run for run in (done.folder / "runs").glob("*") if any(run.iterdir())]
+        assert np.array_equal(done.results["rate_mm_per_cycle"], rc.Study.open(swept).results["rate_mm_per_cycle"])
+        assert done.run(3).growth.rows == 1
+    assert filecmp.cmp(away.folder / "runs.parquet", here.folder / "runs.parquet", shallow=False)
+
+
 def test_a_killed_worker_loses_nothing_that_was_computed(swept: Path, tmp_path: Path) -> None:
     context = multiprocessing.get_context("spawn")
     study = rc.Study(STUDY)

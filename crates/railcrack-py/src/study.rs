@@ -11,7 +11,7 @@ use railcrack_case::Overrides;
 use railcrack_report::Pages;
 use railcrack_run::csv::columns_of;
 use railcrack_run::simulation::{StudyComputation, case_files, study_plan};
-use railcrack_run::study::{Entry, StudySummaryRow};
+use railcrack_run::study::{Entry, RunEnd, StudyPlan, StudySummaryRow};
 use railcrack_run::{OutputError, Presentation, StudyFolder, TablesOnly};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -86,7 +86,8 @@ impl Study {
             _ => Entry::Begin,
         };
         let entered = py.detach(|| {
-            let folder = folder_of(&self.study, &out, &own, entry)?;
+            let plan = study_plan(&self.study, Vec::new());
+            let folder = folder_of(&self.study, plan, &out, &own, entry)?;
             folder.left_to_do(&self.study, &own)
         });
         let (waiting, failed) = entered.map_err(|error| output_error(py, &error))?;
@@ -96,8 +97,9 @@ impl Study {
     }
 
     /// Computes the runs with the numbers `own` into the folder `out`, which is entered as part of
-    /// the study: those that failed, and whether it was interrupted.
-    #[pyo3(signature = (out, own, pages, threads, tell))]
+    /// the study: those that failed, and whether it was interrupted. Where the runs `travel`, each
+    /// keeps its folder, whatever the study says.
+    #[pyo3(signature = (out, own, pages, threads, tell, travel = false))]
     fn compute(
         &self,
         py: Python<'_>,
@@ -106,15 +108,18 @@ impl Study {
         pages: bool,
         threads: Option<usize>,
         tell: Option<&Bound<'_, PyAny>>,
+        travel: bool,
     ) -> PyResult<(Vec<Failed>, bool)> {
         let (watch, told) = Watch::new();
         let (study, observer) = (Arc::clone(&self.study), Arc::clone(&watch));
+        let plan = study_plan(&study, Vec::new());
+        let plan = StudyPlan { run_folders: plan.run_folders || travel, ..plan };
         let threads =
             threads.or_else(|| std::thread::available_parallelism().ok().map(Into::into)).unwrap_or(1);
         // The computation has threads of its own, one pool for each run.
         let over = compute(py, Some(1), (watch, told), tell, move || {
             let presentation: &dyn Presentation = if pages { &Pages } else { &TablesOnly };
-            let folder = folder_of(&study, &out, &own, Entry::ResumePart)?;
+            let folder = folder_of(&study, plan, &out, &own, Entry::ResumePart)?;
             let (waiting, mut failed) = folder.left_to_do(&study, &own)?;
             let computation = StudyComputation {
                 study: &study,
@@ -136,6 +141,39 @@ impl Study {
     fn gather(&self, py: Python<'_>, out: PathBuf) -> PyResult<()> {
         let written = py.detach(|| StudyFolder::open(&out)?.write_results(&Pages));
         written.map(drop).map_err(|error| output_error(py, &error))
+    }
+
+    /// Packs those of the runs `numbers` in the folder `out` that are done, where the study keeps no
+    /// run folders.
+    #[staticmethod]
+    fn pack(py: Python<'_>, out: PathBuf, numbers: Vec<usize>) -> PyResult<()> {
+        let packed = py.detach(|| {
+            let folder = StudyFolder::open(&out)?;
+            if folder.plan().run_folders {
+                return Ok(());
+            }
+            for run in numbers.iter().filter_map(|number| folder.plan().runs.get(number.checked_sub(1)?)) {
+                if let Some(outcome) = folder.outcome(run)?.filter(|outcome| outcome.end == RunEnd::Done) {
+                    folder.settle(run, &outcome)?;
+                }
+            }
+            Ok(())
+        });
+        packed.map_err(|error: OutputError| output_error(py, &error))
+    }
+
+    /// The folder of run `number` in the folder `out`, made of what is packed of it where it has
+    /// none.
+    #[staticmethod]
+    fn run_folder(py: Python<'_>, out: PathBuf, number: usize) -> PyResult<PathBuf> {
+        let found = py.detach(|| {
+            let folder = StudyFolder::open(&out)?;
+            match number.checked_sub(1).and_then(|i| folder.plan().runs.get(i)) {
+                Some(run) => folder.unpacked(run),
+                None => Ok(out.clone()),
+            }
+        });
+        found.map_err(|error| output_error(py, &error))
     }
 
     /// The results in the folder `out` by columns: folder and values (as text) of each run, and
@@ -173,10 +211,11 @@ impl Study {
 
 fn folder_of(
     study: &railcrack_case::Study,
+    plan: StudyPlan,
     out: &Path,
     own: &[usize],
     entry: Entry,
 ) -> Result<StudyFolder, OutputError> {
     let cases: Vec<_> = study.runs.iter().map(|run| case_files(&run.case)).collect();
-    StudyFolder::enter(out, study_plan(study, Vec::new()), &study.text, entry, own, &cases)
+    StudyFolder::enter(out, plan, &study.text, entry, own, &cases)
 }
