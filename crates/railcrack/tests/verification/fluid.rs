@@ -21,6 +21,8 @@ use std::f64::consts::PI;
 const LENGTH: f64 = 6.0;
 /// K_I of an edge crack over σ √(πl).
 const EDGE: f64 = 1.121_52;
+/// The same of the face pressure σ s/l.
+const EDGE_LINEAR: f64 = 0.682_7;
 
 fn fluid(model: FluidModel, profile: PressureProfile) -> CrackFluid {
     CrackFluid { model, profile, cracks: None }
@@ -76,6 +78,10 @@ fn pressure_and_volume_of_open_cracks() {
         let volume = pocket.volume(&whole.compliance.times(&pocket.unit));
         let limit = if meshed { 5e-3 } else { 1e-3 };
         close(k, EDGE * (PI * LENGTH).sqrt(), Relative(limit), "a unit pressure is a remote tension");
+        let falling = &on(&whole, &edge, &mouth(PressureProfile::Linear)).pockets[0];
+        let k = whole.sif_influence.times(&falling.profile)[0];
+        let want = (EDGE - EDGE_LINEAR) * (PI * LENGTH).sqrt();
+        close(k, want, Relative(limit.max(2e-3)), "1 - s/l, the references have four decimals");
         let want = EDGE * EDGE * PI * LENGTH * LENGTH / modulus;
         close(volume, want, Relative(2.0 * limit), "V from the energy release, twice the error of K");
     }
