@@ -33,8 +33,8 @@ pub(super) fn put(path: &Path, text: &[u8]) -> Result<(), VtuError> {
 }
 
 /// The file of `grid`: numbers in base64, little endian, with headers of 64 bits, compressed in
-/// blocks by zlib as VTK does by default. Points of the plane get z = 0. The text is ASCII except for the
-/// names of arrays.
+/// blocks by zlib as VTK does by default. Points of the plane get z = 0. The text is ASCII except
+/// for the names of arrays.
 ///
 /// Errors: an inconsistent grid; a number that is not finite.
 pub fn vtu_text(grid: &UnstructuredGrid) -> Result<Vec<u8>, GridError> {

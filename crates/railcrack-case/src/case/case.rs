@@ -1,7 +1,7 @@
 //! Checked case: everything that a run computes, in the types of the mechanics.
 
 use super::mix::MixedWheel;
-use super::space::SpaceCase;
+use super::space_case::SpaceCase;
 use crate::files::{Companion, ProfileFile, RatesFile, ToughnessFile};
 use crate::schema::{Value, Written};
 use crate::tables::{

@@ -1,7 +1,7 @@
 //! Largest sizes of a run, computed before anything is made.
 
 use super::case::Case;
-use super::space::{MOST_SPACE_POINTS, face_points};
+use super::space_case::{MOST_SPACE_POINTS, face_points};
 use crate::schema::{Report, SectionValues, Sections};
 use crate::tables::{
     ELEMENT_SIZE, Engine, INTERFACE_ELEMENTS, INTERFACE_SPACING, MESH, PASSAGE, POSITIONS, SPACE_CELLS,

@@ -14,6 +14,7 @@ mod setting;
 mod shared;
 mod size;
 mod space;
+mod space_case;
 
 pub use carried::{CarriedStress, CarriedStressError, Projection, Release};
 pub use case::{Case, RolledRailError};
@@ -22,7 +23,7 @@ pub use overrides::Overrides;
 pub use prepared::{CaseGrowth, PreparedRun};
 pub use shared::{RailKey, SharedRail, SharedRailError};
 pub use size::RunSize;
-pub use space::SpaceCase;
+pub use space_case::SpaceCase;
 
 pub(crate) use build::build;
 pub(crate) use setting::place_of;

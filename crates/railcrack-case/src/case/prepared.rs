@@ -15,7 +15,7 @@ use railcrack::growth::{
 };
 use railcrack::math::MPA_SQRT_MM;
 use railcrack::residual::PlasticField;
-use railcrack::space::SpaceGrowth;
+use railcrack::space::{SpaceGrowth, SpaceProblem};
 use railcrack::xfem::{
     EnrichmentRadius, Layers, RailEnd, Window, XfemEngine, XfemSettings, default_element_sizes,
 };
@@ -74,7 +74,7 @@ impl Case {
     }
 
     /// The fields to be computed; none where none are asked for.
-    pub(super) fn field_settings(&self) -> Option<FieldSettings> {
+    fn field_settings(&self) -> Option<FieldSettings> {
         let every = NonZeroUsize::new(self.fields.every)?;
         let mouth = self.cracks.cracks().first()?.points()[0].x;
         let positions: Vec<f64> =
@@ -241,5 +241,34 @@ impl PreparedRun<'_> {
         };
         let state = state.unwrap_or_else(|| GrowthState::initial(&case.cracks));
         CaseGrowth::Plane(Box::new(Growth::new(problem, state)))
+    }
+}
+
+impl Case {
+    /// The growth of the crack in space from `state` on, or from the beginning; none of a case for
+    /// another engine.
+    fn space_growth(
+        &self,
+        residual: Option<Box<dyn StressField>>,
+        state: Option<GrowthState>,
+    ) -> Option<SpaceGrowth> {
+        let space = self.space.as_ref().filter(|_| self.engine == Engine::Space)?;
+        let state = match state {
+            Some(state) => state,
+            None => GrowthState::initial_in_space(space.shape).ok()?,
+        };
+        let problem = SpaceProblem {
+            steel: self.steel,
+            wheel: space.wheel,
+            residual,
+            friction: self.crack_friction.first().copied().unwrap_or(0.0),
+            resolution: self.mesh.space,
+            passages: self.passages,
+            growth: self.growth.clone(),
+            mode_3_weight: space.mode_3_weight,
+            fields: self.field_settings(),
+            rail: self.rail.extent,
+        };
+        Some(SpaceGrowth::new(problem, state))
     }
 }

@@ -1,7 +1,7 @@
 //! Size of a run: unknowns and memory.
 
 use super::case::Case;
-use super::space::{face_points, front_points};
+use super::space_case::{face_points, front_points};
 use crate::tables::{Engine, PlasticSource};
 use railcrack::dislocation;
 use railcrack::residual::PlasticField;

@@ -1,33 +1,19 @@
-//! What a case needs for the engine in space, and what it cannot have there.
+//! Cases for the engine in space: what they need, and what they cannot have.
 
-use super::case::Case;
 use super::cracks::PlacedCracks;
+use super::space_case::SpaceCase;
 use crate::schema::{Report, Section, SectionValues, Sections};
 use crate::tables::{
-    CONTACT, COUNT, CRACK, CRACK_LATERAL, ContactKind, ContactOrigin, ContactSolver, Engine, FLUID, FRICTION,
-    GROWTH, GivenWheel, KIND, LATERAL_FRICTION, LATERAL_HALF_WIDTH, LAW, LawName, MAINTENANCE, MODE_3_WEIGHT,
+    CONTACT, COUNT, CRACK, CRACK_LATERAL, ContactKind, ContactOrigin, ContactSolver, FLUID, FRICTION, GROWTH,
+    GivenWheel, KIND, LATERAL_FRICTION, LATERAL_HALF_WIDTH, LAW, LawName, MAINTENANCE, MODE_3_WEIGHT,
     PLASTIC_STRESS, Rail, SOLVER, SOLVER_CONTACT, SURFACE_HALF_LENGTH, TRACK, WHEEL,
 };
 use railcrack::bulk::Boundary;
 use railcrack::crack::Crack;
-use railcrack::growth::{FrontShape, GrowthState};
+use railcrack::growth::FrontShape;
 use railcrack::load::HertzEllipse;
-use railcrack::space::{EllipticWheel, SpaceGrowth, SpaceProblem, SpaceResolution};
+use railcrack::space::EllipticWheel;
 use std::f64::consts::PI;
-
-/// The parts of a case that only the engine in space knows.
-#[derive(Debug, Clone, PartialEq)]
-pub struct SpaceCase {
-    /// The crack at the beginning.
-    pub shape: FrontShape,
-    /// The wheel.
-    pub wheel: EllipticWheel,
-    /// Weight of mode III in the range of Hourlier and Pineau, where it is given.
-    pub mode_3_weight: Option<f64>,
-}
-
-/// Most points of the faces: three unknowns at each make dense matrices of 300 MB.
-pub(super) const MOST_SPACE_POINTS: usize = 2000;
 
 /// Sections of which the engine knows nothing, and why.
 const REFUSED: [(Section, &str); 5] = [
@@ -174,49 +160,4 @@ fn read_wheel(sections: &Sections, wheel: Option<&GivenWheel>, report: &mut Repo
         friction: section.get(FRICTION)?,
         lateral_friction: section.get(LATERAL_FRICTION).unwrap_or(0.0),
     })
-}
-
-/// Points of the faces of a crack of this resolution.
-pub(super) fn face_points(resolution: SpaceResolution, is_buried: bool) -> usize {
-    let SpaceResolution { block, ring } = resolution;
-    let rows = ring.saturating_sub(1);
-    if is_buried {
-        (2 * block + 1).pow(2) + 8 * block * rows
-    } else {
-        (2 * block + 1) * (block + 1) + (4 * block + 1) * rows
-    }
-}
-
-/// Points of its front.
-pub(super) fn front_points(resolution: SpaceResolution, is_buried: bool) -> usize {
-    if is_buried { 8 * resolution.block } else { 4 * resolution.block + 1 }
-}
-
-impl Case {
-    /// The growth of the crack in space from `state` on, or from the beginning; none of a case for
-    /// another engine.
-    pub(super) fn space_growth(
-        &self,
-        residual: Option<Box<dyn railcrack::field::StressField>>,
-        state: Option<GrowthState>,
-    ) -> Option<SpaceGrowth> {
-        let space = self.space.as_ref().filter(|_| self.engine == Engine::Space)?;
-        let state = match state {
-            Some(state) => state,
-            None => GrowthState::initial_in_space(space.shape).ok()?,
-        };
-        let problem = SpaceProblem {
-            steel: self.steel,
-            wheel: space.wheel,
-            residual,
-            friction: self.crack_friction.first().copied().unwrap_or(0.0),
-            resolution: self.mesh.space,
-            passages: self.passages,
-            growth: self.growth.clone(),
-            mode_3_weight: space.mode_3_weight,
-            fields: self.field_settings(),
-            rail: self.rail.extent,
-        };
-        Some(SpaceGrowth::new(problem, state))
-    }
 }

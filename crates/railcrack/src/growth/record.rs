@@ -54,7 +54,7 @@ pub struct TipRecord {
     pub opened_by: usize,
     /// Sine of the angle of its crack at the mouth; none for a buried crack.
     pub mouth_sine: Option<f64>,
-    /// What a point of a front in space has beside.
+    /// The rest of a point of a front in space.
     pub front: Option<FrontTip>,
 }
 

@@ -11,6 +11,7 @@ use super::records::{StepOf, face_record, passage_record};
 use super::shape::{Extent, ShapeError, SpaceCrack};
 use super::stabilised::{StabilisedSpace, stabilised_space_passage};
 use super::tips::{FrontDrive, FrontLaw};
+use super::way::Way;
 use super::wheel::EllipticWheel;
 use crate::body::BodyError;
 use crate::crack::{Crack, CrackError};
@@ -334,16 +335,6 @@ impl SpaceGrowth {
         }
         warnings
     }
-}
-
-/// The way from one step to the next.
-pub(super) struct Way {
-    /// The shape of the next step.
-    pub shape: FrontShape,
-    pub interval: Option<FrontInterval>,
-    /// Cycles by the speeds at the start of the step: what the front is grown by.
-    pub cycles: f64,
-    pub stop: Option<RunStop>,
 }
 
 /// The stress that stays, of the plane fields of the rail: x, lateral and depth.

@@ -19,6 +19,7 @@ mod records;
 mod shape;
 mod stabilised;
 mod tips;
+mod way;
 mod wheel;
 
 pub use body::{FrontPoint, FrontSif, SpaceBody, SpaceError, SpaceKernel};

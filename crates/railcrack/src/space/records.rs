@@ -3,17 +3,17 @@
 use super::body::SpaceBody;
 use super::contact::SpaceStatus;
 use super::front_motion::FrontSpeeds;
-use super::growth::Way;
 use super::passage::SpaceHistory;
 use super::stabilised::StabilisedSpace;
 use super::tips::FrontDrive;
+use super::way::Way;
 use crate::body::FacePoint;
 use crate::contact::{FaceState, FaceStatus};
 use crate::fracture::Sif;
 use crate::growth::{FaceAcross, FaceRecord, FrontShape, PassageRecord, RunStop, TipRecord, TipStop};
 use crate::math::Vec2;
 
-/// What a step is made of.
+/// Shape and body of a step.
 pub(super) struct StepOf<'a> {
     pub shape: FrontShape,
     pub body: &'a SpaceBody,

@@ -1,0 +1,34 @@
+//! The parts of a case that only the engine in space knows, and its size.
+
+use railcrack::growth::FrontShape;
+use railcrack::space::{EllipticWheel, SpaceResolution};
+
+/// The parts of a case that only the engine in space knows.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SpaceCase {
+    /// The crack at the beginning.
+    pub shape: FrontShape,
+    /// The wheel.
+    pub wheel: EllipticWheel,
+    /// Weight of mode III in the range of Hourlier and Pineau, where it is given.
+    pub mode_3_weight: Option<f64>,
+}
+
+/// Most points of the faces: three unknowns at each make dense matrices of 300 MB.
+pub(super) const MOST_SPACE_POINTS: usize = 2000;
+
+/// Points of the faces of a crack of this resolution.
+pub(super) fn face_points(resolution: SpaceResolution, is_buried: bool) -> usize {
+    let SpaceResolution { block, ring } = resolution;
+    let rows = ring.saturating_sub(1);
+    if is_buried {
+        (2 * block + 1).pow(2) + 8 * block * rows
+    } else {
+        (2 * block + 1) * (block + 1) + (4 * block + 1) * rows
+    }
+}
+
+/// Points of its front.
+pub(super) fn front_points(resolution: SpaceResolution, is_buried: bool) -> usize {
+    if is_buried { 8 * resolution.block } else { 4 * resolution.block + 1 }
+}
