@@ -8,16 +8,17 @@ use super::space::read_space;
 use crate::files::read_profile;
 use crate::schema::{Report, SectionValues, Sections, Value, Written};
 use crate::tables::{
-    AXLE_LOAD, CENTRE, CONTACT, CRACK, ContactExtent, ENGINE, Engine, FLUID, FOUNDATION, FRACTURE, FROM,
-    FieldOutput, Fracture, GROWTH, GivenWheel, INSPECTION, LAW_KEYS, MAINTENANCE, MESH, MeshSettings, OUTPUT,
-    Output, PASSAGE, PLASTIC_STRESS, PROFILE, PlasticSource, RAIL, RAIL_TEMPERATURE, RESIDUAL_STRESS, Rail,
-    SCATTER, SHAKEDOWN, SOLVER, SOLVER_CONTACT, Scattering, ShakedownSettings, TEMPERATURE, TITLE, TO, TOP,
-    TRACK, TRAFFIC, WHEEL, WheelSections, read_fluid, read_growth, read_inspection, read_maintenance,
-    read_passage, read_passages, read_scatter, read_steel, read_travel,
+    AXLE_LOAD, CENTRE, CONTACT, CRACK, ContactExtent, ContactSolver, ENGINE, Engine, FLUID, FOUNDATION,
+    FRACTURE, FROM, FieldOutput, Fracture, GROWTH, GivenWheel, INSPECTION, LAW_KEYS, MAINTENANCE, MESH,
+    MeshSettings, NETWORK, OUTPUT, Output, PASSAGE, PLASTIC_STRESS, PROFILE, PlasticSource, RAIL,
+    RAIL_TEMPERATURE, RESIDUAL_STRESS, Rail, SCATTER, SHAKEDOWN, SOLVER, SOLVER_CONTACT, Scattering,
+    ShakedownSettings, TEMPERATURE, TITLE, TO, TOP, TRACK, TRAFFIC, WHEEL, WheelSections, read_fluid,
+    read_growth, read_inspection, read_maintenance, read_passage, read_passages, read_scatter, read_steel,
+    read_travel,
 };
 use railcrack::bulk::Boundary;
 use railcrack::crack::CrackNetwork;
-use railcrack::growth::GrowthSettings;
+use railcrack::growth::{GrowthSettings, NetworkContact};
 use railcrack::load::{Passage, Temperature};
 use railcrack::material::IsotropicElastic;
 use railcrack::math::MPA_SQRT_MM;
@@ -123,6 +124,7 @@ pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) 
     };
     // A stored case says where the middle of the rail was.
     sections.settle(&RAIL, CENTRE, Value::Number(rail.extent.centre));
+    check_network(&sections, fluid.as_ref().is_some_and(Option::is_some), report);
     let solver = sections.one(&SOLVER)?;
     let case = Case {
         title: sections.one(&TOP)?.get(TITLE)?,
@@ -148,6 +150,7 @@ pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) 
         mesh: MeshSettings::read(sections.one(&MESH)?),
         engine: solver.get(ENGINE)?,
         contact_solver: solver.get(SOLVER_CONTACT)?,
+        network: solver.get(NETWORK)?,
         fields: FieldOutput::read(sections.one(&OUTPUT)?)?,
         output: Output::read(sections.one(&OUTPUT)?)?,
         axle_load,
@@ -236,6 +239,25 @@ fn check_rolled(sections: &Sections, report: &mut Report) {
 /// Smallest gap between the contact and the side of a block, over the half-width: closer, the sides
 /// bear a part of the contact.
 const SIDE_GAP: f64 = 1.0;
+
+/// Windows are for dry cracks, dislocations and Newton's method.
+fn check_network(sections: &Sections, has_fluid: bool, report: &mut Report) {
+    let Some(solver) = sections.one(&SOLVER) else { return };
+    if solver.get(NETWORK) != Some(NetworkContact::Windows) {
+        return;
+    }
+    let help = "network = \"whole\" follows all cracks together, in either engine";
+    let mut refuse = |says: &str| report.add(solver.fault(NETWORK, says).help(help));
+    if solver.get(ENGINE) != Some(Engine::Dislocation) {
+        refuse("is \"windows\", for which solver.engine must be \"dislocation\"");
+    }
+    if solver.get(SOLVER_CONTACT) == Some(ContactSolver::Latin) {
+        refuse("is \"windows\", for which solver.contact must be \"newton\"");
+    }
+    if has_fluid {
+        refuse("is \"windows\", in which cracks are dry, and there is a section [fluid]");
+    }
+}
 
 /// A block needs the finite-element engine, and a wheel that stays on its top.
 fn check_block(

@@ -10,7 +10,7 @@ use crate::tables::{
 };
 use railcrack::crack::CrackNetwork;
 use railcrack::fatigue::RailSteel;
-use railcrack::growth::{CrackFluid, GrowthSettings, PassageSettings};
+use railcrack::growth::{CrackFluid, GrowthSettings, NetworkContact, PassageSettings};
 use railcrack::material::IsotropicElastic;
 use railcrack::shakedown::{ContactBounds, RolledRail, Stabilisation};
 use thiserror::Error;
@@ -58,6 +58,8 @@ pub struct Case {
     pub engine: Engine,
     /// Solver of the contact conditions on the crack faces.
     pub contact_solver: ContactSolver,
+    /// How the contact of many cracks is followed.
+    pub network: NetworkContact,
     /// Fields that are written.
     pub fields: FieldOutput,
     /// Tables, plots and page that are written.

@@ -228,6 +228,7 @@ impl PreparedRun<'_> {
             engine,
             solver,
             fallback,
+            network: case.network,
             crack_friction: case.crack_friction.clone(),
             wheel: case.wheel.field(&case.steel).expect("the case is checked"),
             share: case.mix.first().map_or(1.0, |first| first.share),

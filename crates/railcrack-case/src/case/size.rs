@@ -4,6 +4,7 @@ use super::case::Case;
 use super::space_case::{face_points, front_points};
 use crate::tables::{Engine, PlasticSource};
 use railcrack::dislocation;
+use railcrack::growth::NetworkContact;
 use railcrack::residual::PlasticField;
 
 /// Size of the face problem of a case at its first step.
@@ -24,6 +25,10 @@ pub struct RunSize {
 /// Dense matrices of the size of C alive at once: C itself, its kernel before inversion, the
 /// factors, and the working copy of the contact solver.
 const MATRICES: usize = 4;
+
+/// Numbers by unknown of contact in windows: A of neighbours and its elimination, the tableau of
+/// the window.
+const COLUMNS: usize = 3000;
 
 /// Memory that every case needs, bytes.
 const BASE: usize = 20 << 20;
@@ -58,7 +63,11 @@ impl Case {
         };
         let unknowns = if self.engine == Engine::Space { 3 * face_points } else { 2 * face_points };
         let number = size_of::<f64>();
-        let matrices = MATRICES * unknowns * unknowns + 2 * tips * unknowns;
+        let columns = match self.network {
+            NetworkContact::Whole => MATRICES * unknowns,
+            NetworkContact::Windows => unknowns.min(COLUMNS),
+        };
+        let matrices = columns * unknowns + 2 * tips * unknowns;
         // Face record of one passage: four numbers and a status per position and point.
         let records = self.positions().len() * (5 * face_points + 2 * tips);
         let memory_bytes = BASE + number * (matrices + records + 2 * factor);

@@ -59,7 +59,7 @@ pub(crate) use output::{OF_STUDY, OUTPUT, RUN_FOLDERS};
 pub(crate) use passage::{FROM, PASSAGE, POSITIONS, TO, read_passage, read_passages, read_travel};
 pub(crate) use rail::{CENTRE, RAIL, read_steel};
 pub(crate) use shakedown::SHAKEDOWN;
-pub(crate) use solver::{ENGINE, SOLVER, SOLVER_CONTACT};
+pub(crate) use solver::{ENGINE, NETWORK, SOLVER, SOLVER_CONTACT};
 pub(crate) use stress::{PLASTIC_STRESS, PROFILE, RESIDUAL_STRESS};
 pub(crate) use study::{COLOUR_BY, COMBINE, SAMPLES, SAMPLES_BY_DEFAULT, SAMPLING, SEED, TOGETHER};
 pub(crate) use title::{TITLE, TOP};

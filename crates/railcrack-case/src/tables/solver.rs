@@ -1,14 +1,16 @@
 //! `[solver]`: the engine of the cracked rail and the solver of the contact conditions.
 
 use crate::schema::{Choice, Word, choice, read_by_word, section};
+use railcrack::growth::NetworkContact;
 
 section! {
     SOLVER "solver", Defaulted, "Solvers.";
     ENGINE: Engine = choice("engine", "Engine that computes the cracked rail.");
     SOLVER_CONTACT: ContactSolver = choice("contact", "Solver of the contact conditions on the crack faces.");
+    NETWORK: NetworkContact = choice("network", "How the contact of many cracks is followed.");
 }
 
-read_by_word!(Engine, ContactSolver);
+read_by_word!(Engine, ContactSolver, NetworkContact);
 
 /// Engines that compute the cracked rail.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

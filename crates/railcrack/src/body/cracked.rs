@@ -1,6 +1,6 @@
 //! The cracked body: two matrices at the face points.
 
-use super::{BodyError, BodyFields, FaceMesh, FieldLoad};
+use super::{BlockStiffness, BodyError, BodyFields, FaceMesh, FieldLoad};
 use crate::crack::CrackTip;
 use crate::field::RailEnds;
 use crate::fracture::Sif;
@@ -43,6 +43,9 @@ pub struct CrackedBody {
     pub stiffness: Matrix,
     /// S, 2q × 2p, mm^(−1/2): rows 2 t and 2 t + 1 are K_I and K_II of tip t.
     pub sif_influence: Matrix,
+    /// A by groups of neighbours, where an engine gives it so for many cracks; `compliance`,
+    /// `stiffness` and `sif_influence` are empty then.
+    pub blocks: Option<Arc<BlockStiffness>>,
     /// Number of displacement unknowns behind C.
     pub dofs: usize,
     /// The ends of its uncracked rail; none for a half-plane.
@@ -70,11 +73,19 @@ impl CrackedBody {
             compliance,
             stiffness,
             sif_influence,
+            blocks: None,
             ends: None,
             fields: None,
             times: BodyTimes::default(),
             remarks: Vec::new(),
         }
+    }
+
+    /// The body of A by groups of neighbours (`blocks`) in a half-plane.
+    pub fn by_groups(faces: FaceMesh, tips: Vec<CrackTip>, blocks: BlockStiffness) -> Self {
+        let none = || Matrix::zeros(0, 0);
+        let dofs = 2 * faces.points.len();
+        Self { blocks: Some(Arc::new(blocks)), dofs, ..Self::new(faces, tips, [none(), none(), none()]) }
     }
 }
 

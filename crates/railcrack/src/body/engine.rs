@@ -25,6 +25,18 @@ pub trait BodyEngine {
         network: &CrackNetwork,
     ) -> Result<CrackedBody, BodyError>;
 
+    /// The body with A by groups of neighbouring cracks, for networks whose matrices are too large;
+    /// none where the engine does not make such bodies.
+    ///
+    /// Errors: as [`BodyEngine::body_unless`].
+    fn body_by_groups(
+        &mut self,
+        _interruption: Interruption<'_>,
+        _network: &CrackNetwork,
+    ) -> Result<Option<CrackedBody>, BodyError> {
+        Ok(None)
+    }
+
     /// Forgets what it keeps for the next call alone: where the last body is made, its memory
     /// serves what is done with it.
     fn forget(&mut self) {}

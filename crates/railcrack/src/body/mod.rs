@@ -1,5 +1,6 @@
 //! The cracked body as data: two matrices at the face points, made by an engine.
 
+mod blocks;
 mod cracked;
 mod elements;
 mod engine;
@@ -8,6 +9,7 @@ mod face_mesh;
 mod fields;
 mod thin_flap;
 
+pub use blocks::{BlockStiffness, FarStiffness, TipGain};
 pub use cracked::{BodyTimes, CrackedBody, FieldSolver};
 pub(crate) use elements::{FaceElement, FacePiece, discretise};
 pub use engine::BodyEngine;

@@ -1,9 +1,11 @@
 //! Unilateral contact with Coulomb friction on the crack faces.
 
+mod carried;
 mod condition;
 #[cfg(test)]
 mod fixtures;
 mod fluid;
+mod frozen;
 mod latin;
 mod law;
 mod letting_off;
@@ -18,11 +20,13 @@ mod stepping;
 mod tableau;
 mod trace;
 
+pub use carried::{CarriedTableau, WindowTableau};
 pub use fluid::{FaceFluid, FluidModel, FluidState, Pocket, PocketMouth, PocketState, PocketStatus};
+pub use frozen::{Columns, FrozenFaces, demanded_beyond, far_forces};
 pub use latin::Latin;
 pub use law::{FaceState, FaceStatus};
 pub use newton::Newton;
 pub use problem::{CrackFrictionError, FaceProblem, FaceScale, FaceSolution, PointStatus};
 pub use response::FaceResponse;
 pub use solver::{ContactSolver, LoadStep, NotConverged, StepSolver};
-pub use stepping::{LoadPath, StepControl, Stepper, SteppingCounts, SteppingError};
+pub use stepping::{FaceHistory, LoadPath, StepControl, Stepper, SteppingCounts, SteppingError};

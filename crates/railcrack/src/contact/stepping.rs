@@ -1,5 +1,6 @@
 //! Adaptive load steps: friction depends on the order of events.
 
+use super::carried::CarriedTableau;
 use super::pocket_way::OutsidePressure;
 use super::pressure::{content, total, violation};
 use super::trace::{Accuracy, LetsOff, StepLoad, Stop, Traced, follow};
@@ -7,6 +8,7 @@ use super::{
     ContactSolver, FaceProblem, FaceResponse, FaceScale, FaceSolution, LoadStep, NotConverged, PocketState,
     PocketStatus, PointStatus, StepSolver,
 };
+use crate::linear::LinearError;
 use crate::math::axpy;
 use crate::words::{Choice, Word};
 use thiserror::Error;
@@ -128,6 +130,31 @@ pub struct Stepper<'a> {
     interrupted: &'a (dyn Fn() -> bool + Sync),
 }
 
+/// State that faces carry from one part of their path to another.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FaceHistory {
+    /// The accepted solution.
+    pub solution: FaceSolution,
+    /// Slip or opening of each point that counts as large, mm.
+    pub scale: Vec<f64>,
+    /// The largest jump and force so far.
+    pub largest: FaceScale,
+    /// Nodal forces, N/mm.
+    pub load: Vec<f64>,
+}
+
+impl FaceHistory {
+    /// Virgin faces of `points` points without load; `expected` as in [`Stepper::new`].
+    pub fn virgin(points: usize, expected: &[f64]) -> Self {
+        Self {
+            solution: FaceSolution::virgin(points),
+            scale: expected.iter().map(|slip| EXPECTED_SHARE * slip.abs()).collect(),
+            largest: FaceScale::NONE,
+            load: vec![0.0; 2 * points],
+        }
+    }
+}
+
 /// Steps that are tried between two stations at most. Passages need some hundreds for all of their
 /// stations together; thousands between two of them are a solver that goes in circles.
 const MOST_ATTEMPTS: usize = 3000;
@@ -191,6 +218,67 @@ impl<'a> Stepper<'a> {
             largest_pressure: 0.0,
             counts: SteppingCounts::default(),
             interrupted: &|| false,
+        }
+    }
+
+    /// Faces that go on from `history`, with their path at coordinate `at`.
+    pub fn from_history(
+        problem: &'a FaceProblem<'a>,
+        solver: &dyn ContactSolver,
+        tolerance: f64,
+        (history, carried): (FaceHistory, Option<CarriedTableau>),
+        at: f64,
+    ) -> Self {
+        let mut faces = match carried {
+            Some(carried) => FaceResponse::carried(problem, carried),
+            None => FaceResponse::virgin(problem),
+        };
+        faces.adopt(&history.solution);
+        Self {
+            problem,
+            solver: solver.prepare(problem),
+            faces,
+            tolerance,
+            control: StepControl::Adaptive,
+            scale: history.scale,
+            largest: history.largest,
+            current: history.solution,
+            at,
+            load: history.load,
+            outside: vec![0.0; problem.pockets().len()],
+            largest_pressure: 0.0,
+            counts: SteppingCounts::default(),
+            interrupted: &|| false,
+        }
+    }
+
+    /// All that is to be known to go on from here.
+    pub fn history(&self) -> FaceHistory {
+        FaceHistory {
+            solution: self.current.clone(),
+            scale: self.scale.clone(),
+            largest: self.largest,
+            load: self.load.clone(),
+        }
+    }
+
+    /// The tableau of the faces, to be carried on.
+    ///
+    /// Errors: statuses that leave jumps undetermined.
+    pub fn into_carried(self) -> Result<CarriedTableau, LinearError> {
+        self.faces.into_carried()
+    }
+
+    /// Solves contact where the faces are, under forces or a stiffness that have changed a little.
+    ///
+    /// Errors: contact does not converge.
+    pub fn settle(&mut self, path: &dyn LoadPath) -> Result<(), SteppingError> {
+        let at = self.at;
+        self.faces.keep();
+        let ends = (path.nodal_forces(at), path.over_mouths(at));
+        match self.untraced(at, ends, &mut |_, _| ()) {
+            Ok(_) => Ok(()),
+            Err(failure) => Err(SteppingError::NotConverged { at, failure }),
         }
     }
 

@@ -1,5 +1,6 @@
 //! Jumps and contact forces of the faces, as components are held and freed.
 
+use super::carried::CarriedTableau;
 use super::condition::{Condition, Degenerate};
 use crate::linear::{BorderedFactor, LinearError, SmallFactor, add_product, general_inverse, product};
 use crate::math::{Matrix, add_rows_to_each, axpy};
@@ -35,6 +36,8 @@ pub(super) struct Tableau<'a> {
     /// Memory for answers.
     spare: Vec<Answer>,
     differences: Differences,
+    /// Residual of the probe, relative to its terms so far, above which a basis is computed anew.
+    drift: f64,
 }
 
 /// Nodal forces, and what the basis makes of them.
@@ -142,6 +145,8 @@ const MOST: usize = 80;
 const URGENT: usize = 3;
 /// Residual of the probe, relative to its terms so far, above which a basis is computed anew.
 const DRIFT: f64 = 1e-13;
+/// The same of a tableau that is carried from window to window.
+const CARRIED_DRIFT: f64 = 1e-10;
 
 impl<'a> Tableau<'a> {
     /// All components held at zero. `stiffness` is A, symmetric.
@@ -162,6 +167,41 @@ impl<'a> Tableau<'a> {
             loads: Vec::new(),
             spare: Vec::new(),
             differences: Differences::default(),
+            drift: DRIFT,
+        }
+    }
+
+    /// With the basis of `carried`, whose conditions are the present ones. `stiffness` is Aᵀ, which
+    /// needs not be symmetric.
+    pub(super) fn carried(stiffness: &'a Matrix, carried: CarriedTableau) -> Self {
+        let CarriedTableau { conditions, responses, unit } = carried;
+        let n = conditions.len();
+        Self {
+            stiffness,
+            unit,
+            basis: conditions.clone(),
+            responses,
+            now: conditions.clone(),
+            kept: conditions,
+            held: vec![0.0; n],
+            of_held: vec![0.0; n],
+            probe: Probe::new(stiffness),
+            loads: Vec::new(),
+            spare: Vec::new(),
+            differences: Differences::default(),
+            drift: CARRIED_DRIFT,
+        }
+    }
+
+    /// The tableau of the present conditions, to be carried on.
+    ///
+    /// Errors: conditions that leave a component without equation.
+    pub(super) fn into_carried(mut self) -> Result<CarriedTableau, LinearError> {
+        self.loads.clear();
+        self.change_basis_beyond(0);
+        match self.differences.components.len() {
+            0 => Ok(CarriedTableau { conditions: self.now, responses: self.responses, unit: self.unit }),
+            order => Err(LinearError::Singular { order }),
         }
     }
 
@@ -261,7 +301,7 @@ impl<'a> Tableau<'a> {
             }
         }
         self.probe.size = self.probe.size.max(size);
-        sum.abs() <= DRIFT * self.probe.size
+        sum.abs() <= self.drift * self.probe.size
     }
 
     /// Lets the basis answer all loads that it has not answered yet, in one pass over it.

@@ -47,7 +47,12 @@ pub(super) fn stiffness(
     in_face_frames(&global, faces, scale, interruption)
 }
 
-fn element_integral(walks: &[Walk], a: &FaceElement, b: &FaceElement, rules: &Rules) -> Interaction {
+pub(super) fn element_integral(
+    walks: &[Walk],
+    a: &FaceElement,
+    b: &FaceElement,
+    rules: &Rules,
+) -> Interaction {
     let mut sum = [0.0; 4];
     for piece in &a.pieces {
         for other in &b.pieces {
@@ -62,7 +67,7 @@ fn element_integral(walks: &[Walk], a: &FaceElement, b: &FaceElement, rules: &Ru
 }
 
 /// The face points on which the derivative of the jump along `element` depends, with their factors.
-fn slope(element: &FaceElement, ties: &Ties) -> Vec<(usize, f64)> {
+pub(super) fn slope(element: &FaceElement, ties: &Ties) -> Vec<(usize, f64)> {
     let mut slope: Vec<(usize, f64)> = Vec::new();
     for (node, sign) in element.ends.iter().zip([-1.0, 1.0]) {
         for &(point, factor) in node.map_or(&[][..], |node| ties.of(node)) {
@@ -76,7 +81,7 @@ fn slope(element: &FaceElement, ties: &Ties) -> Vec<(usize, f64)> {
     slope
 }
 
-fn scatter(global: &mut Matrix, a: &[(usize, f64)], b: &[(usize, f64)], block: Interaction) {
+pub(super) fn scatter(global: &mut Matrix, a: &[(usize, f64)], b: &[(usize, f64)], block: Interaction) {
     for &(p, factor_p) in a {
         for &(q, factor_q) in b {
             for k in 0..4 {

@@ -3,8 +3,11 @@
 use super::assembly::stiffness;
 use super::junctions::{Core, Ties, cores};
 use super::nodes::{self, FaceResolution};
-use crate::body::{BodyEngine, BodyError, CrackedBody, discretise, thin_flaps};
-use crate::crack::{CrackNetwork, End, Walk, point_to_segment};
+use super::row::Row;
+use crate::body::{
+    BlockStiffness, BodyEngine, BodyError, CrackedBody, FaceElement, TipGain, discretise, thin_flaps,
+};
+use crate::crack::{CrackNetwork, CrackTip, End, Walk, point_to_segment};
 use crate::interruption::{Interrupted, Interruption};
 use crate::linear::{LinearError, spd_inverse_unless};
 use crate::material::IsotropicElastic;
@@ -61,9 +64,54 @@ fn cracked_body_unless(
     let modulus = steel.plane_strain_modulus();
     let stiffness = stiffness(&walks, &elements, &ties, &faces, modulus, interruption)?;
     let compliance = spd_inverse_unless(interruption, &stiffness)?;
-    let mut tips = Vec::new();
+    let tips = network.tips();
+    let gains: Vec<TipGain> = tip_gains(&tips, &walks, &elements, &ties, modulus);
     let mut rows = Vec::new();
-    for tip in network.tips() {
+    for TipGain { point, gain } in gains {
+        for row in [2 * point + 1, 2 * point] {
+            rows.push(compliance.row(row).iter().map(|c| c * gain).collect::<Vec<f64>>());
+        }
+    }
+    let sif_influence = Matrix::from_fn(rows.len(), compliance.columns(), |i, j| rows[i][j]);
+    let body = CrackedBody::new(faces, tips, [compliance, stiffness, sif_influence]);
+    Ok(CrackedBody { remarks: remarks(network), ..body })
+}
+
+/// [`cracked_body`] with A by groups of neighbours.
+fn body_by_groups(
+    interruption: Interruption<'_>,
+    network: &CrackNetwork,
+    steel: &IsotropicElastic,
+    resolution: FaceResolution,
+) -> Result<CrackedBody, DislocationError> {
+    let walks = network.walks();
+    let cores = cores(network, &walks, |crack, g| nodes::regular_element(&walks[crack], resolution, g));
+    let nodes = nodes(network, &walks, &cores, resolution, interruption)?;
+    let (elements, all) = discretise(&walks, &nodes);
+    let (ties, faces) = Ties::new(&cores, &walks, &elements, &all);
+    let modulus = steel.plane_strain_modulus();
+    let row = Row { network, walks: &walks, elements: &elements, ties: &ties, faces: &faces, modulus };
+    let blocks = row.stiffness(interruption)?;
+    let tips = network.tips();
+    let gains = tip_gains(&tips, &walks, &elements, &ties, modulus);
+    let body = CrackedBody::by_groups(faces, tips, BlockStiffness { tips: gains, ..blocks });
+    Ok(CrackedBody { remarks: remarks(network), ..body })
+}
+
+/// At 2° and 3°, K is 0.5 % off.
+fn remarks(network: &CrackNetwork) -> Vec<String> {
+    thin_flaps(network, 1, "more elements (interface_elements)")
+}
+
+/// How K of each tip follows from the jump next to it.
+fn tip_gains(
+    tips: &[CrackTip],
+    walks: &[Walk],
+    elements: &[FaceElement],
+    ties: &Ties,
+    modulus: f64,
+) -> Vec<TipGain> {
+    let gain = |tip: &CrackTip| {
         let mut own = elements.iter().filter(|e| e.crack == tip.crack);
         let (element, node) = match tip.end {
             End::First => own.next().map(|e| (e, e.ends[1])),
@@ -74,16 +122,9 @@ fn cracked_body_unless(
         let point = ties.of(node)[0].0;
         // ⟦w⟧ = W √r / √r_1 on the tip element, and ⟦w⟧ = (8 K / E′) √(r / 2π).
         let root = walks[tip.crack].root_slope() / (element.range.1 - element.range.0);
-        let factor = modulus * std::f64::consts::TAU.sqrt() / 8.0 * root;
-        for row in [2 * point + 1, 2 * point] {
-            rows.push(compliance.row(row).iter().map(|c| c * factor).collect::<Vec<f64>>());
-        }
-        tips.push(tip);
-    }
-    let sif_influence = Matrix::from_fn(rows.len(), compliance.columns(), |i, j| rows[i][j]);
-    let body = CrackedBody::new(faces, tips, [compliance, stiffness, sif_influence]);
-    // At 2° and 3°, K is 0.5 % off.
-    Ok(CrackedBody { remarks: thin_flaps(network, 1, "more elements (interface_elements)"), ..body })
+        TipGain { point, gain: modulus * std::f64::consts::TAU.sqrt() / 8.0 * root }
+    };
+    tips.iter().map(gain).collect()
 }
 
 /// Number of face points of `network` at `resolution`.
@@ -164,6 +205,16 @@ impl BodyEngine for DislocationEngine {
         network: &CrackNetwork,
     ) -> Result<CrackedBody, BodyError> {
         cracked_body_unless(interruption, network, &self.steel, self.resolution)
+            .map_err(|reason| BodyError { reason: Box::new(reason) })
+    }
+
+    fn body_by_groups(
+        &mut self,
+        interruption: Interruption<'_>,
+        network: &CrackNetwork,
+    ) -> Result<Option<CrackedBody>, BodyError> {
+        body_by_groups(interruption, network, &self.steel, self.resolution)
+            .map(Some)
             .map_err(|reason| BodyError { reason: Box::new(reason) })
     }
 

@@ -19,6 +19,11 @@ impl Rules {
         Self((0..=MOST_POINTS).map(gauss_legendre).collect())
     }
 
+    /// The rule with the most points.
+    pub(super) fn largest(&self) -> &[(f64, f64)] {
+        &self.0[MOST_POINTS]
+    }
+
     /// The rule for pieces at a distance of `ratio` times the longer one. The error is ρ^(−2n),
     /// with ρ of the ellipse around the piece that goes through a singularity beside it at that
     /// distance.
@@ -123,7 +128,7 @@ fn subdivided(
     }
 }
 
-fn samples<'a>(
+pub(super) fn samples<'a>(
     walk: &'a Walk,
     piece: &'a Piece,
     rule: &'a [(f64, f64)],

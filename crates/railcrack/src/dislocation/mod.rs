@@ -6,6 +6,7 @@ mod integrals;
 mod junctions;
 mod kernel;
 mod nodes;
+mod row;
 
 pub use engine::{DislocationEngine, DislocationError, cracked_body, face_points};
 pub use nodes::FaceResolution;

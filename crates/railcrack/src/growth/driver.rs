@@ -6,9 +6,9 @@ use super::mix::{MixedTip, MixedWheel, histories_of, turned_by as turned_by_whee
 use super::solvers::Solvers;
 use super::worn::mouth_sine;
 use super::{
-    CrackFluid, FieldRecord, FieldSettings, GrowthError, GrowthSettings, GrowthState, Observer,
-    PassageSettings, PhaseTimes, RailLoad, StabilisedPassage, StepRecord, StepState, StressMoves, TipDrive,
-    TipJudge, TipRecord, Warning, WarningKind, advance, fields,
+    CrackFluid, FieldRecord, FieldSettings, GrowthError, GrowthSettings, GrowthState, NetworkContact,
+    Observer, PassageSettings, PhaseTimes, RailLoad, StabilisedPassage, StepRecord, StepState, StressMoves,
+    TipDrive, TipJudge, TipRecord, Warning, WarningKind, advance, fields,
 };
 use crate::body::{BodyEngine, BodyError, CrackedBody};
 use crate::contact::{ContactSolver, FaceProblem, Latin, Newton};
@@ -29,6 +29,8 @@ pub struct GrowthProblem {
     pub solver: Box<dyn ContactSolver>,
     /// Takes over for a step that `solver` cannot do.
     pub fallback: Box<dyn ContactSolver>,
+    /// How the contact of many cracks is followed.
+    pub network: NetworkContact,
     /// μ_c of each crack.
     pub crack_friction: Vec<f64>,
     /// The wheel; the first one of a mix.
@@ -64,6 +66,7 @@ impl GrowthProblem {
             engine: Box::new(engine),
             solver: Box::new(Newton::default()),
             fallback: Box::new(Latin::default()),
+            network: NetworkContact::Whole,
             crack_friction,
             wheel: Box::new(wheel),
             share: 1.0,
@@ -132,7 +135,7 @@ impl Growth {
         let network = CrackNetwork::joined(self.state.cracks.clone(), self.state.junctions.clone())
             .map_err(|source| GrowthError::Network { step, source })?;
         let asked = || observer.interrupted();
-        let body = self.problem.engine.body_unless(Interruption::when(&asked), &network);
+        let body = self.body(Interruption::when(&asked), &network);
         let body = body.map_err(|source| match source.is_interruption() {
             true => GrowthError::Interrupted { step },
             false => GrowthError::Body { step, source },
@@ -184,6 +187,7 @@ impl Growth {
         for (wheel, passage) in all.iter().enumerate() {
             let of_wheel = |warning: Warning| self.of_wheel(wheel, warning);
             warnings.extend(self.unrepeated(passage).map(of_wheel));
+            warnings.extend(self.coupled(passage).map(of_wheel));
             warnings.extend(self.overlap(&tips, passage).map(of_wheel));
         }
         let counts = beside.iter().fold(passage.counts, |sum, other| sum.and(other.counts));
@@ -250,6 +254,22 @@ impl Growth {
         Ok(Some(record))
     }
 
+    /// The body of `network`, by groups where its contact is followed in windows.
+    fn body(
+        &mut self,
+        interruption: Interruption<'_>,
+        network: &CrackNetwork,
+    ) -> Result<CrackedBody, BodyError> {
+        let engine = &mut self.problem.engine;
+        if self.problem.network == NetworkContact::Windows
+            && self.problem.fluid.is_none()
+            && let Some(body) = engine.body_by_groups(interruption, network)?
+        {
+            return Ok(body);
+        }
+        engine.body_unless(interruption, network)
+    }
+
     /// The fields that the ends of the rail add under each wheel, none for a half-plane: kept for
     /// as long as the engine keeps the rail.
     fn ends_under_wheels(&mut self, body: &CrackedBody) -> Result<Vec<Arc<dyn EndField>>, GrowthError> {
@@ -300,6 +320,16 @@ impl Growth {
             _ => (load, passages),
         })
         .collect()
+    }
+
+    /// The change of K that is left of the coupling of far cracks, where contact is followed in
+    /// windows.
+    fn coupled(&self, passage: &StabilisedPassage) -> Option<Warning> {
+        let text = format!(
+            "contact in windows: K changed by at most {:.2} % of its peak in the last round of coupling",
+            100.0 * passage.coupling?
+        );
+        Some(Warning { step: self.state.step, kind: WarningKind::Passages, text })
     }
 
     /// A warning that says which wheel of a mix it is about.

@@ -100,12 +100,27 @@ impl<'a> FaceLoad<'a> {
     pub(super) fn expected_slip(&self, xc: &[f64]) -> Vec<f64> {
         let mut slips = vec![0.0f64; self.problem.points()];
         for &x in xc.iter().step_by((xc.len() / EXPECTED_FROM).max(1)) {
-            let jump = self.problem.body().compliance.times(&self.along(Part::Over).nodal_forces(x));
+            let forces = self.along(Part::Over).nodal_forces(x);
+            let jump = self.free_jumps(&forces);
             for (slip, jump) in slips.iter_mut().zip(jump.chunks_exact(2)) {
                 *slip = slip.max(jump[0].abs());
             }
         }
         slips
+    }
+
+    /// The jumps (mm) of free faces under `forces`; of a body by groups with the cracks apart.
+    fn free_jumps(&self, forces: &[f64]) -> Vec<f64> {
+        let body = self.problem.body();
+        let Some(blocks) = &body.blocks else { return body.compliance.times(forces) };
+        let mut jumps = vec![0.0; forces.len()];
+        for (points, compliance) in &blocks.alone {
+            let own: Vec<f64> = points.iter().flat_map(|&p| [forces[2 * p], forces[2 * p + 1]]).collect();
+            for (&p, jump) in points.iter().zip(compliance.times(&own).chunks_exact(2)) {
+                jumps[2 * p..2 * p + 2].copy_from_slice(jump);
+            }
+        }
+        jumps
     }
 }
 

@@ -28,6 +28,9 @@ pub struct StabilisedPassage {
     pub counts: SolverCounts,
     /// Change of K between the last two passages relative to its peak; none after a single passage.
     pub last_change: Option<f64>,
+    /// Of a passage in windows, what is left of the coupling between far cracks: the largest change
+    /// of K in the last round of a span, over its peak.
+    pub coupling: Option<f64>,
 }
 
 impl StabilisedPassage {
@@ -67,31 +70,8 @@ pub enum PassageError {
     Interrupted,
 }
 
-/// The stabilised passage over fixed cracks. Residual stress is ramped up on virgin faces; then the
-/// wheel passes until the histories of K of two consecutive passages agree. Faces without friction
-/// have no memory, and one passage is enough. The wheel arrives from infinity and leaves to
-/// infinity; in a rail with ends, its load is ramped up at the first position and down at the last.
-///
-/// Where the wheel bends the rail, the passage reaches as far as the beam does, and the output
-/// positions with it.
-///
-/// Errors: settings under which nothing can be computed; a wheel that leaves the rail; contact does
-/// not converge; `observer` asks to stop.
-pub fn stabilised_passage(
-    problem: &FaceProblem,
-    solver: &dyn ContactSolver,
-    load: RailLoad,
-    settings: &PassageSettings,
-    observer: &dyn Observer,
-) -> Result<StabilisedPassage, PassageError> {
-    settings.check()?;
-    let ends = problem.body().ends.as_ref().map(|rail| load.at_ends(rail, settings)).transpose()?;
-    let face_load = FaceLoad::new(problem, load, ends.as_deref())?;
-    passages_under(&face_load, load, solver, settings, observer)
-}
-
-/// [`stabilised_passage`] under a load that is known at the faces.
-pub(super) fn passages_under(
+/// [`super::stabilised_passage`] of all faces together, under a load that is known there.
+pub(super) fn passages_of_all(
     face_load: &FaceLoad,
     load: RailLoad,
     solver: &dyn ContactSolver,
@@ -142,6 +122,7 @@ pub(super) fn passages_under(
                 histories: pass.histories,
                 faces: FaceRecord { points, states: pass.states, across: None },
                 last_change,
+                coupling: None,
             });
         }
         before = Some(pass);
@@ -150,16 +131,16 @@ pub(super) fn passages_under(
 
 /// Stations of the approach from infinity and of the departure to it, evenly spaced in 1/distance:
 /// the load grows about linearly from station to station.
-const FAR_STATIONS: usize = 16;
+pub(super) const FAR_STATIONS: usize = 16;
 /// Stations of the ramp of residual stress, and of the wheel's load where it cannot come from far
 /// away.
-const RAMP_STATIONS: usize = 8;
+pub(super) const RAMP_STATIONS: usize = 8;
 
 /// Distance ahead of the contact, over a, in which a mouth is covered or left.
 const AHEAD: f64 = 1e-6;
 /// Stations around the passage of a contact edge over a mouth, over a: the stress there goes like
 /// the root of the distance.
-const EDGE_STATIONS: [f64; 7] = [-0.03, -0.015, -0.004, 0.0, 0.004, 0.015, 0.03];
+pub(super) const EDGE_STATIONS: [f64; 7] = [-0.03, -0.015, -0.004, 0.0, 0.004, 0.015, 0.03];
 
 /// The passages of the wheel over fixed cracks.
 struct Rolling<'a> {
@@ -182,25 +163,25 @@ struct Rolling<'a> {
 }
 
 /// Results of one passage.
-struct Pass {
-    record: PassageRecord,
-    histories: Vec<SifHistory>,
-    states: Vec<Vec<FaceState>>,
+pub(super) struct Pass {
+    pub record: PassageRecord,
+    pub histories: Vec<SifHistory>,
+    pub states: Vec<Vec<FaceState>>,
     /// At each output position.
-    marks: Vec<Mark>,
+    pub marks: Vec<Mark>,
     /// Whether it coincides with the passage before from some position on.
-    joins: bool,
+    pub joins: bool,
 }
 
 /// The state that determines the rest of a passage.
-struct Mark {
-    faces: FaceSolution,
-    tips: TipMark,
+pub(super) struct Mark {
+    pub faces: FaceSolution,
+    pub tips: TipMark,
 }
 
 impl Pass {
     /// Continues from its last position as `other`, which had the same state there.
-    fn join(&mut self, other: &Self) {
+    pub fn join(&mut self, other: &Self) {
         let from = self.marks.len();
         for (own, sifs) in self.record.sifs.iter_mut().zip(&other.record.sifs) {
             own.extend_from_slice(&sifs[from..]);
@@ -209,7 +190,7 @@ impl Pass {
             own.extend_from_slice(&fluid[from..]);
         }
         let past = other.marks[from - 1].tips.samples();
-        for (own, history) in self.histories.iter_mut().zip(&other.histories) {
+        for ((own, history), past) in self.histories.iter_mut().zip(&other.histories).zip(past) {
             own.samples.extend_from_slice(&history.samples[past..]);
         }
         self.states.extend_from_slice(&other.states[from..]);
@@ -437,13 +418,13 @@ fn trapped<'a>(problem: &'a FaceProblem) -> &'a [Pocket] {
 }
 
 /// Abscissae of the points of the faces on the running surface, mm.
-fn mouths(problem: &FaceProblem) -> Vec<f64> {
+pub(super) fn mouths(problem: &FaceProblem) -> Vec<f64> {
     let points = problem.body().faces.points.iter();
     points.filter(|point| point.position.y == 0.0).map(|point| point.position.x).collect()
 }
 
 /// Where bending matters along the rail, mm: the mouths, or else the middle of the faces.
-fn places(problem: &FaceProblem) -> Vec<f64> {
+pub(super) fn places(problem: &FaceProblem) -> Vec<f64> {
     let mouths = mouths(problem);
     if !mouths.is_empty() {
         return mouths;
@@ -464,7 +445,7 @@ fn failure(passage: usize, phase: &'static str) -> impl Fn(SteppingError) -> Pas
 }
 
 /// The largest change of K at any tip and position, relative to the largest |K| of both passages.
-fn change(before: &PassageRecord, after: &PassageRecord) -> f64 {
+pub(super) fn change(before: &PassageRecord, after: &PassageRecord) -> f64 {
     let pairs = before.sifs.iter().flatten().zip(after.sifs.iter().flatten());
     let (mut difference, mut peak) = (0.0f64, 0.0f64);
     for (a, b) in pairs {
@@ -490,6 +471,7 @@ mod tests {
             faces: FaceRecord { points: Vec::new(), states: Vec::new(), across: None },
             counts: SolverCounts::default(),
             last_change: None,
+            coupling: None,
         };
         assert_eq!(passage.lowest_opening(), Some((1, -0.04)));
         passage.histories = vec![history(0.0, 0.0)];

@@ -5,6 +5,32 @@ use crate::contact::StepControl;
 use crate::fatigue::{DirectionCriterion, GrowthLaw};
 use crate::load::Passage;
 use crate::math::OutOfRange;
+use crate::words::{Choice, Word};
+
+/// How the contact of many cracks is followed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum NetworkContact {
+    /// All cracks together, event by event.
+    #[default]
+    Whole,
+    /// Event by event in a window around the wheel; cracks farther away keep their statuses from
+    /// span to span. For dry cracks and an engine that makes bodies by groups; others are followed
+    /// as a whole.
+    Windows,
+}
+
+impl Choice for NetworkContact {
+    const WORDS: &'static [(Self, Word)] = &[
+        (Self::Whole, Word::now("whole", "all cracks together, the cost grows with their number squared")),
+        (
+            Self::Windows,
+            Word::now(
+                "windows",
+                "event by event around the wheel, for dozens of cracks: dislocations, newton, no fluid",
+            ),
+        ),
+    ];
+}
 
 /// The wheel's passages.
 #[derive(Debug, Clone, Copy, PartialEq)]

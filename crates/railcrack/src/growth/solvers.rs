@@ -2,7 +2,7 @@
 
 use super::face_load::FaceLoad;
 use super::mix::Beside;
-use super::passage::passages_under;
+use super::stabilise::passages_under;
 use super::{
     GrowthError, Observer, PassageError, PassageSettings, RailLoad, StabilisedPassage, Warning, WarningKind,
 };
@@ -34,7 +34,8 @@ impl Solvers<'_> {
         let by = |solver: &dyn ContactSolver| passages_under(face_load, load, solver, settings, observer);
         let first = by(self.first);
         let result = match first {
-            Err(PassageError::NotConverged { .. }) => {
+            // Windows are for Newton's method alone.
+            Err(PassageError::NotConverged { .. }) if face_load.problem.body().blocks.is_none() => {
                 let second = by(self.second);
                 if let (Err(failure), Ok(_)) = (&first, &second) {
                     let text = format!("the other contact solver did this step, since: {failure}");

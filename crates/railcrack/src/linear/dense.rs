@@ -166,6 +166,31 @@ pub fn add_product(factor: f64, a: &Matrix, b: &Matrix, sum: &mut Matrix) -> Res
     Ok(())
 }
 
+/// sum += Aᵀ B.
+///
+/// Errors: shapes that do not fit.
+pub fn add_transposed_product(a: &Matrix, b: &Matrix, sum: &mut Matrix) -> Result<(), LinearError> {
+    let (inner, rows, columns) = (a.rows(), a.columns(), b.columns());
+    for (quantity, given, expected) in [
+        ("rows of the second factor of a product", b.rows(), inner),
+        ("rows of a sum of products", sum.rows(), rows),
+        ("columns of a sum of products", sum.columns(), columns),
+    ] {
+        if given != expected {
+            return Err(LinearError::WrongLength { quantity, given, expected });
+        }
+    }
+    matmul(
+        MatMut::from_row_major_slice_mut(sum.entries_mut(), rows, columns),
+        Accum::Add,
+        MatRef::from_row_major_slice(a.entries(), inner, rows).transpose(),
+        MatRef::from_row_major_slice(b.entries(), inner, columns),
+        1.0,
+        Par::Seq,
+    );
+    Ok(())
+}
+
 /// The triangular factors of a square matrix of a few unknowns, by Gaussian elimination with
 /// partial pivoting. Below some dozens of unknowns a call of the blocked factorisation costs more
 /// than this.

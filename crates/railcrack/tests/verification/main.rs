@@ -36,4 +36,5 @@ mod space;
 mod step_tolerance;
 mod symmetric_cracks;
 mod threads;
+mod windows;
 mod xfem;
