@@ -143,8 +143,8 @@ impl Study {
         written.map(drop).map_err(|error| output_error(py, &error))
     }
 
-    /// Packs those of the runs `numbers` in the folder `out` that are done, where the study keeps no
-    /// run folders.
+    /// Packs those of the runs `numbers` in the folder `out` that are done, where the study keeps
+    /// no run folders.
     #[staticmethod]
     fn pack(py: Python<'_>, out: PathBuf, numbers: Vec<usize>) -> PyResult<()> {
         let packed = py.detach(|| {
