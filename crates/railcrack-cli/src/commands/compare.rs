@@ -17,8 +17,8 @@ use std::path::{Path, PathBuf};
 
 /// Set two runs against each other: SIF histories, paths, cycles
 ///
-/// Compares two run folders, or with --engines computes one case with every engine and compares
-/// their runs. Of each step the stabilised passage counts. The differences are printed, and written
+/// Compares two run folders, or with --engines computes one case with both engines of the plane and
+/// compares their runs. Of each step the stabilised passage counts. The differences are printed, and written
 /// with plots to a folder of their own.
 #[derive(Debug, Args)]
 pub struct CompareArguments {
@@ -28,7 +28,7 @@ pub struct CompareArguments {
     /// The second run folder
     #[arg(value_name = "DIR", required_unless_present = "engines", conflicts_with = "engines")]
     second: Option<PathBuf>,
-    /// Compute the case with every engine and compare their runs
+    /// Compute the case with both engines of the plane and compare their runs
     #[arg(long)]
     engines: bool,
     /// Folder of the comparison [default: the name of the first run or of the case with -compare,
@@ -102,13 +102,17 @@ fn compare_folders(arguments: &CompareArguments, runs: [&PathBuf; 2], out: &Path
     Ok(exit)
 }
 
-/// Runs the case with every engine, each into a folder of its name in `out`, and compares them.
+/// Engines that are compared: those of the plane.
+const IN_THE_PLANE: [Engine; 2] = [Engine::Xfem, Engine::Dislocation];
+
+/// Runs the case with both engines of the plane, each into a folder of its name in `out`, and
+/// compares them.
 fn compare_engines(arguments: &CompareArguments, out: &Path) -> Result<Exit, Failure> {
     run::use_threads(None)?;
     Case::read(&arguments.first)?;
     let interruption = run::listen()?;
     let mut folders = Vec::new();
-    for &(engine, _) in Engine::WORDS {
+    for engine in IN_THE_PLANE {
         let finished = run::compute(&run_with(arguments, engine.word(), out), &interruption)?;
         if finished.ending == Ending::Interrupted {
             print::stdout(&run::result_text(&finished))?;
