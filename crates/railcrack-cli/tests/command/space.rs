@@ -64,10 +64,11 @@ fn a_run_in_space_has_all_its_files() {
     assert!((phi[4] - 90.0).abs() < 1e-9 && phi[0] == 0.0 && (phi[8] - 180.0).abs() < 1e-9, "{phi:?}");
     let of_step =
         |column: &str, step: usize| numbers(&run.join("growth.csv"), column)[9 * step..9 * step + 9].to_vec();
-    for (half_axis, least) in [("length_mm", 3.0), ("surface_half_length_mm", 4.0)] {
-        let axes: Vec<f64> = (0..3).map(|step| of_step(half_axis, step)[0]).collect();
-        assert!(axes[0] == least && axes[1] > axes[0] && axes[2] > axes[1], "{half_axis}: {axes:?}");
-    }
+    let axes = |name: &str| (0..3).map(|step| of_step(name, step)[0]).collect::<Vec<f64>>();
+    let (down, along) = (axes("length_mm"), axes("surface_half_length_mm"));
+    assert!(down[0] == 3.0 && down[1] > down[0] && down[2] > down[1], "{down:?}");
+    // Its sides are loaded less: they need not grow, but do not heal.
+    assert!(along[0] == 4.0 && along[1] >= along[0] && along[2] >= along[1], "{along:?}");
     // The increments move the points by their normal: at the deepest one that is the half axis.
     let grown = of_step("length_mm", 1)[0] - 3.0;
     assert!((of_step("increment_mm", 0)[4] - grown).abs() < 1e-9);
