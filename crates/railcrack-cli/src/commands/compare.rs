@@ -18,8 +18,8 @@ use std::path::{Path, PathBuf};
 /// Set two runs against each other: SIF histories, paths, cycles
 ///
 /// Compares two run folders, or with --engines computes one case with both engines of the plane and
-/// compares their runs. Of each step the stabilised passage counts. The differences are printed, and written
-/// with plots to a folder of their own.
+/// compares their runs. Of each step the stabilised passage counts. The differences are printed,
+/// and written with plots to a folder of their own.
 #[derive(Debug, Args)]
 pub struct CompareArguments {
     /// The first run folder; with --engines the case file
