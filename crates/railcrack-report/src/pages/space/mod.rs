@@ -213,7 +213,7 @@ fn assumptions(run: &RunFolder, space: &SpaceCase) -> Vec<String> {
             case.passages.step_tolerance
         ),
         format!(
-            "Growth: da/dN = {} mm per cycle at each point of the front, with K_{{III}} in the equivalent range. The front stays an ellipse in its \
+            "Growth: {} mm per cycle at each point of the front, with K_{{III}} in the equivalent range. The front stays an ellipse in its \
              plane: of all ellipses the one is taken that grows nearest to the local rates. Points within {:.0}° of the surface do not count: \
              K has a layer there that no cell resolves.",
             case.growth.law.rate.formula(),
