@@ -74,35 +74,7 @@ mod tests {
     use super::*;
 
     fn row(step: usize, crack: usize, length: f64, delta_keq: f64) -> TipRow {
-        TipRow {
-            step,
-            crack,
-            tip: 1,
-            place: [0.0, 0.0],
-            length,
-            ki_max: 0.0,
-            delta_ki: 0.0,
-            delta_kii: 0.0,
-            delta_keq,
-            kink_deg: None,
-            rival_deg: None,
-            rival_ratio: None,
-            increment: 0.0,
-            rate: 0.0,
-            load_cycles: 100.0 * step as f64,
-            stop: None,
-            depth: None,
-            mgt: None,
-            shares: Default::default(),
-            removed: None,
-            phi_deg: None,
-            lateral: None,
-            half_length: None,
-            delta_kiii: None,
-            wanted_kink_deg: None,
-            wanted_ratio: None,
-            followed: None,
-        }
+        TipRow { crack, length, delta_keq, load_cycles: 100.0 * step as f64, ..TipRow::idle(step) }
     }
 
     #[test]

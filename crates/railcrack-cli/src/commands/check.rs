@@ -9,7 +9,7 @@ use railcrack::contact::{FluidModel, StepControl};
 use railcrack::crack::Crack;
 use railcrack::fatigue::{ACCEPTANCE_RANGES, DirectionCriterion, RAIL_STEELS, RateLaw};
 use railcrack::growth::CrackFluid;
-use railcrack::load::Contact;
+use railcrack::load::{Contact, HertzEllipse};
 use railcrack::shakedown::DepthBounds;
 use railcrack::words::Choice;
 use railcrack_case::{Case, ContactOrigin, Input, MixedWheel, Overrides, PlasticSource};
@@ -176,31 +176,19 @@ fn origin(case: &Case) -> Vec<Row> {
         ContactOrigin::Given | ContactOrigin::LineLoad { .. } => Vec::new(),
         ContactOrigin::Ellipse { wheel, ellipse, lateral } => vec![
             ("wheel load", format!("{} kN", number(1e-3 * wheel.wheel_load))),
-            (
-                "Hertz ellipse",
-                format!(
-                    "a = {} mm along, b = {} mm across, p0 = {} MPa",
-                    number(ellipse.along),
-                    number(ellipse.across),
-                    number(ellipse.peak_pressure)
-                ),
-            ),
+            hertz_ellipse(ellipse),
             offset(case, *lateral),
         ],
-        ContactOrigin::GivenEllipse { ellipse, lateral } => vec![
-            (
-                "Hertz ellipse",
-                format!(
-                    "a = {} mm along, b = {} mm across, p0 = {} MPa",
-                    number(ellipse.along),
-                    number(ellipse.across),
-                    number(ellipse.peak_pressure)
-                ),
-            ),
-            offset(case, *lateral),
-        ],
+        ContactOrigin::GivenEllipse { ellipse, lateral } => {
+            vec![hertz_ellipse(ellipse), offset(case, *lateral)]
+        }
         ContactOrigin::Table(file) => vec![("table", file.given_name().into())],
     }
+}
+
+fn hertz_ellipse(ellipse: &HertzEllipse) -> Row {
+    let [along, across, peak] = [ellipse.along, ellipse.across, ellipse.peak_pressure].map(number);
+    ("Hertz ellipse", format!("a = {along} mm along, b = {across} mm across, p0 = {peak} MPa"))
 }
 
 /// The strip of an ellipse in the plane, the place of the ellipse in space.

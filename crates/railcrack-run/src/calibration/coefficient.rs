@@ -195,33 +195,10 @@ mod tests {
     /// A tip that is 2 + MGT/10 mm deep.
     fn rows() -> Vec<TipRow> {
         let row = |step: usize| TipRow {
-            step,
-            crack: 1,
-            tip: 1,
             place: [0.0, -2.0 - step as f64],
             length: 4.0 + 2.0 * step as f64,
-            ki_max: 0.0,
-            delta_ki: 0.0,
-            delta_kii: 0.0,
-            delta_keq: 0.0,
-            kink_deg: None,
-            rival_deg: None,
-            rival_ratio: None,
-            increment: 0.0,
-            rate: 0.0,
             load_cycles: 5e5 * step as f64,
-            stop: None,
-            depth: None,
-            mgt: None,
-            shares: Default::default(),
-            removed: None,
-            phi_deg: None,
-            lateral: None,
-            half_length: None,
-            delta_kiii: None,
-            wanted_kink_deg: None,
-            wanted_ratio: None,
-            followed: None,
+            ..TipRow::idle(step)
         };
         (0..5).map(row).collect()
     }

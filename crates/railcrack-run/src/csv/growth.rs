@@ -154,16 +154,15 @@ pub fn deferred_growth(growth: &[TipRow], row: &TipRow) -> f64 {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn row(step: usize, tip: usize, x: f64, increment: f64) -> TipRow {
-        TipRow {
+impl TipRow {
+    /// A tip of crack 1 that does nothing at the start of `step`, for tests.
+    pub(crate) fn idle(step: usize) -> Self {
+        Self {
             step,
             crack: 1,
-            tip,
-            place: [x, -1.0],
-            length: 2.0,
+            tip: 1,
+            place: [0.0, 0.0],
+            length: 0.0,
             ki_max: 0.0,
             delta_ki: 0.0,
             delta_kii: 0.0,
@@ -171,7 +170,7 @@ mod tests {
             kink_deg: None,
             rival_deg: None,
             rival_ratio: None,
-            increment,
+            increment: 0.0,
             rate: 0.0,
             load_cycles: 0.0,
             stop: None,
@@ -187,6 +186,15 @@ mod tests {
             wanted_ratio: None,
             followed: None,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn row(step: usize, tip: usize, x: f64, increment: f64) -> TipRow {
+        TipRow { tip, place: [x, -1.0], length: 2.0, increment, ..TipRow::idle(step) }
     }
 
     #[test]

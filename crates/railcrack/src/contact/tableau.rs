@@ -152,29 +152,20 @@ impl<'a> Tableau<'a> {
     /// All components held at zero. `stiffness` is A, symmetric.
     pub(super) fn new(stiffness: &'a Matrix) -> Self {
         let n = stiffness.rows();
-        let held = vec![Condition::Held(0.0); n];
         let unit = (0..n).map(|i| stiffness[(i, i)]).fold(f64::MIN_POSITIVE, f64::max);
-        Self {
-            stiffness,
-            unit,
-            basis: held.clone(),
-            responses: in_units(stiffness, unit),
-            now: held.clone(),
-            kept: held,
-            held: vec![0.0; n],
-            of_held: vec![0.0; n],
-            probe: Probe::new(stiffness),
-            loads: Vec::new(),
-            spare: Vec::new(),
-            differences: Differences::default(),
-            drift: DRIFT,
-        }
+        let responses = in_units(stiffness, unit);
+        let conditions = vec![Condition::Held(0.0); n];
+        Self::with_basis(stiffness, CarriedTableau { conditions, responses, unit }, DRIFT)
     }
 
     /// With the basis of `carried`, whose conditions are the present ones. `stiffness` is Aᵀ, which
     /// needs not be symmetric.
     pub(super) fn carried(stiffness: &'a Matrix, carried: CarriedTableau) -> Self {
-        let CarriedTableau { conditions, responses, unit } = carried;
+        Self::with_basis(stiffness, carried, CARRIED_DRIFT)
+    }
+
+    fn with_basis(stiffness: &'a Matrix, basis: CarriedTableau, drift: f64) -> Self {
+        let CarriedTableau { conditions, responses, unit } = basis;
         let n = conditions.len();
         Self {
             stiffness,
@@ -189,7 +180,7 @@ impl<'a> Tableau<'a> {
             loads: Vec::new(),
             spare: Vec::new(),
             differences: Differences::default(),
-            drift: CARRIED_DRIFT,
+            drift,
         }
     }
 

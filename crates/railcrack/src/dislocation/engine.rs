@@ -5,7 +5,8 @@ use super::junctions::{Core, Ties, cores};
 use super::nodes::{self, FaceResolution};
 use super::row::Row;
 use crate::body::{
-    BlockStiffness, BodyEngine, BodyError, CrackedBody, FaceElement, TipGain, discretise, thin_flaps,
+    BlockStiffness, BodyEngine, BodyError, CrackedBody, FaceElement, FaceMesh, TipGain, discretise,
+    thin_flaps,
 };
 use crate::crack::{CrackNetwork, CrackTip, End, Walk, point_to_segment};
 use crate::interruption::{Interrupted, Interruption};
@@ -56,11 +57,7 @@ fn cracked_body_unless(
     steel: &IsotropicElastic,
     resolution: FaceResolution,
 ) -> Result<CrackedBody, DislocationError> {
-    let walks = network.walks();
-    let cores = cores(network, &walks, |crack, g| nodes::regular_element(&walks[crack], resolution, g));
-    let nodes = nodes(network, &walks, &cores, resolution, interruption)?;
-    let (elements, all) = discretise(&walks, &nodes);
-    let (ties, faces) = Ties::new(&cores, &walks, &elements, &all);
+    let Discretised { walks, elements, ties, faces } = discretised(network, resolution, interruption)?;
     let modulus = steel.plane_strain_modulus();
     let stiffness = stiffness(&walks, &elements, &ties, &faces, modulus, interruption)?;
     let compliance = spd_inverse_unless(interruption, &stiffness)?;
@@ -84,11 +81,7 @@ fn body_by_groups(
     steel: &IsotropicElastic,
     resolution: FaceResolution,
 ) -> Result<CrackedBody, DislocationError> {
-    let walks = network.walks();
-    let cores = cores(network, &walks, |crack, g| nodes::regular_element(&walks[crack], resolution, g));
-    let nodes = nodes(network, &walks, &cores, resolution, interruption)?;
-    let (elements, all) = discretise(&walks, &nodes);
-    let (ties, faces) = Ties::new(&cores, &walks, &elements, &all);
+    let Discretised { walks, elements, ties, faces } = discretised(network, resolution, interruption)?;
     let modulus = steel.plane_strain_modulus();
     let row = Row { network, walks: &walks, elements: &elements, ties: &ties, faces: &faces, modulus };
     let blocks = row.stiffness(interruption)?;
@@ -96,6 +89,27 @@ fn body_by_groups(
     let gains = tip_gains(&tips, &walks, &elements, &ties, modulus);
     let body = CrackedBody::by_groups(faces, tips, BlockStiffness { tips: gains, ..blocks });
     Ok(CrackedBody { remarks: remarks(network), ..body })
+}
+
+/// Elements of the faces, and how their nodes follow the face points.
+struct Discretised {
+    walks: Vec<Walk>,
+    elements: Vec<FaceElement>,
+    ties: Ties,
+    faces: FaceMesh,
+}
+
+fn discretised(
+    network: &CrackNetwork,
+    resolution: FaceResolution,
+    interruption: Interruption<'_>,
+) -> Result<Discretised, Interrupted> {
+    let walks = network.walks();
+    let cores = cores(network, &walks, |crack, g| nodes::regular_element(&walks[crack], resolution, g));
+    let nodes = nodes(network, &walks, &cores, resolution, interruption)?;
+    let (elements, all) = discretise(&walks, &nodes);
+    let (ties, faces) = Ties::new(&cores, &walks, &elements, &all);
+    Ok(Discretised { walks, elements, ties, faces })
 }
 
 /// At 2° and 3°, K is 0.5 % off.

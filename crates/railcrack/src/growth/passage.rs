@@ -7,7 +7,7 @@ use super::tip_sifs::{TipMark, TipSifs};
 use super::{FaceRecord, Observer, PassageRecord, PassageSettings, RailLoad, SolverCounts};
 use crate::contact::{
     ContactSolver, FaceProblem, FaceSolution, FaceState, FluidModel, FluidState, Pocket, StepControl,
-    Stepper, SteppingError,
+    Stepper, SteppingCounts, SteppingError,
 };
 use crate::field::EndsError;
 use crate::fracture::SifHistory;
@@ -102,30 +102,71 @@ pub(super) fn passages_of_all(
         wheel.residual_stress(&mut tips)?;
     }
     wheel.seal_buried();
-    let mut passages: Vec<PassageRecord> = Vec::new();
+    let passed = until_stabilised(settings, problem, |number, before| {
+        wheel.pass(number, before, &mut tips, observer)
+    })?;
+    Ok(passed.record(wheel.stepper.counts(), wheel.edge_steps, problem, None))
+}
+
+/// Passages up to the last one.
+pub(super) struct Passed {
+    records: Vec<PassageRecord>,
+    last: Pass,
+    /// Change of K from the last but one passage to the last.
+    change: Option<f64>,
+}
+
+impl Passed {
+    /// With the `effort` that they took beside `edge_steps`, and the error of windows.
+    pub fn record(
+        self,
+        effort: SteppingCounts,
+        edge_steps: usize,
+        problem: &FaceProblem,
+        coupling: Option<f64>,
+    ) -> StabilisedPassage {
+        let points = problem.body().faces.points.clone();
+        StabilisedPassage {
+            counts: SolverCounts {
+                passages: self.records.len(),
+                substeps: effort.substeps + edge_steps,
+                solves: effort.solves,
+                iterations: effort.iterations,
+                iterations_max: effort.iterations_max,
+                complementarity_max: effort.violation_max,
+            },
+            passages: self.records,
+            histories: self.last.histories,
+            faces: FaceRecord { points, states: self.last.states, across: None },
+            last_change: self.change,
+            coupling,
+        }
+    }
+}
+
+/// Computes passages by `pass`, which takes their number from 1 and the one before, until they
+/// repeat, or as many as `settings` allow; one only without friction.
+pub(super) fn until_stabilised(
+    settings: &PassageSettings,
+    problem: &FaceProblem,
+    mut pass: impl FnMut(usize, Option<&Pass>) -> Result<Pass, PassageError>,
+) -> Result<Passed, PassageError> {
+    let mut records: Vec<PassageRecord> = Vec::new();
     let mut before: Option<Pass> = None;
     loop {
-        let pass = wheel.pass(passages.len() + 1, before.as_ref(), &mut tips, observer)?;
-        let mut last_change = passages.last().map(|before| change(before, &pass.record));
-        passages.push(pass.record.clone());
-        let mut repeats = last_change.is_some_and(|change| change <= settings.passage_tolerance);
-        if pass.joins && !repeats && passages.len() < settings.max_passages {
+        let last = pass(records.len() + 1, before.as_ref())?;
+        let mut change = records.last().map(|before| change(before, &last.record));
+        records.push(last.record.clone());
+        let mut repeats = change.is_some_and(|change| change <= settings.passage_tolerance);
+        if last.joins && !repeats && records.len() < settings.max_passages {
             // It ends like the one before it, so the next one begins and goes like this one.
-            passages.push(pass.record.clone());
-            (last_change, repeats) = (Some(0.0), true);
+            records.push(last.record.clone());
+            (change, repeats) = (Some(0.0), true);
         }
-        if repeats || passages.len() >= settings.max_passages || !problem.has_friction() {
-            let points = problem.body().faces.points.clone();
-            return Ok(StabilisedPassage {
-                counts: wheel.counts(passages.len()),
-                passages,
-                histories: pass.histories,
-                faces: FaceRecord { points, states: pass.states, across: None },
-                last_change,
-                coupling: None,
-            });
+        if repeats || records.len() >= settings.max_passages || !problem.has_friction() {
+            return Ok(Passed { records, last, change });
         }
-        before = Some(pass);
+        before = Some(last);
     }
 }
 
@@ -387,18 +428,6 @@ impl Rolling<'_> {
             self.stepper.advance(&path, station, sample)?;
         }
         Ok(())
-    }
-
-    fn counts(&self, passages: usize) -> SolverCounts {
-        let effort = self.stepper.counts();
-        SolverCounts {
-            passages,
-            substeps: effort.substeps + self.edge_steps,
-            solves: effort.solves,
-            iterations: effort.iterations,
-            iterations_max: effort.iterations_max,
-            complementarity_max: effort.violation_max,
-        }
     }
 
     /// Distance (mm) from `x` to the nearest face along the rail, at least a: the length scale of

@@ -1,14 +1,13 @@
 //! Passages of the wheel over a row of many cracks, in windows that go along with it.
 
 use super::face_load::{FaceLoad, Part};
-use super::passage::{EDGE_STATIONS, FAR_STATIONS, Mark, Pass, RAMP_STATIONS, change, mouths, places};
+use super::passage::{
+    EDGE_STATIONS, FAR_STATIONS, Mark, Pass, RAMP_STATIONS, mouths, places, until_stabilised,
+};
 use super::positions::output_positions;
 use super::tip_sifs::TipSifs;
 use super::windows::{RowFaces, Span};
-use super::{
-    FaceRecord, Observer, PassageError, PassageRecord, PassageSettings, RailLoad, SolverCounts,
-    StabilisedPassage,
-};
+use super::{Observer, PassageError, PassageRecord, PassageSettings, RailLoad, StabilisedPassage};
 use crate::body::BlockStiffness;
 use crate::contact::{ContactSolver, StepControl};
 use std::ops::Range;
@@ -50,38 +49,8 @@ pub(super) fn passages_along(
             (1..=RAMP_STATIONS).map(|k| (k as f64 / RAMP_STATIONS as f64, false)).collect();
         row.far(Part::Ramp, 0.0, &stations, 0.5 * (xc[0] + xc[xc.len() - 1]), &mut tips)?;
     }
-    let mut passages: Vec<PassageRecord> = Vec::new();
-    let mut before: Option<Pass> = None;
-    loop {
-        let pass = row.pass(before.as_ref(), &mut tips, observer)?;
-        let mut last_change = passages.last().map(|before| change(before, &pass.record));
-        passages.push(pass.record.clone());
-        let mut repeats = last_change.is_some_and(|change| change <= settings.passage_tolerance);
-        if pass.joins && !repeats && passages.len() < settings.max_passages {
-            passages.push(pass.record.clone());
-            (last_change, repeats) = (Some(0.0), true);
-        }
-        if repeats || passages.len() >= settings.max_passages || !problem.has_friction() {
-            let points = problem.body().faces.points.clone();
-            let effort = row.faces.counts;
-            return Ok(StabilisedPassage {
-                counts: SolverCounts {
-                    passages: passages.len(),
-                    substeps: effort.substeps + row.edge_steps,
-                    solves: effort.solves,
-                    iterations: effort.iterations,
-                    iterations_max: effort.iterations_max,
-                    complementarity_max: effort.violation_max,
-                },
-                passages,
-                histories: pass.histories,
-                faces: FaceRecord { points, states: pass.states, across: None },
-                last_change,
-                coupling: Some(row.faces.coupling_error),
-            });
-        }
-        before = Some(pass);
-    }
+    let passed = until_stabilised(settings, problem, |_, before| row.pass(before, &mut tips, observer))?;
+    Ok(passed.record(row.faces.counts, row.edge_steps, problem, Some(row.faces.coupling_error)))
 }
 
 /// Distance over a, beside the way of the wheel in a span, up to which cracks are in the window:

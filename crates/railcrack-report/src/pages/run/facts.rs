@@ -138,18 +138,25 @@ pub(super) fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
     }
     facts.extend(events::fact(run));
     facts.extend(fracture(run));
-    let stop = run.summary.stop.map_or("not ended", RunStop::word).replace('-', " ");
-    facts.push(fact(
-        "Ended by",
-        stop,
-        format!("after step {} of {}", run.summary.steps, run.case.growth.steps),
-    ));
-    facts.push(fact(
-        "Warnings",
-        if warnings == 0 { "none".to_owned() } else { warnings.to_string() },
-        if warnings == 0 { String::new() } else { "below".to_owned() },
-    ));
+    facts.extend(ending(run, warnings));
     facts
+}
+
+/// How the run ended, and its `warnings`.
+pub(in crate::pages) fn ending(run: &RunFolder, warnings: usize) -> [Fact; 2] {
+    let stop = run.summary.stop.map_or("not ended", RunStop::word).replace('-', " ");
+    [
+        Fact {
+            name: "Ended by".to_owned(),
+            value: stop,
+            note: format!("after step {} of {}", run.summary.steps, run.case.growth.steps),
+        },
+        Fact {
+            name: "Warnings".to_owned(),
+            value: if warnings == 0 { "none".to_owned() } else { warnings.to_string() },
+            note: if warnings == 0 { String::new() } else { "below".to_owned() },
+        },
+    ]
 }
 
 /// How far the passages are from breaking the rail, where its toughness is given.

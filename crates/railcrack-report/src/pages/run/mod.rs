@@ -23,7 +23,7 @@ use railcrack_run::decision::Quantiles;
 use railcrack_run::files::CASE_FILE;
 use serde_json::Value;
 
-pub(super) use facts::stop_sentence;
+pub(super) use facts::{ending, stop_sentence};
 pub(crate) use stored::RunFolder;
 pub(super) use warnings::warnings;
 
@@ -71,15 +71,20 @@ pub(crate) fn run_page(run: &RunFolder, shown: &ShownRun, plots: &[Plot]) -> Pag
         page.sections.push(growth(run, warnings::remarks(run, shown)));
         page.sections.push(steps(run));
     }
-    page.sections.push(Section {
+    page.sections.push(case_section(run));
+    page
+}
+
+/// The case of the run.
+pub(super) fn case_section(run: &RunFolder) -> Section {
+    Section {
         id: "case".to_owned(),
         heading: "Case".to_owned(),
         blocks: vec![Block::Folded {
             heading: format!("{CASE_FILE}, defaults filled in"),
             blocks: vec![Block::Verbatim(run.text.clone())],
         }],
-    });
-    page
+    }
 }
 
 fn explorer(data: Value, plots: &[Plot]) -> Section {

@@ -1,7 +1,7 @@
 //! The page of a growth run in space.
 
 use super::pictures::{charts, still};
-use super::run::{RunFolder, stop_sentence, warnings};
+use super::run::{RunFolder, case_section, ending, stop_sentence, warnings};
 use crate::figures::Plot;
 use crate::numbers::{fixed, grouped, number, numbers, significant, tonnage};
 use crate::page::{Block, Fact, Page, Section};
@@ -9,10 +9,8 @@ use crate::shown::{Deflated, ShownRun};
 use crate::table::Table;
 use railcrack::growth::RunStop;
 use railcrack::space::VERTEX_LAYER;
-use railcrack::words::Choice;
 use railcrack_case::SpaceCase;
 use railcrack_run::csv::TipRow;
-use railcrack_run::files::CASE_FILE;
 use railcrack_run::histories::History;
 use serde_json::{Value, json};
 
@@ -50,14 +48,7 @@ pub(crate) fn space_page(run: &RunFolder, space: &SpaceCase, shown: &ShownRun, p
         });
         page.sections.push(steps(run));
     }
-    page.sections.push(Section {
-        id: "case".to_owned(),
-        heading: "Case".to_owned(),
-        blocks: vec![Block::Folded {
-            heading: format!("{CASE_FILE}, defaults filled in"),
-            blocks: vec![Block::Verbatim(run.text.clone())],
-        }],
-    });
+    page.sections.push(case_section(run));
     page
 }
 
@@ -134,17 +125,7 @@ fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
             ),
         ));
     }
-    let stop = run.summary.stop.map_or("not ended", RunStop::word).replace('-', " ");
-    facts.push(fact(
-        "Ended by",
-        stop,
-        format!("after step {} of {}", run.summary.steps, run.case.growth.steps),
-    ));
-    facts.push(fact(
-        "Warnings",
-        if warnings == 0 { "none".to_owned() } else { warnings.to_string() },
-        if warnings == 0 { String::new() } else { "below".to_owned() },
-    ));
+    facts.extend(ending(run, warnings));
     facts
 }
 
