@@ -79,12 +79,14 @@ pub fn rebuild_report(folder: &Path) -> Result<FolderKind, OutputError> {
     Ok(kind)
 }
 
-/// Plots and report of a run from its folder alone: from its tables, or, where these do not have
+/// Plots and report of a run from its folder alone: from its files, or, where these do not have
 /// all, computed again.
 fn rebuild_run(folder: &Path) -> Result<(), OutputError> {
-    let run = RunFolder::read(folder)?;
-    if !run.case.output.is_whole() {
-        return write_run(&run, &recomputed(&run)?);
+    let mut run = RunFolder::read(folder)?;
+    if !run.case.output.is_whole() || run.lacks_samples() {
+        let (shown, decision) = recomputed(&run)?;
+        run.summary.decision = decision;
+        return write_run(&run, &shown);
     }
     let shown = ShownRun::read(folder, run.summary.steps_recorded)?;
     write_run(&run, &shown)

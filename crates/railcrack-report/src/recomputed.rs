@@ -1,4 +1,4 @@
-//! Plots and page of a run whose tables do not have all that these show: the steps are computed
+//! Plots and page of a run whose files do not have all that these show: the steps are computed
 //! again from the stored case.
 
 use crate::pages::RunFolder;
@@ -6,6 +6,7 @@ use crate::shown::{ShownRun, ShownStep};
 use railcrack::growth::StepRecord;
 use railcrack_case::{Case, Output};
 use railcrack_run::csv::{SifScale, TipRow};
+use railcrack_run::decision::Decision;
 use railcrack_run::simulation::{RunEntry, RunError, Simulation};
 use railcrack_run::{OutputError, Presentation, RunPresentation};
 use std::path::Path;
@@ -14,11 +15,11 @@ use std::sync::{Arc, Mutex, PoisonError};
 /// Folder, in that of the run, in which its steps are computed again.
 const SCRATCH: &str = "again.partial";
 
-/// The shown part of `run`, computed again.
+/// The shown part of `run`, computed again, with the decision block of its summary.
 ///
 /// Errors: it has not ended; what is computed is not what the folder has; it cannot be computed;
 /// the system refuses.
-pub(crate) fn recomputed(run: &RunFolder) -> Result<ShownRun, OutputError> {
+pub(crate) fn recomputed(run: &RunFolder) -> Result<(ShownRun, Option<Decision>), OutputError> {
     let folder = &run.path;
     if run.summary.stop.is_none() {
         return Err(not_recomputed(folder, "it has not ended: --resume continues it"));
@@ -32,13 +33,15 @@ pub(crate) fn recomputed(run: &RunFolder) -> Result<ShownRun, OutputError> {
     Ok(shown)
 }
 
-/// The shown part of the run of `case`, computed in `scratch`; `growth` is what it must come to.
-fn computed(case: &Case, scratch: &Path, growth: &[TipRow]) -> Result<ShownRun, String> {
+/// The shown part and the decision block of the run of `case`, computed in `scratch`; `growth` is
+/// what it must come to.
+fn computed(case: &Case, scratch: &Path, growth: &[TipRow]) -> Result<(ShownRun, Option<Decision>), String> {
     let mut case = case.clone();
     case.output = Output { report: true, ..Output::LEAST };
     let gathering = Gathering::default();
     let simulation = Simulation::new(&case).presented_by(&gathering);
-    simulation.run_in(scratch, RunEntry::Replace).map_err(|error: RunError| error.to_string())?;
+    let finished = simulation.run_in(scratch, RunEntry::Replace);
+    let finished = finished.map_err(|error: RunError| error.to_string())?;
     let again = railcrack_run::RunFolder::open(scratch).and_then(|run| run.growth());
     let again = again.map_err(|error| error.to_string())?;
     if let Some((_, row)) = again.iter().zip(growth).find(|(again, stored)| again != stored) {
@@ -48,7 +51,7 @@ fn computed(case: &Case, scratch: &Path, growth: &[TipRow]) -> Result<ShownRun, 
         return Err("it takes another number of steps: another version computed it".to_owned());
     }
     let shown = gathering.shown.lock().unwrap_or_else(PoisonError::into_inner).take();
-    Ok(shown.unwrap_or_default())
+    Ok((shown.unwrap_or_default(), finished.summary.decision))
 }
 
 fn not_recomputed(folder: &Path, reason: impl Into<String>) -> OutputError {

@@ -48,7 +48,7 @@ pub struct RunInfo {
     pub maintenance: Option<MaintenancePlan>,
     /// The inspection, where the case has one.
     pub inspection: Option<Inspection>,
-    /// The scatter, where the case gives it.
+    /// The scatter, where the case gives it and the run is to sample it.
     pub scatter: Option<Scatter>,
     /// The length that ends the run, mm.
     pub critical_length: Option<f64>,

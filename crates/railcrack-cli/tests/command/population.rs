@@ -75,6 +75,42 @@ fn samples_between_runs_are_log_normal_where_the_coefficient_is() {
 }
 
 #[test]
+fn runs_of_such_a_study_leave_the_samples_to_it() {
+    let folder = folder("population", "own");
+    let study = STUDY.replace("samples = 12", "samples = 4").replace("samples = 40000", "samples = 2000");
+    fs::write(folder.join("study.toml"), &study).unwrap();
+    let tables = "[output]\nfaces = \"all\"\nsif = \"all\"\n";
+    fs::write(folder.join("whole.toml"), format!("{study}{tables}")).unwrap();
+    for (file, out) in [("study.toml", "least"), ("whole.toml", "whole")] {
+        done(&folder, &["sweep", file, "--out", out, "--quiet"]);
+        let run = folder.join(out).join("runs/002");
+        let summary: Value = serde_json::from_str(&read(&run.join("summary.json"))).unwrap();
+        let decision = &summary["decision"];
+        assert!(
+            decision["inspection"]["interval_mgt"].is_f64() && decision["scatter"].is_null(),
+            "{decision}"
+        );
+
+        // By itself the case samples, and the page of the run has the same.
+        let alone = format!("{out}-alone");
+        let case = run.join("case.toml");
+        done(&folder, &["run", case.to_str().unwrap(), "--out", &alone, "--quiet"]);
+        let alone: Value = serde_json::from_str(&read(&folder.join(alone).join("summary.json"))).unwrap();
+        assert_eq!(alone["decision"]["scatter"]["samples"], 2000);
+        done(&folder, &["report", run.to_str().unwrap()]);
+        assert!(read(&run.join("report.html")).contains("in the median of 2\u{a0}000 samples"));
+    }
+
+    // A study of lists has no samples between its runs.
+    let lists =
+        study.replace("[study]\nsamples = 4\n", "").replace("{ log-normal = [2e-9, 0.3] }", "[2e-9, 3e-9]");
+    fs::write(folder.join("lists.toml"), lists).unwrap();
+    done(&folder, &["sweep", "lists.toml", "--quiet"]);
+    let summary: Value = serde_json::from_str(&read(&folder.join("lists/runs/002/summary.json"))).unwrap();
+    assert_eq!(summary["decision"]["scatter"]["samples"], 2000);
+}
+
+#[test]
 fn cracks_that_do_not_grow_are_told_and_not_sampled() {
     let folder = folder("population", "arrest");
     let study = STUDY

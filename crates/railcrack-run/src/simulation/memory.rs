@@ -39,13 +39,8 @@ impl Simulation<'_> {
         before: Option<RunInMemory>,
     ) -> (RunInMemory, Result<Ending, RunError>) {
         let started = Instant::now();
-        let begun = || RunInMemory {
-            job: Job::of(self.case),
-            residual: None,
-            steps: Vec::new(),
-            rolled: None,
-            wall_s: 0.0,
-        };
+        let begun =
+            || RunInMemory { job: self.job(), residual: None, steps: Vec::new(), rolled: None, wall_s: 0.0 };
         let mut run = before.unwrap_or_else(begun);
         let ending = self.go_on(&mut run, scratch);
         self.observer.close();

@@ -32,12 +32,20 @@ pub struct Simulation<'a> {
     pub(super) presentation: &'a dyn Presentation,
     pub(super) shared: Option<&'a SharedRail>,
     pub(super) judge: Option<&'a Arc<dyn TipJudge>>,
+    is_sampled: bool,
 }
 
 impl<'a> Simulation<'a> {
     /// The run of `case`, in silence, with tables and summary only.
     pub fn new(case: &'a Case) -> Self {
-        Self { case, observer: &Silent, presentation: &TablesOnly, shared: None, judge: None }
+        Self {
+            case,
+            observer: &Silent,
+            presentation: &TablesOnly,
+            shared: None,
+            judge: None,
+            is_sampled: true,
+        }
     }
 
     /// Tells `observer` how far it is.
@@ -64,13 +72,18 @@ impl<'a> Simulation<'a> {
         Self { judge: Some(judge), ..self }
     }
 
+    /// Makes no samples of `[scatter]`: the study of the run makes them between its runs.
+    #[must_use]
+    pub fn sampled_by_its_study(self) -> Self {
+        Self { is_sampled: false, ..self }
+    }
+
     /// Computes the run into `folder`, step by step, until it ends or is interrupted.
     ///
     /// Errors: the folder may not be written, holds another run or is damaged; the plastic state or
     /// a step cannot be computed (the steps before it are kept).
     pub fn run_in(&self, folder: &Path, entry: RunEntry) -> Result<Finished, RunError> {
-        let job = Job::of(self.case);
-        run_steps(folder, entry, job, self.observer, self.presentation, |stage| {
+        run_steps(folder, entry, self.job(), self.observer, self.presentation, |stage| {
             let stage = Stage { shared: self.shared, ..stage };
             self.growth(stage)
         })
@@ -78,6 +91,13 @@ impl<'a> Simulation<'a> {
 }
 
 impl Simulation<'_> {
+    /// The run before anything is computed.
+    pub(super) fn job(&self) -> Job {
+        let mut job = Job::of(self.case);
+        job.info.scatter = job.info.scatter.filter(|_| self.is_sampled);
+        job
+    }
+
     /// The growth loop from `stage` on, and the residual stress that the rail carries.
     ///
     /// Errors: the plastic state cannot be computed, or the residual stress not be made.

@@ -117,6 +117,10 @@ impl StudyComputation<'_> {
             .observed_by(observer.as_ref())
             .presented_by(self.presentation)
             .sharing(next.shared_rail(&run.case));
+        let simulation = match &self.folder.plan().population {
+            Some(_) => simulation.sampled_by_its_study(),
+            None => simulation,
+        };
         let finished = simulation.run_in(&self.folder.run_folder(planned), RunEntry::ResumeOrBegin)?;
         Ok((finished.ending, finished.summary))
     }

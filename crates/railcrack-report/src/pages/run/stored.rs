@@ -3,6 +3,7 @@
 use crate::direction::{Heading, heading};
 use railcrack_case::Case;
 use railcrack_run::csv::TipRow;
+use railcrack_run::decision::Decision;
 use railcrack_run::{OutputError, Summary};
 use std::path::{Path, PathBuf};
 
@@ -32,6 +33,14 @@ impl RunFolder {
             text: run.case_text,
             summary: run.summary,
         })
+    }
+
+    /// Whether the samples of `[scatter]` were left to the study of the run.
+    pub(crate) fn lacks_samples(&self) -> bool {
+        let grows = |decision: &Decision| decision.scatter.is_none() && decision.rows.len() > 1;
+        self.case.scatter.is_some()
+            && self.summary.complete
+            && self.summary.decision.as_ref().is_some_and(grows)
     }
 
     /// The rows of a tip, by step.
