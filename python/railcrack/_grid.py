@@ -10,13 +10,15 @@ from numpy.typing import NDArray
 
 
 class FieldGrid:
-    """A field on the mesh around the cracks: cracked elements cut along the faces.
+    """A field on the mesh around the cracks: cracked elements cut along the faces; in space the
+    faces of the crack and its front.
 
-    points: shape (n, 3), x, y and 0 in mm.
+    points: shape (n, 3), x, y and z (0 in the plane) in mm.
     cells, cell_types: as VTK has them (number of nodes, nodes; number of the shape).
     point_data: `displacement_mm` (n, 3), `stress_mpa` (n, 6: xx, yy, zz, xy, yz, xz), `traction`
-        (n, 3) on the faces.
-    cell_data: `face`: 1 on the + face, −1 on the − face, 0 in the bulk.
+        (n, 3) on the faces; in space `jump_mm` (n, 3), `opening_mm`, `slip_mm`, `slip_z_mm`,
+        tractions, `status` (0 open, 1 stick, 2 slip), and K along the front.
+    cell_data: `face`: 1 on the + face, −1 on the − face, 0 in the bulk; none in space.
     """
 
     points: NDArray[np.float64]

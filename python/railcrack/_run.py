@@ -46,23 +46,36 @@ class Run:
     @cached_property
     def sif(self) -> Table:
         """K of every tip at every wheel position: columns of `sif.csv`."""
-        return Table("sif", self._core.columns("sif"))
+        return self._table("sif")
 
     @cached_property
     def growth(self) -> Table:
         """Every tip at every step: columns of `growth.csv`."""
-        return Table("growth", self._core.columns("growth"))
+        return self._table("growth")
 
     @cached_property
     def faces(self) -> Table:
         """The crack faces through the stabilised passages: columns of `faces.csv`."""
-        return Table("faces", self._core.columns("faces"))
+        return self._table("faces")
 
     @cached_property
     def residual(self) -> Table:
         """The residual stress that the rail carries, by depth: columns of `residual.csv`; no rows
         where it carries none."""
-        return Table("residual", self._core.columns("residual"))
+        return self._table("residual")
+
+    def _table(self, name: str) -> Table:
+        if not self.has(name):
+            raise errors.FolderError(
+                f"{self._folder} has no {name}.csv: [output] of its case leaves it out; "
+                f'run.case.with_(output={{"{name}": "all"}}).run() computes it'
+            )
+        return Table(name, self._core.columns(name))
+
+    def has(self, name: str) -> bool:
+        """Whether the run has the table `sif` or `faces`: a run of a study has no faces unless
+        [output] asks for them."""
+        return self._folder is None or name not in ("sif", "faces") or (self._folder / f"{name}.csv").is_file()
 
     @cached_property
     def summary(self) -> dict[str, Any]:
@@ -133,11 +146,15 @@ class Run:
 
     def report(self, path: str | os.PathLike[str] | None = None) -> str:
         """The HTML report, one self-contained page: written to `path` where that is given, and
-        returned."""
+        returned. What a run folder does not have of it, as that of a study, is computed again."""
         with tempfile.TemporaryDirectory(prefix="railcrack-") as scratch:
             folder = self._folder
             if folder is None or not (folder / "report.html").is_file():
-                folder = self.save(Path(scratch) / "run")
+                copy = Path(scratch) / "run"
+                if folder is not None:
+                    shutil.copytree(folder, copy)
+                self._core.report(copy)
+                folder = copy
             page = (folder / "report.html").read_text(encoding="utf-8")
         if path is not None:
             Path(path).write_text(page, encoding="utf-8")
@@ -145,11 +162,12 @@ class Run:
 
     def fields(self, step: int = 0, xc_over_a: float = 0.0, *, threads: int | None = None) -> Any:
         """Displacement (mm) and stress (MPa) around the cracks in `step` with the wheel at the
-        output position nearest to `xc_over_a`: a `pyvista.UnstructuredGrid` where pyvista is
-        installed, a `FieldGrid` otherwise.
+        output position nearest to `xc_over_a`, in space jumps and tractions of the crack faces and
+        K along the front: a `pyvista.UnstructuredGrid` where pyvista is installed, a `FieldGrid`
+        otherwise.
 
         Of a run in memory, the step is computed again for them; a run folder has those that the
-        case asked for ([output]), and those of step 0. Only the finite-element engine has fields.
+        case asked for ([output]), and those of step 0. Dislocations in the plane have no fields.
         """
         grid = self.field_grid(step, xc_over_a, threads=threads)
         try:
@@ -172,7 +190,7 @@ class Run:
             stored = sorted({(s, p) for s, p, _ in self._core.stored_fields()})
             have = ", ".join(f"step {s} position {p}" for s, p in stored) or "none"
             raise errors.BadInput(
-                f"no field of step {step} at x_c/a = {xc_over_a}: the engine xfem computes fields, and a run folder "
+                f"no field of step {step} at x_c/a = {xc_over_a}: the engines xfem and space compute fields, and a run folder "
                 f"has those that [output] asks for ({have})"
             )
         return FieldGrid(grid)

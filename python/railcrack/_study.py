@@ -121,7 +121,7 @@ class Study(Sourced):
                 new, interrupted = self._core.compute(folder, waiting, report, threads, _Counted(told))
                 failed.extend(f for f in new if f not in failed)
             else:
-                task = _Task(self._source, threads or 1, report)
+                task = _Task(self._source, 1 if threads is None else threads, report)
                 results = _results(executor, task, waiting)
                 folders = {number: name for number, _, name in self._core.runs}
                 there: list[int] = []
@@ -182,7 +182,11 @@ class Study(Sourced):
 
     def run(self, number: int) -> Run:
         """The results of a run."""
-        return Run.open(_railcrack.Study.run_folder(self.folder, number))
+        if not 1 <= number <= len(self):
+            raise errors.BadInput(f"run {number}: must be from 1 to {len(self)}")
+        run = Run.open(_railcrack.Study.run_folder(self.folder, number))
+        run._keeps = self._keeps
+        return run
 
     @property
     def plot(self) -> StudyPlots:

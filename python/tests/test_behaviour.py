@@ -83,6 +83,13 @@ def test_ctrl_c_ends_the_assembly_of_a_body(what: str) -> None:
     assert time.monotonic() - signalled[0] < 2.0
 
 
+def test_a_number_of_threads_is_positive(case: rc.Case) -> None:
+    study = rc.Study(SMALL.replace("friction = 0.1", "friction = [0.1, 0.2]", 1))
+    for work in (lambda: case.run(threads=0), lambda: study.map(threads=0), lambda: rc.Body.of(case, threads=2000)):
+        with pytest.raises(rc.BadInput, match="threads"):
+            work()
+
+
 def test_a_run_that_does_not_converge() -> None:
     # Points of the faces so close that the elements do not tell them apart.
     upright = SMALL.replace("angle_deg = 20.0", "angle_deg = 90.0").replace("friction = 0.3", "friction = 0.2")

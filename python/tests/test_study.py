@@ -57,6 +57,20 @@ def test_here(swept: Path, tmp_path: Path) -> None:
     assert "6" in opened._repr_html_() and "6 runs" in repr(pickle.loads(pickle.dumps(opened)))
 
 
+def test_the_run_of_a_study_has_report_and_plots(swept: Path, tmp_path: Path) -> None:
+    """Its folder has neither faces nor K of every step: the page is computed again, beside the folder."""
+    study = rc.Study.open(swept)
+    run = study.run(1)
+    before = sorted(file.name for file in (swept / "runs" / "001").iterdir())
+    page = run.report(tmp_path / "run.html")
+    assert page == study.case(1).run().report()
+    assert before == sorted(file.name for file in (swept / "runs" / "001").iterdir())
+    with pytest.raises(rc.FolderError, match=r"no faces.csv: \[output\]"):
+        _ = run.faces
+    pytest.importorskip("matplotlib").use("Agg")
+    assert len(run.plot().axes) == 4
+
+
 @pytest.mark.parametrize("kind", ["processes", "threads", "pool"])
 def test_by_an_executor(kind: str, swept: Path, tmp_path: Path) -> None:
     context = multiprocessing.get_context("spawn")
@@ -111,6 +125,11 @@ def test_runs_that_fail_are_named_and_the_others_are_there(tmp_path: Path) -> No
     assert len(raised.value.failed) == 3 and "interface_spacing_mm" in str(raised.value)
     assert raised.value.study is not None
     assert raised.value.study.results["state"].tolist().count("done") == 3
+
+
+def test_the_run_of_a_study_keeps_its_folder() -> None:
+    run = rc.Study(STUDY).map().run(2)  # the study itself is gone
+    assert run.case.steps == 0 and run.history().shape == (61, 3)
 
 
 def test_errors_of_a_study() -> None:

@@ -12,6 +12,8 @@ mod png;
 mod print;
 mod progress;
 
+pub use commands::run::MOST_THREADS;
+
 use arguments::Arguments;
 use clap::Parser;
 use exit::Exit;

@@ -1,8 +1,10 @@
 //! Computations beside the interpreter, which meanwhile looks at signals and tells of progress.
 
+use crate::errors::bad_input;
 use pyo3::exceptions::{PyKeyboardInterrupt, PyRuntimeError};
 use pyo3::prelude::*;
 use railcrack::growth::{Observer, StepRecord};
+use railcrack_cli::MOST_THREADS;
 use railcrack_run::simulation::{RunObserver, StudyObserver};
 use railcrack_run::study::PlannedRun;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -137,11 +139,21 @@ pub struct Over<T> {
     pub signal: Option<PyErr>,
 }
 
+/// Errors: no number of threads.
+pub fn check_threads(py: Python<'_>, threads: Option<usize>) -> PyResult<()> {
+    match threads {
+        Some(count) if !(1..=MOST_THREADS).contains(&count) => {
+            Err(bad_input(py, format!("threads = {count}: must be from 1 to {MOST_THREADS}, or None")))
+        }
+        _ => Ok(()),
+    }
+}
+
 /// Has `work` done on `threads` threads of its own (none: as many as the machine has) without
 /// holding the interpreter; `tell(kind, value)` is called with every event that `told` receives.
 ///
-/// Errors: the system refuses threads; `tell`, or a function that is part of the work, raises an
-/// exception.
+/// Errors: no number of threads; the system refuses them; `tell`, or a function that is part of the
+/// work, raises an exception.
 pub fn compute<T: Send + 'static>(
     py: Python<'_>,
     threads: Option<usize>,
@@ -149,6 +161,7 @@ pub fn compute<T: Send + 'static>(
     tell: Option<&Bound<'_, PyAny>>,
     work: impl FnOnce() -> T + Send + 'static,
 ) -> PyResult<Over<T>> {
+    check_threads(py, threads)?;
     let refused = |reason: String| PyRuntimeError::new_err(format!("cannot start threads: {reason}"));
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.unwrap_or(0)).build();
     let pool = pool.map_err(|reason| refused(reason.to_string()))?;

@@ -9,6 +9,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use railcrack::growth::TipJudge;
 use railcrack::words::Choice;
+use railcrack_case::Engine;
 use railcrack_run::simulation::{Ending, Simulation, plastic_stress_left_out};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -111,6 +112,9 @@ impl Case {
         let own = law.is_some() || direction.is_some();
         if own && !self.case.mix.is_empty() {
             return Err(bad_input(py, "law, direction: a mix of wheels has several histories, not one"));
+        }
+        if direction.is_some() && self.case.engine == Engine::Space {
+            return Err(bad_input(py, "direction: a crack in space grows in its plane"));
         }
         let judge: Arc<dyn TipJudge> = Arc::new(OwnJudge { law, direction, watch: Arc::clone(&watch) });
         let before = before.and_then(Run::in_memory);

@@ -11,7 +11,9 @@ use railcrack_vtu::vtk_type;
 /// A dictionary of points (n, 3) in mm, cells and their types as VTK has them, and the arrays at
 /// points and in cells by name.
 pub fn to_numpy<'py>(py: Python<'py>, grid: &UnstructuredGrid) -> PyResult<Bound<'py, PyDict>> {
-    let points: Vec<f64> = grid.points.iter().flat_map(|p| [p.x, p.y, 0.0]).collect();
+    // In the plane there is no z.
+    let z = grid.z.iter().copied().chain(std::iter::repeat(0.0));
+    let points: Vec<f64> = grid.points.iter().zip(z).flat_map(|(p, z)| [p.x, p.y, z]).collect();
     let (mut cells, mut types): (Vec<i64>, Vec<u8>) = (Vec::new(), Vec::new());
     for block in &grid.cells {
         for cell in block.cells() {

@@ -7,8 +7,8 @@ use crate::grid;
 use crate::scratch::Scratch;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use railcrack_case::FieldOutput;
-use railcrack_report::Pages;
+use railcrack_case::{FieldOutput, Output};
+use railcrack_report::{Pages, rebuild_report};
 use railcrack_run::csv::{Column, ColumnValues, StepBlocks, Table, columns_of};
 use railcrack_run::simulation::{RunInMemory, Simulation};
 use railcrack_run::{Existing, OutputError, Presentation, RunFolder, TablesOnly, field_grids};
@@ -128,8 +128,18 @@ impl Run {
         };
         let presentation: &dyn Presentation = if pages { &Pages } else { &TablesOnly };
         let existing = if replace { Existing::Replace } else { Existing::Refuse };
-        let saved = py.detach(|| run.save(&folder, existing, presentation));
+        let saved = py.detach(|| run.save(&folder, run.output(), existing, presentation));
         saved.map(drop).map_err(|error| output_error(py, &error))
+    }
+
+    /// Makes plots and report in `folder`: of a run in memory with its whole folder, of a stored
+    /// one in a copy of it.
+    fn report(&self, py: Python<'_>, folder: PathBuf) -> PyResult<()> {
+        let made = py.detach(|| match &self.source {
+            Source::Memory { run, .. } => run.save(&folder, Output::ALL, Existing::Replace, &Pages).map(drop),
+            Source::Folder(_) => rebuild_report(&folder).map(drop),
+        });
+        made.map_err(|error| output_error(py, &error))
     }
 
     /// Steps and positions (from 1) of the fields that were stored, with their files; empty in

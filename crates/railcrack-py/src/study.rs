@@ -1,6 +1,6 @@
 //! Studies: many cases, computed here or by several processes.
 
-use crate::background::{Watch, compute};
+use crate::background::{Watch, check_threads, compute};
 use crate::case::Case;
 use crate::columns;
 use crate::errors::{case_error, output_error, run_error};
@@ -110,6 +110,7 @@ impl Study {
         tell: Option<&Bound<'_, PyAny>>,
         travel: bool,
     ) -> PyResult<(Vec<Failed>, bool)> {
+        check_threads(py, threads)?;
         let (watch, told) = Watch::new();
         let (study, observer) = (Arc::clone(&self.study), Arc::clone(&watch));
         let plan = study_plan(&study, Vec::new());

@@ -140,7 +140,7 @@ impl RunArguments {
 
 /// Most threads: as many as the processors of the largest machines; each has a stack and waits for
 /// work by turning.
-const MOST_THREADS: usize = 1024;
+pub const MOST_THREADS: usize = 1024;
 
 /// A number of threads on the command line.
 pub fn threads(given: &str) -> Result<NonZeroUsize, String> {

@@ -8,9 +8,11 @@ use super::run::Simulation;
 use crate::csv::{FaceRow, ResidualRow, SifRow, SifScale, TipRow};
 use crate::files::ROLLED_FOLDER;
 use crate::memory::peak_memory_mb;
+use crate::run_info::RunInfo;
 use crate::run_log::RunLog;
 use crate::{Existing, FolderLock, OutputError, Presentation, Recorder, Summary};
 use railcrack::growth::{GrowthState, StepRecord};
+use railcrack_case::Output;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -133,20 +135,27 @@ impl RunInMemory {
         Summary::new(&self.job.info, &log)
     }
 
-    /// Writes the run folder that the same run would have written, wall times aside; a run that was
-    /// interrupted can be resumed there.
+    /// The tables, plots and page that the case asks for.
+    pub fn output(&self) -> Output {
+        self.job.info.output
+    }
+
+    /// Writes the run folder that the same run would have written with `output`, wall times aside;
+    /// a run that was interrupted can be resumed there.
     ///
     /// Errors: the folder holds a run and `existing` says to leave it alone; a number that is not
     /// finite; the system refuses to write.
     pub fn save(
         &self,
         folder: &Path,
+        output: Output,
         existing: Existing,
         presentation: &dyn Presentation,
     ) -> Result<Summary, OutputError> {
         std::fs::create_dir_all(folder).map_err(OutputError::io("create the run folder", folder))?;
         let _lock = FolderLock::take(folder)?;
         let Job { case, info } = self.job.clone();
+        let info = RunInfo { output, ..info };
         let mut recorder = Recorder::start(folder, case, info, existing, presentation)?;
         if let Some(rolled) = &self.rolled {
             copy_folder(rolled, &folder.join(ROLLED_FOLDER))?;
