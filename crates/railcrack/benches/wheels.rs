@@ -47,9 +47,33 @@ fn passage(bencher: Bencher, wheel: &dyn Wheel) {
     });
 }
 
-/// The initial crack under a mix of so many wheels.
+/// Increments of the mixes.
+const STEPS: usize = 5;
+
+/// Growth under a mix of so many wheels, with dislocations.
 #[divan::bench(sample_count = 10, args = [1, 2, 3])]
 fn mix(bencher: Bencher, wheels: usize) {
+    growth_steps(bencher, wheels, |_| DislocationEngine {
+        steel: steel(),
+        resolution: FaceResolution::default(),
+    });
+}
+
+/// The same with finite elements.
+#[divan::bench(sample_count = 10, args = [1, 2, 3])]
+fn mix_with_elements(bencher: Bencher, wheels: usize) {
+    growth_steps(bencher, wheels, |crack| {
+        let end = RailEnd::HalfPlane { centre: 0.0 };
+        let mesh = MeshSettings { element_size: 0.1, expected_growth: 1.04f64.powi(STEPS as i32) };
+        XfemEngine::new(crack, steel(), mesh, end, XfemSettings::default())
+    });
+}
+
+fn growth_steps<E: BodyEngine + 'static>(
+    bencher: Bencher,
+    wheels: usize,
+    engine: impl Fn(&CrackNetwork) -> E + Sync,
+) {
     let contacts = [(1000.0, 6.75, 0.1), (800.0, 5.5, 0.3), (950.0, 6.5, -0.35)];
     let share = 1.0 / wheels as f64;
     let of = |(peak_pressure, half_width, friction)| {
@@ -57,10 +81,9 @@ fn mix(bencher: Bencher, wheels: usize) {
     };
     let crack: CrackNetwork = Crack::surface_breaking(0.0, 4.0, 30f64.to_radians()).unwrap().into();
     bencher.bench_local(|| {
-        let engine = DislocationEngine { steel: steel(), resolution: FaceResolution::default() };
-        let mut problem = GrowthProblem::new(engine, of(contacts[0]), vec![0.3]);
+        let mut problem = GrowthProblem::new(engine(&crack), of(contacts[0]), vec![0.3]);
         problem.share = share;
-        problem.growth.steps = 0;
+        problem.growth.steps = STEPS;
         let beside = |&contact: &(f64, f64, f64)| MixedWheel {
             wheel: Box::new(of(contact)),
             share,
@@ -70,7 +93,9 @@ fn mix(bencher: Bencher, wheels: usize) {
         };
         problem.others = contacts[1..wheels].iter().map(beside).collect();
         let mut growth = Growth::new(problem, GrowthState::initial(&crack));
-        growth.next_step(&Unobserved).unwrap()
+        for _ in 0..=STEPS {
+            growth.next_step(&Unobserved).unwrap();
+        }
     });
 }
 
