@@ -2,9 +2,11 @@
 
 use super::stored::RunFolder;
 use crate::numbers::{fixed, grouped, rounded, significant};
+use railcrack::bulk::Boundary;
 use railcrack::contact::{FluidModel, StepControl};
 use railcrack::fatigue::DirectionCriterion;
 use railcrack::load::Contact;
+use railcrack::math::RailBox;
 use railcrack::words::Choice;
 use railcrack_case::{Case, ContactOrigin, ContactSolver, Engine};
 
@@ -38,12 +40,12 @@ fn limits(case: &Case) -> String {
 
 fn rail(case: &Case) -> String {
     let (young, poisson) = (case.steel.young(), case.steel.poisson());
-    let name = case.rail.boundary.word();
-    let boundary = match name.strip_prefix("block") {
-        Some(supports) => {
-            format!("block of {} × {} mm{supports}", case.rail.extent.width, case.rail.extent.depth)
+    let boundary = match case.rail.boundary {
+        Boundary::HalfPlane => "half-plane, bounded by the running surface only".to_owned(),
+        Boundary::Block { bottom, sides } => {
+            let RailBox { width, depth, .. } = case.rail.extent;
+            format!("block of {width} × {depth} mm, bottom {}, sides {}", bottom.word(), sides.word())
         }
-        None => format!("{name}, bounded by the running surface only"),
     };
     format!("Rail: linear elastic, plane strain, E = {} MPa, ν = {poisson}; {boundary}.", grouped(young))
 }
