@@ -5,10 +5,12 @@ from __future__ import annotations
 import concurrent.futures
 import multiprocessing
 import os
+import resource
 import signal
 import threading
 import time
 from collections.abc import Callable
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -134,6 +136,31 @@ def compute(number: int) -> float:
     begun = time.monotonic()
     CASES[number].run(threads=1)
     return time.monotonic() - begun
+
+
+def test_a_run_costs_what_the_command_does(command: Callable[..., str], tmp_path: Path) -> None:
+    """Processor time within 5 % of that of the command without tables, plots and page, the start of its
+    process aside. Other work on the machine disturbs both: of several tries the best one counts."""
+    nothing = {"faces": "none", "sif": "none", "plots": False, "report": False}
+    case = CASES[0].with_(output=nothing)
+    (tmp_path / "case.toml").write_text(case.to_toml())
+
+    def of_command(*arguments: object) -> float:
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        command(*arguments)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+    ratios = []
+    for i in range(6):
+        begun = time.process_time()
+        case.run(threads=1)
+        ours = time.process_time() - begun
+        theirs = of_command("run", tmp_path / "case.toml", "--out", tmp_path / f"run-{i}", "--quiet", "--threads", 1)
+        ratios.append(ours / (theirs - of_command("--version")))
+        if ratios[-1] < 1.05:
+            return
+    raise AssertionError(f"processor time over that of the command: {ratios}")
 
 
 def test_two_threads_run_two_cases_at_once() -> None:

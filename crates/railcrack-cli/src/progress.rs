@@ -67,7 +67,7 @@ impl<'a> Progress<'a> {
         let step = self.step.load(Ordering::Relaxed);
         let left = match time_left(&pace.steps, (self.increments + 1).saturating_sub(step), fraction) {
             _ if step > self.increments => "writing".to_owned(),
-            Some(seconds) => format!("{} left", HumanDuration(Duration::from_secs_f64(seconds.ceil()))),
+            Some(seconds) => format!("{:#} left", HumanDuration(Duration::from_secs_f64(seconds.ceil()))),
             None => String::new(),
         };
         let parts: Vec<&str> =
@@ -188,20 +188,20 @@ fn events(record: &StepRecord) -> Vec<String> {
     joined.chain(enclosed).collect()
 }
 
-/// Length and rate of the fastest tip, load cycles, and tonnes where one cycle has `tonnes`.
+/// Crack and length of the fastest tip, load cycles, million gross tonnes where one cycle has
+/// `tonnes`, and the rate: 80 columns show them behind a bar but for the rate.
 fn state_of(record: &StepRecord, tonnes: Option<f64>) -> String {
     let faster = |one: &TipRecord, other: &TipRecord| one.rate.total_cmp(&other.rate);
     let fastest = record.tips.iter().max_by(|one, other| faster(one, other));
     fastest.map_or_else(String::new, |tip| {
-        let gross = tonnes.map_or_else(String::new, |tonnes| {
-            format!("  {:.3} million gross tonnes", tonnes * record.load_cycles)
-        });
+        let gross =
+            tonnes.map_or_else(String::new, |tonnes| format!("  {:.3} MGT", tonnes * record.load_cycles));
         format!(
-            "crack {}: length {:.3} mm  rate {:.2e} mm/cycle  cycles {}{gross}",
+            "crack {} {:.2} mm  {} cycles{gross}  {:.2e} mm/cycle",
             tip.tip.crack + 1,
             tip.length,
-            tip.rate,
-            cycles(record.load_cycles)
+            cycles(record.load_cycles),
+            tip.rate
         )
     })
 }
