@@ -74,6 +74,9 @@ pub struct Advance {
 /// that coalesces with a crack to which it is already connected, through cracks or the surface,
 /// detaches a piece, and the run ends.
 ///
+/// Cracks that are no network to begin with (they meet elsewhere than at junctions, or enclose a
+/// piece) are left as they are, and their tips stop.
+///
 /// Source: Trollé et al. 2014, eq. 32.
 #[must_use]
 pub fn advance(state: &StepState<'_>, settings: &GrowthSettings) -> Advance {

@@ -23,12 +23,17 @@ pub(super) enum Outcome {
     Impossible(Vec<usize>),
 }
 
-/// Grows the cracks by `steps`, each up to its coalescence where it has one.
+/// Grows the cracks by `steps`, each up to its coalescence where it has one. Without any step they
+/// stay as they are, even where they are no network: there is nothing to blame then.
 pub(super) fn grow(
     state: &StepState<'_>,
     steps: &[Option<Step>],
     coalescences: &[Option<Coalescence>],
 ) -> Outcome {
+    if steps.iter().all(Option::is_none) {
+        let (cracks, junctions) = (state.cracks.to_vec(), state.junctions.to_vec());
+        return Outcome::Grown { cracks, junctions };
+    }
     let mut paths: Vec<Vec<Vec2>> = state.cracks.iter().map(|crack| crack.points().to_vec()).collect();
     for (i, step) in steps.iter().enumerate() {
         let Some(step) = step else { continue };

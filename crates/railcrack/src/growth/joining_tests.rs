@@ -329,3 +329,20 @@ fn any_step_makes_a_network_and_knows_neither_order_nor_hand() {
     });
     held.unwrap();
 }
+
+/// Cracks that no network can have: two that cross, and two joined at both ends around a piece.
+#[test]
+fn no_network_does_not_grow() {
+    let crossing = [crack(&[(-2.0, -4.0), (2.0, -4.0)]), crack(&[(0.0, -2.0), (0.0, -6.0)])];
+    let arch =
+        [crack(&[(-2.0, -5.0), (0.0, -5.0), (2.0, -5.0)]), crack(&[(0.0, -5.0), (1.0, -4.0), (2.0, -5.0)])];
+    let end = |end| Junction { joining: CrackEnd { crack: 1, end }, onto: 0 };
+    let loops = [end(End::First), end(End::Last)];
+    for (cracks, junctions) in [(&crossing, &[][..]), (&arch, &loops[..])] {
+        assert!(CrackNetwork::joined(cracks.to_vec(), junctions.to_vec()).is_err());
+        let tips = [drive(0, End::First, 0, 0.0, 1e-6), drive(0, End::Last, 1, 0.0, 1e-6)];
+        let next = advance(&StepState { junctions, ..state(cracks, &tips) }, &SETTINGS);
+        assert_eq!(next.cracks, cracks);
+        assert_eq!(next.stop, Some(RunStop::NoTipGrows(TipStop::Coalescence)));
+    }
+}
