@@ -8,7 +8,7 @@ use crate::body::{
     BlockStiffness, BodyEngine, BodyError, CrackedBody, FaceElement, FaceMesh, TipGain, discretise,
     thin_flaps,
 };
-use crate::crack::{CrackNetwork, CrackTip, End, Walk, point_to_segment};
+use crate::crack::{CrackNetwork, CrackTip, End, Walk};
 use crate::interruption::{Interrupted, Interruption};
 use crate::linear::{LinearError, spd_inverse_unless};
 use crate::material::IsotropicElastic;
@@ -168,28 +168,23 @@ fn nodes(
     walks.iter().enumerate().map(of_walk).collect()
 }
 
-/// Largest length of an element over the distance to another crack.
-const NEIGHBOUR_SHARE: f64 = 1.0;
-/// The same over the distance to a tip of another crack, whose singular stress the element has to
-/// follow: a tip at half an element from another crack has its K to 0.3 %, without this to 3.7 %.
+/// Largest length of an element over the distance to a tip of another crack, whose singular stress
+/// the element has to follow: a tip at half an element from another crack has its K to 0.3 %,
+/// without this to 3.7 %. Beside faces elements may be longer than the distance, because the energy
+/// of the jumps is integrated as accurately as elsewhere: parallel cracks of 6 mm at 0.006 to 0.1
+/// mm have their K to 0.9 % of their own peaks.
 const NEIGHBOUR_TIP_SHARE: f64 = 0.4;
 /// Largest length of an element of a buried crack over its depth: K of a tip 0.001 mm below the
 /// surface is 0.6 % off, without this 6 to 17 %.
 const SURFACE_SHARE: f64 = 0.12;
 
-/// Largest length (mm) of an element of crack `own` at `point` beside other cracks, their `tips`
-/// (crack and place) and the running surface.
+/// Largest length (mm) of an element of crack `own` at `point` beside the `tips` of other cracks
+/// (crack and place) and, for a buried crack, below the running surface.
 fn room(network: &CrackNetwork, tips: &[(usize, Vec2)], own: usize, point: Vec2) -> f64 {
-    let others = network.cracks().iter().enumerate().filter(|(i, _)| *i != own);
-    let segments = others.flat_map(|(_, crack)| crack.points().windows(2));
-    let to_faces = segments.map(|p| point_to_segment(point, p[0], p[1]));
     let to_tips = tips.iter().filter(|tip| tip.0 != own).map(|tip| (tip.1 - point).length());
     let buried = !network.cracks()[own].is_surface_breaking();
-    let to_surface = buried.then_some(-point.y);
-    let nearest = |distances: &mut dyn Iterator<Item = f64>| distances.fold(f64::INFINITY, f64::min);
-    (NEIGHBOUR_SHARE * nearest(&mut to_faces.into_iter()))
-        .min(NEIGHBOUR_TIP_SHARE * nearest(&mut to_tips.into_iter()))
-        .min(SURFACE_SHARE * nearest(&mut to_surface.into_iter()))
+    let beside_tips = NEIGHBOUR_TIP_SHARE * to_tips.fold(f64::INFINITY, f64::min);
+    if buried { beside_tips.min(SURFACE_SHARE * -point.y) } else { beside_tips }
 }
 
 /// The dislocation engine: [`cracked_body`] for one steel and resolution.

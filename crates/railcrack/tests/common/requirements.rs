@@ -487,6 +487,11 @@ pub const REQUIREMENTS: &[Requirement] = &[
         "Dislocations: a crack at 2° has the K of twice the elements; at 1° a remark says how far it is known.",
     ),
     requirement(
+        "awkward_places::cracks_close_beside_each_other",
+        "",
+        "Dislocations: cracks at a fifth of an element from each other have the K of twice the elements.",
+    ),
+    requirement(
         "awkward_places::nine_parallel_cracks",
         "",
         "Dislocations: nine parallel cracks have the K of nearly twice the elements.",
