@@ -7,8 +7,8 @@ section! {
     MESH "mesh", Defaulted, "Discretisation.";
     ELEMENT_SIZE: f64 = number("element_size_mm", "mm", positive(100.0), 0.1,
         "Element size at the cracks in the finite-element engine; without it, at each crack a sixtieth of the longest one \
-         (a thirtieth where there are more than three), or a thirtieth of the crack or a seventh of the segment at its \
-         tip if that is less. Without effect on the dislocation engine.").optional();
+         (a thirtieth at a straight crack of more than three), or a thirtieth of the crack or a seventh of the segment at \
+         its tip if that is less. Without effect on the dislocation engine.").optional();
     TIP_ENRICHMENT_RADIUS: f64 = number("tip_enrichment_radius_mm", "mm", positive(100.0), 0.5,
         "Radius around a tip within which nodes carry the square-root functions of the crack tip; without it, two and a \
          half elements.").optional();

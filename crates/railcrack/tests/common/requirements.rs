@@ -472,6 +472,11 @@ pub const REQUIREMENTS: &[Requirement] = &[
         "Engines: K of random networks, kinked and buried cracks among them, agrees where no warning is given.",
     ),
     requirement(
+        "xfem::random_networks::engines_agree_on_four_kinked_cracks",
+        "",
+        "Engines: K of each of four kinked cracks with little friction agrees.",
+    ),
+    requirement(
         "awkward_places::a_tip_beside_another_crack",
         "",
         "Dislocations: a tip at half a hundredth of its crack from another crack has the K of three times the elements.",

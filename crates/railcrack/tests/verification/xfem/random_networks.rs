@@ -1,7 +1,7 @@
 //! Random networks under the wheel, kinked and buried cracks among them: K of both engines at their
 //! defaults.
 
-use crate::common::{Meshed, Of, Random, Rolling, StepControl, close, largest};
+use crate::common::{Meshed, Of, Random, Rolling, StepControl, close, largest, polyline};
 use railcrack::body::{BodyEngine, CrackedBody};
 use railcrack::contact::{FaceProblem, Newton};
 use railcrack::crack::{Crack, CrackNetwork, segment_distance};
@@ -20,10 +20,10 @@ struct Outcome {
     points: Vec<Vec<(f64, f64)>>,
     friction: f64,
     wheel: f64,
-    /// Largest difference of K at any tip and position, over the largest K.
-    error: f64,
-    /// The lowest K_I of the finite elements, over the largest K.
-    lowest: f64,
+    /// Of each crack, the largest difference of K at any tip and position, over its own largest K.
+    errors: Vec<f64>,
+    /// The crack with the lowest K_I of the finite elements, and that over the largest K.
+    lowest: Option<(usize, f64)>,
     /// Remarks of the engines on their accuracy.
     remarks: Vec<String>,
 }
@@ -72,69 +72,93 @@ fn outcome(number: u64) -> Outcome {
     }
     let friction = random.pick(&[0.01, 0.1, 0.3, 0.5]);
     let wheel = random.between(-0.3, 0.3);
+    compared(number, cracks, friction, wheel)
+}
+
+/// Both engines on `cracks`.
+fn compared(number: u64, cracks: Vec<Crack>, friction: f64, wheel: f64) -> Outcome {
+    let count = cracks.len();
     let mut rolling = Rolling::over(cracks.clone(), friction, wheel);
     rolling.steps = StepControl { positions: POSITIONS, ..StepControl::default() };
     let passage = |body: &CrackedBody| {
         let problem = FaceProblem::new(body, &vec![friction; count]).unwrap();
         rolling.on(&problem, &Newton::default())
     };
-    let sifs = |passage: &StabilisedPassage| -> Vec<f64> {
-        let last = &passage.passages[passage.passages.len() - 1];
-        last.sifs.iter().flatten().flat_map(|k| [k.ki, k.kii]).collect()
-    };
     let network = CrackNetwork::new(cracks.clone()).unwrap();
     let one = Meshed::default().engine_of(&network).body(&network).unwrap();
     let other = rolling.body();
     let (by_elements, by_dislocations) = (passage(&one), passage(&other));
-    let (k, want) = (sifs(&by_elements), sifs(&by_dislocations));
-    let off = largest(k.iter().zip(&want).map(|(a, b)| a - b));
-    let lowest = by_elements.lowest_opening().map_or(0.0, |(_, share)| share);
+    let sifs = |passage: &StabilisedPassage, crack: usize| -> Vec<f64> {
+        let tips = one.tips.iter().zip(&passage.passages[passage.passages.len() - 1].sifs);
+        let own = tips.filter(|(tip, _)| tip.crack == crack);
+        own.flat_map(|(_, sifs)| sifs).flat_map(|k| [k.ki, k.kii]).collect()
+    };
+    let error = |crack: usize| {
+        let (k, want) = (sifs(&by_elements, crack), sifs(&by_dislocations, crack));
+        largest(k.iter().zip(&want).map(|(a, b)| a - b)) / largest(want)
+    };
+    let lowest = by_elements.lowest_opening().map(|(tip, share)| (one.tips[tip].crack, share));
     let points = cracks.iter().map(|crack| crack.points().iter().map(|p| (p.x, p.y)).collect()).collect();
     let remarks = one.remarks.iter().chain(&other.remarks).cloned().collect();
-    Outcome { number, points, friction, wheel, error: off / largest(want), lowest, remarks }
+    let errors = (0..count).map(error).collect();
+    Outcome { number, points, friction, wheel, errors, lowest, remarks }
 }
 
 impl Outcome {
-    /// Whether a run would say that K is not to be trusted.
-    fn is_warned_of(&self) -> bool {
-        !self.remarks.is_empty() || self.lowest < -OVERLAP
+    /// Whether a run would say that K of `crack` (from 0) is not to be trusted.
+    fn is_warned_of(&self, crack: usize) -> bool {
+        let name = format!("crack {}:", crack + 1);
+        self.remarks.iter().any(|remark| remark.starts_with(&name))
+            || self.lowest.is_some_and(|(lowest, share)| lowest == crack && share < -OVERLAP)
     }
 }
 
-/// Difference between the engines, over the largest K, that users need not be told of.
+/// Difference between the engines, over the largest K of a crack, that users need not be told of.
 const DIFFERENCE: f64 = 1e-2;
 /// K_I below zero, over the largest K, of which a run warns.
 const OVERLAP: f64 = 1e-2;
 
-fn agree_or_warn(numbers: std::ops::Range<u64>) {
-    let mut outcomes: Vec<Outcome> = numbers.into_par_iter().map(outcome).collect();
-    outcomes.sort_by(|a, b| b.error.total_cmp(&a.error));
-    let (all, warned) = (outcomes.len(), outcomes.iter().filter(|one| one.is_warned_of()).count());
+fn agree_or_warn(outcomes: &[Outcome]) {
+    let cracks = outcomes.iter().flat_map(|one| (0..one.errors.len()).map(move |crack| (one, crack)));
+    let (warned, mut silent): (Vec<_>, Vec<_>) = cracks.partition(|(one, crack)| one.is_warned_of(*crack));
+    silent.sort_by(|(a, i), (b, j)| b.errors[*j].total_cmp(&a.errors[*i]));
     println!(
-        "{all} networks: median {:.3} %, largest {:.3} %, {warned} with a warning",
-        100.0 * outcomes[all / 2].error,
-        100.0 * outcomes[0].error
+        "{} networks: median {:.3} % of the peak of a crack; {} cracks with a warning",
+        outcomes.len(),
+        100.0 * silent.get(silent.len() / 2).map_or(0.0, |(one, crack)| one.errors[*crack]),
+        warned.len()
     );
-    for one in outcomes.iter().filter(|one| !one.is_warned_of()) {
-        let Outcome { number, points, friction, wheel, error, lowest, .. } = one;
-        assert!(
-            *error < DIFFERENCE,
-            "network {number}: {:.2} % apart, K_I down to {:.2} %; friction {friction}, wheel {wheel}, cracks {points:?}",
-            100.0 * error,
-            100.0 * lowest
+    for (one, crack) in silent.iter().take(5) {
+        let Outcome { number, points, friction, wheel, errors, lowest, .. } = one;
+        println!(
+            "network {number}, crack {}: {:.2} % apart, lowest K_I {lowest:?}; friction {friction}, wheel {wheel}, cracks {points:?}",
+            crack + 1,
+            100.0 * errors[*crack],
         );
     }
-    let silent = outcomes.iter().filter(|one| !one.is_warned_of()).map(|one| one.error);
-    close(silent.fold(0.0, f64::max), 0.0, Of(DIFFERENCE, 1.0), "promised to users, of the peak");
+    let worst = silent.first().map_or(0.0, |(one, crack)| one.errors[*crack]);
+    close(worst, 0.0, Of(DIFFERENCE, 1.0), "promised to users, of the peak of each crack");
 }
 
 #[test]
 fn engines_agree_or_warn() {
-    agree_or_warn(0..8);
+    agree_or_warn(&(0..8).into_par_iter().map(outcome).collect::<Vec<_>>());
+}
+
+/// Four cracks with kinks of up to 35° and little crack-face friction.
+#[test]
+fn engines_agree_on_four_kinked_cracks() {
+    let cracks = [
+        &[(-2.1744, 0.0), (-6.6052, -2.4594), (-7.1907, -3.0570), (-8.1431, -3.4244)][..],
+        &[(-4.9765, 0.0), (-10.6895, -1.6716), (-11.5723, -2.8250)],
+        &[(5.1985, 0.0), (3.7473, -1.4094), (2.9952, -2.7648), (2.6803, -3.6149)],
+        &[(0.2804, 0.0), (-0.0655, -3.9826)],
+    ];
+    agree_or_warn(&[compared(0, cracks.map(polyline).to_vec(), 0.01, 0.2145)]);
 }
 
 #[test]
 #[ignore = "extra: minutes; 300 networks"]
 fn engines_agree_or_warn_in_three_hundred() {
-    agree_or_warn(0..300);
+    agree_or_warn(&(0..300).into_par_iter().map(outcome).collect::<Vec<_>>());
 }
