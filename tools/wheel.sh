@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# The Python package as a wheel for Linux systems of any age (manylinux2014, x86_64), in target/wheels:
+# The Python package as a wheel for Linux systems of any age (manylinux2014), in target/wheels:
 #
-#     tools/wheel.sh
+#     tools/wheel.sh [aarch64]     (x86_64 without it)
 #
 # Needs Rust, and Python 3 with venv and pip. All is built as by `pip install ./python`, but for the last step: zig
 # links the extension against the symbols of glibc 2.17 (2012). The wheel is examined by auditwheel, installed into
-# a fresh environment, and a run of it compared with that of the command of this system, bit for bit.
+# a fresh environment, and a run of it compared with that of the command of this system, bit for bit. For aarch64,
+# which needs rustup, all libraries are built once more, and the wheel is examined only.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 fail() {
@@ -15,27 +16,37 @@ fail() {
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
+machine=${1:-x86_64}
+case $machine in x86_64 | aarch64) ;; *) fail "$machine: must be x86_64 or aarch64" ;; esac
 tools=$PWD/target/wheel-tools
 if ! [ -x "$tools/bin/auditwheel" ]; then
     python3 -m venv "$tools"
     "$tools/bin/pip" install --quiet --disable-pip-version-check maturin==1.16.0 ziglang==0.17.1 auditwheel==6.8.2
 fi
-linker=$PWD/target/zig-linker
-printf '#!/bin/sh\nexec "%s" -m ziglang cc -target x86_64-linux-gnu.2.17 "$@"\n' "$tools/bin/python" > "$linker"
-chmod +x "$linker"
 export ZIG_GLOBAL_CACHE_DIR=$PWD/target/zig
-rm -rf target/wheels
-# The flags are of the last crate alone, so that the others are those of the workspace. The linker that comes with
-# Rust is not for zig.
+if [ "$machine" = x86_64 ]; then
+    linker=$PWD/target/zig-linker
+    printf '#!/bin/sh\nexec "%s" -m ziglang cc -target x86_64-linux-gnu.2.17 "$@"\n' "$tools/bin/python" > "$linker"
+    chmod +x "$linker"
+    # The flags are of the last crate alone, so that the others are those of the workspace. The linker that comes
+    # with Rust is not for zig.
+    how=(-- -C "linker=$linker" -C linker-features=-lld)
+else
+    rustup target add "$machine-unknown-linux-gnu"
+    how=(--zig --target "$machine-unknown-linux-gnu")
+fi
+rm -rf "target/wheels/$machine"
 (
     cd python
-    PATH=$tools/bin:$PATH maturin build --quiet --release --locked --compatibility manylinux2014 --out ../target/wheels \
-        -- -C linker="$linker" -C linker-features=-lld
+    PATH=$tools/bin:$PATH maturin build --quiet --release --locked --compatibility manylinux2014 \
+        --out "../target/wheels/$machine" "${how[@]}"
 )
-wheel=$(echo target/wheels/*.whl)
+wheel=$(echo "target/wheels/$machine"/*.whl)
 "$tools/bin/auditwheel" show "$wheel" > "$scratch/shown.txt"
-tr '\n' ' ' < "$scratch/shown.txt" | grep -q 'following platform tag: *"manylinux_2_17_x86_64"' ||
+tr '\n' ' ' < "$scratch/shown.txt" | grep -q "following platform tag: *\"manylinux_2_17_$machine\"" ||
     fail "$wheel is no manylinux2014"
+printf '%s: %s bytes\n' "$wheel" "$(stat -c %s "$wheel")"
+[ "$machine" = x86_64 ] || exit 0
 
 python3 -m venv "$scratch/fresh"
 "$scratch/fresh/bin/pip" install --quiet --disable-pip-version-check "$wheel"
@@ -46,4 +57,3 @@ run "$scratch/fresh/bin/railcrack" there
 for table in sif growth faces; do
     cmp "$scratch/here/$table.csv" "$scratch/there/$table.csv" || fail "$wheel computes something else"
 done
-printf '%s: %s bytes\n' "$wheel" "$(stat -c %s "$wheel")"
