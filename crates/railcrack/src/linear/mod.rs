@@ -9,8 +9,10 @@ mod dense;
 mod elements;
 mod error;
 mod fronts;
+mod gmres;
 mod gram;
 mod lanes;
+mod large;
 mod reach;
 #[cfg(test)]
 mod sparse_tests;
@@ -24,7 +26,9 @@ pub(crate) use dense::{SmallFactor, add_product, add_transposed_product, product
 pub use dense::{general_inverse, product, spd_inverse, spd_inverse_unless};
 pub use elements::ElementSum;
 pub use error::LinearError;
+pub(crate) use gmres::least_residual;
 pub use gram::gram;
+pub(crate) use large::LargeFactor;
 pub(crate) use reach::PANEL_COLUMNS;
 pub use reach::{ReachedPanel, SparseColumn};
 pub(crate) use spd::SpdFactor;

@@ -10,6 +10,7 @@ use crate::interruption::{Interrupted, Interruption};
 use crate::linear::{LinearError, spd_inverse_unless};
 use crate::material::IsotropicElastic;
 use crate::math::{Matrix, gauss_legendre};
+use rayon::prelude::*;
 use std::f64::consts::PI;
 use std::sync::Arc;
 use thiserror::Error;
@@ -215,8 +216,9 @@ impl SpaceBody {
     }
 
     /// Nodal forces (N), 3p, of a stress field of the uncracked rail given at x, lateral and depth.
-    pub fn nodal_forces(&self, stress: impl Fn([f64; 3]) -> Symmetric) -> Vec<f64> {
-        let tractions: Vec<_> = self.loads.iter().map(|p| self.frame.traction(&stress(p.position))).collect();
+    pub fn nodal_forces(&self, stress: impl Fn([f64; 3]) -> Symmetric + Sync) -> Vec<f64> {
+        let tractions: Vec<_> =
+            self.loads.par_iter().map(|p| self.frame.traction(&stress(p.position))).collect();
         let mut forces = vec![0.0; 3 * self.points.len()];
         for (point, traction) in self.loads.iter().zip(tractions) {
             for (a, weight) in point.hats {

@@ -5,19 +5,28 @@
 //!   ⟦w_n⟧ ≥ 0, r_n ≥ 0, r_n ⟦w_n⟧ = 0,   |r_t| ≤ μ r_n, and slip increments against r_t.
 //!
 //! The augmented equations of Alart & Curnier (1991) are solved by semismooth Newton iterations:
-//! each point is open, sticks or slips, and the unknowns are the jumps that are not held. Slip is
-//! integrated by backward Euler: an error of first order in the step, which the passage controls.
+//! each point is open, sticks or slips, and the unknowns are the jumps that are not held. Their
+//! linear systems are solved by minimal residuals, preconditioned by the factor of an earlier one.
+//! Slip is integrated by backward Euler: an error of first order in the step, which the passage
+//! controls.
 
 use super::body::SpaceBody;
+use super::linearised::{Change, LaggedFactor, Linearised, resisted, size};
+use super::states::{PointState, SpaceStatus};
 use crate::interruption::Interrupted;
-use crate::linear::{LinearError, SmallFactor};
-use crate::math::{Matrix, dot};
+use crate::linear::LinearError;
 use thiserror::Error;
 
 /// Iterations of a step, at most.
 const ITERATIONS: usize = 60;
-/// Largest change of a jump, over the largest jump, of a converged step.
+/// Largest change of a jump, over the largest jump before or after it, of a converged step.
 const TOLERANCE: f64 = 1e-11;
+/// Residuals of the linear systems, over their right-hand sides: where points change their state,
+/// and where none does at the end.
+const COARSEST: f64 = 1e-2;
+const FINEST: f64 = 1e-9;
+/// A residual this small over the forces of the faces is round-off.
+const ROUNDING: f64 = 1e-13;
 
 /// A step of the contact that fails.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -42,20 +51,6 @@ pub enum SpaceContactError {
     Interrupted(#[from] Interrupted),
 }
 
-/// Whether the faces touch at a point.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
-pub enum SpaceStatus {
-    /// The faces are apart.
-    Open,
-    /// They touch without slipping.
-    Stick,
-    /// They slip; the direction of the friction force.
-    Slip {
-        /// Unit vector along the dip and the trace.
-        direction: [f64; 2],
-    },
-}
-
 /// The faces of a crack at one moment.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SpaceFaces {
@@ -72,8 +67,9 @@ pub struct SpaceFaces {
 pub struct StepReport {
     /// Newton iterations.
     pub iterations: usize,
-    /// Largest violation of the contact conditions: penetration and r_n ⟦w_n⟧ over the largest of
-    /// each, friction beyond the cone over the largest force.
+    /// Largest violation of the contact conditions: penetration over the largest jump, tension and
+    /// friction beyond the cone over the largest force, r_n ⟦w_n⟧ over both. The jumps before the
+    /// step and the forces that they need count.
     pub violation: f64,
 }
 
@@ -105,20 +101,72 @@ impl SpaceContact<'_> {
         before: &SpaceFaces,
         forces: &[f64],
     ) -> Result<(SpaceFaces, StepReport), SpaceContactError> {
-        let stiffness = self.body.stiffness();
+        self.step_from(&before.jumps, &mut LaggedFactor::default(), before, forces)
+    }
+
+    /// [`Self::step`] by iterations that begin with the jumps `guess` (mm), and with those of
+    /// `before` where they do not end; `factor` is that of a similar step, and of this one after
+    /// it.
+    ///
+    /// Errors: iterations that do not end; a singular system.
+    pub(super) fn step_from(
+        &self,
+        guess: &[f64],
+        factor: &mut LaggedFactor,
+        before: &SpaceFaces,
+        forces: &[f64],
+    ) -> Result<(SpaceFaces, StepReport), SpaceContactError> {
+        match self.iterated(guess, factor, before, forces) {
+            Err(SpaceContactError::NotConverged { .. }) if guess != before.jumps => {
+                self.iterated(&before.jumps, factor, before, forces)
+            }
+            result => result,
+        }
+    }
+
+    fn iterated(
+        &self,
+        guess: &[f64],
+        factor: &mut LaggedFactor,
+        before: &SpaceFaces,
+        forces: &[f64],
+    ) -> Result<(SpaceFaces, StepReport), SpaceContactError> {
         let points = before.status.len();
-        let mut jumps = before.jumps.clone();
+        let mut jumps = guess.to_vec();
         let mut reactions = self.reactions(&jumps, forces);
-        let mut change = f64::INFINITY;
+        let mut last = (Vec::new(), f64::INFINITY);
         for iteration in 1..=ITERATIONS {
-            let status: Vec<SpaceStatus> =
-                (0..points).map(|a| self.status(a, &jumps, &reactions, &before.jumps)).collect();
-            let next = self.solve(&status, &jumps, &reactions, before, forces)?;
-            let size = next.iter().fold(f64::MIN_POSITIVE, |m, v| m.max(v.abs()));
-            change = next.iter().zip(&jumps).fold(0.0f64, |m, (a, b)| m.max((a - b).abs())) / size;
-            jumps = next;
-            reactions = self.reactions(&jumps, forces);
-            if change <= TOLERANCE {
+            let states: Vec<PointState> =
+                (0..points).map(|a| self.state(a, &jumps, &reactions, &before.jumps)).collect();
+            let kinds: Vec<_> = states.iter().map(|state| std::mem::discriminant(&state.status)).collect();
+            // Where no point changes its state the error falls as the square of the change.
+            let wanted = if kinds == last.0 { (0.1 * last.1).clamp(FINEST, COARSEST) } else { COARSEST };
+            let mut change = self.held(&states, &jumps, before);
+            let conditions = Linearised::new(self.body.stiffness(), self.friction, &states);
+            let sum = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a + b).collect::<Vec<f64>>();
+            let slip: Vec<f64> =
+                sum(&jumps, &change.jumps).iter().zip(&before.jumps).map(|(new, old)| new - old).collect();
+            let mut right = conditions.of(&sum(&reactions, &change.forces), &slip);
+            right.iter_mut().for_each(|value| *value = -*value);
+            let rounding = ROUNDING * size(&sum(&reactions, forces)) / size(&right).max(f64::MIN_POSITIVE);
+            factor.solve(&conditions, &right, wanted.max(rounding.min(0.5)), &mut change)?;
+            jumps = sum(&jumps, &change.jumps);
+            reactions = sum(&reactions, &change.forces);
+            for (a, state) in states.iter().enumerate() {
+                // Exactly, after a sum that rounds.
+                if state.status != SpaceStatus::Open {
+                    jumps[3 * a] = 0.0;
+                }
+                if state.status == SpaceStatus::Stick {
+                    jumps[3 * a + 1..3 * a + 3].copy_from_slice(&before.jumps[3 * a + 1..3 * a + 3]);
+                }
+            }
+            // Jumps that were there before count: those of faces that come to rest may all vanish.
+            let scale = largest(&jumps).max(largest(&before.jumps)).max(f64::MIN_POSITIVE);
+            last = (kinds, largest(&change.jumps) / scale);
+            if last.1 <= TOLERANCE {
+                let mut reactions = self.reactions(&jumps, forces);
+                let status: Vec<SpaceStatus> = states.iter().map(|state| state.status).collect();
                 // Open faces exert no force: what is left is round-off.
                 for (a, status) in status.iter().enumerate() {
                     if *status == SpaceStatus::Open {
@@ -126,122 +174,60 @@ impl SpaceContact<'_> {
                     }
                 }
                 let faces = SpaceFaces { jumps, reactions, status };
-                let violation = self.violation(&faces);
+                let violation = self.violation(&faces, before);
                 return Ok((faces, StepReport { iterations: iteration, violation }));
             }
         }
-        debug_assert_eq!(stiffness.rows(), 3 * points);
-        Err(SpaceContactError::NotConverged { iterations: ITERATIONS, change, tolerance: TOLERANCE })
+        Err(SpaceContactError::NotConverged { iterations: ITERATIONS, change: last.1, tolerance: TOLERANCE })
     }
 
     fn reactions(&self, jumps: &[f64], forces: &[f64]) -> Vec<f64> {
-        let stiffness = self.body.stiffness();
-        (0..jumps.len()).map(|i| dot(stiffness.row(i), jumps) - forces[i]).collect()
+        let resisted = resisted(self.body.stiffness(), jumps);
+        resisted.iter().zip(forces).map(|(resisted, force)| resisted - force).collect()
     }
 
-    /// Stiffness of the augmentation of point a.
-    fn weight(&self, a: usize) -> f64 {
-        self.body.stiffness()[(3 * a, 3 * a)]
-    }
-
-    /// r_t − α (w_t − w_t before).
-    fn pushed(&self, a: usize, jumps: &[f64], reactions: &[f64], before: &[f64]) -> [f64; 2] {
-        [1, 2].map(|c| reactions[3 * a + c] - self.weight(a) * (jumps[3 * a + c] - before[3 * a + c]))
-    }
-
-    fn pressed(&self, a: usize, jumps: &[f64], reactions: &[f64]) -> f64 {
-        reactions[3 * a] - self.weight(a) * jumps[3 * a]
-    }
-
-    fn status(&self, a: usize, jumps: &[f64], reactions: &[f64], before: &[f64]) -> SpaceStatus {
-        let normal = self.pressed(a, jumps, reactions);
-        if normal <= 0.0 {
-            return SpaceStatus::Open;
-        }
-        let [s, t] = self.pushed(a, jumps, reactions, before);
+    /// The state of point a. α is the stiffness of its augmentation.
+    fn state(&self, a: usize, jumps: &[f64], reactions: &[f64], before: &[f64]) -> PointState {
+        let weight = self.body.stiffness()[(3 * a, 3 * a)];
+        let normal = reactions[3 * a] - weight * jumps[3 * a];
+        let [s, t] = [1, 2].map(|c| reactions[3 * a + c] - weight * (jumps[3 * a + c] - before[3 * a + c]));
         let size = s.hypot(t);
-        if size <= self.friction * normal || size == 0.0 {
-            SpaceStatus::Stick
+        if normal <= 0.0 {
+            PointState { status: SpaceStatus::Open, turning: 0.0 }
+        } else if size <= self.friction * normal || size == 0.0 {
+            PointState { status: SpaceStatus::Stick, turning: 0.0 }
         } else {
-            SpaceStatus::Slip { direction: [s / size, t / size] }
+            let status = SpaceStatus::Slip { direction: [s / size, t / size] };
+            PointState { status, turning: self.friction * normal / size }
         }
     }
 
-    /// One Newton step: the jumps of given states.
-    fn solve(
-        &self,
-        status: &[SpaceStatus],
-        jumps: &[f64],
-        reactions: &[f64],
-        before: &SpaceFaces,
-        forces: &[f64],
-    ) -> Result<Vec<f64>, SpaceContactError> {
+    /// The change of jumps that are held, to where they are held.
+    fn held(&self, states: &[PointState], jumps: &[f64], before: &SpaceFaces) -> Change {
+        let mut moved = vec![0.0; jumps.len()];
+        for (a, state) in states.iter().enumerate() {
+            if state.status != SpaceStatus::Open {
+                moved[3 * a] = -jumps[3 * a];
+            }
+            if state.status == SpaceStatus::Stick {
+                (3 * a + 1..3 * a + 3).for_each(|i| moved[i] = before.jumps[i] - jumps[i]);
+            }
+        }
+        let forces = resisted(self.body.stiffness(), &moved);
+        Change { jumps: moved, forces }
+    }
+
+    fn violation(&self, faces: &SpaceFaces, before: &SpaceFaces) -> f64 {
+        let jump = largest(&faces.jumps).max(largest(&before.jumps)).max(f64::MIN_POSITIVE);
         let stiffness = self.body.stiffness();
-        let mut unknowns = Vec::new();
-        let mut next = vec![0.0; jumps.len()];
-        for (a, status) in status.iter().enumerate() {
-            match status {
-                SpaceStatus::Open => unknowns.extend([3 * a, 3 * a + 1, 3 * a + 2]),
-                SpaceStatus::Slip { .. } => unknowns.extend([3 * a + 1, 3 * a + 2]),
-                SpaceStatus::Stick => {
-                    next[3 * a + 1..3 * a + 3].copy_from_slice(&before.jumps[3 * a + 1..3 * a + 3]);
-                }
-            }
-        }
-        if unknowns.is_empty() {
-            return Ok(next);
-        }
-        let mut matrix = Matrix::zeros(unknowns.len(), unknowns.len());
-        let mut right = vec![0.0; unknowns.len()];
-        for (row, &unknown) in unknowns.iter().enumerate() {
-            let (a, c) = (unknown / 3, unknown % 3);
-            // The row is a combination of rows of A w − f, and of w_t itself.
-            let mut combination = [0.0; 3];
-            let mut own = [0.0; 2];
-            match status[a] {
-                SpaceStatus::Slip { direction } => {
-                    let pushed = self.pushed(a, jumps, reactions, &before.jumps);
-                    let normal = self.pressed(a, jumps, reactions);
-                    let turning = self.friction * normal / pushed[0].hypot(pushed[1]);
-                    for e in 0..2 {
-                        let same = f64::from(u8::from(e + 1 == c));
-                        let across = turning * (same - direction[c - 1] * direction[e]);
-                        combination[e + 1] = same - across;
-                        own[e] = across * self.weight(a);
-                    }
-                    combination[0] = -self.friction * direction[c - 1];
-                }
-                _ => combination[c] = 1.0,
-            }
-            for (e, factor) in combination.into_iter().enumerate().filter(|(_, factor)| *factor != 0.0) {
-                let full = stiffness.row(3 * a + e);
-                right[row] += factor * (forces[3 * a + e] - dot(full, &next));
-                let entries = matrix.row_mut(row);
-                unknowns.iter().zip(entries).for_each(|(&k, entry)| *entry += factor * full[k]);
-            }
-            for (e, factor) in own.into_iter().enumerate().filter(|(_, factor)| *factor != 0.0) {
-                right[row] += factor * before.jumps[3 * a + 1 + e];
-                if let Ok(column) = unknowns.binary_search(&(3 * a + 1 + e)) {
-                    matrix[(row, column)] += factor;
-                }
-            }
-        }
-        SmallFactor::new(matrix)?.solve(&mut right)?;
-        unknowns.iter().zip(right).for_each(|(&k, value)| next[k] = value);
-        Ok(next)
-    }
-
-    fn violation(&self, faces: &SpaceFaces) -> f64 {
-        let largest = |from: usize, values: &[f64]| {
-            values.iter().skip(from).step_by(3).fold(f64::MIN_POSITIVE, |m: f64, v| m.max(v.abs()))
-        };
-        let (opening, force) = (largest(0, &faces.jumps), largest(0, &faces.reactions));
+        let stiffest = (0..faces.jumps.len()).fold(0.0f64, |m, i| m.max(stiffness[(i, i)]));
+        let force = largest(&faces.reactions).max(stiffest * jump);
         faces.status.iter().enumerate().fold(0.0, |worst: f64, (a, _)| {
             let [w, r] = [faces.jumps[3 * a], faces.reactions[3 * a]];
             let shear = faces.reactions[3 * a + 1].hypot(faces.reactions[3 * a + 2]);
-            let open = (-w).max(0.0) / opening;
+            let open = (-w).max(0.0) / jump;
             let pull = (-r).max(0.0) / force;
-            let both = (w / opening) * (r / force);
+            let both = (w / jump) * (r / force);
             worst
                 .max(open)
                 .max(pull)
@@ -249,4 +235,8 @@ impl SpaceContact<'_> {
                 .max((shear - self.friction * r.max(0.0)).max(0.0) / force)
         })
     }
+}
+
+fn largest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |m, v| m.max(v.abs()))
 }

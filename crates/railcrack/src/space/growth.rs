@@ -27,8 +27,6 @@ use crate::math::{RailBox, Vec2};
 use std::sync::Arc;
 use std::time::Instant;
 
-/// Distance of the wheel positions at which nodal forces are computed, over the half-width.
-const STATION: f64 = 0.1;
 /// A K_I that falls below zero by this share of the largest K is worth a warning.
 const OVERLAP: f64 = 0.02;
 /// Rates that differ from those of the ellipse by this share of the largest are worth a warning.
@@ -166,7 +164,6 @@ impl SpaceGrowth {
         let load = SpaceLoad {
             wheel: &wheel,
             constant: self.problem.residual.is_some().then_some(&stays as &super::passage::StressAt),
-            station: STATION * self.problem.wheel.half_width,
         };
         let passage = stabilised_space_passage(&contact, &load, &self.problem.passages, observer)
             .map_err(|error| of_contact(step, error))?;

@@ -9,6 +9,7 @@ mod galerkin;
 mod grid;
 mod growth;
 mod image_table;
+mod linearised;
 mod mindlin_image;
 mod mouth_pair;
 mod nuclei;
@@ -18,12 +19,13 @@ mod plane;
 mod records;
 mod shape;
 mod stabilised;
+mod states;
 mod tips;
 mod way;
 mod wheel;
 
 pub use body::{FrontPoint, FrontSif, SpaceBody, SpaceError, SpaceKernel};
-pub use contact::{SpaceContact, SpaceContactError, SpaceFaces, SpaceStatus, StepReport};
+pub use contact::{SpaceContact, SpaceContactError, SpaceFaces, StepReport};
 pub use front_motion::VERTEX_LAYER;
 pub use grid::SpaceResolution;
 pub use growth::{SpaceGrowth, SpaceProblem};
@@ -32,4 +34,5 @@ pub use passage::{SpaceHistory, SpaceLoad, SpacePassageSettings, SpacePassages, 
 pub use plane::{PlaneFrame, Surroundings};
 pub use shape::{Extent, ShapeError, SpaceCrack};
 pub use stabilised::{StabilisedSpace, stabilised_space_passage};
+pub use states::SpaceStatus;
 pub use wheel::EllipticWheel;

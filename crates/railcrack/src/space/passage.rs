@@ -2,6 +2,7 @@
 
 use super::body::{FrontSif, SpaceBody};
 use super::contact::{SpaceContact, SpaceContactError, SpaceFaces, StepReport};
+use super::linearised::LaggedFactor;
 use super::nuclei::Symmetric;
 use crate::growth::Observer;
 use crate::interruption::{Interrupted, Interruption};
@@ -18,9 +19,6 @@ pub struct SpaceLoad<'a> {
     pub wheel: &'a (dyn Fn(f64, [f64; 3]) -> Symmetric + Sync),
     /// The same without the wheel: residual, thermal.
     pub constant: Option<&'a StressAt<'a>>,
-    /// Largest distance (mm) of the wheel positions between which nodal forces are interpolated; a
-    /// tenth of the half-width keeps K to 1e-3 of its peak.
-    pub station: f64,
 }
 
 impl SpaceLoad<'_> {
@@ -84,21 +82,21 @@ impl SpaceHistory {
     }
 }
 
-/// Passages of one wheel over one body: nodal forces are computed at stations along the way and
-/// interpolated between them.
+/// Passages of one wheel over one body. Nodal forces are never interpolated between positions: the
+/// edge of the contact leaves them no derivative where it passes the mouth, and slip forgets
+/// nothing that an interpolation overshoots.
 pub struct SpacePassages<'a> {
     contact: &'a SpaceContact<'a>,
+    load: &'a SpaceLoad<'a>,
     observer: &'a dyn Observer,
     constant: Vec<f64>,
     passage: Passage,
-    /// Intervals between stations, a multiple of those between output positions.
+    /// Intervals between stations: two between output positions.
     intervals: usize,
-    /// Nodal forces at the stations.
+    /// Nodal forces at the stations, which all passages need.
     stations: Vec<Vec<f64>>,
 }
 
-/// Stations of one interpolation.
-const STENCIL: usize = 6;
 /// A position this close to a station, in their distance, lies on it.
 const ON_STATION: f64 = 1e-9;
 
@@ -109,16 +107,13 @@ impl<'a> SpacePassages<'a> {
     /// Errors: an interruption.
     pub fn new(
         contact: &'a SpaceContact<'a>,
-        load: &SpaceLoad,
+        load: &'a SpaceLoad<'a>,
         passage: Passage,
         observer: &'a dyn Observer,
     ) -> Result<Self, Interrupted> {
         let body = contact.body;
         let constant = load.constant_forces(body);
-        let outputs = passage.positions.saturating_sub(1).max(1);
-        let spacing = (passage.to - passage.from).abs() / outputs as f64;
-        let each = (spacing / load.station).ceil().max(1.0) as usize;
-        let intervals = (outputs * each).max(STENCIL);
+        let intervals = 2 * passage.positions.saturating_sub(1).max(1);
         let asked = || observer.interrupted();
         let interruption = Interruption::when(&asked);
         // Forces do not depend on the contact: all at once.
@@ -130,7 +125,7 @@ impl<'a> SpacePassages<'a> {
                 Ok(load.forces(body, &constant, passage.from + share * (passage.to - passage.from)))
             })
             .collect::<Result<_, Interrupted>>()?;
-        Ok(Self { contact, observer, constant, passage, intervals, stations })
+        Ok(Self { contact, load, observer, constant, passage, intervals, stations })
     }
 
     /// A passage over the faces `faces`, which are left as after it: with the wheel away. Virgin
@@ -144,7 +139,7 @@ impl<'a> SpacePassages<'a> {
     ) -> Result<SpaceHistory, SpaceContactError> {
         let body = self.contact.body;
         let positions = self.passage.abscissae();
-        let mut history = SpaceHistory {
+        let history = SpaceHistory {
             sifs: Vec::with_capacity(positions.len()),
             before: Vec::new(),
             faces: Vec::with_capacity(positions.len()),
@@ -155,25 +150,28 @@ impl<'a> SpacePassages<'a> {
             violation: 0.0,
             step_error: 0.0,
         };
-        let constant = self.constant.clone();
-        *faces = self.step(&mut history, faces, &constant)?;
-        history.before = body.sifs_of_jumps(&faces.jumps);
-        let last = history.positions.len() - 1;
+        let mut walk = Walk { passages: self, settings, history, factor: LaggedFactor::default() };
+        *faces = walk.step(&faces.jumps, faces, &self.constant)?;
+        walk.history.before = body.sifs_of_jumps(&faces.jumps);
+        let last = walk.history.positions.len() - 1;
         for k in 0..=last {
-            let to = history.positions[k];
-            *faces = match k.checked_sub(1).map(|before| history.positions[before]) {
-                None => {
-                    let forces = self.forces_at(to);
-                    self.step(&mut history, faces, &forces)?
+            let to = walk.history.positions[k];
+            *faces = match k.checked_sub(1).map(|before| walk.history.positions[before]) {
+                None => walk.step(&faces.jumps, faces, &self.forces_at(to))?,
+                Some(from) => {
+                    // Jumps go on as in the last interval.
+                    let last = walk.history.faces.iter().rev().nth(1).unwrap_or(&*faces);
+                    let guess: Vec<f64> =
+                        faces.jumps.iter().zip(&last.jumps).map(|(new, old)| 2.0 * new - old).collect();
+                    walk.interval(None, &guess, faces, [from, to], 0)?
                 }
-                Some(from) => self.interval(&mut history, settings, faces, [from, to], 0)?,
             };
-            history.sifs.push(body.sifs_of_jumps(&faces.jumps));
-            history.faces.push(faces.clone());
+            walk.history.sifs.push(body.sifs_of_jumps(&faces.jumps));
+            walk.history.faces.push(faces.clone());
             self.observer.progress(k as f64 / last.max(1) as f64);
         }
-        *faces = self.step(&mut history, faces, &constant)?;
-        Ok(history)
+        *faces = walk.step(&faces.jumps, faces, &self.constant)?;
+        Ok(walk.history)
     }
 
     /// Nodal forces (N) with the wheel at `position` (mm).
@@ -184,30 +182,33 @@ impl<'a> SpacePassages<'a> {
         if (place - nearest as f64).abs() < ON_STATION {
             return self.stations[nearest].clone();
         }
-        // Lagrange's polynomial through the stations around it.
-        let first =
-            (place.floor() as usize).saturating_sub(STENCIL / 2 - 1).min(self.intervals + 1 - STENCIL);
-        let weight = |k: usize| {
-            let others = (first..first + STENCIL).filter(|&other| other != k);
-            others.map(|other| (place - other as f64) / (k as f64 - other as f64)).product::<f64>()
-        };
-        let mut forces = vec![0.0; self.constant.len()];
-        for k in first..first + STENCIL {
-            crate::math::axpy(weight(k), &self.stations[k], &mut forces);
-        }
-        forces
+        self.load.forces(self.contact.body, &self.constant, position)
     }
+}
 
+/// A passage on its way.
+struct Walk<'a> {
+    passages: &'a SpacePassages<'a>,
+    settings: &'a SpacePassageSettings,
+    history: SpaceHistory,
+    factor: LaggedFactor,
+}
+
+impl Walk<'_> {
+    /// The faces under `forces` after `before`, whose jumps are near `guess`.
     fn step(
-        &self,
-        history: &mut SpaceHistory,
+        &mut self,
+        guess: &[f64],
         before: &SpaceFaces,
         forces: &[f64],
     ) -> Result<SpaceFaces, SpaceContactError> {
-        if self.observer.interrupted() {
+        let SpacePassages { contact, observer, .. } = self.passages;
+        if observer.interrupted() {
             return Err(Interrupted.into());
         }
-        let (faces, StepReport { iterations, violation }) = self.contact.step(before, forces)?;
+        let (faces, report) = contact.step_from(guess, &mut self.factor, before, forces)?;
+        let StepReport { iterations, violation } = report;
+        let history = &mut self.history;
         history.steps += 1;
         history.iterations += iterations;
         history.iterations_max = history.iterations_max.max(iterations);
@@ -215,51 +216,57 @@ impl<'a> SpacePassages<'a> {
         Ok(faces)
     }
 
-    /// The faces at the end of an interval, by its halves; each is divided again until K at its end
-    /// no longer depends on that.
+    /// The faces at the end of an interval, near the jumps `guess`, by its halves; each is divided
+    /// again until K at its end no longer depends on that. `whole`: the faces at its end by one
+    /// step, if they are known.
     fn interval(
-        &self,
-        history: &mut SpaceHistory,
-        settings: &SpacePassageSettings,
+        &mut self,
+        whole: Option<SpaceFaces>,
+        guess: &[f64],
         before: &SpaceFaces,
         [from, to]: [f64; 2],
         level: usize,
     ) -> Result<SpaceFaces, SpaceContactError> {
-        let end = self.forces_at(to);
-        if settings.halvings == 0 {
-            return self.step(history, before, &end);
+        let end = self.passages.forces_at(to);
+        if self.settings.halvings == 0 {
+            return self.step(guess, before, &end);
         }
-        let body = self.contact.body;
+        let body = self.passages.contact.body;
         let middle = 0.5 * (from + to);
-        let between = self.forces_at(middle);
-        let is_last = level + 1 >= settings.halvings;
-        let whole = match self.step(history, before, &end) {
+        let between = self.passages.forces_at(middle);
+        let is_last = level + 1 >= self.settings.halvings;
+        let whole = match whole.map_or_else(|| self.step(guess, before, &end), Ok) {
             Err(SpaceContactError::NotConverged { .. }) => None,
             whole => Some(whole?),
         };
-        let halves = match self.step(history, before, &between) {
-            Ok(half) => self.step(history, &half, &end),
-            Err(error) => Err(error),
+        let jumps_at_end = whole.as_ref().map_or(&before.jumps, |whole| &whole.jumps);
+        let jumps_between: Vec<f64> =
+            before.jumps.iter().zip(jumps_at_end).map(|(start, end)| 0.5 * (start + end)).collect();
+        let half = self.step(&jumps_between, before, &between);
+        let halves = match &half {
+            Ok(half) => self.step(jumps_at_end, half, &end),
+            Err(error) => Err(error.clone()),
         };
-        match (whole, halves) {
+        match (&whole, halves) {
             (_, Err(error @ SpaceContactError::NotConverged { .. })) if is_last => return Err(error),
             (_, Err(SpaceContactError::NotConverged { .. })) => {}
             (_, Err(error)) => return Err(error),
             (whole, Ok(halves)) => {
-                let error = whole.map_or(f64::INFINITY, |whole| {
+                let error = whole.as_ref().map_or(f64::INFINITY, |whole| {
                     let (one, two) = (body.sifs_of_jumps(&whole.jumps), body.sifs_of_jumps(&halves.jumps));
                     one.iter().zip(&two).map(|(a, b)| a.difference(b)).fold(0.0, f64::max)
                 });
-                if error <= settings.tolerance || is_last {
+                if error <= self.settings.tolerance || is_last {
                     if error.is_finite() {
-                        history.step_error = history.step_error.max(error);
+                        self.history.step_error = self.history.step_error.max(error);
                     }
                     return Ok(halves);
                 }
             }
         }
-        let half = self.interval(history, settings, before, [from, middle], level + 1)?;
-        self.interval(history, settings, &half, [middle, to], level + 1)
+        let jumps_at_end = jumps_at_end.clone();
+        let half = self.interval(half.ok(), &jumps_between, before, [from, middle], level + 1)?;
+        self.interval(None, &jumps_at_end, &half, [middle, to], level + 1)
     }
 }
 

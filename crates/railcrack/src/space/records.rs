@@ -1,10 +1,10 @@
 //! Records of a step of growth in space, in the form of those in the plane.
 
 use super::body::SpaceBody;
-use super::contact::SpaceStatus;
 use super::front_motion::FrontSpeeds;
 use super::passage::SpaceHistory;
 use super::stabilised::StabilisedSpace;
+use super::states::SpaceStatus;
 use super::tips::FrontDrive;
 use super::way::Way;
 use crate::body::FacePoint;

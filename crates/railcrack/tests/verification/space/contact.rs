@@ -59,10 +59,51 @@ fn roll(degrees: f64, friction: f64, lateral: f64, lateral_friction: f64) -> (Ve
     let settings = SpacePassageSettings { tolerance: f64::INFINITY, halvings: 0 };
     let contact = SpaceContact { body: &body, friction };
     let wheel = |position: f64, point: [f64; 3]| wheel.stress(position, point, 0.3);
-    let load = SpaceLoad { wheel: &wheel, constant: None, station: 2.0 };
+    let load = SpaceLoad { wheel: &wheel, constant: None };
     let history = space_passage(&contact, &load, passage, &settings, &mut contact.virgin()).unwrap();
     assert!(history.violation < 1e-8, "{}", history.violation);
     (body.front().iter().map(|front| front.phi).collect(), history)
+}
+
+#[test]
+fn passages_are_steps_one_by_one() {
+    // A passage begins each step with jumps and factors of earlier ones, and divides its intervals;
+    // here each step stands alone, under the stress at its own position.
+    let crack = SpaceCrack::surface_breaking(30f64.to_radians(), 5.0, 4.0).unwrap();
+    let body = body(&crack, Surroundings::HalfSpace, 3);
+    let wheel = EllipticWheel {
+        peak_pressure: 845.0,
+        half_width: 6.0,
+        lateral_half_width: 5.0,
+        lateral: 1.0,
+        friction: 0.1,
+        lateral_friction: 0.02,
+    };
+    let passage = Passage { from: -20.0, to: 20.0, positions: 21 };
+    let contact = SpaceContact { body: &body, friction: 0.3 };
+    let field = |position: f64, point: [f64; 3]| wheel.stress(position, point, 0.3);
+    let load = SpaceLoad { wheel: &field, constant: None };
+    let settings = SpacePassageSettings { tolerance: 0.0, halvings: 2 };
+    let history = space_passage(&contact, &load, passage, &settings, &mut contact.virgin()).unwrap();
+    assert!(history.violation < 1e-10, "{}", history.violation);
+    let scale = peak(&history);
+    let mut faces = contact.virgin();
+    let mut step = |position: f64| {
+        let forces = body.nodal_forces(|point| field(position, point));
+        faces = contact.step(&faces, &forces).unwrap().0;
+        body.sifs_of_jumps(&faces.jumps)
+    };
+    let mut alone = step(passage.from);
+    for (k, sifs) in history.sifs.iter().enumerate() {
+        // Quarters of the interval before the position.
+        for quarter in (1..=4).filter(|_| k > 0) {
+            let (from, to) = (history.positions[k - 1], history.positions[k]);
+            alone = step(from + 0.25 * f64::from(quarter) * (to - from));
+        }
+        for (got, want) in sifs.iter().zip(&alone) {
+            close(got.difference(want), 0.0, Of(1e-7, scale), "changes of 1e-11 end the iterations");
+        }
+    }
 }
 
 fn peak(history: &SpaceHistory) -> f64 {

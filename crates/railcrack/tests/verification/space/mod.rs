@@ -5,6 +5,7 @@ mod contact;
 mod fronts;
 mod kernel;
 mod stiffness;
+mod wheel;
 mod wide;
 
 use crate::common::steel;

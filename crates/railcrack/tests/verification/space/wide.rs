@@ -29,7 +29,7 @@ fn agrees(degrees: f64, allowed: f64) {
     let contact = SpaceContact { body: &body, friction: 0.5 };
     let passage = Passage { from: -6.0 * a, to: 6.0 * a, positions: 121 };
     let settings = SpacePassageSettings { tolerance: 2.0, halvings: 2 };
-    let load = SpaceLoad { wheel: &wheel, constant: None, station: 0.1 * a };
+    let load = SpaceLoad { wheel: &wheel, constant: None };
     let space = space_passage(&contact, &load, passage, &settings, &mut contact.virgin()).unwrap();
 
     let mut plane = Rolling::over(vec![surface_crack(0.0, length, degrees)], 0.5, 0.025);
