@@ -9,7 +9,7 @@ use crate::wheel::{OwnWheel, Tabulated};
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
-use railcrack::contact::{ContactSolver, FaceProblem, FaceStatus, Latin, Newton, StepControl};
+use railcrack::contact::{ContactSolver, FaceProblem, FaceStatus, Latin, Newton};
 use railcrack::field::{HertzWheel, StressField, Wheel};
 use railcrack::growth::{PassageError, PassageSettings, RailLoad, StabilisedPassage, stabilised_passage};
 use railcrack::load::{HertzianContact, Passage};
@@ -72,7 +72,7 @@ pub fn passage<'py>(
         max_passages,
         passage_tolerance,
         step_tolerance,
-        step_control: StepControl::Adaptive,
+        ..PassageSettings::default()
     };
     settings.check().map_err(|error| bad_input(py, error))?;
     let whole = body.whole(py)?;

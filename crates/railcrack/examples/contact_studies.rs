@@ -4,7 +4,7 @@
 //! extrapolation. `-- steps` prints that of `docs/step-control.md`: error of K against the step
 //! tolerance and against fixed steps.
 
-use railcrack::contact::{ContactSolver, FaceProblem, Latin, Newton, StepControl};
+use railcrack::contact::{ContactSolver, FaceProblem, Latin, Newton};
 use railcrack::crack::{Crack, CrackNetwork, End};
 use railcrack::dislocation::{FaceResolution, cracked_body};
 use railcrack::field::HertzWheel;
@@ -140,7 +140,7 @@ fn passage(
         max_passages: 3,
         passage_tolerance: 1e-3,
         step_tolerance,
-        step_control: StepControl::Adaptive,
+        ..PassageSettings::default()
     };
     let load = RailLoad { wheel: &HertzWheel::new(&contact, &steel)?, residual: None };
     Ok(stabilised_passage(&problem, solver, load, &settings, &Unobserved)?)

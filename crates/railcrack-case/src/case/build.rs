@@ -240,22 +240,22 @@ fn check_rolled(sections: &Sections, report: &mut Report) {
 /// bear a part of the contact.
 const SIDE_GAP: f64 = 1.0;
 
-/// Windows are for dry cracks, dislocations and Newton's method.
+/// Groups are for dry cracks, dislocations and Newton's method.
 fn check_network(sections: &Sections, has_fluid: bool, report: &mut Report) {
     let Some(solver) = sections.one(&SOLVER) else { return };
-    if solver.get(NETWORK) != Some(NetworkContact::Windows) {
+    if solver.get(NETWORK) != Some(NetworkContact::Groups) {
         return;
     }
     let help = "network = \"whole\" follows all cracks together, in either engine";
     let mut refuse = |says: &str| report.add(solver.fault(NETWORK, says).help(help));
     if solver.get(ENGINE) != Some(Engine::Dislocation) {
-        refuse("is \"windows\", for which solver.engine must be \"dislocation\"");
+        refuse("is \"groups\", for which solver.engine must be \"dislocation\"");
     }
     if solver.get(SOLVER_CONTACT) == Some(ContactSolver::Latin) {
-        refuse("is \"windows\", for which solver.contact must be \"newton\"");
+        refuse("is \"groups\", for which solver.contact must be \"newton\"");
     }
     if has_fluid {
-        refuse("is \"windows\", in which cracks are dry, and there is a section [fluid]");
+        refuse("is \"groups\", in which cracks are dry, and there is a section [fluid]");
     }
 }
 

@@ -26,8 +26,8 @@ pub struct RunSize {
 /// factors, and the working copy of the contact solver.
 const MATRICES: usize = 4;
 
-/// Numbers by unknown of contact in windows: A of neighbours and its elimination, the tableau of
-/// the window.
+/// Numbers by unknown of contact in groups: A of near cracks, A and C of the group around each of
+/// them, and the histories of its jumps.
 const COLUMNS: usize = 3000;
 
 /// Memory that every case needs, bytes.
@@ -65,7 +65,7 @@ impl Case {
         let number = size_of::<f64>();
         let columns = match self.network {
             NetworkContact::Whole => MATRICES * unknowns,
-            NetworkContact::Windows => unknowns.min(COLUMNS),
+            NetworkContact::Groups => unknowns.min(COLUMNS),
         };
         let matrices = columns * unknowns + 2 * tips * unknowns;
         // Face record of one passage: four numbers and a status per position and point.

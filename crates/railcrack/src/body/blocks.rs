@@ -1,30 +1,26 @@
-//! A of many cracks, by groups of neighbours.
+//! A of many cracks, crack by crack.
 
-use crate::math::{Matrix, axpy, dot};
+use super::{FaceMesh, FacePoint, FaceSample};
+use crate::crack::CrackTip;
+use crate::math::{Matrix, axpy};
 
-/// A of a long row of cracks. The cracks are divided into groups of neighbours, in the order in
-/// which they lie along the rail: A is stored between the points of a group and those of the next
-/// one, and expanded between groups that are farther apart.
+/// A of many cracks. Cracks that have joined each other are one unit, every other crack is a unit
+/// of its own; units follow each other along the rail. A is stored between units that are near to
+/// each other, and expanded between others.
 ///
-/// Component 2 i of a group is the slip of its point i, 2 i + 1 the opening.
+/// Component 2 i of a unit is the slip of its point i, 2 i + 1 the opening.
 #[derive(Debug, Clone)]
 pub struct BlockStiffness {
-    /// The face points of each group.
-    pub groups: Vec<Vec<usize>>,
-    /// Ends of the faces of each group along the rail, mm.
+    /// The face points of each unit.
+    pub units: Vec<Vec<usize>>,
+    /// Ends of the faces of each unit along the rail, mm.
     pub extents: Vec<(f64, f64)>,
-    /// A within each group, N/mm per mm.
-    pub own: Vec<Matrix>,
-    /// A between the components of each group but the last (rows) and those of the next one.
-    pub next: Vec<Matrix>,
-    /// A between all other groups.
+    /// For each unit k the units l that are near to it, itself included, with A_kl, N/mm per mm.
+    pub near: Vec<Vec<(usize, Matrix)>>,
+    /// A between all other units.
     pub far: FarStiffness,
     /// How K of each tip follows from the jumps.
     pub tips: Vec<TipGain>,
-    /// √C_jj of every component with its crack alone, mm per N/mm to the power 1/2.
-    pub mobility: Vec<f64>,
-    /// C of each crack alone, with its face points.
-    pub alone: Vec<(Vec<usize>, Matrix)>,
 }
 
 /// K of a tip in terms of the jump at the face point next to it: K_I = gain × opening, K_II = gain
@@ -37,66 +33,120 @@ pub struct TipGain {
     pub gain: f64,
 }
 
-/// A between groups that are not neighbours, A_kl ≈ U_k E_kl U_lᵀ.
+impl TipGain {
+    /// S of tips with these `gains` for faces of C = `compliance`, mm^(−1/2).
+    pub fn sif_influence(gains: &[Self], compliance: &Matrix) -> Matrix {
+        let mut influence = Matrix::zeros(2 * gains.len(), compliance.columns());
+        for (tip, Self { point, gain }) in gains.iter().enumerate() {
+            for (mode, row) in [2 * point + 1, 2 * point].into_iter().enumerate() {
+                axpy(*gain, compliance.row(row), influence.row_mut(2 * tip + mode));
+            }
+        }
+        influence
+    }
+}
+
+/// A between units that are not near to each other, A_kl ≈ U_k E_kl U_lᵀ.
 #[derive(Debug, Clone)]
 pub struct FarStiffness {
-    /// U of each group: its components in terms of r amplitudes.
+    /// U of each unit: its components in terms of r amplitudes.
     pub moments: Vec<Matrix>,
-    /// E_kl, `[k][l − k − 2]`, N/mm per mm.
-    pub between: Vec<Vec<Matrix>>,
+    /// For each unit k the units l that are not near to it, with E_kl, N/mm per mm.
+    pub between: Vec<Vec<(usize, Matrix)>>,
+}
+
+/// Some of the units of a row, as a body of their own.
+#[derive(Debug, Clone)]
+pub struct RowPart {
+    /// The faces: points, and cracks counted from 0 among those of the part.
+    pub faces: FaceMesh,
+    /// The tips, their cracks counted likewise.
+    pub tips: Vec<CrackTip>,
+    /// K of these tips in terms of the jumps.
+    pub gains: Vec<TipGain>,
+    /// A, N/mm per mm.
+    pub stiffness: Matrix,
+    /// The number in the row of each point, crack and tip.
+    pub points: Vec<usize>,
+    /// See `points`.
+    pub cracks: Vec<usize>,
+    /// See `points`.
+    pub tip_numbers: Vec<usize>,
 }
 
 impl BlockStiffness {
-    /// Number of components of group `k`.
+    /// Number of components of unit `k`.
     pub fn components(&self, k: usize) -> usize {
-        2 * self.groups[k].len()
+        2 * self.units[k].len()
     }
 
-    /// The values of group `k` among those of all `values` (2p).
-    pub fn gather(&self, k: usize, values: &[f64]) -> Vec<f64> {
-        self.groups[k].iter().flat_map(|&point| [values[2 * point], values[2 * point + 1]]).collect()
+    /// A between unit `k` and unit `l`, where they are near to each other.
+    pub fn near_block(&self, k: usize, l: usize) -> Option<&Matrix> {
+        self.near[k].iter().find(|(other, _)| *other == l).map(|(_, block)| block)
     }
 
-    /// Puts the values of group `k` among those of all.
-    pub fn scatter(&self, k: usize, values: &[f64], all: &mut [f64]) {
-        for (&point, pair) in self.groups[k].iter().zip(values.chunks_exact(2)) {
-            all[2 * point] = pair[0];
-            all[2 * point + 1] = pair[1];
-        }
-    }
-
-    /// A between the components of group `k` and those of `l`.
-    pub fn block(&self, k: usize, l: usize) -> Matrix {
-        match (k, l) {
-            (k, l) if k == l => self.own[k].clone(),
-            (k, l) if l == k + 1 => self.next[k].clone(),
-            (k, l) if k > l => self.block(l, k).transposed(),
-            _ => {
-                let FarStiffness { moments, between } = &self.far;
-                let e = &between[k][l - k - 2];
-                let rows: Vec<Vec<f64>> = (0..moments[k].rows())
-                    .map(|i| {
-                        let mut row = vec![0.0; e.columns()];
-                        moments[k].row(i).iter().enumerate().for_each(|(r, &m)| axpy(m, e.row(r), &mut row));
-                        row
-                    })
-                    .collect();
-                Matrix::from_fn(moments[k].rows(), moments[l].rows(), |i, j| dot(&rows[i], moments[l].row(j)))
+    /// The units `members`, all near to each other, of the row with these `faces` and `tips`; what
+    /// is not near is left out.
+    pub fn part(&self, faces: &FaceMesh, tips: &[CrackTip], members: &[usize]) -> RowPart {
+        let points: Vec<usize> = members.iter().flat_map(|&k| self.units[k].iter().copied()).collect();
+        let mut place = vec![None; faces.points.len()];
+        points.iter().enumerate().for_each(|(own, &all)| place[all] = Some(own));
+        let mut cracks: Vec<usize> = points.iter().map(|&p| faces.points[p].crack).collect();
+        cracks.sort_unstable();
+        cracks.dedup();
+        let own_crack = |crack: usize| cracks.binary_search(&crack).ok();
+        let own_point = |&p: &usize| {
+            let point = faces.points[p];
+            FacePoint { crack: own_crack(point.crack).unwrap_or(0), ..point }
+        };
+        let own_sample = |sample: &FaceSample| {
+            let mut shares = [(0, 0.0); 2];
+            let mut any = false;
+            for (share, &(point, length)) in shares.iter_mut().zip(&sample.shares) {
+                if length != 0.0 {
+                    *share = (place[point]?, length);
+                    any = true;
+                }
             }
-        }
-    }
-
-    /// The forces A w between neighbours in group `k`, of the jumps `w` by group.
-    pub fn near_forces(&self, k: usize, w: &[Vec<f64>]) -> Vec<f64> {
-        let mut forces = self.own[k].times(&w[k]);
-        if k + 1 < w.len() {
-            axpy(1.0, &self.next[k].times(&w[k + 1]), &mut forces);
-        }
-        if k > 0 {
-            for (row, &jump) in w[k - 1].iter().enumerate() {
-                axpy(jump, self.next[k - 1].row(row), &mut forces);
+            any.then_some(FaceSample { shares, ..*sample })
+        };
+        let mesh = FaceMesh {
+            points: points.iter().map(own_point).collect(),
+            samples: faces.samples.iter().filter_map(own_sample).collect(),
+        };
+        let mut stiffness = Matrix::zeros(2 * points.len(), 2 * points.len());
+        let mut row = 0;
+        for &k in members {
+            let mut column = 0;
+            for &l in members {
+                if let Some(block) = self.near_block(k, l) {
+                    for i in 0..block.rows() {
+                        stiffness.row_mut(row + i)[column..column + block.columns()]
+                            .copy_from_slice(block.row(i));
+                    }
+                }
+                column += self.components(l);
             }
+            row += self.components(k);
         }
-        forces
+        let own_tips = tips.iter().zip(&self.tips).enumerate().filter_map(|(number, (tip, gain))| {
+            let tip = CrackTip { crack: own_crack(tip.crack)?, ..*tip };
+            Some((number, tip, TipGain { point: place[gain.point]?, ..*gain }))
+        });
+        let mut part = RowPart {
+            faces: mesh,
+            tips: Vec::new(),
+            gains: Vec::new(),
+            stiffness,
+            points,
+            cracks: cracks.clone(),
+            tip_numbers: Vec::new(),
+        };
+        for (number, tip, gain) in own_tips {
+            part.tip_numbers.push(number);
+            part.tips.push(tip);
+            part.gains.push(gain);
+        }
+        part
     }
 }

@@ -1,11 +1,9 @@
 //! Unilateral contact with Coulomb friction on the crack faces.
 
-mod carried;
 mod condition;
 #[cfg(test)]
 mod fixtures;
 mod fluid;
-mod frozen;
 mod latin;
 mod law;
 mod letting_off;
@@ -20,9 +18,7 @@ mod stepping;
 mod tableau;
 mod trace;
 
-pub use carried::{CarriedTableau, WindowTableau};
 pub use fluid::{FaceFluid, FluidModel, FluidState, Pocket, PocketMouth, PocketState, PocketStatus};
-pub use frozen::{Columns, FrozenFaces, demanded_beyond, far_forces};
 pub use latin::Latin;
 pub use law::{FaceState, FaceStatus};
 pub use newton::Newton;

@@ -78,8 +78,6 @@ pub struct FaceProblem<'a> {
     /// Volume (mm²/MPa) of a unit pressure in each pocket whose pressure is an unknown, with free
     /// faces.
     pub(super) free_volumes: Vec<f64>,
-    /// √C_jj where the body does not give it.
-    mobility: Option<Vec<f64>>,
 }
 
 impl<'a> FaceProblem<'a> {
@@ -97,7 +95,7 @@ impl<'a> FaceProblem<'a> {
             return Err(CrackFrictionError::Value { crack: crack + 1, value: crack_friction[crack] });
         }
         let friction = points.iter().map(|point| crack_friction[point.crack]).collect();
-        Ok(Self { body, friction, fluid: None, free_volumes: Vec::new(), mobility: None })
+        Ok(Self { body, friction, fluid: None, free_volumes: Vec::new() })
     }
 
     /// The same with `fluid` in the cracks.
@@ -133,20 +131,6 @@ impl<'a> FaceProblem<'a> {
     /// Whether any face point has friction: only then does the history matter.
     pub fn has_friction(&self) -> bool {
         self.friction.iter().any(|&mu| mu > 0.0)
-    }
-
-    /// √C_jj of component `component`, mm per N/mm to the power 1/2.
-    pub(super) fn mobility(&self, component: usize) -> f64 {
-        match &self.mobility {
-            Some(known) => known[component],
-            None => self.body.compliance[(component, component)].sqrt(),
-        }
-    }
-
-    /// The same for a body whose C is not known, with `mobility` √C_jj (or more) of each component.
-    #[must_use]
-    pub fn with_mobility(self, mobility: Vec<f64>) -> Self {
-        Self { mobility: Some(mobility), ..self }
     }
 
     pub(super) fn stiffness(&self) -> &'a Matrix {

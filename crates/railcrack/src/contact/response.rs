@@ -1,11 +1,9 @@
 //! The linear response of the faces while no point changes its status.
 
-use super::carried::CarriedTableau;
 use super::condition::{Condition, Degenerate};
 use super::pressure::PocketRows;
 use super::tableau::{FaceRate, Tableau};
 use super::{FaceProblem, FaceSolution, PocketState, PointStatus};
-use crate::linear::LinearError;
 
 /// The faces with their statuses: for given loads the jumps of the free components and the forces
 /// of the held ones follow linearly. Newton's method works on it; the step control uses it to
@@ -24,29 +22,15 @@ pub struct FaceResponse<'a> {
 impl<'a> FaceResponse<'a> {
     /// Virgin unloaded faces that just touch.
     pub(super) fn virgin(problem: &'a FaceProblem<'a>) -> Self {
-        Self::with_tableau(problem, Tableau::new(problem.stiffness()))
-    }
-
-    /// Virgin unloaded faces with a tableau of the statuses that they are to have.
-    pub(super) fn carried(problem: &'a FaceProblem<'a>, carried: CarriedTableau) -> Self {
-        Self::with_tableau(problem, Tableau::carried(problem.stiffness(), carried))
-    }
-
-    fn with_tableau(problem: &'a FaceProblem<'a>, tableau: Tableau<'a>) -> Self {
         let points = problem.points();
         Self {
             problem,
-            tableau,
+            tableau: Tableau::new(problem.stiffness()),
             solution: FaceSolution::virgin_of(problem),
             kept: FaceSolution::virgin_of(problem),
             units: vec![FaceRate::zero(2 * points); problem.pockets().len()],
             outside: vec![0.0; problem.pockets().len()],
         }
-    }
-
-    /// Its tableau, to be carried on.
-    pub(super) fn into_carried(self) -> Result<CarriedTableau, LinearError> {
-        self.tableau.into_carried()
     }
 
     /// Makes the present statuses and values those to return to.

@@ -1,6 +1,5 @@
 //! Adaptive load steps: friction depends on the order of events.
 
-use super::carried::CarriedTableau;
 use super::pocket_way::OutsidePressure;
 use super::pressure::{content, total, violation};
 use super::trace::{Accuracy, LetsOff, StepLoad, Stop, Traced, follow};
@@ -8,7 +7,6 @@ use super::{
     ContactSolver, FaceProblem, FaceResponse, FaceScale, FaceSolution, LoadStep, NotConverged, PocketState,
     PocketStatus, PointStatus, StepSolver,
 };
-use crate::linear::LinearError;
 use crate::math::axpy;
 use crate::words::{Choice, Word};
 use thiserror::Error;
@@ -221,35 +219,20 @@ impl<'a> Stepper<'a> {
         }
     }
 
-    /// Faces that go on from `history`, with their path at coordinate `at`.
+    /// Faces that go on from `history`.
     pub fn from_history(
         problem: &'a FaceProblem<'a>,
         solver: &dyn ContactSolver,
         tolerance: f64,
-        (history, carried): (FaceHistory, Option<CarriedTableau>),
-        at: f64,
+        history: FaceHistory,
     ) -> Self {
-        let mut faces = match carried {
-            Some(carried) => FaceResponse::carried(problem, carried),
-            None => FaceResponse::virgin(problem),
-        };
-        faces.adopt(&history.solution);
-        Self {
-            problem,
-            solver: solver.prepare(problem),
-            faces,
-            tolerance,
-            control: StepControl::Adaptive,
-            scale: history.scale,
-            largest: history.largest,
-            current: history.solution,
-            at,
-            load: history.load,
-            outside: vec![0.0; problem.pockets().len()],
-            largest_pressure: 0.0,
-            counts: SteppingCounts::default(),
-            interrupted: &|| false,
-        }
+        let mut stepper = Self::new(problem, solver, tolerance, &[]);
+        stepper.faces.adopt(&history.solution);
+        stepper.scale = history.scale;
+        stepper.largest = history.largest;
+        stepper.current = history.solution;
+        stepper.load = history.load;
+        stepper
     }
 
     /// All that is to be known to go on from here.
@@ -259,26 +242,6 @@ impl<'a> Stepper<'a> {
             scale: self.scale.clone(),
             largest: self.largest,
             load: self.load.clone(),
-        }
-    }
-
-    /// The tableau of the faces, to be carried on.
-    ///
-    /// Errors: statuses that leave jumps undetermined.
-    pub fn into_carried(self) -> Result<CarriedTableau, LinearError> {
-        self.faces.into_carried()
-    }
-
-    /// Solves contact where the faces are, under forces or a stiffness that have changed a little.
-    ///
-    /// Errors: contact does not converge.
-    pub fn settle(&mut self, path: &dyn LoadPath) -> Result<(), SteppingError> {
-        let at = self.at;
-        self.faces.keep();
-        let ends = (path.nodal_forces(at), path.over_mouths(at));
-        match self.untraced(at, ends, &mut |_, _| ()) {
-            Ok(_) => Ok(()),
-            Err(failure) => Err(SteppingError::NotConverged { at, failure }),
         }
     }
 

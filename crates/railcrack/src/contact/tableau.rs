@@ -1,6 +1,5 @@
 //! Jumps and contact forces of the faces, as components are held and freed.
 
-use super::carried::CarriedTableau;
 use super::condition::{Condition, Degenerate};
 use crate::linear::{BorderedFactor, LinearError, SmallFactor, add_product, general_inverse, product};
 use crate::math::{Matrix, add_rows_to_each, axpy};
@@ -36,8 +35,6 @@ pub(super) struct Tableau<'a> {
     /// Memory for answers.
     spare: Vec<Answer>,
     differences: Differences,
-    /// Residual of the probe, relative to its terms so far, above which a basis is computed anew.
-    drift: f64,
 }
 
 /// Nodal forces, and what the basis makes of them.
@@ -145,54 +142,26 @@ const MOST: usize = 80;
 const URGENT: usize = 3;
 /// Residual of the probe, relative to its terms so far, above which a basis is computed anew.
 const DRIFT: f64 = 1e-13;
-/// The same of a tableau that is carried from window to window.
-const CARRIED_DRIFT: f64 = 1e-10;
 
 impl<'a> Tableau<'a> {
     /// All components held at zero. `stiffness` is A, symmetric.
     pub(super) fn new(stiffness: &'a Matrix) -> Self {
         let n = stiffness.rows();
+        let held = vec![Condition::Held(0.0); n];
         let unit = (0..n).map(|i| stiffness[(i, i)]).fold(f64::MIN_POSITIVE, f64::max);
-        let responses = in_units(stiffness, unit);
-        let conditions = vec![Condition::Held(0.0); n];
-        Self::with_basis(stiffness, CarriedTableau { conditions, responses, unit }, DRIFT)
-    }
-
-    /// With the basis of `carried`, whose conditions are the present ones. `stiffness` is Aᵀ, which
-    /// needs not be symmetric.
-    pub(super) fn carried(stiffness: &'a Matrix, carried: CarriedTableau) -> Self {
-        Self::with_basis(stiffness, carried, CARRIED_DRIFT)
-    }
-
-    fn with_basis(stiffness: &'a Matrix, basis: CarriedTableau, drift: f64) -> Self {
-        let CarriedTableau { conditions, responses, unit } = basis;
-        let n = conditions.len();
         Self {
             stiffness,
             unit,
-            basis: conditions.clone(),
-            responses,
-            now: conditions.clone(),
-            kept: conditions,
+            basis: held.clone(),
+            responses: in_units(stiffness, unit),
+            now: held.clone(),
+            kept: held,
             held: vec![0.0; n],
             of_held: vec![0.0; n],
             probe: Probe::new(stiffness),
             loads: Vec::new(),
             spare: Vec::new(),
             differences: Differences::default(),
-            drift,
-        }
-    }
-
-    /// The tableau of the present conditions, to be carried on.
-    ///
-    /// Errors: conditions that leave a component without equation.
-    pub(super) fn into_carried(mut self) -> Result<CarriedTableau, LinearError> {
-        self.loads.clear();
-        self.change_basis_beyond(0);
-        match self.differences.components.len() {
-            0 => Ok(CarriedTableau { conditions: self.now, responses: self.responses, unit: self.unit }),
-            order => Err(LinearError::Singular { order }),
         }
     }
 
@@ -292,7 +261,7 @@ impl<'a> Tableau<'a> {
             }
         }
         self.probe.size = self.probe.size.max(size);
-        sum.abs() <= self.drift * self.probe.size
+        sum.abs() <= DRIFT * self.probe.size
     }
 
     /// Lets the basis answer all loads that it has not answered yet, in one pass over it.

@@ -317,9 +317,8 @@ impl Way<'_, '_> {
     fn check(&mut self, point: usize) -> Result<(), Stop> {
         let allowed = (self.accuracy.allowed)(point);
         let body = self.problem.body();
-        let points = &body.faces.points;
-        let problem = self.problem;
-        let mobility = |i: usize| problem.mobility(i);
+        let (points, compliance) = (&body.faces.points, &body.compliance);
+        let mobility = |i: usize| compliance[(i, i)].sqrt();
         // A point that touches earlier or later does so at another slip.
         let slope = match (self.now.status[point], self.speed(point, self.share)) {
             (PointStatus::Open, (along, closing)) => (along / closing).abs(),

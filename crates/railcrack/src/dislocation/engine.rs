@@ -12,7 +12,7 @@ use crate::crack::{CrackNetwork, CrackTip, End, Walk};
 use crate::interruption::{Interrupted, Interruption};
 use crate::linear::{LinearError, spd_inverse_unless};
 use crate::material::IsotropicElastic;
-use crate::math::{Matrix, Vec2};
+use crate::math::Vec2;
 use thiserror::Error;
 
 /// Cracks that the dislocation engine cannot resolve.
@@ -63,18 +63,12 @@ fn cracked_body_unless(
     let compliance = spd_inverse_unless(interruption, &stiffness)?;
     let tips = network.tips();
     let gains: Vec<TipGain> = tip_gains(&tips, &walks, &elements, &ties, modulus);
-    let mut rows = Vec::new();
-    for TipGain { point, gain } in gains {
-        for row in [2 * point + 1, 2 * point] {
-            rows.push(compliance.row(row).iter().map(|c| c * gain).collect::<Vec<f64>>());
-        }
-    }
-    let sif_influence = Matrix::from_fn(rows.len(), compliance.columns(), |i, j| rows[i][j]);
+    let sif_influence = TipGain::sif_influence(&gains, &compliance);
     let body = CrackedBody::new(faces, tips, [compliance, stiffness, sif_influence]);
     Ok(CrackedBody { remarks: remarks(network), ..body })
 }
 
-/// [`cracked_body`] with A by groups of neighbours.
+/// [`cracked_body`] with A crack by crack.
 fn body_by_groups(
     interruption: Interruption<'_>,
     network: &CrackNetwork,

@@ -1,4 +1,4 @@
-//! A of a long row of cracks, by groups of neighbours.
+//! A of a long row of cracks, crack by crack.
 
 use super::assembly::{element_integral, scatter, slope};
 use super::integrals::{Rules, samples};
@@ -6,20 +6,20 @@ use super::junctions::Ties;
 use super::kernel::interaction;
 use crate::body::{BlockStiffness, FaceElement, FaceMesh, FarStiffness};
 use crate::crack::{CrackNetwork, Walk};
-use crate::interruption::Interruption;
-use crate::linear::{LinearError, spd_inverse};
-use crate::math::{Matrix, Vec2};
+use crate::interruption::{Interrupted, Interruption};
+use crate::math::{Matrix, Vec2, chebyshev};
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// The least number of cracks of a group.
-const LEAST: usize = 3;
-/// Cracks of groups that are not neighbours are at least this far apart along the rail, over the
-/// larger of their sizes.
+/// Cracks are near to each other up to this distance along the rail, over the larger of their
+/// sizes.
 const GAP: f64 = 1.0;
 /// Chebyshev points of the expansion along the rail and in depth, by crack.
 const ALONG: usize = 5;
 const DOWN: usize = 4;
+
+/// Boxes are wider than their cracks by this (mm), or those of upright cracks would have no width.
+const FLAT: f64 = 1e-9;
 
 /// The box around a crack.
 #[derive(Debug, Clone, Copy)]
@@ -51,74 +51,48 @@ impl Extent {
         gap >= GAP * self.size().max(other.size())
     }
 
-    /// Chebyshev points and the weights of `point` in the interpolation between them.
+    /// Chebyshev points, of which [`Extent::weights`] are the weights of a point.
     fn nodes(&self) -> Vec<Vec2> {
-        let (xs, ys) = (chebyshev(self.low.x, self.high.x, ALONG), chebyshev(self.low.y, self.high.y, DOWN));
+        let [xs, ys] = self.lines();
         xs.iter().flat_map(|&x| ys.iter().map(move |&y| Vec2::new(x, y))).collect()
     }
 
+    fn lines(&self) -> [Vec<f64>; 2] {
+        let range = |low: f64, high: f64| low - FLAT..=high + FLAT;
+        let (xs, ys) = (range(self.low.x, self.high.x), range(self.low.y, self.high.y));
+        [chebyshev::points(&xs, ALONG), chebyshev::points(&ys, DOWN)]
+    }
+
     fn weights(&self, point: Vec2) -> Vec<f64> {
-        let along = lagrange(&chebyshev(self.low.x, self.high.x, ALONG), point.x);
-        let down = lagrange(&chebyshev(self.low.y, self.high.y, DOWN), point.y);
+        let [xs, ys] = self.lines();
+        let (along, down) = (chebyshev::weights(&xs, point.x), chebyshev::weights(&ys, point.y));
         along.iter().flat_map(|a| down.iter().map(move |d| a * d)).collect()
     }
 }
 
-/// `n` Chebyshev points between `low` and `high`.
-fn chebyshev(low: f64, high: f64, n: usize) -> Vec<f64> {
-    let (middle, half) = (0.5 * (low + high), (0.5 * (high - low)).max(1e-9));
-    let angle = |i: usize| std::f64::consts::PI * (i as f64 + 0.5) / n as f64;
-    (0..n).map(|i| middle - half * angle(i).cos()).collect()
-}
-
-fn lagrange(nodes: &[f64], x: f64) -> Vec<f64> {
-    let factor = |i: usize, j: usize| if i == j { 1.0 } else { (x - nodes[j]) / (nodes[i] - nodes[j]) };
-    (0..nodes.len()).map(|i| (0..nodes.len()).map(|j| factor(i, j)).product()).collect()
-}
-
-/// The cracks of each group, in the order in which they lie along the rail. Joined cracks are in
-/// the same group, and cracks of groups that are not neighbours lie apart.
-fn groups(network: &CrackNetwork, extents: &[Extent]) -> Vec<Vec<usize>> {
-    let count = extents.len();
-    let mut unit: Vec<usize> = (0..count).collect();
+/// The cracks of each unit, in the order in which they lie along the rail: those that have joined
+/// each other, or one alone.
+fn units(network: &CrackNetwork, extents: &[Extent]) -> Vec<Vec<usize>> {
+    let mut units: Vec<Vec<usize>> = (0..extents.len()).map(|crack| vec![crack]).collect();
     for point in network.junction_points() {
         let through = point.through.iter().map(|passing| passing.crack);
-        let all: Vec<usize> = point.ends.iter().map(|end| end.crack).chain(through).collect();
-        let units: Vec<usize> = all.iter().map(|&crack| unit[crack]).collect();
-        let Some(&least) = units.iter().min() else { continue };
-        unit.iter_mut().filter(|own| units.contains(own)).for_each(|own| *own = least);
+        let joined: Vec<usize> = point.ends.iter().map(|end| end.crack).chain(through).collect();
+        let (one, others): (Vec<_>, Vec<_>) =
+            units.into_iter().partition(|unit| unit.iter().any(|crack| joined.contains(crack)));
+        units = others;
+        units.push(one.concat());
     }
-    let middle = |crack: usize| extents[crack].low.x + extents[crack].high.x;
-    let place = |own: usize| {
-        let members = (0..count).filter(|&crack| unit[crack] == own);
-        members.map(middle).fold(f64::INFINITY, f64::min)
+    units.retain(|unit| !unit.is_empty());
+    units.iter_mut().for_each(|unit| unit.sort_unstable());
+    let middle = |unit: &Vec<usize>| {
+        let ends = |&crack: &usize| extents[crack].low.x + extents[crack].high.x;
+        unit.iter().map(ends).sum::<f64>() / unit.len() as f64
     };
-    let mut order: Vec<usize> = (0..count).collect();
-    order.sort_by(|&a, &b| {
-        let key = |crack: usize| (place(unit[crack]), unit[crack], middle(crack));
-        let ((p, u, m), (q, v, n)) = (key(a), key(b));
-        p.total_cmp(&q).then(u.cmp(&v)).then(m.total_cmp(&n))
-    });
-    let mut groups: Vec<Vec<usize>> = Vec::new();
-    let mut at = 0;
-    while at < count {
-        let apart = |crack: usize| match groups.len() {
-            0 => true,
-            k => groups[k - 1].iter().all(|&other| extents[crack].is_apart(&extents[other])),
-        };
-        // All that is near to a crack of the group before belongs to this one.
-        let near = (at..count).rev().find(|&i| !apart(order[i])).map_or(at, |i| i + 1);
-        let mut end = near.max(at + LEAST).min(count);
-        while end < count && unit[order[end]] == unit[order[end - 1]] {
-            end += 1;
-        }
-        groups.push(order[at..end].to_vec());
-        at = end;
-    }
-    groups
+    units.sort_by(|a, b| middle(a).total_cmp(&middle(b)).then(a.cmp(b)));
+    units
 }
 
-/// The cracks and elements of which A by groups is made.
+/// The cracks and elements of which A is made.
 pub(super) struct Row<'a> {
     pub network: &'a CrackNetwork,
     pub walks: &'a [Walk],
@@ -130,26 +104,26 @@ pub(super) struct Row<'a> {
 }
 
 impl Row<'_> {
-    /// A by groups, without what the tips need.
+    /// A crack by crack, without what the tips need.
     ///
-    /// Errors: an interruption; a crack whose A is not positive definite.
-    pub fn stiffness(&self, interruption: Interruption<'_>) -> Result<BlockStiffness, LinearError> {
+    /// Errors: an interruption.
+    pub fn stiffness(&self, interruption: Interruption<'_>) -> Result<BlockStiffness, Interrupted> {
         let extents: Vec<Extent> = self.walks.iter().map(Extent::of).collect();
-        let members = groups(self.network, &extents);
-        let mut group_of = vec![0; self.walks.len()];
+        let members = units(self.network, &extents);
+        let mut unit_of = vec![0; self.walks.len()];
         for (k, cracks) in members.iter().enumerate() {
-            cracks.iter().for_each(|&crack| group_of[crack] = k);
+            cracks.iter().for_each(|&crack| unit_of[crack] = k);
         }
         let mut points = vec![Vec::new(); members.len()];
         let mut place = vec![0; self.faces.points.len()];
         for (i, point) in self.faces.points.iter().enumerate() {
-            let own: &mut Vec<usize> = &mut points[group_of[point.crack]];
+            let own: &mut Vec<usize> = &mut points[unit_of[point.crack]];
             place[i] = own.len();
             own.push(i);
         }
         let mut elements = vec![Vec::new(); members.len()];
         for (i, element) in self.elements.iter().enumerate() {
-            elements[group_of[element.crack]].push(i);
+            elements[unit_of[element.crack]].push(i);
         }
         let slopes: Vec<Vec<(usize, f64)>> = self
             .elements
@@ -157,54 +131,41 @@ impl Row<'_> {
             .map(|element| slope(element, self.ties).into_iter().map(|(p, f)| (place[p], f)).collect())
             .collect();
         let near = Near { row: self, points: &points, elements: &elements, slopes: &slopes };
-        let own: Vec<Matrix> = (0..members.len())
-            .map(|k| interruption.check().map(|()| near.block(k, k)))
+        let apart = |k: usize, l: usize| {
+            let all = members[k].iter().flat_map(|&one| members[l].iter().map(move |&other| (one, other)));
+            all.into_iter().all(|(one, other)| extents[one].is_apart(&extents[other]))
+        };
+        let count = members.len();
+        let pairs: Vec<(usize, usize)> =
+            (0..count).flat_map(|k| (k..count).map(move |l| (k, l))).filter(|&(k, l)| !apart(k, l)).collect();
+        let blocks: Vec<Matrix> = pairs
+            .par_iter()
+            .map(|&(k, l)| interruption.check().map(|()| near.block(k, l)))
             .collect::<Result<_, _>>()?;
-        let next: Vec<Matrix> = (1..members.len())
-            .map(|k| interruption.check().map(|()| near.block(k - 1, k)))
-            .collect::<Result<_, _>>()?;
-        let far = self.far(&members, &extents, &near);
-        interruption.check()?;
-        let alone = self.alone(&members, &points, &place, &own)?;
-        let mut mobility = vec![0.0; 2 * self.faces.points.len()];
-        for (points, compliance) in &alone {
-            for (i, &point) in points.iter().enumerate() {
-                for c in 0..2 {
-                    mobility[2 * point + c] = compliance[(2 * i + c, 2 * i + c)].sqrt();
-                }
+        let mut nearby: Vec<Vec<(usize, Matrix)>> = vec![Vec::new(); count];
+        for (&(k, l), block) in pairs.iter().zip(blocks) {
+            if k != l {
+                nearby[l].push((k, block.transposed()));
             }
+            nearby[k].push((l, block));
         }
+        let far = self.far(&members, &extents, &near, &nearby);
+        interruption.check()?;
         let span = |cracks: &Vec<usize>| {
             let low = cracks.iter().map(|&c| extents[c].low.x).fold(f64::INFINITY, f64::min);
             (low, cracks.iter().map(|&c| extents[c].high.x).fold(f64::NEG_INFINITY, f64::max))
         };
         let extents = members.iter().map(span).collect();
-        Ok(BlockStiffness { groups: points, extents, own, next, far, tips: Vec::new(), mobility, alone })
+        Ok(BlockStiffness { units: points, extents, near: nearby, far, tips: Vec::new() })
     }
 
-    /// C of each crack with all others closed.
-    fn alone(
+    fn far(
         &self,
         members: &[Vec<usize>],
-        points: &[Vec<usize>],
-        place: &[usize],
-        own: &[Matrix],
-    ) -> Result<Vec<(Vec<usize>, Matrix)>, LinearError> {
-        let all = members.iter().enumerate().flat_map(|(k, cracks)| cracks.iter().map(move |&c| (k, c)));
-        let all: Vec<(usize, usize)> = all.collect();
-        all.into_par_iter()
-            .map(|(k, crack)| {
-                let of_crack = |i: &usize| self.faces.points[*i].crack == crack;
-                let members: Vec<usize> = points[k].iter().copied().filter(of_crack).collect();
-                let component = |i: usize| 2 * place[members[i / 2]] + i % 2;
-                let n = 2 * members.len();
-                let block = Matrix::from_fn(n, n, |i, j| own[k][(component(i), component(j))]);
-                Ok((members, spd_inverse(&block)?))
-            })
-            .collect()
-    }
-
-    fn far(&self, members: &[Vec<usize>], extents: &[Extent], near: &Near<'_>) -> FarStiffness {
+        extents: &[Extent],
+        near: &Near<'_>,
+        nearby: &[Vec<(usize, Matrix)>],
+    ) -> FarStiffness {
         let rank = 2 * ALONG * DOWN;
         let rules = Rules::new();
         let moments: Vec<Matrix> = (0..members.len())
@@ -251,8 +212,11 @@ impl Row<'_> {
             matrix
         };
         let count = members.len();
-        let between =
-            (0..count).into_par_iter().map(|k| (k + 2..count).map(|l| between(k, l)).collect()).collect();
+        let far = |k: usize| {
+            let is_far = |l: &usize| nearby[k].iter().all(|(other, _)| other != l);
+            (0..count).filter(is_far).map(|l| (l, between(k, l))).collect()
+        };
+        let between = (0..count).into_par_iter().map(far).collect();
         FarStiffness { moments, between }
     }
 

@@ -254,14 +254,14 @@ impl Growth {
         Ok(Some(record))
     }
 
-    /// The body of `network`, by groups where its contact is followed in windows.
+    /// The body of `network`, crack by crack where contact is followed in groups.
     fn body(
         &mut self,
         interruption: Interruption<'_>,
         network: &CrackNetwork,
     ) -> Result<CrackedBody, BodyError> {
         let engine = &mut self.problem.engine;
-        if self.problem.network == NetworkContact::Windows
+        if self.problem.network == NetworkContact::Groups
             && self.problem.fluid.is_none()
             && let Some(body) = engine.body_by_groups(interruption, network)?
         {
@@ -322,13 +322,16 @@ impl Growth {
         .collect()
     }
 
-    /// The change of K that is left of the coupling of far cracks, where contact is followed in
-    /// windows.
+    /// The estimated error of K where contact is followed in groups.
     fn coupled(&self, passage: &StabilisedPassage) -> Option<Warning> {
-        let text = format!(
-            "contact in windows: K changed by at most {:.2} % of its peak in the last round of coupling",
-            100.0 * passage.coupling?
+        let (error, allowed) = (passage.coupling?, self.problem.passages.network_tolerance);
+        let mut text = format!(
+            "contact in groups: sweeps leave an error of K estimated as {:.3} % of its peak at the tip",
+            100.0 * error
         );
+        if error > allowed {
+            text += &format!(", more than network_tolerance = {allowed}, and have come to their number");
+        }
         Some(Warning { step: self.state.step, kind: WarningKind::Passages, text })
     }
 

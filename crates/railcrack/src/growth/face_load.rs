@@ -1,6 +1,7 @@
 //! The load on the faces through residual stress, approach, passage and departure.
 
 use super::RailLoad;
+use super::track::Track;
 use crate::contact::{FaceProblem, FluidModel, FluidState, LoadPath, Pocket};
 use crate::field::{EndField, EndsError, StressesUnderWheel, Wheel};
 use crate::math::{Vec2, axpy};
@@ -18,6 +19,8 @@ pub(super) struct FaceLoad<'a> {
     /// The largest pressure (MPa) of the fluid in cracks that take that over their mouth; none
     /// without such fluid.
     cap: Option<f64>,
+    /// The forces of other cracks.
+    others: Vec<(Part, Track)>,
 }
 
 /// One part of the history, and what its path coordinate is.
@@ -41,6 +44,18 @@ pub(super) enum Part {
     Over,
 }
 
+impl Part {
+    /// The approach from infinity to `first` (mm), up to `near` (mm) from the faces.
+    pub fn approach(first: f64, travel: f64, near: f64) -> Self {
+        Self::Far { origin: first + travel * near, side: -travel }
+    }
+
+    /// The departure from `last` to infinity.
+    pub fn departure(last: f64, travel: f64, near: f64) -> Self {
+        Self::Far { origin: last - travel * near, side: travel }
+    }
+}
+
 impl<'a> FaceLoad<'a> {
     /// The load on the faces of `problem`; `ends` is what the ends of the rail add under the wheel.
     ///
@@ -60,7 +75,7 @@ impl<'a> FaceLoad<'a> {
             FluidModel::Mouth { cap } => Some(cap),
             FluidModel::Trapped { .. } => None,
         });
-        Ok(Self { problem, wheel: load.wheel, ends, points, residual, cap })
+        Ok(Self { problem, wheel: load.wheel, ends, points, residual, cap, others: Vec::new() })
     }
 
     /// The pressure (MPa) that the contact at `xc` (mm), with a share of its load, exerts over the
@@ -90,9 +105,16 @@ impl<'a> FaceLoad<'a> {
         Some(self.over_mouths(xc, share).into_iter().map(|pressure| pressure.min(cap)).collect())
     }
 
+    /// The same with the forces (N/mm, 2p) that `others` exert, those of cracks that are not part
+    /// of the problem.
+    pub(super) fn with_others(self, others: Vec<(Part, Track)>) -> Self {
+        Self { others, ..self }
+    }
+
     /// The load along `part`.
     pub(super) fn along(&self, part: Part) -> PartLoad<'_> {
-        PartLoad { load: self, part }
+        let others = self.others.iter().find(|(own, _)| *own == part).map(|(_, track)| track);
+        PartLoad { load: self, part, others }
     }
 
     /// The largest slip (mm) of each point over some of the wheel positions `xc`, with the faces
@@ -101,26 +123,12 @@ impl<'a> FaceLoad<'a> {
         let mut slips = vec![0.0f64; self.problem.points()];
         for &x in xc.iter().step_by((xc.len() / EXPECTED_FROM).max(1)) {
             let forces = self.along(Part::Over).nodal_forces(x);
-            let jump = self.free_jumps(&forces);
+            let jump = self.problem.body().compliance.times(&forces);
             for (slip, jump) in slips.iter_mut().zip(jump.chunks_exact(2)) {
                 *slip = slip.max(jump[0].abs());
             }
         }
         slips
-    }
-
-    /// The jumps (mm) of free faces under `forces`; of a body by groups with the cracks apart.
-    fn free_jumps(&self, forces: &[f64]) -> Vec<f64> {
-        let body = self.problem.body();
-        let Some(blocks) = &body.blocks else { return body.compliance.times(forces) };
-        let mut jumps = vec![0.0; forces.len()];
-        for (points, compliance) in &blocks.alone {
-            let own: Vec<f64> = points.iter().flat_map(|&p| [forces[2 * p], forces[2 * p + 1]]).collect();
-            for (&p, jump) in points.iter().zip(compliance.times(&own).chunks_exact(2)) {
-                jumps[2 * p..2 * p + 2].copy_from_slice(jump);
-            }
-        }
-        jumps
     }
 }
 
@@ -131,6 +139,7 @@ const EXPECTED_FROM: usize = 30;
 pub(super) struct PartLoad<'a> {
     load: &'a FaceLoad<'a>,
     part: Part,
+    others: Option<&'a Track>,
 }
 
 impl LoadPath for PartLoad<'_> {
@@ -149,6 +158,16 @@ impl LoadPath for PartLoad<'_> {
     }
 
     fn nodal_forces(&self, at: f64) -> Vec<f64> {
+        let mut forces = self.of_wheel(at);
+        if let Some(others) = self.others {
+            others.add(at, &mut forces);
+        }
+        forces
+    }
+}
+
+impl PartLoad<'_> {
+    fn of_wheel(&self, at: f64) -> Vec<f64> {
         let FaceLoad { problem, wheel, ends, points, residual, .. } = self.load;
         let (xc, share) = match self.part {
             Part::Ramp => return residual.iter().map(|f| f * at).collect(),

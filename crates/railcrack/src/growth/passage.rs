@@ -28,8 +28,7 @@ pub struct StabilisedPassage {
     pub counts: SolverCounts,
     /// Change of K between the last two passages relative to its peak; none after a single passage.
     pub last_change: Option<f64>,
-    /// Of a passage in windows, what is left of the coupling between far cracks: the largest change
-    /// of K in the last round of a span, over its peak.
+    /// Of a passage by groups of cracks, the estimated error of K at any tip over its peak.
     pub coupling: Option<f64>,
 }
 
@@ -85,18 +84,8 @@ pub(super) fn passages_of_all(
     let stepper = Stepper::new(problem, solver, settings.step_tolerance, &expected)
         .with_control(settings.step_control)
         .with_interruption(&interrupted);
-    let mut wheel = Rolling {
-        problem,
-        face_load,
-        edges: load.wheel.edges(),
-        half_width: load.wheel.half_width(),
-        xc: &xc,
-        mouths: mouths(problem),
-        edge_steps: 0,
-        control: settings.step_control,
-        covered: vec![false; trapped(problem).len()],
-        stepper,
-    };
+    let near = distances(problem, load.wheel.half_width(), &xc);
+    let mut wheel = Rolling::new(face_load, load, (&xc, near), settings.step_control, stepper);
     let mut tips = TipSifs::virgin(problem);
     if load.residual.is_some() {
         wheel.residual_stress(&mut tips)?;
@@ -117,7 +106,7 @@ pub(super) struct Passed {
 }
 
 impl Passed {
-    /// With the `effort` that they took beside `edge_steps`, and the error of windows.
+    /// With the `effort` that they took beside `edge_steps`, and the error of groups.
     pub fn record(
         self,
         effort: SteppingCounts,
@@ -172,19 +161,29 @@ pub(super) fn until_stabilised(
 
 /// Stations of the approach from infinity and of the departure to it, evenly spaced in 1/distance:
 /// the load grows about linearly from station to station.
-pub(super) const FAR_STATIONS: usize = 16;
+const FAR_STATIONS: usize = 16;
 /// Stations of the ramp of residual stress, and of the wheel's load where it cannot come from far
 /// away.
-pub(super) const RAMP_STATIONS: usize = 8;
+const RAMP_STATIONS: usize = 8;
+
+/// Shares of residual stress, the last one all of it.
+pub(super) fn ramp_stations() -> impl DoubleEndedIterator<Item = f64> {
+    (1..=RAMP_STATIONS).map(|k| k as f64 / RAMP_STATIONS as f64)
+}
+
+/// Coordinates of an approach up to `near` (mm).
+pub(super) fn far_stations(near: f64) -> impl DoubleEndedIterator<Item = f64> {
+    (1..=FAR_STATIONS).map(move |k| k as f64 / FAR_STATIONS as f64 / near)
+}
 
 /// Distance ahead of the contact, over a, in which a mouth is covered or left.
 const AHEAD: f64 = 1e-6;
 /// Stations around the passage of a contact edge over a mouth, over a: the stress there goes like
 /// the root of the distance.
-pub(super) const EDGE_STATIONS: [f64; 7] = [-0.03, -0.015, -0.004, 0.0, 0.004, 0.015, 0.03];
+const EDGE_STATIONS: [f64; 7] = [-0.03, -0.015, -0.004, 0.0, 0.004, 0.015, 0.03];
 
 /// The passages of the wheel over fixed cracks.
-struct Rolling<'a> {
+pub(super) struct Rolling<'a> {
     problem: &'a FaceProblem<'a>,
     face_load: &'a FaceLoad<'a>,
     /// Edges of the contact relative to x_c, mm.
@@ -193,14 +192,18 @@ struct Rolling<'a> {
     half_width: f64,
     /// Output positions, mm.
     xc: &'a [f64],
+    /// Distances (mm) within which the wheel is not far away at the first and the last of them.
+    near: [f64; 2],
     /// Abscissae of the mouths, mm.
     mouths: Vec<f64>,
-    /// Steps to positions of [`EDGE_STATIONS`].
-    edge_steps: usize,
     control: StepControl,
     /// Whether the contact covers the mouth of each pocket whose fluid it traps.
     covered: Vec<bool>,
-    stepper: Stepper<'a>,
+    pub stepper: Stepper<'a>,
+    /// Steps to positions of [`EDGE_STATIONS`].
+    pub edge_steps: usize,
+    /// The jumps (mm, 2p) at the stations before and behind the output positions, in order.
+    pub on_the_way: Vec<Vec<f64>>,
 }
 
 /// Results of one passage.
@@ -231,7 +234,7 @@ impl Pass {
             own.extend_from_slice(&fluid[from..]);
         }
         let past = other.marks[from - 1].tips.samples();
-        for ((own, history), past) in self.histories.iter_mut().zip(&other.histories).zip(past) {
+        for (own, history) in self.histories.iter_mut().zip(&other.histories) {
             own.samples.extend_from_slice(&history.samples[past..]);
         }
         self.states.extend_from_slice(&other.states[from..]);
@@ -239,12 +242,37 @@ impl Pass {
     }
 }
 
-impl Rolling<'_> {
-    fn residual_stress(&mut self, tips: &mut TipSifs) -> Result<(), PassageError> {
+impl<'a> Rolling<'a> {
+    /// The passages of the wheel of `load` over faces that are at its `stepper`: output positions,
+    /// and the distances from the cracks at the first and the last of them.
+    pub fn new(
+        face_load: &'a FaceLoad<'a>,
+        load: RailLoad<'a>,
+        (xc, near): (&'a [f64], [f64; 2]),
+        control: StepControl,
+        stepper: Stepper<'a>,
+    ) -> Self {
+        let problem = face_load.problem;
+        Self {
+            problem,
+            face_load,
+            edges: load.wheel.edges(),
+            half_width: load.wheel.half_width(),
+            xc,
+            near,
+            mouths: mouths(problem),
+            control,
+            covered: vec![false; trapped(problem).len()],
+            stepper,
+            edge_steps: 0,
+            on_the_way: Vec::new(),
+        }
+    }
+
+    pub fn residual_stress(&mut self, tips: &mut TipSifs) -> Result<(), PassageError> {
         let problem = self.problem;
-        let stations = (1..=RAMP_STATIONS).map(|k| k as f64 / RAMP_STATIONS as f64);
         let mut take = |solution: &FaceSolution, forces: &[f64]| tips.follow(problem, solution, forces);
-        self.follow(Part::Ramp, 0.0, stations, &mut take).map_err(failure(0, "residual stress"))
+        self.follow(Part::Ramp, 0.0, ramp_stations(), &mut take).map_err(failure(0, "residual stress"))
     }
 
     /// One passage, approach and departure included. `number` counts from 1.
@@ -252,7 +280,7 @@ impl Rolling<'_> {
     /// The memory of the faces fades: a point that sticks was stopped by events of this passage, or
     /// has stuck all along. Sooner or later the faces reach the state that they had at the same
     /// position in the passage `before`, and the rest of the passage is then known.
-    fn pass(
+    pub fn pass(
         &mut self,
         number: usize,
         before: Option<&Pass>,
@@ -265,15 +293,13 @@ impl Rolling<'_> {
         tips.begin();
         let bounded = problem.body().ends.is_some();
         let ramp = |k: usize| k as f64 / RAMP_STATIONS as f64;
-        let near = self.distance(first);
-        let share = |k: usize| k as f64 / FAR_STATIONS as f64 / near;
         let arrived = if bounded {
             self.follow(Part::Load { xc: first }, 0.0, (1..=RAMP_STATIONS).map(ramp), &mut |s, f| {
                 tips.follow(problem, s, f)
             })
         } else {
-            let approach = Part::Far { origin: first + travel * near, side: -travel };
-            self.follow(approach, 0.0, (1..=FAR_STATIONS).map(share), &mut |s, f| tips.follow(problem, s, f))
+            let approach = Part::approach(first, travel, self.near[0]);
+            self.follow(approach, 0.0, far_stations(self.near[0]), &mut |s, f| tips.follow(problem, s, f))
         };
         arrived.map_err(failure(number, "approach"))?;
 
@@ -315,16 +341,15 @@ impl Rolling<'_> {
         }
 
         self.uncover(tips).map_err(failure(number, "departure"))?;
-        let near = self.distance(last);
-        let share = |k: usize| k as f64 / FAR_STATIONS as f64 / near;
         let left = if bounded {
             self.follow(Part::Load { xc: last }, 1.0, (0..RAMP_STATIONS).rev().map(ramp), &mut |s, f| {
                 tips.follow(problem, s, f)
             })
         } else {
-            let departure = Part::Far { origin: last - travel * near, side: travel };
-            let stations = (0..FAR_STATIONS).rev().map(share);
-            self.follow(departure, share(FAR_STATIONS), stations, &mut |s, f| tips.follow(problem, s, f))
+            let departure = Part::departure(last, travel, self.near[1]);
+            let mut back = far_stations(self.near[1]).rev();
+            let start = back.next().unwrap_or(0.0);
+            self.follow(departure, start, back.chain([0.0]), &mut |s, f| tips.follow(problem, s, f))
         };
         left.map_err(failure(number, "departure"))?;
         pass.histories = tips.histories();
@@ -402,11 +427,7 @@ impl Rolling<'_> {
         let within = |x: &f64| (x - from) * travel > 0.0 && (to - x) * travel > 0.0;
         let adaptive = self.problem.has_friction() && self.control == StepControl::Adaptive;
         let mut stations: Vec<f64> = if adaptive || !self.covered.is_empty() {
-            let edges = self.mouths.iter().flat_map(|mouth| self.edges.iter().map(move |edge| mouth - edge));
-            edges
-                .flat_map(|edge| EDGE_STATIONS.map(|share| edge + share * self.half_width))
-                .filter(within)
-                .collect()
+            edge_stations(&self.mouths, self.edges, self.half_width).filter(within).collect()
         } else {
             Vec::new()
         };
@@ -426,15 +447,9 @@ impl Rolling<'_> {
         let path = self.face_load.along(part);
         for station in stations {
             self.stepper.advance(&path, station, sample)?;
+            self.on_the_way.push(self.stepper.solution().jump.clone());
         }
         Ok(())
-    }
-
-    /// Distance (mm) from `x` to the nearest face along the rail, at least a: the length scale of
-    /// the stress there.
-    fn distance(&self, x: f64) -> f64 {
-        let samples = self.problem.body().faces.samples.iter();
-        samples.map(|s| (s.point.x - x).abs()).fold(f64::INFINITY, f64::min).max(self.half_width)
     }
 }
 
@@ -444,6 +459,21 @@ fn trapped<'a>(problem: &'a FaceProblem) -> &'a [Pocket] {
         Some(fluid) if matches!(fluid.model, FluidModel::Trapped { .. }) => &fluid.pockets,
         _ => &[],
     }
+}
+
+/// Wheel positions (mm) at which an edge of the contact, `edges` from its middle, is at one of
+/// `mouths` or close to it.
+pub(super) fn edge_stations(mouths: &[f64], edges: &[f64], half_width: f64) -> impl Iterator<Item = f64> {
+    let at = mouths.iter().flat_map(move |mouth| edges.iter().map(move |edge| mouth - edge));
+    at.flat_map(move |edge| EDGE_STATIONS.map(|share| edge + share * half_width))
+}
+
+/// Distances (mm) along the rail from the first and the last of the positions `xc` to the nearest
+/// face, at least a: the length scales of the stress there.
+pub(super) fn distances(problem: &FaceProblem, half_width: f64, xc: &[f64]) -> [f64; 2] {
+    let samples = &problem.body().faces.samples;
+    let nearest = |x: f64| samples.iter().map(|s| (s.point.x - x).abs()).fold(f64::INFINITY, f64::min);
+    [xc[0], xc[xc.len() - 1]].map(|x| nearest(x).max(half_width))
 }
 
 /// Abscissae of the points of the faces on the running surface, mm.

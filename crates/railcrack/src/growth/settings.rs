@@ -13,20 +13,20 @@ pub enum NetworkContact {
     /// All cracks together, event by event.
     #[default]
     Whole,
-    /// Event by event in a window around the wheel; cracks farther away keep their statuses from
-    /// span to span. For dry cracks and an engine that makes bodies by groups; others are followed
-    /// as a whole.
-    Windows,
+    /// Each crack with its neighbours, event by event, under the forces of all others: in sweeps
+    /// until they agree. For dry cracks and an engine that makes bodies by groups; others are
+    /// followed as a whole.
+    Groups,
 }
 
 impl Choice for NetworkContact {
     const WORDS: &'static [(Self, Word)] = &[
         (Self::Whole, Word::now("whole", "all cracks together, the cost grows with their number squared")),
         (
-            Self::Windows,
+            Self::Groups,
             Word::now(
-                "windows",
-                "event by event around the wheel, for dozens of cracks: dislocations, newton, no fluid",
+                "groups",
+                "each crack with its neighbours, in sweeps until they agree within network_tolerance, for dozens of cracks: dislocations, newton, no fluid",
             ),
         ),
     ];
@@ -45,6 +45,8 @@ pub struct PassageSettings {
     pub step_tolerance: f64,
     /// How load steps are chosen; fixed ones go from output position to output position.
     pub step_control: StepControl,
+    /// Of cracks that are followed in groups, the error of K relative to its peak at the tip.
+    pub network_tolerance: f64,
 }
 
 /// As a case file that says nothing, with the passage of the reference case.
@@ -56,6 +58,7 @@ impl Default for PassageSettings {
             passage_tolerance: 1e-3,
             step_tolerance: 2e-3,
             step_control: StepControl::Adaptive,
+            network_tolerance: 3e-4,
         }
     }
 }
@@ -67,7 +70,8 @@ impl PassageSettings {
         let passages = self.max_passages as f64;
         OutOfRange::unless(self.max_passages >= 1, "passages at most", passages, "at least 1")?;
         OutOfRange::unless_positive("tolerance of the passages", self.passage_tolerance)?;
-        OutOfRange::unless_positive("tolerance of the load steps", self.step_tolerance)
+        OutOfRange::unless_positive("tolerance of the load steps", self.step_tolerance)?;
+        OutOfRange::unless_positive("tolerance of the groups", self.network_tolerance)
     }
 }
 

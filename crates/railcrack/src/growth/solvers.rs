@@ -34,7 +34,7 @@ impl Solvers<'_> {
         let by = |solver: &dyn ContactSolver| passages_under(face_load, load, solver, settings, observer);
         let first = by(self.first);
         let result = match first {
-            // Windows are for Newton's method alone.
+            // Groups are for Newton's method alone.
             Err(PassageError::NotConverged { .. }) if face_load.problem.body().blocks.is_none() => {
                 let second = by(self.second);
                 if let (Err(failure), Ok(_)) = (&first, &second) {

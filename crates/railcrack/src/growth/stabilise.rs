@@ -1,8 +1,8 @@
-//! The stabilised passage, of all faces together or of a row of many cracks.
+//! The stabilised passage, of all faces together or group by group.
 
 use super::face_load::FaceLoad;
 use super::passage::passages_of_all;
-use super::row_passage::passages_along;
+use super::sweeps::passages_by_groups;
 use super::{Observer, PassageError, PassageSettings, RailLoad, StabilisedPassage};
 use crate::contact::{ContactSolver, FaceProblem};
 
@@ -14,8 +14,8 @@ use crate::contact::{ContactSolver, FaceProblem};
 /// Where the wheel bends the rail, the passage reaches as far as the beam does, and the output
 /// positions with it.
 ///
-/// A body by groups is followed in windows along the rail, which is for Newton's method and dry
-/// cracks.
+/// A body by groups is followed crack by crack with its neighbours, in sweeps until K is within
+/// `network_tolerance`; its cracks are dry.
 ///
 /// Errors: settings under which nothing can be computed; a wheel that leaves the rail; contact does
 /// not converge; `observer` asks to stop.
@@ -41,7 +41,7 @@ pub(super) fn passages_under(
     observer: &dyn Observer,
 ) -> Result<StabilisedPassage, PassageError> {
     match &face_load.problem.body().blocks {
-        Some(blocks) => passages_along(face_load, blocks, load, solver, settings, observer),
+        Some(blocks) => passages_by_groups(face_load, blocks, load, solver, settings, observer),
         None => passages_of_all(face_load, load, solver, settings, observer),
     }
 }

@@ -25,50 +25,17 @@ const STILL: f64 = 1e-6;
 const ALIKE: f64 = 1e-6;
 
 /// K at some position of a passage.
-#[derive(Debug, Clone)]
 pub(super) struct TipMark {
-    tips: Vec<MarkedTip>,
-}
-
-/// K of a tip, whether it is held, and the length of its history.
-#[derive(Debug, Clone, Copy)]
-struct MarkedTip {
-    sif: Sif,
-    held: bool,
+    /// K of each tip, and whether it is held.
+    tips: Vec<(Sif, bool)>,
+    /// Length of the histories.
     samples: usize,
 }
 
 impl TipMark {
-    /// Samples of the history of each tip so far.
-    pub fn samples(&self) -> impl Iterator<Item = usize> + '_ {
-        self.tips.iter().map(|tip| tip.samples)
-    }
-
-    /// K of each tip, MPa √mm.
-    pub fn sifs(&self) -> impl Iterator<Item = Sif> + '_ {
-        self.tips.iter().map(|tip| tip.sif)
-    }
-
-    /// Whether K of all tips is that of `other`, and held if it is there; `tips` have the peaks.
-    pub fn is_like(&self, other: &Self, tips: &TipSifs) -> bool {
-        self.tips.iter().zip(&other.tips).zip(&tips.tips).all(|((one, other), tip)| {
-            let peak = tip.history.peak();
-            let near = |one: f64, other: f64| (one - other).abs() <= ALIKE * peak;
-            one.held == other.held && near(one.sif.ki, other.sif.ki) && near(one.sif.kii, other.sif.kii)
-        })
-    }
-
-    /// Whether K of all tips differs by less than `share` of its peak from that of `other`.
-    pub fn is_within(&self, share: f64, other: &Self, tips: &TipSifs) -> bool {
-        self.tips.iter().zip(&other.tips).zip(&tips.tips).all(|((one, other), tip)| {
-            let near = |one: f64, other: f64| (one - other).abs() <= share * tip.history.peak();
-            near(one.sif.ki, other.sif.ki) && near(one.sif.kii, other.sif.kii)
-        })
-    }
-
-    /// Takes tip `tip` from `other`.
-    pub fn take(&mut self, tip: usize, other: &Self) {
-        self.tips[tip] = other.tips[tip];
+    /// Samples of the histories so far.
+    pub fn samples(&self) -> usize {
+        self.samples
     }
 }
 
@@ -84,8 +51,6 @@ struct TipSif {
     held: bool,
     /// K at the beginning of the passage and after each of its load steps.
     history: SifHistory,
-    /// Of a place to return to, the length of the history.
-    samples: usize,
 }
 
 impl TipSifs {
@@ -107,7 +72,6 @@ impl TipSifs {
             sif: Sif::default(),
             held: true,
             history: SifHistory::default(),
-            samples: 0,
         };
         Self { tips: body.tips.iter().map(|tip_end| tip(nearest(tip_end.crack, tip_end.end))).collect() }
     }
@@ -121,28 +85,21 @@ impl TipSifs {
 
     /// Takes up the next load step: its `solution` under the nodal forces `load` (N/mm).
     pub fn follow(&mut self, problem: &FaceProblem, solution: &FaceSolution, load: &[f64]) {
-        for (tip, sif) in solution.sifs(problem.body(), load).into_iter().enumerate() {
-            let point = self.tips[tip].point;
-            let closed = solution.status[point] != PointStatus::Open && problem.friction(point) > 0.0;
-            self.follow_one(tip, sif, solution.jump[2 * point], closed);
+        for (tip, sif) in self.tips.iter_mut().zip(solution.sifs(problem.body(), load)) {
+            let slip = solution.jump[2 * tip.point];
+            let moved = slip - tip.slip;
+            tip.largest = tip.largest.max(slip.abs());
+            let closed = solution.status[tip.point] != PointStatus::Open && problem.friction(tip.point) > 0.0;
+            // Not by the status: a point that sticks at the end of a step may have slipped in it.
+            if closed && moved.abs() <= STILL * tip.largest {
+                tip.held = true;
+            } else {
+                tip.held &= closed && (sif.kii - tip.sif.kii) * moved < 0.0;
+                tip.sif = if tip.held { Sif { kii: tip.sif.kii, ..sif } } else { sif };
+                tip.slip = slip;
+            }
+            tip.history.samples.push(tip.sif);
         }
-    }
-
-    /// Takes up the next load step of tip `tip`: its K, the slip (mm) of the point next to it, and
-    /// whether that point is `closed` with friction.
-    pub fn follow_one(&mut self, tip: usize, sif: Sif, slip: f64, closed: bool) {
-        let tip = &mut self.tips[tip];
-        let moved = slip - tip.slip;
-        tip.largest = tip.largest.max(slip.abs());
-        // Not by the status: a point that sticks at the end of a step may have slipped in it.
-        if closed && moved.abs() <= STILL * tip.largest {
-            tip.held = true;
-        } else {
-            tip.held &= closed && (sif.kii - tip.sif.kii) * moved < 0.0;
-            tip.sif = if tip.held { Sif { kii: tip.sif.kii, ..sif } } else { sif };
-            tip.slip = slip;
-        }
-        tip.history.samples.push(tip.sif);
     }
 
     /// K of each tip, MPa √mm.
@@ -150,42 +107,18 @@ impl TipSifs {
         self.tips.iter().map(|tip| tip.sif)
     }
 
-    /// Where the tips are, to return to.
-    pub fn place(&self) -> Self {
-        let without = |tip: &TipSif| TipSif {
-            history: SifHistory::default(),
-            samples: tip.history.samples.len(),
-            ..*tip
-        };
-        Self { tips: self.tips.iter().map(without).collect() }
-    }
-
-    /// Returns to `place`.
-    pub fn return_to(&mut self, place: &Self) {
-        for (tip, place) in self.tips.iter_mut().zip(&place.tips) {
-            let mut history = std::mem::take(&mut tip.history);
-            history.samples.truncate(place.samples);
-            *tip = TipSif { history, ..*place };
-        }
-    }
-
     /// Where the tips are in their passage.
     pub fn mark(&self) -> TipMark {
-        let tip =
-            |tip: &TipSif| MarkedTip { sif: tip.sif, held: tip.held, samples: tip.history.samples.len() };
-        TipMark { tips: self.tips.iter().map(tip).collect() }
+        let samples = self.tips.first().map_or(0, |tip| tip.history.samples.len());
+        TipMark { tips: self.tips.iter().map(|tip| (tip.sif, tip.held)).collect(), samples }
     }
 
     /// Whether K of all tips is that of `mark`, and held if it was there.
     pub fn is_like(&self, mark: &TipMark) -> bool {
-        self.mark().is_like(mark, self)
-    }
-
-    /// The history of each tip up to `mark`.
-    pub fn histories_until(&self, mark: &TipMark) -> Vec<SifHistory> {
-        let mut histories = self.histories();
-        histories.iter_mut().zip(mark.samples()).for_each(|(tip, samples)| tip.samples.truncate(samples));
-        histories
+        self.tips.iter().zip(&mark.tips).all(|(tip, (sif, held))| {
+            let near = |one: f64, other: f64| (one - other).abs() <= ALIKE * tip.history.peak();
+            tip.held == *held && near(tip.sif.ki, sif.ki) && near(tip.sif.kii, sif.kii)
+        })
     }
 
     /// The history of each tip through the passage, unloaded ends included.

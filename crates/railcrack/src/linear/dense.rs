@@ -145,18 +145,7 @@ pub fn product(a: &Matrix, b: &Matrix) -> Result<Matrix, LinearError> {
 ///
 /// Errors: shapes that do not fit.
 pub fn add_product(factor: f64, a: &Matrix, b: &Matrix, sum: &mut Matrix) -> Result<(), LinearError> {
-    add(factor, MatRef::from_row_major_slice(a.entries(), a.rows(), a.columns()), b, sum)
-}
-
-/// sum += Aᵀ B.
-///
-/// Errors: shapes that do not fit.
-pub fn add_transposed_product(a: &Matrix, b: &Matrix, sum: &mut Matrix) -> Result<(), LinearError> {
-    add(1.0, MatRef::from_row_major_slice(a.entries(), a.rows(), a.columns()).transpose(), b, sum)
-}
-
-fn add(factor: f64, a: MatRef<'_, f64>, b: &Matrix, sum: &mut Matrix) -> Result<(), LinearError> {
-    let (rows, inner, columns) = (a.nrows(), a.ncols(), b.columns());
+    let (rows, inner, columns) = (a.rows(), a.columns(), b.columns());
     for (quantity, given, expected) in [
         ("rows of the second factor of a product", b.rows(), inner),
         ("rows of a sum of products", sum.rows(), rows),
@@ -169,7 +158,7 @@ fn add(factor: f64, a: MatRef<'_, f64>, b: &Matrix, sum: &mut Matrix) -> Result<
     matmul(
         MatMut::from_row_major_slice_mut(sum.entries_mut(), rows, columns),
         Accum::Add,
-        a,
+        MatRef::from_row_major_slice(a.entries(), rows, inner),
         MatRef::from_row_major_slice(b.entries(), inner, columns),
         factor,
         Par::Seq,

@@ -5,8 +5,7 @@ use crate::common::{body, steel, surface_crack};
 use crate::shakedown::rail;
 use railcrack::body::{BodyEngine, BodyError, CrackedBody};
 use railcrack::contact::{
-    ContactSolver, FaceProblem, FaceResponse, LoadStep, Newton, NotConverged, StepControl, StepSolver,
-    SteppingError,
+    ContactSolver, FaceProblem, FaceResponse, LoadStep, Newton, NotConverged, StepSolver, SteppingError,
 };
 use railcrack::crack::CrackNetwork;
 use railcrack::dislocation::{DislocationEngine, FaceResolution};
@@ -33,7 +32,7 @@ fn passage(solver: &dyn ContactSolver, watch: &dyn Observer) -> Result<Stabilise
         max_passages: 2,
         passage_tolerance: 1e-3,
         step_tolerance: 2e-3,
-        step_control: StepControl::Adaptive,
+        ..PassageSettings::default()
     };
     let load = RailLoad { wheel: &HertzWheel::new(&contact, &steel()).unwrap(), residual: None };
     stabilised_passage(&problem, solver, load, &settings, watch)

@@ -1,0 +1,84 @@
+//! Forces that cracks exert on those that are followed apart from them.
+
+use super::face_load::Part;
+use super::groups::Group;
+use super::track::Track;
+use crate::body::BlockStiffness;
+use crate::linear::{LinearError, add_product, product};
+use crate::math::Matrix;
+use rayon::prelude::*;
+
+/// The jumps of the faces of a unit (mm) on each part of the way.
+pub(super) type History = Vec<(Part, Track)>;
+
+/// The forces (N/mm) on each of `groups` of the jumps of all units that are not among its members,
+/// at the coordinates `nodes(group)` of each part of the way.
+///
+/// Errors: none.
+pub(super) fn forces_on_all(
+    blocks: &BlockStiffness,
+    groups: &[Group],
+    histories: &[History],
+    nodes: &(dyn Fn(usize) -> Vec<Vec<f64>> + Sync),
+) -> Result<Vec<History>, LinearError> {
+    let amplitudes: Vec<History> = histories
+        .par_iter()
+        .zip(&blocks.far.moments)
+        .map(|(history, moments)| {
+            let amplitude = |(part, track): &(Part, Track)| {
+                Ok((*part, Track::new(track.at().to_vec(), product(track.values(), moments)?)))
+            };
+            history.iter().map(amplitude).collect()
+        })
+        .collect::<Result<_, LinearError>>()?;
+    let far = |k: usize| far_forces(blocks, &amplitudes, k, &nodes(k));
+    let far: Vec<History> = (0..groups.len()).into_par_iter().map(far).collect::<Result<_, _>>()?;
+    let all = groups.par_iter().enumerate();
+    all.map(|(k, group)| forces_on(blocks, group, (histories, &far), &nodes(k))).collect()
+}
+
+/// The forces on unit `k` of all that are not near to it.
+fn far_forces(
+    blocks: &BlockStiffness,
+    amplitudes: &[History],
+    k: usize,
+    nodes: &[Vec<f64>],
+) -> Result<History, LinearError> {
+    let moments = &blocks.far.moments[k];
+    let outwards = moments.transposed();
+    let on_part = |(i, (part, _)): (usize, &(Part, Track))| {
+        let mut sum = Matrix::zeros(nodes[i].len(), moments.columns());
+        for (l, between) in &blocks.far.between[k] {
+            add_product(-1.0, &amplitudes[*l][i].1.resampled(&nodes[i]), &between.transposed(), &mut sum)?;
+        }
+        Ok((*part, Track::new(nodes[i].clone(), product(&sum, &outwards)?)))
+    };
+    amplitudes[k].iter().enumerate().map(on_part).collect()
+}
+
+fn forces_on(
+    blocks: &BlockStiffness,
+    group: &Group,
+    (histories, far): (&[History], &[History]),
+    nodes: &[Vec<f64>],
+) -> Result<History, LinearError> {
+    let components = 2 * group.body.faces.points.len();
+    let parts = nodes.iter().enumerate().map(|(i, nodes)| {
+        let mut forces = Matrix::zeros(nodes.len(), components);
+        let mut first = 0;
+        for &m in &group.members {
+            let mut on_member = far[m][i].1.resampled(nodes);
+            for (l, _) in blocks.near[m].iter().filter(|(l, _)| !group.members.contains(l)) {
+                if let Some(block) = blocks.near_block(*l, m) {
+                    add_product(-1.0, &histories[*l][i].1.resampled(nodes), block, &mut on_member)?;
+                }
+            }
+            for row in 0..nodes.len() {
+                forces.row_mut(row)[first..first + on_member.columns()].copy_from_slice(on_member.row(row));
+            }
+            first += on_member.columns();
+        }
+        Ok((histories[group.members[0]][i].0, Track::new(nodes.clone(), forces)))
+    });
+    parts.collect()
+}

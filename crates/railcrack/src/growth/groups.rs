@@ -1,0 +1,85 @@
+//! Groups of cracks that are followed together: each crack with those that it leans on.
+
+use crate::body::{BlockStiffness, CrackedBody, RowPart, TipGain};
+use crate::contact::FaceProblem;
+use crate::linear::{LinearError, product, spd_inverse};
+use crate::math::Matrix;
+use rayon::prelude::*;
+use std::ops::Range;
+
+/// Coupling of two units, as the root of a sum of squared correlations of their jumps, from which
+/// on they are followed together.
+const STRONG: f64 = 0.5;
+
+/// A unit of a row together with those that it is strongly coupled to.
+pub(super) struct Group {
+    /// The units, in their order along the row.
+    pub members: Vec<usize>,
+    pub body: CrackedBody,
+    /// Friction of its cracks.
+    pub friction: Vec<f64>,
+    /// Points, in the body, of the unit whose results count.
+    pub own_points: Range<usize>,
+    /// Its tips: the number in the row, and in the body.
+    pub own_tips: Vec<(usize, usize)>,
+    /// Ends of the faces of all members along the rail, mm.
+    pub extent: (f64, f64),
+}
+
+/// Groups around every unit of `blocks`.
+///
+/// Errors: cracks whose A is not positive definite.
+pub(super) fn groups(problem: &FaceProblem, blocks: &BlockStiffness) -> Result<Vec<Group>, LinearError> {
+    let count = blocks.units.len();
+    let alone = |k: usize| match blocks.near_block(k, k) {
+        Some(own) => spd_inverse(own),
+        None => Ok(Matrix::zeros(0, 0)),
+    };
+    let alone: Vec<Matrix> = (0..count).into_par_iter().map(alone).collect::<Result<_, _>>()?;
+    let members = |k: usize| -> Result<Vec<usize>, LinearError> {
+        let mut members = Vec::new();
+        for (l, block) in &blocks.near[k] {
+            if *l == k || coupling(&alone[k], block, &alone[*l])? >= STRONG {
+                members.push(*l);
+            }
+        }
+        Ok(members)
+    };
+    let group = |k: usize| group(problem, blocks, k, members(k)?);
+    (0..count).into_par_iter().map(group).collect()
+}
+
+/// √tr(C_k A_kl C_l A_lk), with C of each unit alone: the cosines of the angles between the jumps
+/// of both in the energy, squared and summed.
+fn coupling(one: &Matrix, between: &Matrix, other: &Matrix) -> Result<f64, LinearError> {
+    let (left, right) = (product(one, between)?, product(between, other)?);
+    let pairs = left.entries().iter().zip(right.entries());
+    Ok(pairs.map(|(l, r)| l * r).sum::<f64>().max(0.0).sqrt())
+}
+
+fn group(
+    problem: &FaceProblem,
+    blocks: &BlockStiffness,
+    own: usize,
+    members: Vec<usize>,
+) -> Result<Group, LinearError> {
+    let row = problem.body();
+    let part = blocks.part(&row.faces, &row.tips, &members);
+    let RowPart { faces, tips, gains, stiffness, points, cracks, tip_numbers } = part;
+    let compliance = spd_inverse(&stiffness)?;
+    let before: usize = members.iter().take_while(|&&k| k != own).map(|&k| blocks.units[k].len()).sum();
+    let own_points = before..before + blocks.units[own].len();
+    let is_own = |(tip, _): &(usize, usize)| own_points.contains(&gains[*tip].point);
+    let numbers = tip_numbers.iter().copied().enumerate();
+    let own_tips = numbers.filter(is_own).map(|(tip, number)| (number, tip)).collect();
+    let friction = |&crack: &usize| {
+        let point = points.iter().find(|&&p| row.faces.points[p].crack == crack);
+        point.map_or(0.0, |&p| problem.friction(p))
+    };
+    let friction = cracks.iter().map(friction).collect();
+    let ends = members.iter().map(|&k| blocks.extents[k]);
+    let extent = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |all, e| (all.0.min(e.0), all.1.max(e.1)));
+    let influence = TipGain::sif_influence(&gains, &compliance);
+    let body = CrackedBody::new(faces, tips, [compliance, stiffness, influence]);
+    Ok(Group { members, body, friction, own_points, own_tips, extent })
+}
