@@ -120,8 +120,9 @@ fn k_in_groups_is_that_of_all_cracks_together() {
     assert!(groups.coupling.is_some_and(|error| error < 3e-4), "{:?}", groups.coupling);
 }
 
-/// A wheel towards −x over scattered cracks of a rail with residual stress: what is left is of the
-/// steps in which jumps are handed over from group to group. With a third of them it is 0.6 of that.
+/// A wheel towards −x over scattered cracks of a rail with residual stress: what is left comes from
+/// the steps in which jumps are handed over from group to group. With steps of a third it is 0.6 of
+/// that.
 #[test]
 fn k_in_groups_under_residual_stress_and_the_other_way() {
     let scattered = || -> Vec<Crack> {
