@@ -8,6 +8,7 @@
 
 mod case;
 mod files;
+mod normal;
 mod schema;
 mod study;
 mod tables;

@@ -1,6 +1,7 @@
 //! Cracks of a case: copies of a row, contact with one another, and their place in the rail.
 
 use super::limits::RESOLVED;
+use super::row_scatter::RowScatter;
 use crate::schema::{Fault, Report, Row, SectionValues};
 use crate::tables::{ANGLE, ANGLES, COUNT, CRACK_FRICTION, LENGTH, MOUTH, POINTS, Rail, SPACING};
 use railcrack::crack::{Crack, CrackError, CrackNetwork, segment_distance};
@@ -26,20 +27,18 @@ pub(super) fn place_cracks(sections: &[&SectionValues], report: &mut Report) -> 
     let mut owner = Vec::new();
     let mut complete = true;
     for (index, section) in sections.iter().enumerate() {
-        let Some((crack, coefficient, shifts)) = place_row(section, report) else {
+        let Some((row, coefficient)) = place_row(section, report) else {
             complete = false;
             continue;
         };
-        if cracks.len() + shifts.len() > MOST_CRACKS {
+        if cracks.len() + row.len() > MOST_CRACKS {
             let fault = section.fault_of_all(format!("more than {MOST_CRACKS} cracks in the case"));
             report.add(Fault { span: Some(section.span_of(COUNT)), ..fault });
             return None;
         }
-        for shift in shifts {
-            cracks.push(crack.moved(shift));
-            friction.push(coefficient);
-            owner.push(index);
-        }
+        friction.resize(friction.len() + row.len(), coefficient);
+        owner.resize(owner.len() + row.len(), index);
+        cracks.extend(row);
     }
     if !report_meetings(&cracks, &owner, sections, report) || !complete {
         return None;
@@ -47,15 +46,34 @@ pub(super) fn place_cracks(sections: &[&SectionValues], report: &mut Report) -> 
     CrackNetwork::new(cracks).ok().map(|network| PlacedCracks { network, friction, owner })
 }
 
-/// The first crack of a section, its crack-face friction, and how far each copy is moved (mm).
-fn place_row(section: &SectionValues, report: &mut Report) -> Option<(Crack, f64, Vec<f64>)> {
-    let crack = place_first(section, report);
+/// The cracks of a section, and their crack-face friction.
+fn place_row(section: &SectionValues, report: &mut Report) -> Option<(Vec<Crack>, f64)> {
+    let first = place_first(section, report);
+    let scatter = RowScatter::of(section, report);
     let count = section.get(COUNT)?;
     let spacing = match section.get(SPACING) {
         None if count > 1 || section.is_refused(SPACING) => return None,
         spacing => spacing.unwrap_or_default(),
     };
-    Some((crack?, section.get(CRACK_FRICTION)?, (0..count).map(|i| i as f64 * spacing).collect()))
+    let (first, friction) = (first?, section.get(CRACK_FRICTION)?);
+    let Some(mut scatter) = scatter? else {
+        let copies = (0..count).map(|i| first.moved(i as f64 * spacing));
+        return Some((copies.collect(), friction));
+    };
+    let mut shift = 0.0;
+    let mut row = Vec::with_capacity(count);
+    for _ in 0..count {
+        let own = scatter.draw();
+        let copy = match (section.get(MOUTH), section.get(LENGTH), section.get(ANGLE)) {
+            (Some(mouth), Some(length), Some(angle)) => {
+                straight(section, (mouth, length + own.length, angle + own.angle), report)?
+            }
+            _ => first.clone(),
+        };
+        row.push(copy.moved(shift));
+        shift += spacing + own.spacing;
+    }
+    Some((row, friction))
 }
 
 fn place_first(section: &SectionValues, report: &mut Report) -> Option<Crack> {
@@ -73,7 +91,15 @@ fn place_first(section: &SectionValues, report: &mut Report) -> Option<Crack> {
         let crack = Crack::polyline(points).map_err(refuse).ok()?;
         return is_resolved(&crack, section, report).then_some(crack);
     }
-    let (mouth, length, angle) = (section.get(MOUTH)?, section.get(LENGTH)?, section.get(ANGLE)?);
+    straight(section, (section.get(MOUTH)?, section.get(LENGTH)?, section.get(ANGLE)?), report)
+}
+
+/// A straight crack from its mouth (mm), its length (mm) and its angle (degrees).
+fn straight(
+    section: &SectionValues,
+    (mouth, length, angle): (f64, f64, f64),
+    report: &mut Report,
+) -> Option<Crack> {
     Crack::surface_breaking(mouth, length, angle.to_radians())
         .map_err(|error| report.add(section.fault(ANGLE, error)))
         .ok()

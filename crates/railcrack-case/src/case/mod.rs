@@ -10,6 +10,7 @@ mod mix;
 mod overrides;
 mod prepared;
 mod read;
+mod row_scatter;
 mod setting;
 mod shared;
 mod size;

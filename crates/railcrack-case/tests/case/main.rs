@@ -6,6 +6,7 @@ mod modules;
 mod mutations;
 mod ranges;
 mod reading;
+mod rows;
 mod samples;
 mod studies;
 mod table;

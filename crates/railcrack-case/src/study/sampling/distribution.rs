@@ -1,6 +1,6 @@
 //! Distributions of a value.
 
-use super::normal;
+use crate::normal;
 use std::fmt;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};

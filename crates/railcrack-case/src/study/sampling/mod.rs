@@ -2,7 +2,6 @@
 
 mod distribution;
 mod find;
-mod normal;
 mod points;
 mod sobol;
 mod substitute;
