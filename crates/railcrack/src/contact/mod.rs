@@ -1,6 +1,7 @@
 //! Unilateral contact with Coulomb friction on the crack faces.
 
 mod condition;
+mod differences;
 #[cfg(test)]
 mod fixtures;
 mod fluid;
@@ -11,6 +12,7 @@ mod newton;
 mod parabola;
 mod pocket_way;
 mod pressure;
+mod probe;
 mod problem;
 mod response;
 mod solver;

@@ -133,6 +133,12 @@ impl<'a> FaceResponse<'a> {
         self.tableau.rates(first + self.units.len(), rates)
     }
 
+    /// Contributions (mm) of load number `load` to the slip and the opening of `point` with the
+    /// present statuses.
+    pub(super) fn jump_under(&mut self, load: usize, point: usize) -> Result<[f64; 2], Degenerate> {
+        self.tableau.jumps_under(load + self.units.len(), [2 * point, 2 * point + 1])
+    }
+
     /// Takes over statuses and values of `solution`, which is in equilibrium.
     pub(super) fn adopt(&mut self, solution: &FaceSolution) {
         for (point, &status) in solution.status.iter().enumerate() {

@@ -1,8 +1,10 @@
 //! Jumps and contact forces of the faces, as components are held and freed.
 
 use super::condition::{Condition, Degenerate};
-use crate::linear::{BorderedFactor, LinearError, SmallFactor, add_product, general_inverse, product};
-use crate::math::{Matrix, add_rows_to_each, axpy};
+use super::differences::Differences;
+use super::probe::Probe;
+use crate::linear::{LinearError, SmallFactor, add_product, general_inverse, product};
+use crate::math::{Matrix, add_chosen_rows, add_rows_to_each, axpy};
 
 /// The equations A w = load + q of the faces under a condition for each component: its jump w_i is
 /// held, or it is free with q_i + c_i q_{i+1} = 0, where c_i ≠ 0 couples the shear of a slipping
@@ -76,60 +78,6 @@ impl FaceRate {
     /// None of `components` changes.
     pub(super) fn zero(components: usize) -> Self {
         Self { jump: vec![0.0; components], contact: vec![0.0; components] }
-    }
-}
-
-/// Where the present conditions differ from those of the basis.
-#[derive(Default)]
-struct Differences {
-    /// In the order in which they came.
-    components: Vec<usize>,
-    /// The factor of the equations of the first of them.
-    factor: BorderedFactor,
-    /// That of all, with exchange of rows, where the other one finds no pivot.
-    whole: Option<SmallFactor>,
-}
-
-impl Differences {
-    /// Takes note that the condition of `component` has changed, and whether it `differs` from that
-    /// of the basis.
-    fn change(&mut self, component: usize, differs: bool) {
-        self.whole = None;
-        if let Some(place) = self.components.iter().position(|&other| other == component) {
-            self.components.remove(place);
-            self.factor.truncate(place);
-        }
-        if differs {
-            self.components.push(component);
-        }
-    }
-
-    /// Solves their equations in place.
-    fn solve(&self, right: &mut [f64]) -> Result<(), LinearError> {
-        match &self.whole {
-            Some(whole) => whole.solve(right),
-            None => self.factor.solve(right),
-        }
-    }
-}
-
-/// A weighted sum of all equations, cheap to form: every equation has a weight of its own, so that
-/// errors do not cancel.
-struct Probe {
-    weights: Vec<f64>,
-    /// A times the weights, N/mm.
-    of_jumps: Vec<f64>,
-    /// The largest sum of absolute terms so far, N/mm.
-    size: f64,
-}
-
-impl Probe {
-    fn new(stiffness: &Matrix) -> Self {
-        // Between 1/2 and 3/2, without order, of either sign.
-        let golden = |i: usize| (i as f64 * 0.618_033_988_749_895).fract();
-        let weight = |i: usize| (0.5 + golden(i)).copysign(golden(i + 7 * i * i) - 0.5);
-        let weights: Vec<f64> = (0..stiffness.rows()).map(weight).collect();
-        Self { of_jumps: stiffness.times(&weights), weights, size: 0.0 }
     }
 }
 
@@ -220,14 +168,39 @@ impl<'a> Tableau<'a> {
     /// Errors: conditions that leave a component without equation.
     pub(super) fn rates(&mut self, first: usize, rates: &mut [FaceRate]) -> Result<(), Degenerate> {
         self.change_basis_beyond(self.many());
-        let action = |k| Action { load: Some(first + k), held: false };
-        let actions: Vec<Action> = (0..rates.len()).map(action).collect();
-        let answers = self.answers(&actions)?;
-        for ((k, answer), rate) in answers.iter().enumerate().zip(rates) {
-            self.write(first + k, false, answer, (&mut rate.jump, &mut rate.contact));
+        self.prepare()?;
+        for (k, rate) in rates.iter_mut().enumerate() {
+            let answer = self.answer_to(Action { load: Some(first + k), held: false })?;
+            self.write(first + k, false, &answer, (&mut rate.jump, &mut rate.contact));
+            self.spare.push(answer);
         }
-        self.spare.extend(answers);
         Ok(())
+    }
+
+    /// Contributions (mm) of load number `load` to the jumps of `components` while nothing that is
+    /// held moves.
+    ///
+    /// Errors: conditions that leave a component without equation.
+    pub(super) fn jumps_under<const N: usize>(
+        &mut self,
+        load: usize,
+        components: [usize; N],
+    ) -> Result<[f64; N], Degenerate> {
+        self.change_basis_beyond(self.many());
+        self.prepare()?;
+        let mut answer = self.of_basis(Action { load: Some(load), held: false });
+        self.meet_conditions(Action { load: Some(load), held: false }, &mut answer)?;
+        let jump = |i: usize| match (self.now[i], self.basis[i]) {
+            (Condition::Held(_), _) => 0.0,
+            (_, Condition::Held(_)) => answer.input[i],
+            (_, Condition::Free(_)) => {
+                let changes = self.differences.components.iter().zip(&answer.changes);
+                changes.fold(answer.output[i], |sum, (&m, change)| sum + change * self.responses[(m, i)])
+            }
+        };
+        let jumps = components.map(jump);
+        self.spare.push(answer);
+        Ok(jumps)
     }
 
     /// Makes a basis of the present conditions, if more than `most` differ.
@@ -286,34 +259,38 @@ impl<'a> Tableau<'a> {
     /// Jumps and contact forces under the first load.
     fn equilibrium(&mut self, jump: &mut [f64], contact: &mut [f64]) -> Result<(), Degenerate> {
         self.move_held();
-        let action = Action { load: Some(0), held: true };
-        let answers = self.answers(&[action])?;
-        self.write(0, true, &answers[0], (jump, contact));
-        self.spare.extend(answers);
+        self.prepare()?;
+        let answer = self.answer_to(Action { load: Some(0), held: true })?;
+        self.write(0, true, &answer, (jump, contact));
+        self.spare.push(answer);
         Ok(())
     }
 
-    /// The basis under each of `actions` with the inputs at which the present conditions are met.
-    fn answers(&mut self, actions: &[Action]) -> Result<Vec<Answer>, Degenerate> {
+    /// All that [`Tableau::answer_to`] needs.
+    fn prepare(&mut self) -> Result<(), Degenerate> {
         self.answer();
-        self.factor()?;
-        let mut answers: Vec<Answer> = Vec::with_capacity(actions.len());
-        for &action in actions {
-            let spare = self.spare.pop().unwrap_or_default();
-            answers.push(self.answer_to(action, spare));
-        }
+        self.factor()
+    }
+
+    /// The basis under `action` with the inputs at which the present conditions are met.
+    fn answer_to(&mut self, action: Action) -> Result<Answer, Degenerate> {
+        let mut answer = self.of_basis(action);
+        self.meet_conditions(action, &mut answer)?;
+        let rows = (self.responses.entries(), &self.differences.components[..]);
+        add_chosen_rows(&answer.changes, rows, &mut answer.output);
+        Ok(answer)
+    }
+
+    /// Gives `answer`, that of the basis to `action`, the inputs at which the present conditions are
+    /// met.
+    fn meet_conditions(&self, action: Action, answer: &mut Answer) -> Result<(), Degenerate> {
+        let Answer { input, output, changes } = answer;
         let components = &self.differences.components;
-        for (&action, answer) in actions.iter().zip(&mut answers) {
-            let Answer { input, output, changes } = answer;
-            changes.clear();
-            changes.extend(components.iter().map(|&i| self.defect(i, action, input, output)));
-            self.differences.solve(changes).map_err(|_| Degenerate)?;
-            components.iter().zip(changes).for_each(|(&i, change)| input[i] += *change);
-        }
-        let (changes, mut outputs): (Vec<&[f64]>, Vec<&mut [f64]>) =
-            answers.iter_mut().map(|a| (a.changes.as_slice(), a.output.as_mut_slice())).unzip();
-        add_rows_to_each(&changes, |k| self.responses.row(components[k]), &mut outputs);
-        Ok(answers)
+        changes.clear();
+        changes.extend(components.iter().map(|&i| self.defect(i, action, input, output)));
+        self.differences.solve(changes).map_err(|_| Degenerate)?;
+        components.iter().zip(changes).for_each(|(&i, change)| input[i] += *change);
+        Ok(())
     }
 
     /// Factors the equations of what differs from the basis.
@@ -361,8 +338,9 @@ impl<'a> Tableau<'a> {
         }
     }
 
-    /// The basis under `action`, in the memory of `answer`.
-    fn answer_to(&self, action: Action, mut answer: Answer) -> Answer {
+    /// The basis under `action`.
+    fn of_basis(&mut self, action: Action) -> Answer {
+        let mut answer = self.spare.pop().unwrap_or_default();
         match action.load.and_then(|k| self.loads[k].answer.as_ref()) {
             Some(of_load) => {
                 answer.input.clone_from(&of_load.input);
@@ -469,47 +447,35 @@ impl<'a> Tableau<'a> {
         // What the loads do under the new conditions is known without the new basis.
         self.move_held();
         let loads = (0..self.loads.len()).map(|k| Action { load: Some(k), held: false });
-        let actions: Vec<Action> = loads.chain([Action { load: None, held: true }]).collect();
-        let answers = self.answers(&actions).map(|answers| self.renewed(&answers));
+        let actions = loads.chain([Action { load: None, held: true }]);
+        let answers: Result<Vec<Answer>, Degenerate> = match self.prepare() {
+            Ok(()) => {
+                actions.map(|action| self.answer_to(action).map(|answer| self.renewed(&answer))).collect()
+            }
+            Err(degenerate) => Err(degenerate),
+        };
         let mut differences = self.differences.components.clone();
         differences.sort_unstable();
+        let mut conditions = self.conditions(&differences);
         let (n, k) = (self.now.len(), differences.len());
-        let mut conditions = Matrix::from_fn(n, k, |j, m| self.coefficient(differences[m], j));
         let own = Matrix::from_fn(k, k, |m, p| conditions[(differences[p], m)]);
         let inverse = general_inverse(&own)?.transposed();
         // Those of K have no say any more.
         differences.iter().for_each(|&i| conditions.row_mut(i).fill(0.0));
-        let of_changed = Matrix::from_fn(k, n, |m, j| self.responses[(differences[m], j)]);
+        conditions.entries_mut().iter_mut().for_each(|value| *value = -*value);
+        let mut of_changed = Matrix::zeros(k, n);
+        for (m, &i) in differences.iter().enumerate() {
+            of_changed.row_mut(m).copy_from_slice(self.responses.row(i));
+        }
         // Old outputs, and old inputs of K, for a unit of each new input.
         let outputs = product(&inverse, &of_changed)?;
         let mut inputs = product(&conditions, &inverse)?;
-        inputs.entries_mut().iter_mut().for_each(|value| *value = -*value);
-        add_product(-1.0, &conditions, &outputs, &mut self.responses)?;
+        add_product(1.0, &conditions, &outputs, &mut self.responses)?;
         for (m, &i) in differences.iter().enumerate() {
             self.responses.row_mut(i).copy_from_slice(outputs.row(m));
             inputs.row_mut(i).copy_from_slice(inverse.row(m));
         }
-        for j in 0..n {
-            let response = self.responses.row_mut(j);
-            for (p, &i) in differences.iter().enumerate() {
-                let old_input = inputs[(j, p)];
-                match (self.basis[i], self.now[i]) {
-                    (Condition::Held(_), _) => response[i] = old_input,
-                    (Condition::Free(coupling), Condition::Held(_)) => {
-                        let next = || match self.basis[i + 1] {
-                            // Not written over yet: components come in order.
-                            Condition::Held(_) => response[i + 1],
-                            Condition::Free(_) => match differences.get(p + 1) {
-                                Some(&other) if other == i + 1 => inputs[(j, p + 1)],
-                                _ => f64::from(j == i + 1),
-                            },
-                        };
-                        response[i] = old_input - times(coupling, next);
-                    }
-                    (Condition::Free(_), Condition::Free(_)) => {}
-                }
-            }
-        }
+        self.exchange(&differences, &inputs);
         self.basis.clone_from(&self.now);
         self.begin_basis();
         if let Ok(answers) = answers {
@@ -518,25 +484,90 @@ impl<'a> Tableau<'a> {
         Ok(())
     }
 
-    /// Inputs and outputs under the present conditions of `answers` of the basis before.
-    fn renewed(&self, answers: &[Answer]) -> Vec<Answer> {
-        let renewed = |answer: &Answer| {
-            let n = self.now.len();
-            let mut new = Answer { input: vec![0.0; n], output: vec![0.0; n], changes: Vec::new() };
-            let (mut force, mut next);
-            force = 0.0;
-            for i in (0..n).rev() {
-                next = force;
-                let jump;
-                (jump, force) = self.basis[i].state(answer.input[i], answer.output[i], next);
-                (new.input[i], new.output[i]) = match self.now[i] {
-                    Condition::Held(_) => (jump, force),
-                    Condition::Free(coupling) => (force + times(coupling, || next), jump),
-                };
+    /// The coefficients of all inputs (rows) in the present conditions of `differences` (columns).
+    fn conditions(&self, differences: &[usize]) -> Matrix {
+        let (n, k) = (self.now.len(), differences.len());
+        // Share of the response of the component itself, and of the one after it.
+        let mut shares = Vec::with_capacity(k);
+        for &i in differences {
+            shares.push(match (self.basis[i], self.now[i]) {
+                (Condition::Held(_), Condition::Free(coupling)) => (1.0, self.of_next(i, coupling)),
+                (Condition::Free(before), Condition::Free(coupling)) => {
+                    (0.0, self.of_next(i, coupling - before))
+                }
+                (_, Condition::Held(_)) => (1.0, 0.0),
+            });
+        }
+        let mut conditions = Matrix::zeros(n, k);
+        for j in 0..n {
+            let response = self.responses.row(j);
+            for ((value, &i), &(own, next)) in conditions.row_mut(j).iter_mut().zip(differences).zip(&shares)
+            {
+                *value = own * response[i];
+                if next != 0.0 {
+                    *value += next * response[i + 1];
+                }
             }
-            new
-        };
-        answers.iter().map(renewed).collect()
+        }
+        // Where the basis is free, the input itself counts.
+        for (m, &i) in differences.iter().enumerate() {
+            for j in (i..=i + 1).filter(|j| *j < n) {
+                conditions[(j, m)] = self.coefficient(i, j);
+            }
+        }
+        conditions
+    }
+
+    /// `coupling` where the basis holds the component after `i`, zero where its response does not
+    /// count.
+    fn of_next(&self, i: usize, coupling: f64) -> f64 {
+        match self.basis.get(i + 1) {
+            Some(Condition::Held(_)) => coupling,
+            _ => 0.0,
+        }
+    }
+
+    /// Makes the old inputs of `differences`, for a unit of each new input (rows of `inputs`),
+    /// outputs.
+    fn exchange(&mut self, differences: &[usize], inputs: &Matrix) {
+        for j in 0..self.now.len() {
+            let (response, inputs) = (self.responses.row_mut(j), inputs.row(j));
+            for (p, &i) in differences.iter().enumerate() {
+                match (self.basis[i], self.now[i]) {
+                    (Condition::Held(_), _) => response[i] = inputs[p],
+                    (Condition::Free(coupling), Condition::Held(_)) => {
+                        let next = || match self.basis[i + 1] {
+                            // Not written over yet: components come in order.
+                            Condition::Held(_) => response[i + 1],
+                            Condition::Free(_) => match differences.get(p + 1) {
+                                Some(&other) if other == i + 1 => inputs[p + 1],
+                                _ => f64::from(j == i + 1),
+                            },
+                        };
+                        response[i] = inputs[p] - times(coupling, next);
+                    }
+                    (Condition::Free(_), Condition::Free(_)) => {}
+                }
+            }
+        }
+    }
+
+    /// Input and output under the present conditions of `answer` of the basis before.
+    fn renewed(&self, answer: &Answer) -> Answer {
+        let n = self.now.len();
+        let mut new = Answer { input: vec![0.0; n], output: vec![0.0; n], changes: Vec::new() };
+        let (mut force, mut next);
+        force = 0.0;
+        for i in (0..n).rev() {
+            next = force;
+            let jump;
+            (jump, force) = self.basis[i].state(answer.input[i], answer.output[i], next);
+            (new.input[i], new.output[i]) = match self.now[i] {
+                Condition::Held(_) => (jump, force),
+                Condition::Free(coupling) => (force + times(coupling, || next), jump),
+            };
+        }
+        new
     }
 
     /// Makes `answers`, those to all loads and to what is held, those of the basis.
@@ -568,6 +599,7 @@ fn in_units(stiffness: &Matrix, unit: f64) -> Matrix {
 }
 
 /// `coupling` times a value that is there only where the coupling is not zero.
+#[inline]
 fn times(coupling: f64, value: impl FnOnce() -> f64) -> f64 {
     if coupling == 0.0 { 0.0 } else { coupling * value() }
 }

@@ -337,13 +337,16 @@ impl Way<'_, '_> {
         if bound <= allowed {
             return Ok(());
         }
-        let mut error = FaceRate::zero(self.now.jump.len());
         let lost = Stop::Lost { share: self.share };
-        self.faces.rates(3, std::slice::from_mut(&mut error)).map_err(|Degenerate| lost)?;
-        if !self.now.fluid.is_empty() {
+        let [slip, opening] = if self.now.fluid.is_empty() {
+            self.faces.jump_under(3, point).map_err(|Degenerate| lost)?
+        } else {
+            let mut error = FaceRate::zero(self.now.jump.len());
+            self.faces.rates(3, std::slice::from_mut(&mut error)).map_err(|Degenerate| lost)?;
             self.pockets.add_error(self.problem, &self.now, &mut error);
-        }
-        let excess = (error.jump[2 * point].abs() + slope * error.jump[2 * point + 1].abs()) / allowed;
+            [error.jump[2 * point], error.jump[2 * point + 1]]
+        };
+        let excess = (slip.abs() + slope * opening.abs()) / allowed;
         if excess <= 1.0 { Ok(()) } else { Err(Stop::Inaccurate { excess }) }
     }
 }

@@ -31,6 +31,11 @@ pub(crate) fn add_rows_to_each<'m>(
     Arch::new().dispatch(AddRows { weights, rows: &rows, ys });
 }
 
+/// y += Σ weights_k row(chosen_k) of a matrix whose entries stand row by row, each row as long as y.
+pub(crate) fn add_chosen_rows(weights: &[f64], (entries, chosen): (&[f64], &[usize]), y: &mut [f64]) {
+    Arch::new().dispatch(AddChosenRows { weights, entries, chosen, y });
+}
+
 struct Dot<'a> {
     a: &'a [f64],
     b: &'a [f64],
@@ -84,6 +89,35 @@ impl<W: AsRef<[f64]>, Y: AsMut<[f64]>> WithSimd for AddRows<'_, W, Y> {
             for (weights, y) in self.weights.iter().zip(self.ys.iter_mut()) {
                 inlined::axpy(weights.as_ref()[ROWS * blocks.len() + k], x, y.as_mut());
             }
+        }
+    }
+}
+
+struct AddChosenRows<'a> {
+    weights: &'a [f64],
+    entries: &'a [f64],
+    chosen: &'a [usize],
+    y: &'a mut [f64],
+}
+
+impl WithSimd for AddChosenRows<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        let Self { weights, entries, chosen, y } = self;
+        let width = y.len();
+        let row = |k: usize| &entries[k * width..(k + 1) * width];
+        let (weights, last_weights) = weights.as_chunks::<ROWS>();
+        let (chosen, last) = chosen.as_chunks::<ROWS>();
+        for (&[a, b, c, d], rows) in weights.iter().zip(chosen) {
+            let [x, z, u, v] = rows.map(row);
+            for ((((y, x), z), u), v) in y.iter_mut().zip(x).zip(z).zip(u).zip(v) {
+                *y = (((*y + a * x) + b * z) + c * u) + d * v;
+            }
+        }
+        for (&weight, &k) in last_weights.iter().zip(last) {
+            inlined::axpy(weight, row(k), y);
         }
     }
 }
@@ -146,6 +180,10 @@ mod tests {
             let (mut one, mut other) = (b.clone(), a.clone());
             add_rows_to_each(&[weights, [0.0; 5]], |k| rows[k], &mut [&mut one, &mut other]);
             assert_eq!([&one, &other], [&once, &a]);
+            let mut chosen = b.clone();
+            let firsts = [a.clone(), b.clone()].concat();
+            add_chosen_rows(&weights, (&firsts, &[0, 1, 0, 1, 0]), &mut chosen);
+            assert_eq!(chosen, once);
             assert!(once.iter().zip(&a).zip(&b).all(|((y, a), b)| (y - (2.0 * a - 0.5 * b)).abs() < 1e-14));
         }
     }
