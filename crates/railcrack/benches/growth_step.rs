@@ -82,8 +82,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         "element size {size} mm: {} x {} elements, {} unknowns, {} entries of the factor",
         mesh.columns(),
         mesh.rows(),
-        rail.factor().order(),
-        rail.factor().entries()
+        rail.order(),
+        rail.factor().unwrap().entries()
     );
     println!("{:<46} {:>10} {:>16}", "phase", "ms", "factorisations");
     let rows = [

@@ -28,7 +28,7 @@ const CLAMPED: Boundary = Boundary::Block { bottom: BottomSupport::Clamped, side
 
 fn main() {
     for (name, rail) in [("70 x 70", square(70)), ("120 x 120", square(120)), ("block", rail(block_mesh()))] {
-        let (nodes, factor) = (rail.mesh().node_count(), rail.factor());
+        let (nodes, factor) = (rail.mesh().node_count(), rail.factor().unwrap());
         let (order, entries, bytes) = (factor.order(), factor.entries(), factor.memory_bytes());
         println!("{name}: {nodes} nodes, {order} unknowns, {entries} entries of L, {bytes} bytes");
     }
@@ -105,13 +105,13 @@ fn factor(bencher: Bencher, (n, _): (usize, usize)) {
 fn forward(bencher: Bencher, (n, count): (usize, usize)) {
     let rail = square(n);
     let columns = local_columns(&rail, count);
-    bencher.bench(|| rail.factor().forward(black_box(&columns), Interruption::NEVER).unwrap());
+    bencher.bench(|| rail.factor().unwrap().forward(black_box(&columns), Interruption::NEVER).unwrap());
 }
 
 #[divan::bench(args = SIZES, sample_count = SAMPLES, sample_size = 1)]
 fn scalar_products(bencher: Bencher, (n, count): (usize, usize)) {
     let rail = square(n);
-    let reached = rail.factor().forward(&local_columns(&rail, count), Interruption::NEVER).unwrap();
+    let reached = rail.factor().unwrap().forward(&local_columns(&rail, count), Interruption::NEVER).unwrap();
     let panels: Vec<Arc<ReachedPanel>> = reached.into_iter().map(Arc::new).collect();
     bencher.bench(|| gram(black_box(&panels), 0, Interruption::NEVER));
 }
@@ -119,7 +119,7 @@ fn scalar_products(bencher: Bencher, (n, count): (usize, usize)) {
 #[divan::bench(args = SIZES, sample_count = SAMPLES, sample_size = 1)]
 fn solve_one(bencher: Bencher, (n, _): (usize, usize)) {
     let rail = square(n);
-    let factor = rail.factor();
+    let factor = rail.factor().unwrap();
     let mut column: Vec<f64> = (0..factor.order()).map(|i| (i as f64).sin()).collect();
     bencher.bench_local(|| factor.solve(black_box(&mut column)).unwrap());
 }

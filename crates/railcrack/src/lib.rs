@@ -58,6 +58,7 @@ pub mod load;
 pub mod material;
 pub mod math;
 pub mod mesh;
+mod nuclei;
 pub mod prelude;
 pub mod residual;
 pub mod shakedown;

@@ -124,7 +124,8 @@ pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) 
     };
     // A stored case says where the middle of the rail was.
     sections.settle(&RAIL, CENTRE, Value::Number(rail.extent.centre));
-    check_network(&sections, fluid.as_ref().is_some_and(Option::is_some), report);
+    let is_block = matches!(rail.boundary, Boundary::Block { .. });
+    check_network(&sections, (fluid.as_ref().is_some_and(Option::is_some), is_block), report);
     let solver = sections.one(&SOLVER)?;
     let case = Case {
         title: sections.one(&TOP)?.get(TITLE)?,
@@ -240,16 +241,19 @@ fn check_rolled(sections: &Sections, report: &mut Report) {
 /// bear a part of the contact.
 const SIDE_GAP: f64 = 1.0;
 
-/// Groups are for dry cracks, dislocations and Newton's method.
-fn check_network(sections: &Sections, has_fluid: bool, report: &mut Report) {
+/// Groups are for dry cracks in a half-plane and Newton's method.
+fn check_network(sections: &Sections, (has_fluid, is_block): (bool, bool), report: &mut Report) {
     let Some(solver) = sections.one(&SOLVER) else { return };
     if solver.get(NETWORK) != Some(NetworkContact::Groups) {
         return;
     }
     let help = "network = \"whole\" follows all cracks together, in either engine";
     let mut refuse = |says: &str| report.add(solver.fault(NETWORK, says).help(help));
-    if solver.get(ENGINE) != Some(Engine::Dislocation) {
-        refuse("is \"groups\", for which solver.engine must be \"dislocation\"");
+    if solver.get(ENGINE) == Some(Engine::Space) {
+        refuse("is \"groups\", which is for many cracks, and solver.engine is \"space\"");
+    }
+    if is_block {
+        refuse("is \"groups\", for which rail.boundary must be \"half-plane\"");
     }
     if solver.get(SOLVER_CONTACT) == Some(ContactSolver::Latin) {
         refuse("is \"groups\", for which solver.contact must be \"newton\"");

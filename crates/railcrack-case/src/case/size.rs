@@ -54,12 +54,19 @@ impl Case {
             Engine::Dislocation => (dislocation::face_points(&self.cracks, self.face_resolution()), 0, 0),
             // Errors of a plastic stress are reported by its reader; that of rolling is not there
             // yet.
-            Engine::Xfem => match self.finite_elements(self.given_plastic().as_ref()).size(&self.cracks) {
-                Ok(size) => {
-                    (size.face_points, size.mesh_unknowns + size.enriched_unknowns, size.factor_entries)
+            Engine::Xfem => {
+                let engine = self.finite_elements(self.given_plastic().as_ref());
+                let size = match self.network {
+                    NetworkContact::Whole => engine.size(&self.cracks),
+                    NetworkContact::Groups => engine.size_by_groups(&self.cracks),
+                };
+                match size {
+                    Ok(size) => {
+                        (size.face_points, size.mesh_unknowns + size.enriched_unknowns, size.factor_entries)
+                    }
+                    Err(_) => (0, 0, 0),
                 }
-                Err(_) => (0, 0, 0),
-            },
+            }
         };
         let unknowns = if self.engine == Engine::Space { 3 * face_points } else { 2 * face_points };
         let number = size_of::<f64>();

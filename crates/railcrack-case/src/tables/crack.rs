@@ -23,7 +23,7 @@ section! {
          plane engines take the crack as long along the surface.").optional();
     CRACK_LATERAL: f64 = number("lateral_mm", "mm", within(1e3), 0.0,
         "Lateral position of the middle of the crack, for the engine space; 0 without it.").optional();
-    COUNT: usize = integer("count", (1, 100), 1, "Number of cracks of a row, copies to the right included.");
+    COUNT: usize = integer("count", (1, 256), 1, "Number of cracks of a row, copies to the right included.");
     SPACING: f64 = number("spacing_mm", "mm", positive(1e4), 3.375,
         "Distance from one copy to the next; needed when count > 1. Cracks, copies or not, stand at least a thousandth of the \
          shorter one apart, and so do the points of a polyline.")

@@ -987,7 +987,7 @@ fn missing_and_double() {
             "`crack[1].spacing_mm = 3` needs it",
             "both or neither",
         ),
-        wrong(Append("count = 0\nspacing_mm = 3"), 10, "crack[1].count", "from 1 to 100", ""),
+        wrong(Append("count = 0\nspacing_mm = 3"), 10, "crack[1].count", "from 1 to 256", ""),
         wrong(Append("count = 3\nspacing_mm = 0"), 11, "crack[1].spacing_mm", "must be", ""),
         wrong(Append("[residual_stress]"), 10, "residual_stress.profile", "is missing", ""),
         wrong(Append("[traffic]"), 10, "traffic.axle_load_t", "is missing", ""),
@@ -1120,11 +1120,11 @@ fn cracks_that_meet_or_leave_the_rail() {
         ),
         wrong(
             Append(
-                "count = 50\nspacing_mm = 1.0\n[[crack]]\nmouth_mm = -99.0\nlength_mm = 6.0\nangle_deg = 15.0\nfriction = 0.5\ncount = 51\nspacing_mm = 1.0",
+                "count = 50\nspacing_mm = 1.0\n[[crack]]\nmouth_mm = -99.0\nlength_mm = 6.0\nangle_deg = 15.0\nfriction = 0.5\ncount = 207\nspacing_mm = 0.4",
             ),
             17,
             "crack[2]",
-            "more than 100 cracks",
+            "more than 256 cracks",
             "",
         ),
         wrong(

@@ -23,23 +23,35 @@ pub struct BlockStiffness {
     pub tips: Vec<TipGain>,
 }
 
-/// K of a tip in terms of the jump at the face point next to it: K_I = gain × opening, K_II = gain
-/// × slip.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// K of a tip in terms of the jumps at face points.
+#[derive(Debug, Clone, PartialEq)]
 pub struct TipGain {
-    /// The face point.
-    pub point: usize,
-    /// MPa √mm per mm.
-    pub gain: f64,
+    /// Face points with K_I and K_II per slip and per opening there, MPa √mm per mm.
+    pub points: Vec<(usize, [[f64; 2]; 2])>,
 }
 
 impl TipGain {
+    /// K_I = `gain` × opening, K_II = `gain` × slip at `point`, that next to the tip.
+    pub fn at(point: usize, gain: f64) -> Self {
+        Self { points: vec![(point, [[0.0, gain], [gain, 0.0]])] }
+    }
+
     /// S of tips with these `gains` for faces of C = `compliance`, mm^(−1/2).
     pub fn sif_influence(gains: &[Self], compliance: &Matrix) -> Matrix {
         let mut influence = Matrix::zeros(2 * gains.len(), compliance.columns());
-        for (tip, Self { point, gain }) in gains.iter().enumerate() {
-            for (mode, row) in [2 * point + 1, 2 * point].into_iter().enumerate() {
-                axpy(*gain, compliance.row(row), influence.row_mut(2 * tip + mode));
+        for (tip, Self { points }) in gains.iter().enumerate() {
+            for (point, gains) in points {
+                for (mode, gains) in gains.iter().enumerate() {
+                    for (component, &gain) in gains.iter().enumerate() {
+                        if gain != 0.0 {
+                            axpy(
+                                gain,
+                                compliance.row(2 * point + component),
+                                influence.row_mut(2 * tip + mode),
+                            );
+                        }
+                    }
+                }
             }
         }
         influence
@@ -62,7 +74,7 @@ pub struct RowPart {
     pub faces: FaceMesh,
     /// The tips, their cracks counted likewise.
     pub tips: Vec<CrackTip>,
-    /// K of these tips in terms of the jumps.
+    /// K of these tips in terms of the jumps in the part.
     pub gains: Vec<TipGain>,
     /// A, N/mm per mm.
     pub stiffness: Matrix,
@@ -131,7 +143,8 @@ impl BlockStiffness {
         }
         let own_tips = tips.iter().zip(&self.tips).enumerate().filter_map(|(number, (tip, gain))| {
             let tip = CrackTip { crack: own_crack(tip.crack)?, ..*tip };
-            Some((number, tip, TipGain { point: place[gain.point]?, ..*gain }))
+            let points = gain.points.iter().filter_map(|&(point, gains)| Some((place[point]?, gains)));
+            Some((number, tip, TipGain { points: points.collect() }))
         });
         let mut part = RowPart {
             faces: mesh,

@@ -34,12 +34,12 @@ impl BulkRail {
     ///
     /// Errors: none but those of the linear algebra.
     pub fn cancel(&self, fields: &[&dyn ElasticField]) -> Result<Vec<Vec<Vec2>>, BulkError> {
-        let order = self.factor().order();
+        let order = self.order();
         let mut columns = Vec::with_capacity(order * fields.len());
         for field in fields {
             columns.extend(self.forces(*field));
         }
-        self.factor().solve(&mut columns)?;
+        self.factor()?.solve(&mut columns)?;
         let at_nodes = |(field, free): (&&dyn ElasticField, &[f64])| {
             self.at_nodes(free, |point| -field.displacement(point))
         };
@@ -50,7 +50,7 @@ impl BulkRail {
     /// prescribed displacements of the held nodes exert.
     fn forces(&self, field: &dyn ElasticField) -> Vec<f64> {
         let mesh = self.mesh();
-        let mut forces = vec![0.0; self.factor().order()];
+        let mut forces = vec![0.0; self.order()];
         let stiffness = RectangleStiffness::new(self.steel());
         let rule = gauss_legendre(GAUSS_POINTS);
         for e in 0..mesh.element_count() {

@@ -7,6 +7,7 @@ use crate::linear::{ElementSum, LinearError, SparseCholesky, SparseFactor};
 use crate::material::IsotropicElastic;
 use crate::math::{Matrix, Vec2};
 use crate::mesh::{NODES, QuadMesh};
+use std::sync::OnceLock;
 use thiserror::Error;
 
 /// Errors of the uncracked rail.
@@ -77,7 +78,7 @@ pub enum BulkError {
 }
 
 /// The uncracked rail: a mesh of 8-node rectangles, supports, and the factor of the stiffness of
-/// the free unknowns.
+/// the free unknowns, made when it is first wanted or before.
 #[derive(Debug, Clone)]
 pub struct BulkRail {
     mesh: QuadMesh,
@@ -85,7 +86,9 @@ pub struct BulkRail {
     boundary: Boundary,
     /// Unknowns along x and y of each node; none where it is held.
     unknowns: Vec<[Option<usize>; 2]>,
-    factor: SparseFactor,
+    /// Number of free unknowns.
+    order: usize,
+    factor: OnceLock<SparseFactor>,
 }
 
 /// The stiffness of the free unknowns of a rail, element by element; N/mm per mm of thickness.
@@ -131,6 +134,19 @@ impl BulkRail {
         steel: &IsotropicElastic,
         boundary: Boundary,
     ) -> Result<Self, BulkError> {
+        let rail = Self::unfactored(mesh, steel, boundary)?;
+        rail.factored(interruption)?;
+        Ok(rail)
+    }
+
+    /// [`BulkRail::new`] without the factor.
+    ///
+    /// Errors: a top that is not at y = 0.
+    pub fn unfactored(
+        mesh: QuadMesh,
+        steel: &IsotropicElastic,
+        boundary: Boundary,
+    ) -> Result<Self, BulkError> {
         let top = mesh.y_lines()[mesh.rows()];
         if top != 0.0 {
             return Err(BulkError::Top { top });
@@ -144,12 +160,20 @@ impl BulkRail {
         };
         let unknowns: Vec<[Option<usize>; 2]> =
             boundary.nodes(&mesh).into_iter().map(|axes| axes.map(&mut number)).collect();
-        let of_rectangles = RectangleStiffness::new(steel);
-        let stiffness = RailStiffness { mesh: &mesh, unknowns: &unknowns, order: count, of_rectangles };
-        let order = mesh.nested_dissection().into_iter().flat_map(|node| unknowns[node]).flatten().collect();
+        Ok(Self { mesh, steel: *steel, boundary, unknowns, order: count, factor: OnceLock::new() })
+    }
+
+    /// The factor, made now where it is not there yet.
+    fn factored(&self, interruption: Interruption<'_>) -> Result<&SparseFactor, LinearError> {
+        if let Some(factor) = self.factor.get() {
+            return Ok(factor);
+        }
+        let nodes = self.mesh.nested_dissection().into_iter();
+        let order = nodes.flat_map(|node| self.unknowns[node]).flatten().collect();
+        let stiffness = self.stiffness();
         let analysed = SparseCholesky::analyse_unless(interruption, &stiffness, order)?;
         let factor = analysed.factor_unless(interruption, &stiffness)?;
-        Ok(Self { mesh, steel: *steel, boundary, unknowns, factor })
+        Ok(self.factor.get_or_init(|| factor))
     }
 
     /// The mesh.
@@ -182,14 +206,21 @@ impl BulkRail {
         RailStiffness {
             mesh: &self.mesh,
             unknowns: &self.unknowns,
-            order: self.factor.order(),
+            order: self.order,
             of_rectangles: RectangleStiffness::new(&self.steel),
         }
     }
 
-    /// Its factor.
-    pub fn factor(&self) -> &SparseFactor {
-        &self.factor
+    /// Number of free unknowns.
+    pub fn order(&self) -> usize {
+        self.order
+    }
+
+    /// The factor of the stiffness.
+    ///
+    /// Errors: a stiffness that cannot be factored.
+    pub fn factor(&self) -> Result<&SparseFactor, LinearError> {
+        self.factored(Interruption::NEVER)
     }
 
     /// Merges the displacements (mm) of the free unknowns with those of the `held` ones, node by

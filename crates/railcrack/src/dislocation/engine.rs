@@ -130,7 +130,7 @@ fn tip_gains(
         let point = ties.of(node)[0].0;
         // ⟦w⟧ = W √r / √r_1 on the tip element, and ⟦w⟧ = (8 K / E′) √(r / 2π).
         let root = walks[tip.crack].root_slope() / (element.range.1 - element.range.0);
-        TipGain { point, gain: modulus * std::f64::consts::TAU.sqrt() / 8.0 * root }
+        TipGain::at(point, modulus * std::f64::consts::TAU.sqrt() / 8.0 * root)
     };
     tips.iter().map(gain).collect()
 }

@@ -1,9 +1,9 @@
 //! Double integrals of the dislocation interaction over pairs of straight pieces.
 
-use super::kernel::{Interaction, collinear_constant, image_interaction, interaction};
 use crate::body::FacePiece as Piece;
 use crate::crack::{End, Walk, point_to_segment};
 use crate::math::{Vec2, gauss_legendre};
+use crate::nuclei::{Interaction, collinear_constant, image_interaction, interaction};
 
 /// Error of the integral over a pair of pieces, of its size. The flap above a crack at 1° is a
 /// million times more compliant in bending than in shear: with 1e-6 its energy is not positive.
@@ -17,11 +17,6 @@ pub(super) struct Rules(Vec<Vec<(f64, f64)>>);
 impl Rules {
     pub(super) fn new() -> Self {
         Self((0..=MOST_POINTS).map(gauss_legendre).collect())
-    }
-
-    /// The rule with the most points.
-    pub(super) fn largest(&self) -> &[(f64, f64)] {
-        &self.0[MOST_POINTS]
     }
 
     /// The rule for pieces at a distance of `ratio` times the longer one. The error is ρ^(−2n),
@@ -128,7 +123,7 @@ fn subdivided(
     }
 }
 
-pub(super) fn samples<'a>(
+fn samples<'a>(
     walk: &'a Walk,
     piece: &'a Piece,
     rule: &'a [(f64, f64)],

@@ -4,7 +4,6 @@ mod assembly;
 mod engine;
 mod integrals;
 mod junctions;
-mod kernel;
 mod nodes;
 mod row;
 

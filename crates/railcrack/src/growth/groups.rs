@@ -69,7 +69,8 @@ fn group(
     let compliance = spd_inverse(&stiffness)?;
     let before: usize = members.iter().take_while(|&&k| k != own).map(|&k| blocks.units[k].len()).sum();
     let own_points = before..before + blocks.units[own].len();
-    let is_own = |(tip, _): &(usize, usize)| own_points.contains(&gains[*tip].point);
+    let on_own = |crack: usize| faces.points[own_points.clone()].iter().any(|point| point.crack == crack);
+    let is_own = |(tip, _): &(usize, usize)| on_own(tips[*tip].crack);
     let numbers = tip_numbers.iter().copied().enumerate();
     let own_tips = numbers.filter(is_own).map(|(tip, number)| (number, tip)).collect();
     let friction = |&crack: &usize| {

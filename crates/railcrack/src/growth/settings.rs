@@ -26,7 +26,7 @@ impl Choice for NetworkContact {
             Self::Groups,
             Word::now(
                 "groups",
-                "each crack with its neighbours, in sweeps until they agree within network_tolerance, for dozens of cracks: dislocations, newton, no fluid",
+                "each crack with its neighbours, in sweeps until they agree within network_tolerance, for dozens of cracks in a half-plane: newton, no fluid, and no fields are written",
             ),
         ),
     ];

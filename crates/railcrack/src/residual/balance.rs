@@ -58,7 +58,7 @@ impl BalancedStress {
     pub fn new(rail: &BulkRail, plastic: impl Fn(Vec2) -> Stress + Sync) -> Result<Self, BulkError> {
         let nodal = at_nodes(rail, plastic);
         let mut forces = generalised_forces(rail, &nodal);
-        rail.factor().solve(&mut forces)?;
+        rail.factor()?.solve(&mut forces)?;
         let displacements = rail.at_nodes(&forces, |_| Vec2::default());
         let mesh = rail.mesh();
         let (along_x, along_y) = (gauss_lines(mesh.x_lines()), gauss_lines(mesh.y_lines()));
@@ -106,7 +106,7 @@ impl StressField for BalancedStress {
 /// ∫ 𝕂ε_p : ε(φ) (N/mm) for every unknown of the rail, with 𝕂ε_p given at its nodes (eq. 28).
 fn generalised_forces(rail: &BulkRail, nodal: &[Stress]) -> Vec<f64> {
     let mesh = rail.mesh();
-    let mut forces = vec![0.0; rail.factor().order()];
+    let mut forces = vec![0.0; rail.order()];
     let rule = gauss_legendre(RULE);
     for e in 0..mesh.element_count() {
         let element = mesh.element(e);

@@ -54,6 +54,35 @@ pub(super) fn reduced(
     columns: &mut ColumnStore,
     interruption: Interruption<'_>,
 ) -> Result<(CrackedBody, Inside), XfemError> {
+    let same = |crack: usize| crack;
+    let Reduced { body, inside, remarks } =
+        of_some_cracks(background, network, &same, settings, columns, interruption)?;
+    let remarks = of_thin_flaps(network).into_iter().chain(remarks.into_iter().flatten()).collect();
+    Ok((CrackedBody { remarks, ..body }, inside))
+}
+
+/// Remarks on thin flaps: at 2°, K is 0.6 % off.
+pub(super) fn of_thin_flaps(network: &CrackNetwork) -> Vec<String> {
+    thin_flaps(network, 2, "smaller elements (element_size_mm)")
+}
+
+/// A body, its inside and the remarks on its tips.
+pub(super) struct Reduced {
+    pub body: CrackedBody,
+    pub inside: Inside,
+    pub remarks: Vec<Vec<String>>,
+}
+
+/// The cracked rail with `network`, some of the cracks of a row; `number` is the index in the row
+/// of each of them.
+pub(super) fn of_some_cracks(
+    background: &Arc<BulkRail>,
+    network: &CrackNetwork,
+    number: &dyn Fn(usize) -> usize,
+    settings: XfemSettings,
+    columns: &mut ColumnStore,
+    interruption: Interruption<'_>,
+) -> Result<Reduced, XfemError> {
     let mut times = BodyTimes::default();
     let mut clock = Instant::now();
     let mut lap = || std::mem::replace(&mut clock, Instant::now()).elapsed().as_secs_f64();
@@ -66,15 +95,13 @@ pub(super) fn reduced(
     times.border_s = lap();
     let context =
         SifContext { mesh, cuts: &cuts, space: &space, interface: &interface, elasticity: &elasticity };
-    // At 2°, K is 0.6 % off.
-    let mut remarks = thin_flaps(network, 2, "smaller elements (element_size_mm)");
+    let mut remarks = Vec::new();
     let mut functionals: Vec<SifFunctional> = Vec::new();
     for (tip, &size) in sizes.iter().enumerate() {
         interruption.check()?;
-        let (domain, remark) = domain_of(&cuts, tip, size, &settings);
+        let (domain, remark) = domain_of(&cuts, tip, size, &settings, number);
         functionals.extend(context.functionals(tip, domain));
-        remarks.extend(remark);
-        remarks.extend(short_part(&cuts, tip, size));
+        remarks.push(remark.into_iter().chain(short_part(&cuts, tip, size, number)).collect());
     }
     times.sif_s = lap();
     let jumps = trace::jumps(background, &cuts, &space, &interface);
@@ -101,14 +128,14 @@ pub(super) fn reduced(
     let ends = (background.boundary() != Boundary::HalfPlane)
         .then(|| -> Arc<dyn RailEnds> { Arc::<BulkRail>::clone(background) });
     let body = CrackedBody {
-        dofs: background.factor().order() + space.unknowns(),
+        dofs: background.order() + space.unknowns(),
         ends,
         times,
-        remarks,
         ..CrackedBody::new(interface.faces.clone(), network.tips(), matrices)
     };
     let rail = Arc::clone(background);
-    Ok((body, Inside { rail, cuts, space, interface, duality, elimination }))
+    let inside = Inside { rail, cuts, space, interface, duality, elimination };
+    Ok(Reduced { body, inside, remarks })
 }
 
 /// The part of the cracked mesh that does not need its stiffness.

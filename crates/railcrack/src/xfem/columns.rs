@@ -167,7 +167,7 @@ mod tests {
             row[i] += square[0].1;
         };
         let Eliminated { factor, further } =
-            store.eliminated(rail.factor(), columns, square, Interruption::NEVER, fill).unwrap();
+            store.eliminated(rail.factor().unwrap(), columns, square, Interruption::NEVER, fill).unwrap();
         let right = Matrix::from_fn(1, BORDER, |_, j| (j as f64).cos());
         (factor.half_solve_rows(right, Interruption::NEVER).unwrap(), further)
     }
@@ -175,7 +175,7 @@ mod tests {
     #[test]
     fn reuse_changes_no_bit_wherever_the_columns_begin_to_differ() {
         let rail = rail();
-        let order = rail.factor().order();
+        let order = rail.order();
         let mut kept = ColumnStore::default();
         let mut seen = Vec::new();
         // Changes farther on, changes before the kept part of K_ee and of the columns, changes of

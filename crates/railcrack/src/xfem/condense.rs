@@ -80,7 +80,7 @@ impl System<'_> {
         store: &mut ColumnStore,
         interruption: Interruption<'_>,
     ) -> Result<Condensed, XfemError> {
-        let mesh = self.rail.factor().order() as f64;
+        let mesh = self.rail.order() as f64;
         if self.border.unknowns as f64 <= DENSE * mesh.sqrt() {
             self.by_border(store, interruption)
         } else {
@@ -119,7 +119,7 @@ impl System<'_> {
             row[i] += if scale[i] > 0.0 { REDUNDANT } else { 1.0 };
         };
         let Eliminated { factor, further } =
-            store.eliminated(self.rail.factor(), free, square, interruption, fill)?;
+            store.eliminated(self.rail.factor()?, free, square, interruption, fill)?;
         let faces = self.jumps.len();
         let mut right = Matrix::zeros(faces + self.functionals.len(), n);
         for (i, row) in self.jumps.iter().enumerate() {
@@ -146,7 +146,7 @@ impl System<'_> {
     }
 
     pub(super) fn together(&self, interruption: Interruption<'_>) -> Result<Condensed, XfemError> {
-        let mesh = self.rail.factor().order();
+        let mesh = self.rail.order();
         let redundant = |own: f64| if own > 0.0 { REDUNDANT * own } else { 1.0 };
         let added = self.border.diagonal().into_iter().map(redundant).collect();
         let stiffness = EnrichedStiffness::new(self.rail, self.border, added);
@@ -180,7 +180,7 @@ impl System<'_> {
     /// The nested dissection of the mesh, in which each node is accompanied by its enrichments:
     /// they have their support on the elements around it, like its own functions.
     fn order(&self) -> Vec<usize> {
-        let mesh = self.rail.factor().order();
+        let mesh = self.rail.order();
         let mut of_node: Vec<Vec<usize>> = vec![Vec::new(); self.rail.mesh().node_count()];
         for (i, enrichment) in self.space.enrichments.iter().enumerate() {
             let (Enrichment::Part { node, .. } | Enrichment::Tip { node, .. }) = enrichment;
@@ -217,10 +217,10 @@ impl Elimination {
         tractions: &[Vec<f64>],
         nodes: impl Iterator<Item = usize>,
     ) -> Result<Unknowns, XfemError> {
-        let mesh = rail.factor().order();
+        let mesh = rail.order();
         let mut enriched = self.enriched(tractions)?;
         let (factor, mut together) = match self {
-            Self::Border { coupling, .. } => (rail.factor(), pulls(rail, coupling, &enriched)),
+            Self::Border { coupling, .. } => (rail.factor()?, pulls(rail, coupling, &enriched)),
             Self::Together { factor, jumps } => {
                 (factor.as_ref(), under_tractions(jumps, tractions, factor.order()))
             }
@@ -277,7 +277,7 @@ pub(super) struct Unknowns {
 /// Right-hand sides −K_se u_e of the standard unknowns from `enriched` unknowns, a row for each of
 /// some loads.
 fn pulls(rail: &BulkRail, coupling: &[Entries], enriched: &[Vec<f64>]) -> Matrix {
-    let mut right = Matrix::zeros(enriched.len(), rail.factor().order());
+    let mut right = Matrix::zeros(enriched.len(), rail.order());
     for (k, enriched) in enriched.iter().enumerate() {
         let right = right.row_mut(k);
         for (column, value) in coupling.iter().zip(enriched) {

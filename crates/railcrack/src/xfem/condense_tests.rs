@@ -71,7 +71,7 @@ fn dense_border_and_one_factorisation_agree() {
     let standard = |elimination: &Elimination| {
         let nodes = 0..rail.mesh().node_count();
         let unknowns = elimination.unknowns(rail, &tractions, nodes).unwrap();
-        unknowns.standard.row(0)[..rail.factor().order()].to_vec()
+        unknowns.standard.row(0)[..rail.order()].to_vec()
     };
     let (one, other) = (standard(&elimination), standard(&together.elimination));
     let u = largest_difference(

@@ -26,12 +26,13 @@ enum Neighbour {
 /// The domain of tip `tip`, around which elements are `size` (mm) large: as in `settings`, but no
 /// farther than the nearest other crack or the running surface, down to [`SMALLEST`]. Neighbours
 /// inside the smallest domain contribute to its integral through their faces. The remark reports a
-/// neighbour that is too near.
+/// neighbour that is too near; `number` is the index, for its reader, of a crack.
 pub(super) fn domain_of(
     cuts: &Cuts,
     tip: usize,
     size: f64,
     settings: &XfemSettings,
+    number: &dyn Fn(usize) -> usize,
 ) -> (SifDomain, Option<String>) {
     let inner = settings.domain_inner * size;
     let wanted = settings.domain_outer * size;
@@ -42,13 +43,13 @@ pub(super) fn domain_of(
         let path = &cuts.tips[tip];
         let at = path.position();
         let near = match neighbour {
-            Neighbour::Crack(crack) => format!("crack {}", crack + 1),
+            Neighbour::Crack(crack) => format!("crack {}", number(crack) + 1),
             Neighbour::Surface => "the running surface".to_owned(),
         };
         format!(
             "crack {}: its tip at ({:.3}, {:.3}) mm is {distance:.3} mm from {near}, {:.2} of an element: its K cannot be trusted; smaller \
              elements (element_size_mm) resolve it",
-            path.crack + 1,
+            number(path.crack) + 1,
             at.x,
             at.y,
             distance / size
@@ -64,7 +65,12 @@ pub(super) fn domain_of(
 const TRUSTED_PART: f64 = 1.25;
 
 /// A remark on a last segment after a sharp kink that elements of `size` (mm) do not resolve.
-pub(super) fn short_part(cuts: &Cuts, tip: usize, size: f64) -> Option<String> {
+pub(super) fn short_part(
+    cuts: &Cuts,
+    tip: usize,
+    size: f64,
+    number: &dyn Fn(usize) -> usize,
+) -> Option<String> {
     let path = &cuts.tips[tip];
     let (from, to) = path.last_segment();
     let length = (to - from).length();
@@ -72,7 +78,7 @@ pub(super) fn short_part(cuts: &Cuts, tip: usize, size: f64) -> Option<String> {
     Some(format!(
         "crack {}: its tip at ({:.3}, {:.3}) mm is {length:.3} mm behind a kink of {:.0}°, {:.2} of an element: its K under friction cannot be \
          trusted; larger increments, or smaller elements (element_size_mm), resolve it",
-        path.crack + 1,
+        number(path.crack) + 1,
         to.x,
         to.y,
         turn.to_degrees(),

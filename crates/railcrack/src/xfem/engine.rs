@@ -3,7 +3,9 @@
 use super::body::{Discretisation, cracked_body_with};
 use super::columns::ColumnStore;
 use super::error::XfemError;
+use super::row::MeshedRow;
 use super::settings::XfemSettings;
+use super::size::{XfemSize, factor_entries};
 use super::window::{Layers, MeshSettings, Window};
 use crate::body::{BodyEngine, BodyError, CrackedBody};
 use crate::bulk::{BottomSupport, Boundary, BulkRail, SideSupport};
@@ -57,23 +59,6 @@ impl RailEnd {
             Self::Block { bottom, sides, .. } => Boundary::Block { bottom, sides },
         }
     }
-}
-
-/// Entries of the factor over n log2 n: nested dissection of a plane grid, measured from 20k to 60k
-/// unknowns.
-const FACTOR_ENTRIES: f64 = 6.0;
-
-/// Size of a cracked rail in finite elements.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct XfemSize {
-    /// Displacement unknowns of the mesh.
-    pub mesh_unknowns: usize,
-    /// Unknowns of the enrichments.
-    pub enriched_unknowns: usize,
-    /// Points of the crack faces.
-    pub face_points: usize,
-    /// Entries of the factor, estimated.
-    pub factor_entries: usize,
 }
 
 /// Extended finite elements for all growth steps of a run. The mesh is laid around the initial
@@ -166,8 +151,19 @@ impl XfemEngine {
             mesh_unknowns,
             enriched_unknowns: space.unknowns(),
             face_points: interface.faces.points.len(),
-            factor_entries: (FACTOR_ENTRIES * mesh_unknowns as f64 * (mesh_unknowns as f64).log2()) as usize,
+            factor_entries: factor_entries(mesh_unknowns),
         })
+    }
+
+    /// Size of the systems of `network` by groups.
+    pub fn size_by_groups(&self, network: &CrackNetwork) -> Result<XfemSize, XfemError> {
+        let (window, _) = self.window_for(network);
+        self.row(network, &window).size()
+    }
+
+    fn row<'a>(&'a self, network: &'a CrackNetwork, window: &'a Window) -> MeshedRow<'a> {
+        let (extent, settings) = (self.end.extent(window), self.settings);
+        MeshedRow { network, steel: &self.steel, window, extent, settings }
     }
 
     /// The window that holds `network`, and its predecessor in the sequence of enlargements, if
@@ -219,7 +215,24 @@ impl XfemEngine {
         let mut body =
             cracked_body_with(background, network, self.settings, &mut self.columns, interruption)?;
         body.times.mesh_s = mesh_s;
-        // Told by the crack alone, so that a run that is taken up here says the same.
+        self.remark_on_window(network, &mut body);
+        Ok(body)
+    }
+
+    fn by_groups(
+        &self,
+        interruption: Interruption<'_>,
+        network: &CrackNetwork,
+    ) -> Result<CrackedBody, XfemError> {
+        let (window, _) = self.window_for(network);
+        let mut body = self.row(network, &window).body(interruption)?;
+        self.remark_on_window(network, &mut body);
+        Ok(body)
+    }
+
+    /// Tells that the window was enlarged, by the cracks alone, so that a run that is taken up here
+    /// says the same.
+    fn remark_on_window(&self, network: &CrackNetwork, body: &mut CrackedBody) {
         let (window, before) = self.window_for(network);
         if before.is_some_and(|before| before.was_left_by(network)) {
             body.remarks.push(format!(
@@ -227,7 +240,6 @@ impl XfemEngine {
                 window.lower.x, window.upper.x, -window.lower.y
             ));
         }
-        Ok(body)
     }
 }
 
@@ -238,6 +250,21 @@ impl BodyEngine for XfemEngine {
         network: &CrackNetwork,
     ) -> Result<CrackedBody, BodyError> {
         self.cracked(interruption, network).map_err(|reason| BodyError { reason: Box::new(reason) })
+    }
+
+    /// None of a block, in which forces between cracks that are far apart are not those of the
+    /// half-plane.
+    fn body_by_groups(
+        &mut self,
+        interruption: Interruption<'_>,
+        network: &CrackNetwork,
+    ) -> Result<Option<CrackedBody>, BodyError> {
+        if self.end.boundary() != Boundary::HalfPlane {
+            return Ok(None);
+        }
+        self.by_groups(interruption, network)
+            .map(Some)
+            .map_err(|reason| BodyError { reason: Box::new(reason) })
     }
 
     fn forget(&mut self) {

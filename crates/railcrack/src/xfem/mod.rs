@@ -18,18 +18,22 @@ mod interface;
 mod junctions;
 mod path;
 mod quadrature;
+mod row;
+mod row_part;
 mod settings;
 mod sif;
+mod size;
 mod space;
 mod trace;
 mod window;
 
 pub use body::{cracked_body, cracked_body_with};
 pub use columns::ColumnStore;
-pub use engine::{RailEnd, XfemEngine, XfemSize};
+pub use engine::{RailEnd, XfemEngine};
 pub use error::XfemError;
 pub use settings::{EnrichmentRadius, XfemSettings};
 pub use sif::SifDomain;
+pub use size::XfemSize;
 pub use window::{Layers, MOST_MESH_UNKNOWNS, MeshSettings, Window, default_element_sizes};
 
 #[cfg(test)]

@@ -218,7 +218,7 @@ fn superposition_of_a_discrete_field() {
     let unknown = |i: usize| rail.unknowns(i / 2)[i % 2].unwrap();
     let mut u0 = vec![0.0; free.len()];
     free.iter().for_each(|&i| u0[unknown(i)] = forces[i]);
-    rail.factor().solve(&mut u0).unwrap();
+    rail.factor().unwrap().solve(&mut u0).unwrap();
     let column = |k: usize| SparseColumn {
         entries: free
             .iter()
@@ -228,8 +228,14 @@ fn superposition_of_a_discrete_field() {
     };
     let enriched = n - standard;
     let columns: Vec<SparseColumn> = (0..enriched).map(column).collect();
-    let panels: Vec<_> =
-        rail.factor().forward(&columns, Interruption::NEVER).unwrap().into_iter().map(Arc::new).collect();
+    let panels: Vec<_> = rail
+        .factor()
+        .unwrap()
+        .forward(&columns, Interruption::NEVER)
+        .unwrap()
+        .into_iter()
+        .map(Arc::new)
+        .collect();
     let products = crate::linear::gram(&panels, 0, Interruption::NEVER).unwrap();
     let scale: Vec<f64> = (0..enriched)
         .map(|i| dense.matrix[(standard + i, standard + i)])
@@ -248,7 +254,7 @@ fn superposition_of_a_discrete_field() {
     for (column, ue) in columns.iter().zip(&ue) {
         column.entries.iter().for_each(|&(k, value)| v[k] -= value * ue);
     }
-    rail.factor().solve(&mut v).unwrap();
+    rail.factor().unwrap().solve(&mut v).unwrap();
     let mut sum = vec![0.0; n];
     free.iter().for_each(|&i| sum[i] = u0[unknown(i)] + v[unknown(i)]);
     sum[standard..].copy_from_slice(&ue);

@@ -118,7 +118,7 @@ const MOUTH_ELEMENT: f64 = 1.0 / 300.0;
 const MOUTH_GRADING: f64 = 0.35;
 /// Growth of elements outside of the window: length per distance. Quadratic elements follow the
 /// decay of the field there.
-const OUTER_GRADING: f64 = 0.4;
+pub(super) const OUTER_GRADING: f64 = 0.4;
 /// Angle (radians) of the branch for which the window makes room: kinks at ±70.5° maximise the
 /// opening of a shear crack.
 const BRANCH: f64 = 1.25;
@@ -236,12 +236,18 @@ impl Window {
     ///
     /// Errors: more than [`MOST_MESH_UNKNOWNS`]; grid lines that round-off lets coincide.
     pub fn mesh(&self, extent: RailBox) -> Result<QuadMesh, MeshError> {
+        let (x, y) = self.mesh_lines(extent)?;
+        QuadMesh::new(x, y)
+    }
+
+    /// The lines of [`Window::mesh`] along x and y.
+    pub(super) fn mesh_lines(&self, extent: RailBox) -> Result<(Vec<f64>, Vec<f64>), MeshError> {
         let (x, y) = self.gradings(extent);
         let unknowns = mesh_unknowns(&x, &y);
         if unknowns.is_nan() || unknowns > MOST_MESH_UNKNOWNS {
             return Err(MeshError::TooManyUnknowns { unknowns, most: MOST_MESH_UNKNOWNS });
         }
-        QuadMesh::new(x.lines(), y.lines())
+        Ok((x.lines(), y.lines()))
     }
 
     /// Displacement unknowns of the mesh of `extent`, computed without making it; infinite where

@@ -134,7 +134,7 @@ fn outcome(rail: &Arc<BulkRail>, crack: Crack) -> Outcome {
 #[test]
 fn agree_with_dislocations() {
     let rail = rail();
-    println!("{} unknowns", rail.factor().order());
+    println!("{} unknowns", rail.order());
     let mut random = Awkward(Random(1));
     let mut cracks = Vec::new();
     while cracks.len() < CRACKS {

@@ -1,0 +1,114 @@
+//! A between cracks that are far apart, by an interpolation of the interaction of dislocations.
+
+use super::kernel::interaction;
+use super::units::{Extent, Units};
+use crate::body::{FaceElement, FaceMesh, FarStiffness};
+use crate::crack::Walk;
+use crate::math::{Matrix, Vec2, gauss_legendre};
+use rayon::prelude::*;
+
+/// Gauss points on each piece of an element.
+const POINTS: usize = 8;
+
+/// Dislocations that follow the jumps at face points.
+pub(crate) struct Source<'a> {
+    pub place: Place<'a>,
+    /// Their Burgers vector over the jumps at these points, which are counted within the unit.
+    pub follows: Vec<(usize, f64)>,
+}
+
+/// Where dislocations are.
+pub(crate) enum Place<'a> {
+    /// Those on an element: the jump changes evenly in the parameter of the walk.
+    Element(&'a FaceElement),
+    /// One at a point (mm) of a crack.
+    Point { crack: usize, at: Vec2 },
+}
+
+/// A row of cracks and the dislocations on them.
+pub(crate) struct FarRow<'a> {
+    pub units: &'a Units,
+    pub walks: &'a [Walk],
+    pub faces: &'a FaceMesh,
+    /// The face points of each unit.
+    pub points: &'a [Vec<usize>],
+    /// The dislocations of each unit.
+    pub sources: &'a [Vec<Source<'a>>],
+    /// E′, MPa.
+    pub modulus: f64,
+}
+
+impl FarRow<'_> {
+    /// A between all units that are not near to each other.
+    pub fn stiffness(&self) -> FarStiffness {
+        let count = self.units.cracks.len();
+        let moments = (0..count).into_par_iter().map(|k| self.moments(k)).collect();
+        let of_crack = |&crack: &usize| self.units.extents[crack].nodes();
+        let nodes: Vec<Vec<Vec2>> =
+            self.units.cracks.iter().map(|cracks| cracks.iter().flat_map(of_crack).collect()).collect();
+        let far = |k: usize| {
+            let apart = (0..count).filter(|&l| !self.units.are_near(k, l));
+            apart.map(|l| (l, self.between(&nodes[k], &nodes[l]))).collect()
+        };
+        FarStiffness { moments, between: (0..count).into_par_iter().map(far).collect() }
+    }
+
+    fn moments(&self, k: usize) -> Matrix {
+        let (cracks, points) = (&self.units.cracks[k], &self.points[k]);
+        let rank = 2 * Extent::NODES;
+        let rule = gauss_legendre(POINTS);
+        let mut moments = Matrix::zeros(2 * points.len(), rank * cracks.len());
+        for Source { place, follows } in &self.sources[k] {
+            let (crack, weights) = self.weights(place, &rule);
+            let Some(number) = cracks.iter().position(|&own| own == crack) else { continue };
+            for &(point, factor) in follows {
+                let frame = &self.faces.points[points[point]];
+                for (c, axis) in [frame.tangent, frame.tangent.left()].into_iter().enumerate() {
+                    let row = moments.row_mut(2 * point + c);
+                    for (q, weight) in weights.iter().enumerate() {
+                        let at = rank * number + 2 * q;
+                        row[at] += factor * weight * axis.x;
+                        row[at + 1] += factor * weight * axis.y;
+                    }
+                }
+            }
+        }
+        moments
+    }
+
+    /// The crack of dislocations, and the weights of its box's Chebyshev points: for an element
+    /// ∫ L_q(z(g)) dg over its range.
+    fn weights(&self, place: &Place<'_>, rule: &[(f64, f64)]) -> (usize, Vec<f64>) {
+        match *place {
+            Place::Point { crack, at } => (crack, self.units.extents[crack].weights(at)),
+            Place::Element(element) => {
+                let mut sum = vec![0.0; Extent::NODES];
+                for piece in &element.pieces {
+                    let (start, width) = (piece.range.0, piece.range.1 - piece.range.0);
+                    for &(t, w) in rule {
+                        let point = self.walks[piece.crack].position(piece.segment, start + t * width);
+                        let weights = self.units.extents[element.crack].weights(point);
+                        sum.iter_mut().zip(weights).for_each(|(sum, l)| *sum += w * width * l);
+                    }
+                }
+                let range = element.range.1 - element.range.0;
+                sum.iter_mut().for_each(|value| *value /= range);
+                (element.crack, sum)
+            }
+        }
+    }
+
+    fn between(&self, one: &[Vec2], other: &[Vec2]) -> Matrix {
+        let scale = self.modulus / (8.0 * std::f64::consts::PI);
+        let mut matrix = Matrix::zeros(2 * one.len(), 2 * other.len());
+        for (i, &z) in one.iter().enumerate() {
+            for (j, &z0) in other.iter().enumerate() {
+                let e = interaction(z, z0);
+                for c in 0..4 {
+                    matrix[(2 * i + c / 2, 2 * j + c % 2)] = scale * e[c];
+                }
+            }
+        }
+        matrix
+    }
+}
