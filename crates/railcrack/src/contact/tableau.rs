@@ -281,8 +281,8 @@ impl<'a> Tableau<'a> {
         Ok(answer)
     }
 
-    /// Gives `answer`, that of the basis to `action`, the inputs at which the present conditions are
-    /// met.
+    /// Gives `answer`, that of the basis to `action`, the inputs at which the present conditions
+    /// are met.
     fn meet_conditions(&self, action: Action, answer: &mut Answer) -> Result<(), Degenerate> {
         let Answer { input, output, changes } = answer;
         let components = &self.differences.components;

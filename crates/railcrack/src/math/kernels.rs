@@ -31,7 +31,8 @@ pub(crate) fn add_rows_to_each<'m>(
     Arch::new().dispatch(AddRows { weights, rows: &rows, ys });
 }
 
-/// y += Σ weights_k row(chosen_k) of a matrix whose entries stand row by row, each row as long as y.
+/// y += Σ weights_k row(chosen_k) of a matrix whose entries stand row by row, each row as long as
+/// y.
 pub(crate) fn add_chosen_rows(weights: &[f64], (entries, chosen): (&[f64], &[usize]), y: &mut [f64]) {
     Arch::new().dispatch(AddChosenRows { weights, entries, chosen, y });
 }
