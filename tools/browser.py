@@ -81,6 +81,7 @@ class Browser:
         self.send("Page.navigate", url=Path(path).resolve().as_uri())
         self.until("document.readyState === 'complete'")
         self.until("!document.getElementById('explorer') || document.getElementById('explorer').dataset.ready === 'true' || document.querySelector('.failure')")
+        self.until("!document.getElementById('row-map') || document.getElementById('row-map').dataset.ready === 'true' || document.querySelector('.failure')")
         self.until("!document.getElementById('study-table') || document.getElementById('study-table').dataset.ready === 'true' || document.querySelector('.failure')")
         self.until("!document.getElementById('neighbourhood') || document.getElementById('neighbourhood').dataset.ready === 'true' || document.querySelector('.failure')")
         self.settle()

@@ -128,9 +128,9 @@ class Checks:
             self.failed += 1
             print("FAILED:", what, *about, flush=True)
 
-    def near(self, value, want, what, relative=2e-5):
+    def near(self, value, want, what, relative=2e-5, absolute=1e-6):
         """Numbers in the page have six digits."""
-        close = value is not None and abs(float(value) - want) <= relative * abs(want) + 1e-6
+        close = value is not None and abs(float(value) - want) <= relative * abs(want) + absolute
         self.that(close, what, f"is {value}, the table has {want}")
 
 
@@ -258,22 +258,30 @@ def check_explorer(browser, checks, name, folder):
     growth = table(folder / "growth.csv")
     steps = sorted({int(row["step"]) for row in growth})
     position = 1
+    # Of many cracks the page has each while the wheel is near, and begins with one that has a name.
+    windows, named = browser.run("(({ windows, named }) => [windows, named])(JSON.parse(document.getElementById('run-data').textContent))")
+    crack = named[0] if windows else 1
 
     def check_k(step):
         here = [row for row in sif if int(row["step"]) == step and int(row["position"]) == position]
-        many = len(here) > 9
-        here = [row for row in here if not many or row["crack"] == "1"]
+        many = windows is not None or len(here) > 9
+        here = [row for row in here if not many or row["crack"] == str(crack)]
+        if windows and not windows[crack - 1][0] <= position - 1 <= windows[crack - 1][1]:
+            checks.that(not marks(browser, "kii"), f"{name}: no K of crack {crack} with the wheel far away, position {position}")
+            return
         for figure, column in [("ki", "ki_mpa_sqrt_m"), ("kii", "kii_mpa_sqrt_m")]:
+            # Half a level between the extremes of a history, of which there are 65536.
+            span = max(abs(float(row[column])) for row in sif if row["crack"] == str(crack)) if windows else 0.0
             there = marks(browser, figure)
             what = f"{name}: {figure}, step {step}, position {position}"
             checks.that(len(there) == len(here), f"{what}: a mark for each tip", there)
             for (x, k), row in zip(there, here):
                 checks.near(x, float(row["xc_over_a"]), f"{what}, wheel")
-                checks.near(k, float(row[column]), what)
+                checks.near(k, float(row[column]), what, absolute=max(1e-6, 2e-5 * span))
         checks.near(browser.run("document.querySelector('#scene svg').dataset.centre"), float(here[0]["xc_mm"]), f"{name}: the wheel over the cracks")
         if "fluid_mpa" in here[0] and not many:
             check_fluid(browser, checks, f"{name}: fluid, step {step}, position {position}", here)
-        for figure in ["face-status", "face-pressure"]:
+        for figure in ["face-status", "face-pressure"] if not windows or step in (steps[0], steps[-1]) else []:
             line = browser.run(f"document.querySelector('#{figure} line.here')?.dataset.x")
             checks.near(line, float(here[0]["xc_over_a"]), f"{name}: the line on {figure}")
 
@@ -294,7 +302,12 @@ def check_explorer(browser, checks, name, folder):
     position = positions - positions // 2
     check_k(steps[0])
     checks.that(browser.run("document.querySelector('#scene svg').innerHTML") != before, f"{name}: the picture of the load follows")
-    check_faces(browser, checks, name, folder, 0, position)
+    if windows:
+        position = 1 + sum(windows[crack - 1]) // 2
+        browser.run(f"(() => {{ const e = document.getElementById('wheel'); e.value = {position - 1}; e.dispatchEvent(new Event('input')); }})()")
+        browser.settle()
+        check_k(steps[0])
+    check_faces(browser, checks, name, folder, 0, position, crack)
     if len(steps) > 1:
         shown = browser.run("JSON.parse(document.getElementById('run-data').textContent).steps.map((s) => s.step)")
         browser.run("document.getElementById('step').focus()")
@@ -306,7 +319,7 @@ def check_explorer(browser, checks, name, folder):
         browser.until(f"document.getElementById('step-value').textContent.startsWith('{shown[-1]} of')")
         browser.settle()
         check_k(shown[-1])
-        rows = [row for row in growth if int(row["step"]) == shown[-1]]
+        rows = [row for row in growth if int(row["step"]) == shown[-1] and (not windows or row["crack"] == str(crack))]
         for figure, columns in [("length-cycles", ("load_cycles", "length_mm")), ("rate-length", ("length_mm", "rate_mm_per_cycle"))]:
             rows_shown = rows if figure == "length-cycles" else [row for row in rows if float(row["rate_mm_per_cycle"]) > 0]
             there = marks(browser, figure)
@@ -314,7 +327,7 @@ def check_explorer(browser, checks, name, folder):
             for (x, y), row in zip(there, rows_shown):
                 checks.near(x, float(row[columns[0]]), f"{name}: {figure}, {columns[0]}")
                 checks.near(y, float(row[columns[1]]), f"{name}: {figure}, {columns[1]}")
-        check_faces(browser, checks, name, folder, shown[-1], position)
+        check_faces(browser, checks, name, folder, shown[-1], position, crack)
         # The page's own keys.
         browser.run("document.activeElement.blur(); document.getElementById('ki').scrollIntoView({block: 'center'})")
         browser.key("ArrowDown")
@@ -375,13 +388,13 @@ def hover(browser, checks, name):
     checks.that("K_II" in text and "MPa" in text and "x_c/a" in text, f"{name}: hover gives values", text)
 
 
-def check_faces(browser, checks, name, folder, step, position):
+def check_faces(browser, checks, name, folder, step, position, crack):
     """The map under the pointer, and the deformed crack, against faces.csv."""
     last = {}
     rows = []
     with open(folder / "faces.csv", newline="") as file:
         for row in csv.DictReader(line for line in file if line.startswith((f"{step},", "step,"))):
-            if row["crack"] == "1" and int(row["position"]) == position:
+            if row["crack"] == str(crack) and int(row["position"]) == position:
                 last.setdefault(row["passage"], []).append(row)
     rows = list(last.values())[-1]
     stride = browser.run("JSON.parse(document.getElementById('run-data').textContent).face_stride")
@@ -406,6 +419,98 @@ def check_faces(browser, checks, name, folder, step, position):
     caption = browser.run("document.getElementById('deformed-caption').textContent")
     opening = float(caption.split("largest opening is ")[1].split(" ")[0].replace("\u2212", "-").replace("\u00a0", ""))
     checks.that(abs(opening - largest) <= 2e-3 * largest + 2e-2, f"{name}: opening of the deformed crack", caption, largest)
+
+
+def check_row(browser, checks, name, folder):
+    """The map of many cracks: by keyboard and pointer, at every width, on paper; what it says is in growth.csv."""
+    browser.open(folder / "report.html")
+    if not browser.run("Boolean(document.getElementById('row-map'))"):
+        return
+    growth = table(folder / "growth.csv")
+    mouths = browser.run("JSON.parse(document.getElementById('row-data').textContent).mouth")
+    count, last = len(mouths), max(int(row["step"]) for row in growth)
+    along = sorted(range(1, count + 1), key=lambda crack: mouths[crack - 1])
+    number = lambda text: float(text.replace("\u2212", "-").replace("\u00a0", ""))
+    value = lambda id: browser.run(f"document.getElementById('{id}').value")
+    readout = lambda: browser.run("document.getElementById('row-readout').textContent")
+
+    def check_chosen(crack, step, what):
+        text = readout()
+        checks.that(text.startswith(f"Crack {crack} "), f"{name}: {what} chooses crack {crack}", text)
+        checks.that(value("row-crack") == str(crack) and value("crack") == str(crack), f"{name}: {what}, the whole page follows", value("row-crack"), value("crack"))
+        lengths = [float(row["length_mm"]) for row in growth if row["crack"] == str(crack) and int(row["step"]) <= step]
+        checks.near(number(text.split(" mm: ")[1].split(" mm long")[0]), lengths[-1], f"{name}: {what}, the length of crack {crack} in step {step}", relative=1e-3)
+        for chart in ["length-cycles", "rate-length"]:
+            widest = browser.run(f"Math.max(...[...document.querySelectorAll('#{chart} .drawing svg g[aria-label=line] path')].map((line) => parseFloat(getComputedStyle(line).strokeWidth)))")
+            checks.that(last == 0 or widest > 3, f"{name}: {what}, crack {crack} is brought out on {chart}", widest)
+
+    drawing = "document.querySelector('#row-figure .drawing')"
+    for width in WIDTHS:
+        browser.open(folder / "report.html", width=width)
+        browser.run(f"{drawing}.focus()")
+        browser.key("Home")
+        check_chosen(along[0], last, f"Home at {width} px")
+        browser.key("ArrowRight", 2)
+        check_chosen(along[2], last, f"→ at {width} px")
+        browser.key("End")
+        check_chosen(along[-1], last, f"End at {width} px")
+        if last:
+            browser.key("ArrowDown")
+            step = browser.run(f"+{drawing}.querySelector('svg').dataset.step")
+            checks.that(step < last, f"{name}: ↓ goes a step back at {width} px", step)
+            check_chosen(along[-1], step, f"step {step} at {width} px")
+            browser.key("ArrowUp")
+        for up in browser.run("[...document.getElementById('row-up').options].map((o) => o.value)"):
+            browser.run(f"(() => {{ const e = document.getElementById('row-up'); e.value = '{up}'; e.dispatchEvent(new Event('change')); }})()")
+            drawn = browser.run("new Set([...document.querySelectorAll('#row-figure .crack')].map((mark) => mark.parentNode.dataset.crack)).size")
+            # A rate of nothing has no place on a logarithmic axis, an angle none at a point.
+            checks.that(drawn == count or (up in ("rate", "mgt", "angle") and drawn > 0), f"{name}: every crack is on the map by {up} at {width} px", drawn, count)
+            overlaps = browser.run(OVERLAPS)
+            checks.that(not overlaps, f"{name}: by {up} at {width} px no text overlaps another", overlaps[:3])
+        browser.run("(() => { const e = document.getElementById('row-up'); e.value = 'depth'; e.dispatchEvent(new Event('change')); })()")
+        coloured = set()
+        for colour in browser.run("[...document.getElementById('row-colour').options].map((o) => o.value)"):
+            browser.run(f"(() => {{ const e = document.getElementById('row-colour'); e.value = '{colour}'; e.dispatchEvent(new Event('change')); }})()")
+            coloured.add(browser.run("[...document.querySelectorAll('#row-figure .crack')].map((mark) => mark.getAttribute('stroke')).join()"))
+            checks.that(browser.run("document.querySelectorAll('#row-figure .legend li').length") > 0, f"{name}: {colour} is explained")
+        checks.that(len(coloured) > 2, f"{name}: the colours follow the choice", len(coloured))
+        wide = browser.run("document.scrollingElement.scrollWidth - innerWidth")
+        checks.that(wide <= 0, f"{name}: nothing sticks out of the map at {width} px", wide)
+        apart = browser.run(f"+{drawing}.querySelector('svg').dataset.rows")
+        checks.that(width > 390 or count < 60 or apart > 1, f"{name}: on a phone a long row goes on in lines", apart)
+    # By pointer, at the middle of a crack that is not chosen.
+    browser.box("#row-figure .drawing svg")
+    crack, left, top = browser.run(
+        "(() => { const mark = [...document.querySelectorAll('#row-figure g[data-crack]')][4].querySelector('.crack'); const at = mark.getPointAtLength(0.5 * mark.getTotalLength());"
+        " const point = new DOMPoint(at.x, at.y).matrixTransform(mark.getScreenCTM()); return [+mark.parentNode.dataset.crack, point.x, point.y]; })()")
+    browser.mouse(left, top)
+    told = browser.run("document.getElementById('row-value').textContent")
+    checks.that(told.startswith(f"Crack {crack} "), f"{name}: the pointer tells of crack {crack}", told)
+    browser.mouse(left, top, click=True)
+    check_chosen(crack, last, "a click")
+    # The list, by keyboard.
+    browser.run("document.getElementById('row-crack').focus()")
+    browser.key("Home")
+    first = browser.run("document.getElementById('row-crack').options[0].value")
+    check_chosen(int(first), last, "Home on the list")
+    # The table is folded, and sorts.
+    rows = "[...document.querySelectorAll('#row table.sorts tbody tr')].map((row) => row.cells[1].textContent)"
+    checks.that(browser.run("!document.querySelector('#row details').open"), f"{name}: the table is folded")
+    browser.run("document.querySelector('#row details summary').click()")
+    for _ in range(2):
+        browser.run("document.querySelectorAll('#row table.sorts thead button')[1].click()")
+    lengths = [number(text) for text in browser.run(rows)]
+    checks.that(lengths == sorted(lengths, reverse=True) and len(lengths) > 9, f"{name}: the table sorts by length, down", lengths[:4])
+    # On paper: the map as it stands, without controls.
+    browser.media(medium="print")
+    browser.size(PAPER, 1000)
+    browser.run("dispatchEvent(new Event('beforeprint'))")
+    browser.settle()
+    seen = browser.run("[document.querySelector('#row-figure .drawing svg').getBoundingClientRect().width, document.getElementById('row-crack').getBoundingClientRect().width, document.getElementById('row-caption').textContent]")
+    checks.that(300 < seen[0] <= PAPER and seen[1] == 0 and f"crack {first} is marked" in seen[2], f"{name}: the map on paper", seen)
+    browser.run("dispatchEvent(new Event('afterprint'))")
+    browser.media()
+    checks.that(not browser.complaints, f"{name}: no complaints after all this", browser.complaints)
 
 
 def visible_paths(browser, figure):
@@ -616,6 +721,7 @@ def main():
             check_page(browser, checks, name, folder / "report.html")
             if (folder / "sif.csv").exists():
                 check_explorer(browser, checks, name, folder)
+                check_row(browser, checks, name, folder)
                 check_fields(browser, checks, name, folder)
                 check_pieces(browser, checks, name, folder)
             elif (folder / "study.json").exists():

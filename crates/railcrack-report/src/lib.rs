@@ -47,6 +47,7 @@ mod page;
 mod pages;
 mod rebuild;
 mod recomputed;
+mod row;
 mod sensitivity;
 mod shown;
 mod svg;

@@ -61,6 +61,8 @@ pub struct Table {
     pub headings: Vec<String>,
     /// Rows; a row shorter than the headings leaves cells empty.
     pub rows: Vec<Vec<Cell>>,
+    /// Whether its headings sort it, by what a click or a key on them says.
+    sorts: bool,
     /// Marks of the first rows; rows without are always shown.
     marks: Vec<RowMark>,
 }
@@ -69,6 +71,12 @@ impl Table {
     /// A table without rows.
     pub fn new(headings: impl IntoIterator<Item = impl Into<String>>) -> Self {
         Self { headings: headings.into_iter().map(Into::into).collect(), ..Self::default() }
+    }
+
+    /// The table with headings that sort it.
+    #[must_use]
+    pub fn sortable(self) -> Self {
+        Self { sorts: true, ..self }
     }
 
     /// Appends a row of cells, one for each heading.
@@ -92,11 +100,12 @@ impl Table {
     pub(super) fn write(&self, page: &mut String) {
         // The caption is not scrolled with the table. Writing to a string does not fail.
         page.push_str("<div class=\"table\">");
+        let class = if self.sorts { " class=\"sorts\"" } else { "" };
         let _ = if self.caption.is_empty() {
-            write!(page, "<div class=\"wide\"><table>\n<thead><tr>")
+            write!(page, "<div class=\"wide\"><table{class}>\n<thead><tr>")
         } else {
             let (caption, label) = (typeset(&self.caption), escaped(&plain(&self.caption)));
-            let table = format!("<div class=\"wide\"><table aria-label=\"{label}\">");
+            let table = format!("<div class=\"wide\"><table{class} aria-label=\"{label}\">");
             write!(page, "<p class=\"caption\">{caption}</p>\n{table}\n<thead><tr>")
         };
         let short: Vec<bool> = (0..self.headings.len()).map(|column| self.is_short(column)).collect();

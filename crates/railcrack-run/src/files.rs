@@ -36,13 +36,14 @@ pub const PLAN_FILE: &str = "study.json";
 pub const POPULATION_FILE: &str = "population.json";
 
 /// Every plot of a run or of a stabilised plastic state.
-pub(crate) const PLOT_FILES: [&str; 16] = [
+pub(crate) const PLOT_FILES: [&str; 17] = [
     "ki.svg",
     "kii.svg",
     "kiii.svg",
     "along-front.svg",
     "paths.svg",
     "length-cycles.svg",
+    "row.svg",
     "faces.svg",
     "faces-last.svg",
     "residual-stress.svg",

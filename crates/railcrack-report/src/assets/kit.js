@@ -186,6 +186,18 @@ const railcrack = (() => {
 
   const charts = new Map();
 
+  /** The crack of a row of many that the page is about: whatever shows one follows it. */
+  const crack = {
+    now: 1,
+    followers: [],
+    follow(follower) { this.followers.push(follower); },
+    choose(number) {
+      this.now = number;
+      for (const chart of charts.values()) chart.pick(number);
+      for (const follower of this.followers) follower(number);
+    },
+  };
+
   /** Brings out the curves called `name` on all charts that have several; none: all alike. */
   function bringOut(name) {
     if (!document.getElementById("choices")) return;
@@ -225,19 +237,23 @@ const railcrack = (() => {
         .map((x, i) => ({ x, y: curve.y[i], name: curve.name, note: curve.note, dot: curve.dots === true || (curve.dots && curve.dots.includes(i)) }))
         .filter(({ x, y }) => x !== null && y !== null && !(log.x && x <= 0) && !(log.y && y <= 0)),
     })).filter((curve) => curve.points.length);
-    const self = { svg: null, marks: [], mark, choose, emphasise, curves };
+    const self = { svg: null, marks: [], mark, choose, emphasise, pick, curves };
     const names = document.createElement("div");
     if (data.legend) place.before(names);
     let shown = curves;
+    // The bundle of many cracks, and of it those that are picked.
+    const isBundle = curves.some((curve) => curve.fine);
+    let picked = [];
 
     function drawLegend() {
       if (!data.legend) return;
       // Cracks of one run share a name; what the dashes say, the switches say where curves have any.
       const key = ({ name, stroke, look, note }) => `${name} ${stroke} ${note ? "" : look}`;
       const named = [...new Map(shown.filter((curve) => curve.name).map((curve) => [key(curve), curve])).values()];
-      names.replaceChildren(...(named.length ? [legend(named.map(({ name, stroke, look, dots, note }) => ({
+      const own = picked.some((curve) => curve.fine) ? [{ name: picked[0].note, colour: "var(--ink)" }] : [];
+      names.replaceChildren(...(named.length ? [legend([...named.map(({ name, stroke, look, dots, note }) => ({
         name, colour: stroke, dashes: note ? null : DASHES[look], dots: look === "dots" ? "only" : dots === true,
-      })))] : []));
+      })), ...own])] : []));
     }
 
     const title = ({ x, y, name, note }) =>
@@ -275,8 +291,9 @@ const railcrack = (() => {
         axes.y.reverse = false;
         height = Math.round(fit.height) + margin.top + margin.bottom;
       }
-      const marks = shown.flatMap(({ points, stroke, look, wide }) => [
-        look === "dots" ? null : Plot.line(points, { x: "x", y: "y", stroke, strokeWidth: wide ? 3.2 : 1.8, strokeDasharray: DASHES[look] ?? null, clip: true }),
+      const above = picked.map((curve) => ({ ...curve, stroke: curve.fine ? "var(--ink)" : curve.stroke, wide: true, fine: false }));
+      const marks = [...shown, ...above].flatMap(({ points, stroke, look, wide, fine }) => [
+        look === "dots" ? null : Plot.line(points, { x: "x", y: "y", stroke, strokeWidth: wide ? 3.2 : fine ? 1 : 1.8, strokeOpacity: fine ? 0.45 : 1, strokeDasharray: DASHES[look] ?? null, clip: true }),
         points.some((point) => point.dot) ? Plot.dot(points.filter((point) => point.dot), { x: "x", y: "y", fill: stroke, r: 2.6, clip: true }) : null,
       ]);
       const corners = ({ x, y }) => [...x, x[0]].map((x, i) => ({ x, y: y[i % y.length] }));
@@ -320,6 +337,14 @@ const railcrack = (() => {
     /** Shows the curves whose value of every group is on. */
     function choose(on) {
       shown = curves.filter((curve) => curve.choices.every((value, group) => on[group]?.has(value) ?? true));
+      drawLegend();
+      if (self.svg) draw(Math.floor(place.clientWidth));
+    }
+
+    /** Brings a crack of a bundle above the others. */
+    function pick(number) {
+      if (!isBundle) return;
+      picked = curves.filter((curve) => new RegExp(`^crack ${number}(,|$)`).test(curve.note));
       drawLegend();
       if (self.svg) draw(Math.floor(place.clientWidth));
     }
@@ -437,8 +462,37 @@ const railcrack = (() => {
     });
   }
 
+  /** Headings of a table that sort its rows. */
+  function sorts(table) {
+    const value = (row, column) => row.cells[column]?.textContent.trim() ?? "";
+    // Numbers as the page writes them: a true minus sign, thousands apart.
+    const number = (text) => (/^[\u2212-]?\d/.test(text) ? parseFloat(text.replaceAll("\u2212", "-").replace(/[\u00a0 ](?=\d)/g, "")) : NaN);
+    let [order, down] = [null, false];
+    [...table.tHead.rows[0].cells].forEach((cell, column) => {
+      const button = document.createElement("button");
+      button.type = "button";
+      button.append(...cell.childNodes);
+      button.addEventListener("click", () => {
+        [down, order] = [order === column ? !down : false, column];
+        for (const other of table.tHead.rows[0].cells) other.removeAttribute("aria-sort");
+        cell.setAttribute("aria-sort", down ? "descending" : "ascending");
+        const sorted = [...table.tBodies[0].rows].sort((a, b) => {
+          const [one, other] = [value(a, column), value(b, column)];
+          const [x, y] = [number(one), number(other)];
+          // What has no value comes last either way; other words after numbers.
+          if (!one || !other) return Number(!one) - Number(!other);
+          if (Number.isNaN(x) || Number.isNaN(y)) return (Number.isNaN(x) - Number.isNaN(y)) || (down ? other.localeCompare(one) : one.localeCompare(other));
+          return down ? y - x : x - y;
+        });
+        table.tBodies[0].append(...sorted);
+      });
+      cell.append(button);
+    });
+  }
+
   theme();
+  for (const table of document.querySelectorAll("table.sorts")) sorts(table);
   for (const figure of document.querySelectorAll("figure.chart")) chart(figure);
 
-  return { words, plain, inParts, typeset, singles, levels, quantised, unpack, legend, scale, ticks, onWidth, tools, charts, png, bringOut, extent, DASHES };
+  return { words, plain, inParts, typeset, singles, levels, quantised, unpack, legend, scale, ticks, onWidth, tools, charts, png, bringOut, extent, short, logarithmic, crack, DASHES };
 })();

@@ -9,12 +9,14 @@
   const positions = data.xc_over_a;
   // The passage of the contact; a rail that bends has positions far beyond, of which the far charts have K.
   const [nearFirst, nearLast] = data.near;
-  const nearDomain = d3.extent([positions[nearFirst], positions[nearLast]]);
-  const isNear = (position) => position >= nearFirst && position <= nearLast;
+  const nearDomain = () => d3.extent(windowOf(state.crack), (position) => positions[position]);
+  const isNear = (position) => position >= windowOf(state.crack)[0] && position <= windowOf(state.crack)[1];
   const shown = data.steps;
   const faceStride = data.face_stride;
   // Beyond nine tips colours would repeat: then the chosen crack has one, and the others are quiet.
-  const many = shown[0].tips.length > 9;
+  const many = data.windows !== null || shown[0].tips.length > 9;
+  /** The positions near a crack: of many, those that the page has of it. */
+  const windowOf = (crack) => data.windows?.[crack - 1] ?? data.near;
   const crackColour = (crack) => {
     if (data.cracks.length === 1) return "var(--c0)";
     if (many) return crack === state.crack ? "var(--c0)" : "var(--quiet)";
@@ -35,12 +37,20 @@
   const histories = await Promise.all(
     shown.map((step) =>
       Promise.all(step.tips.map(async (tip) => ({
-        ki: tip.ki ? await singles(tip.ki) : [],
-        kii: tip.kii ? await singles(tip.kii) : [],
-        fluid: tip.fluid ? await Promise.all(tip.fluid.map(singles)) : null,
+        ki: tip.ki ? await over(tip.ki, tip.crack) : [],
+        kii: tip.kii ? await over(tip.kii, tip.crack) : [],
+        fluid: tip.fluid ? await Promise.all(tip.fluid.map((values) => over(values, tip.crack))) : null,
       }))),
     ),
   );
+  /** Values over all positions; of one of many cracks they are those near to it. */
+  async function over(packed, crack) {
+    if (typeof packed === "string") return singles(packed);
+    const whole = new Float64Array(positions.length).fill(NaN);
+    whole.set(await quantised(packed, Infinity), windowOf(crack)[0]);
+    return whole;
+  }
+
   const decoded = new Map();
 
   /** The faces of a shown step, by crack. */
@@ -56,23 +66,24 @@
     const [opening, slip, pressure, shear] = await Promise.all(
       [faces.opening, faces.slip, faces.pressure, faces.shear].map((values) => quantised(values, row)),
     );
-    return { crack: faces.crack, s, row, status, opening, slip, pressure, shear };
+    return { crack: faces.crack, first: faces.first ?? 0, s, row, status, opening, slip, pressure, shear };
   }
 
   /** The place among the stored positions of the faces that is nearest to a position. */
   function faceColumn(faces, position) {
     if (position === positions.length - 1) return faces.row - 1;
-    return Math.min(Math.round(position / faceStride), faces.row - 1);
+    return Math.max(0, Math.min(Math.round((position - faces.first) / faceStride), faces.row - 1));
   }
 
   // ---- State ---------------------------------------------------------------------------------------------------
 
-  const state = { step: 0, position: loudest(0), crack: 1, kept: shown.length > 1 ? [shown.length - 1] : [] };
+  const first = data.named?.[0] ?? 1;
+  const state = { step: 0, position: loudest(0, many ? first : null), crack: first, kept: shown.length > 1 ? [shown.length - 1] : [] };
 
-  /** The position with the largest |K| of a step. */
-  function loudest(index) {
+  /** The position with the largest |K| of a step, of one crack or of all. */
+  function loudest(index, crack) {
     let [most, at] = [-1, 0];
-    for (const { ki, kii } of histories[index])
+    for (const { ki, kii } of histories[index].filter((_, i) => crack === null || shown[index].tips[i].crack === crack))
       for (let i = 0; i < ki.length; i++) {
         const size = Math.hypot(ki[i], kii[i]);
         if (size > most) [most, at] = [size, i];
@@ -137,19 +148,23 @@
   const show = (id, svg) => find(id).querySelector(".drawing").replaceChildren(typeset(svg));
   const style = { fontSize: "12px", overflow: "visible" };
 
-  /** The part of the rail on the picture of the paths. */
-  const view = (() => {
-    const [left, right] = d3.extent(everyPoint, (p) => p[0]);
-    const deepest = -d3.min(everyPoint, (p) => p[1]);
-    const beside = Math.max(1.4 * a, 0.12 * (right - left));
+  /** The part of the rail on the picture of the paths: of many cracks, the surroundings of the chosen one. */
+  function viewOf(points, least) {
+    const [left, right] = d3.extent(points, (p) => p[0]);
+    const deepest = -d3.min(points, (p) => p[1]);
+    const beside = Math.max(least, 0.12 * (right - left));
     const across = right - left + 2 * beside;
     return { x: [left - beside, right + beside], load: 0.1 * across, depth: Math.max(1.15 * deepest, 0.16 * across) };
-  })();
+  }
+  const wholeView = viewOf(everyPoint, 1.4 * a);
+  const pathOf = (crack) => shown[state.step].whole?.[crack - 1] ?? data.cracks[crack - 1].points;
+  const viewNow = () => (data.windows ? viewOf(pathOf(state.crack), 2.2 * a) : wholeView);
   const sceneMargin = { top: 6, right: 14, bottom: 40, left: 56 };
   const MOST_HEIGHT = 520;
 
   /** Size of the picture of the paths, and what it shows, at one scale both ways. */
   function sceneSize(width) {
+    const view = viewNow();
     const inside = width - sceneMargin.left - sceneMargin.right;
     let x = view.x;
     const y = view.depth + 1.75 * view.load;
@@ -167,6 +182,8 @@
   function drawScene() {
     if (!widths.scene) return;
     const { x, y, height } = sceneSize(widths.scene);
+    const view = viewNow();
+    const isSeen = (points) => !many || (d3.max(points, (p) => p[0]) >= x[0] && d3.min(points, (p) => p[0]) <= x[1]);
     const xc = centre();
     // Closer together at the edges, where the pressure rises steeply.
     const pressure = d3.range(0, 61).map((i) => ({ x: xc - a * Math.cos(Math.PI * i / 60), y: -view.load * Math.sin(Math.PI * i / 60) }));
@@ -184,11 +201,13 @@
     const now = shown[state.step].step;
     // What a step encloses is there at the start of the next one; of the last step, at its end.
     const isThere = ({ step }) => now >= step || now === data.last_step;
-    const pieces = data.pieces.filter(isThere);
+    const allPieces = data.pieces.filter(isThere);
+    const pieces = allPieces.filter(({ outline }) => isSeen(outline));
     for (const { outline, area, kind, crack } of pieces) {
       const corners = [...outline, outline[0]].map(([px, py]) => [px, -py]);
-      marks.push(Plot.line(corners, { fill: "var(--c4)", fillOpacity: 0.3, stroke: "var(--c4)", strokeDasharray: "4 3", className: "piece" }));
+      marks.push(Plot.line(corners, { fill: "var(--c4)", fillOpacity: 0.3, stroke: "var(--c4)", strokeDasharray: "4 3", className: "piece", clip: many }));
       const middle = d3.polygonCentroid(corners);
+      if (middle[0] < x[0] || middle[0] > x[1]) continue;
       marks.push(Plot.dot([middle], { r: 7, fill: "transparent", tip: { fill: "var(--ground)", fontSize: 12 },
         title: () => `${kind} at crack ${crack}\n${words(area)} mm\u00b2` }));
       marks.push(Plot.text([`${kind} ${words(area)} mm\u00b2`], { x: middle[0], y: middle[1], fill: "var(--ink)", stroke: "var(--rail)", strokeWidth: 4 }));
@@ -196,18 +215,19 @@
     data.cracks.forEach((crack, i) => {
       const depths = (points) => points.map(([px, py]) => [px, -py]);
       const whole = shown[state.step].whole ? shown[state.step].whole[i] : crack.points;
-      marks.push(Plot.line(depths(whole), { stroke: crackColour(i + 1), strokeWidth: 1.6, strokeDasharray: "2 3" }));
+      if (!isSeen(whole)) return;
+      marks.push(Plot.line(depths(whole), { stroke: crackColour(i + 1), strokeWidth: 1.6, strokeDasharray: "2 3", clip: many }));
       const now = polyline(i + 1, state.step);
-      marks.push(Plot.line(depths(now), { stroke: data.cracks.length === 1 ? "var(--ink)" : crackColour(i + 1), strokeWidth: 3 }));
+      marks.push(Plot.line(depths(now), { stroke: data.cracks.length === 1 ? "var(--ink)" : crackColour(i + 1), strokeWidth: 3, clip: many }));
     });
     if (isWet) marks.push(...data.cracks.flatMap((_, i) => fluidIn(i + 1)));
-    marks.push(Plot.dot(shown[state.step].tips, {
+    marks.push(Plot.dot(shown[state.step].tips.filter((tip) => !many || (tip.x > x[0] && tip.x < x[1] && -tip.y < y[0])), {
       x: "x", y: (tip) => -tip.y, r: 4, fill: "var(--ground)", stroke: "var(--ink)", strokeWidth: 1.5,
       channels: { crack: "crack", length: "length" },
       title: (tip) => `crack ${tip.crack}, tip ${tip.tip}\nx = ${words(tip.x)} mm, depth ${words(-tip.y)} mm\nlength ${words(tip.length)} mm`,
       tip: { fill: "var(--ground)", fontSize: 12 },
     }));
-    marks.push(Plot.dot(data.junctions.filter(isThere), {
+    marks.push(Plot.dot(data.junctions.filter((junction) => isThere(junction) && isSeen([[junction.x, junction.y]])), {
       x: "x", y: (junction) => -junction.y, r: 5, symbol: "diamond", fill: "var(--ink)",
       title: ({ crack, onto, x, y }) => `crack ${crack} has joined crack ${onto}\nx = ${words(x)} mm, depth ${words(-y)} mm`,
       tip: { fill: "var(--ground)", fontSize: 12 },
@@ -236,7 +256,7 @@
     });
     svg.dataset.centre = xc;
     if (isWet) svg.dataset.fluid = data.cracks.map((_, i) => fluidOf(i + 1)?.pressure ?? 0).join(" ");
-    svg.dataset.pieces = pieces.length;
+    svg.dataset.pieces = allPieces.length;
     show("scene", svg);
   }
 
@@ -291,7 +311,8 @@
         dashed,
         tip,
         step: shown[index].step,
-        points: Array.from(histories[index][i][mode], (k, p) => ({ x: positions[p], k, at: p })).slice(nearFirst, nearLast + 1),
+        first: windowOf(tip.crack)[0],
+        points: Array.from(histories[index][i][mode], (k, p) => ({ x: positions[p], k, at: p })).slice(windowOf(tip.crack)[0], windowOf(tip.crack)[1] + 1),
       }));
     const kept = state.kept.filter((index) => index !== state.step);
     const curves = [
@@ -301,7 +322,9 @@
     if (!many) return curves;
     // Of the quiet cracks this step only, below the chosen one.
     const isChosen = (curve) => curve.tip.crack === state.crack;
-    return [...curves.filter((curve) => !isChosen(curve) && !curve.dashed), ...curves.filter(isChosen)];
+    const [from, to] = nearDomain();
+    const meets = ({ points }) => points.length && d3.max(points, (p) => p.x) >= from && d3.min(points, (p) => p.x) <= to;
+    return [...curves.filter((curve) => !isChosen(curve) && !curve.dashed && meets(curve)), ...curves.filter(isChosen)];
   }
 
   const tipName = (tip) => (shown[0].tips.some((other) => other.tip > 1) ? `crack ${tip.crack}, tip ${tip.tip}` : `crack ${tip.crack}`);
@@ -323,17 +346,18 @@
     if (!width) return;
     const name = mode === "ki" ? "K_{I}" : "K_{II}";
     const curves = kCurves(mode);
-    const all = curves.flatMap(({ points, name }) => points.map((point) => ({ ...point, name })));
+    const [from, to] = nearDomain();
+    const all = curves.flatMap(({ points, name }) => points.map((point) => ({ ...point, name }))).filter(({ x }) => !many || (x >= from && x <= to));
     const svg = Plot.plot({
       width, height: 300, marginLeft: 56, marginBottom: 44, marginTop: 10,
-      x: { ...scale({ title: "Wheel position x_{c}/a", scale: "linear" }), domain: nearDomain },
+      x: { ...scale({ title: "Wheel position x_{c}/a", scale: "linear" }), domain: nearDomain() },
       y: { ...scale({ title: `${name} (MPa\u221am)`, scale: "linear" }), domain: extents[mode] },
       ariaLabel: `${mode === "ki" ? "K I" : "K II"} against the wheel position`, style,
       marks: [
         Plot.frame({ stroke: "var(--line)" }),
         Plot.ruleY([0], { stroke: "var(--quiet)" }),
         ...curves.map(({ points, colour, dashed }) => Plot.line(points, { x: "x", y: "k", stroke: colour, strokeOpacity: colour === "var(--quiet)" ? 0.45 : 1,
-          strokeWidth: dashed ? 1.4 : colour === "var(--quiet)" ? 1 : 2.2, strokeDasharray: dashed ? "5 4" : null })),
+          strokeWidth: dashed ? 1.4 : colour === "var(--quiet)" ? 1 : 2.2, strokeDasharray: dashed ? "5 4" : null, clip: many })),
         Plot.tip(all, Plot.pointer({ x: "x", y: "k", fill: "var(--ground)", fontSize: 12,
           title: (d) => `${d.name}\nx_c/a = ${words(d.x)}\n${mode === "ki" ? "K_I" : "K_II"} = ${words(d.k)} MPa\u221am` })),
       ],
@@ -367,8 +391,8 @@
     group.selectAll("line").data([at]).join("line").attr("x1", at).attr("x2", at)
       .attr("y1", y.range[0]).attr("y2", y.range[1]).attr("stroke", "var(--c1)").attr("stroke-dasharray", "3 3");
     group.selectAll("circle").data(chart.curves).join("circle").attr("cx", at)
-      .attr("cy", (curve) => y.apply(curve.points[state.position - nearFirst]?.k ?? 0))
-      .attr("data-x", positions[state.position]).attr("data-y", (curve) => curve.points[state.position - nearFirst]?.k)
+      .attr("cy", (curve) => y.apply(curve.points[state.position - curve.first]?.k ?? 0))
+      .attr("data-x", positions[state.position]).attr("data-y", (curve) => curve.points[state.position - curve.first]?.k)
       .attr("r", 5).attr("fill", "var(--ground)").attr("stroke", (curve) => curve.colour).attr("stroke-width", 2.5);
   }
 
@@ -380,7 +404,12 @@
 
   function drawDeformed(faces) {
     if (!widths.deformed) return;
-    if (!faces) return find("deformed").querySelector(".drawing").replaceChildren("No data of the crack faces in this step.");
+    if (!faces) {
+      const some = data.named ? ` This page has those of cracks ${d3.sort(data.named).join(", ")} in growth steps ${shown.filter((step) => step.faces).map(({ step }) => step).join(" and ")}; faces.csv has more.` : "";
+      find("deformed").querySelector(".drawing").replaceChildren(`No data of the crack faces in this step.${some}`);
+      for (const part of [".legends", "figcaption"]) find("deformed").querySelector(part).replaceChildren();
+      return;
+    }
     const points = polyline(faces.crack, state.step);
     const column = faceColumn(faces, state.position);
     const length = d3.sum(d3.pairs(points, (p, q) => Math.hypot(q[0] - p[0], q[1] - p[1])));
@@ -479,7 +508,7 @@
   }
 
   /** The first and the last column of the faces within the passage of the contact. */
-  const nearColumns = (faces) => [Math.ceil(nearFirst / faceStride), faceColumn(faces, nearLast)];
+  const nearColumns = (faces) => (data.windows ? [0, faces.row - 1] : [Math.ceil(nearFirst / faceStride), faceColumn(faces, nearLast)]);
 
   /** A jump in micrometres: hundredths are known, no more. */
   const microns = (mm) => `${signed(1e3 * mm, 2)} \u00b5m`;
@@ -496,13 +525,13 @@
     const length = d3.sum(d3.pairs(polyline(faces.crack, state.step), (p, q) => Math.hypot(q[0] - p[0], q[1] - p[1])));
     const url = mapImage(faces, length, colour);
     const image = (index, { x, y }) => {
-      const [left, right] = nearDomain.map(x);
+      const [left, right] = nearDomain().map(x);
       return d3.create("svg:image").attr("href", url).attr("x", left).attr("y", y(length)).attr("width", right - left)
         .attr("height", y(0) - y(length)).attr("preserveAspectRatio", "none").attr("style", "image-rendering: pixelated").node();
     };
     const svg = Plot.plot({
       width, height: 250, marginLeft: 56, marginBottom: 44, marginTop: 8,
-      x: { ...scale({ title: "Wheel position x_{c}/a", scale: "linear" }), domain: nearDomain, grid: false },
+      x: { ...scale({ title: "Wheel position x_{c}/a", scale: "linear" }), domain: nearDomain(), grid: false },
       y: { ...scale({ title: "Arc length s (mm)", scale: "linear" }), domain: [0, length], grid: false },
       ariaLabel, style, marks: [image, Plot.frame({ stroke: "var(--line)" })],
     });
@@ -548,7 +577,14 @@
   const pressureColour = (part) => d3.rgb(d3.interpolateViridis(1 - part));
 
   function drawMaps(faces) {
-    if (!faces) return;
+    find("face-value").hidden = !faces;
+    if (!faces) {
+      for (const id of ["face-status", "face-pressure"]) {
+        delete maps[id];
+        for (const part of [".legends", ".drawing"]) find(id).querySelector(part).replaceChildren();
+      }
+      return;
+    }
     drawMap("face-status", faces, (at) => statusRgb[faces.status[at]], "Status of the crack faces");
     find("face-status").querySelector(".legends").replaceChildren(
       legend(STATUS.map((name, i) => ({ name, colour: STATUS_COLOURS[i], box: true }))),
@@ -578,8 +614,9 @@
     drawMaps(state.faces);
     for (const tip of shown[state.step].tips) tip.name = tipName(tip);
     const tips = shown[state.step].tips;
-    charts.get("length-cycles")?.mark(tips.map((tip) => ({ x: tip.cycles, y: tip.length })));
-    charts.get("rate-length")?.mark(tips.map((tip) => ({ x: tip.length, y: tip.rate })));
+    const marked = data.windows ? tips.filter((tip) => tip.crack === state.crack) : tips;
+    charts.get("length-cycles")?.mark(marked.map((tip) => ({ x: tip.cycles, y: tip.length })));
+    charts.get("rate-length")?.mark(marked.map((tip) => ({ x: tip.length, y: tip.rate })));
     positionChanged();
   }
 
@@ -599,6 +636,7 @@
     const wheelText = `x_{c}/a = ${signed(positions[state.position], 3)} (x_{c} = ${signed(centre(), 2)} mm)`;
     find("step-value").textContent = stepText;
     say("wheel-value", wheelText);
+    find("crack").value = state.crack;
     find("step").value = state.step;
     find("wheel").value = state.position;
     find("step").setAttribute("aria-valuetext", `step ${stepText}`);
@@ -608,6 +646,7 @@
       const { ki, kii } = histories[state.step][i];
       const fluid = fluidOf(tip.crack);
       const wet = fluid ? `, fluid p = ${signed(fluid.pressure, 1)} MPa, V = ${words(fluid.volume)} mm\u00b2` : "";
+      if (Number.isNaN(ki[state.position])) return `${name(tip)}: the wheel is too far away for K`;
       return `${name(tip) && `${name(tip)}: `}K_{I} = ${signed(ki[state.position] ?? 0, 3)}, K_{II} = ${signed(kii[state.position] ?? 0, 3)} MPa\u221am${wet}`;
     });
     const shownK = k.length <= 4 ? k.join("; ") : k[Math.max(0, step.tips.indexOf(tip))];
@@ -651,7 +690,13 @@
   if (data.cracks.length > 1) {
     find("which").hidden = false;
     data.cracks.forEach((_, i) => find("crack").append(new Option(`${i + 1}`, `${i + 1}`)));
-    find("crack").addEventListener("change", (event) => moveTo({ crack: +event.target.value }));
+    if (data.windows) {
+      // One crack for the whole page; the wheel goes where its |K| is largest.
+      find("crack").addEventListener("change", (event) => railcrack.crack.choose(+event.target.value));
+      railcrack.crack.follow((crack) => crack !== state.crack && moveTo({ crack, position: loudest(state.step, crack) }));
+      state.crack = railcrack.crack.now;
+      state.position = loudest(state.step, state.crack);
+    } else find("crack").addEventListener("change", (event) => moveTo({ crack: +event.target.value }));
   }
 
   let playing = null;

@@ -44,6 +44,8 @@ pub enum CurveWidth {
     Usual,
     /// Seen below another curve.
     Wide,
+    /// One of many that only their bundle matters of.
+    Fine,
 }
 
 /// Colour of a curve.

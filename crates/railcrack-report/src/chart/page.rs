@@ -70,6 +70,7 @@ fn curve((place, curve): (usize, &Curve)) -> Value {
         "dots": if dots.len() == curve.points.len() { json!(!dots.is_empty()) } else { json!(dots) },
         "colour": curve.colour.unwrap_or(CurveColour::Category(place)).name(),
         "wide": curve.width == CurveWidth::Wide,
+        "fine": curve.width == CurveWidth::Fine,
         "choices": curve.choices,
         "x": numbers(curve.points.iter().map(|point| point[0])),
         "y": numbers(curve.points.iter().map(|point| point[1])),

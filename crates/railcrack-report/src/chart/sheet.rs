@@ -14,6 +14,10 @@ use crate::svg::{
 const SIZES: [[f64; 2]; 2] = [[600.0, 360.0], [420.0, 230.0]];
 /// Width of charts to scale, one below the other.
 const LONG: f64 = 920.0;
+/// Height of a long chart that is not to scale.
+const LONG_HEIGHT: f64 = 200.0;
+/// Room above the surface of a strip, for the numbers of its cracks, and below its deepest point.
+const STRIP: [f64; 2] = [20.0, 24.0];
 /// Heights of a chart to scale.
 const TO_SCALE: [f64; 2] = [150.0, 560.0];
 /// Room at the left of a chart: ticks and title of its y axis.
@@ -30,6 +34,8 @@ const LEGEND_LETTERS: f64 = 60.0;
 /// Fill of areas and of the rail.
 const AREA: &str = "#fbe8c6";
 const RAIL: &str = "#f6f5f2";
+/// A quiet curve of many.
+const FINE: &str = "#bdbdbd";
 
 /// Title and subtitle of a picture, the title cut to `room` pixels.
 pub(crate) fn draw_heading(svg: &mut Svg, left: f64, room: f64, title: &str, subtitle: &str) {
@@ -44,7 +50,9 @@ impl ChartSheet {
     pub fn svg(&self) -> String {
         let is_column = self.rows.iter().all(|row| row.len() == 1);
         let is_to_scale = self.charts().all(|chart| chart.aspect == ChartAspect::Equal);
+        let is_long = self.charts().any(|chart| chart.aspect == ChartAspect::Long);
         let size = match self.charts().count() {
+            _ if is_long => [LONG, LONG_HEIGHT],
             0 | 1 => SIZES[0],
             // Long rows of cracks, one below the other.
             _ if is_column && is_to_scale => [LONG, SIZES[1][1]],
@@ -93,6 +101,9 @@ impl ChartSheet {
 
     /// The scales of `chart`, and its height.
     fn axes(&self, chart: &Chart, [width, height]: [f64; 2]) -> (Axis, Axis, f64) {
+        if let (ChartAspect::Equal, ChartRange::Exact(ends_of_x)) = (chart.aspect, chart.x.range) {
+            return strip(ends_of_x, ends(self.values(chart, 1))[1], width);
+        }
         if chart.aspect == ChartAspect::Equal {
             return equal(ends(self.values(chart, 0)), ends(self.values(chart, 1)), width);
         }
@@ -163,6 +174,18 @@ fn equal([left, right]: [f64; 2], [_, deep]: [f64; 2], width: f64) -> (Axis, Axi
     let ticks = |length: f64| (length / 55.0) as usize + 1;
     let x = Axis::exact(middle - half, middle + half, ticks(width));
     (x, Axis::exact(height / scale - above, -above, ticks(height)), height)
+}
+
+/// Scales of a strip from `left` to `right` down to `deep` with the same unit both ways, and the
+/// height that it needs.
+fn strip([left, right]: [f64; 2], deep: f64, width: f64) -> (Axis, Axis, f64) {
+    let deep = deep.max(1e-6);
+    let scale = (width / (right - left).max(1e-6)).min((TO_SCALE[1] - STRIP[0] - STRIP[1]) / deep);
+    let height = STRIP[0] + scale * deep + STRIP[1];
+    let (half, middle) = (0.5 * width / scale, 0.5 * (left + right));
+    let x = Axis::exact(middle - half, middle + half, (width / 55.0) as usize + 1);
+    let y = Axis::exact(deep + STRIP[1] / scale, -STRIP[0] / scale, (height / 16.0) as usize);
+    (x, y, height)
 }
 
 fn draw(svg: &mut Svg, axes: &Axes, chart: &Chart, is_titled: bool) {
@@ -250,9 +273,11 @@ fn stroke(look: CurveLook, width: CurveWidth, colour: CurveColour) -> Stroke {
         CurveColour::Category(number) => CATEGORIES[number % CATEGORIES.len()].to_owned(),
         CurveColour::Along(place) => sequence(place),
         CurveColour::Ink => INK.to_owned(),
+        CurveColour::Quiet if width == CurveWidth::Fine => FINE.to_owned(),
         CurveColour::Quiet => GREY.to_owned(),
     };
     let width = match width {
+        CurveWidth::Fine => 0.8,
         CurveWidth::Usual => 1.7,
         CurveWidth::Wide => 3.2,
     };
@@ -262,6 +287,7 @@ fn stroke(look: CurveLook, width: CurveWidth, colour: CurveColour) -> Stroke {
 fn entry(entry: &LegendEntry) -> Entry {
     let mark = match &entry.mark {
         LegendMark::Heading => Mark::Heading,
+        LegendMark::Note => Mark::Note,
         LegendMark::Area => Mark::Box(AREA.to_owned()),
         LegendMark::Curve { look, dots, width, colour } => {
             let stroke = stroke(*look, *width, *colour);

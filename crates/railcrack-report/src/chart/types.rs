@@ -9,8 +9,10 @@ pub enum ChartAspect {
     /// Each axis fills its side.
     #[default]
     Free,
-    /// To scale: crack paths.
+    /// To scale: crack paths. With an exact range of x it is a strip of a longer picture.
     Equal,
+    /// Each axis fills its side, and the file is as long as a page is wide: rows of many cracks.
+    Long,
 }
 
 /// Where the curves of a chart on a page are named.
@@ -71,6 +73,8 @@ pub struct Chart {
 pub enum LegendMark {
     /// None: the words head the entries below.
     Heading,
+    /// None: the words stand for themselves.
+    Note,
     /// A filled area.
     Area,
     /// A curve.
@@ -106,6 +110,11 @@ impl LegendEntry {
     pub fn solid_and_dashed([solid, dashed]: [&str; 2]) -> [Self; 2] {
         [(solid, CurveLook::Line), (dashed, CurveLook::Dashed)]
             .map(|(words, look)| Self::curve(words, look, CurveColour::Quiet))
+    }
+
+    /// Words without a mark.
+    pub fn note(words: &str) -> Self {
+        Self { mark: LegendMark::Note, words: words.to_owned() }
     }
 
     /// Words that head the entries below.

@@ -1,7 +1,9 @@
 //! Crack length against load cycles.
 
+use super::many::bundle;
 use super::plot::Plot;
 use crate::chart::{Chart, ChartAxis, ChartSheet, Curve, CurveColour, CurveDots};
+use crate::row::NamedCrack;
 use railcrack_run::Summary;
 use railcrack_run::csv::TipRow;
 
@@ -17,8 +19,9 @@ pub(super) fn chart(caption: &str, curves: Vec<Curve>) -> Chart {
     }
 }
 
-/// The lengths in a run on the model `model`.
-pub(super) fn plot(summary: &Summary, growth: &[TipRow], model: &str) -> Plot {
+/// The lengths in a run on the model `model`; of many cracks the `named` ones are told from the
+/// others.
+pub(super) fn plot(summary: &Summary, growth: &[TipRow], named: Option<&[NamedCrack]>, model: &str) -> Plot {
     // Both tips of a buried crack share its length: the first one stands for the crack.
     let cracks: Vec<usize> =
         growth.iter().filter(|row| row.step == 0 && row.tip == 1).map(|row| row.crack).collect();
@@ -29,7 +32,11 @@ pub(super) fn plot(summary: &Summary, growth: &[TipRow], model: &str) -> Plot {
             .with_dots(CurveDots::All)
             .with_colour(CurveColour::of(place, cracks.len()))
     };
-    let curves = cracks.iter().enumerate().map(curve).collect();
+    let curves: Vec<Curve> = cracks.iter().enumerate().map(curve).collect();
+    let curves = match named {
+        Some(named) => bundle(named, cracks.into_iter().zip(curves).collect()),
+        None => curves,
+    };
     let caption = "Crack length against load cycles (axles); a dot for each growth step.";
     let subtitle = format!("Crack length, a dot for each growth step · {model}");
     Plot::sheet("length-cycles.svg", ChartSheet::of(&summary.title, &subtitle, chart(caption, curves)))

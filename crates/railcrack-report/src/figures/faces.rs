@@ -23,6 +23,8 @@ pub(super) struct FaceMap<'a> {
     pub xc_over_a: &'a [f64],
     /// The positions that are drawn.
     pub near: Range<usize>,
+    /// Number of cracks in the rail.
+    pub of: usize,
     pub cracks: Vec<CrackMap<'a>>,
 }
 
@@ -44,8 +46,9 @@ pub(super) fn face_map(title: &str, model: &str, map: &FaceMap) -> String {
     let width = right + 18.0 + legend_width(&legend);
     let bottom = HEADING + 20.0 + shown.len() as f64 * (row_height + 14.0) - 14.0;
     let mut svg = Svg::new(width, bottom + 56.0);
-    let some = if shown.len() < map.cracks.len() {
-        format!(" (cracks 1 to {} of {})", shown.len(), map.cracks.len())
+    let some = if shown.len() < map.of {
+        let numbers: Vec<String> = shown.iter().map(|crack| crack.faces.crack.to_string()).collect();
+        format!(" (cracks {} of {})", numbers.join(", "), map.of)
     } else {
         String::new()
     };

@@ -1,15 +1,26 @@
 //! Pressure and volume of the fluid in the cracks against the wheel position.
 
+use super::many::bundle;
 use super::near::near;
 use super::plot::Plot;
 use super::sif::chart;
 use crate::chart::{Chart, ChartSheet, Curve, CurveColour};
+use crate::row::NamedCrack;
 use railcrack_run::Summary;
 use railcrack_run::histories::History;
 
-/// The plot for the run with this `summary` on the model `model`; none of dry cracks.
-pub(super) fn plot(summary: &Summary, model: &str, histories: &[&History]) -> Option<Plot> {
-    let wet: Vec<&&History> = histories.iter().filter(|history| !history.pressure.is_empty()).collect();
+/// The plot for the run with this `summary` on the model `model`; none of dry cracks. Of many
+/// cracks those of the last step, the `named` ones told from the others.
+pub(super) fn plot(
+    summary: &Summary,
+    model: &str,
+    histories: &[&History],
+    named: Option<&[NamedCrack]>,
+) -> Option<Plot> {
+    let last = histories.last().filter(|_| named.is_some()).map(|history| history.step);
+    let is_drawn = |history: &&&History| last.is_none_or(|last| history.step == last);
+    let wet: Vec<&&History> =
+        histories.iter().filter(is_drawn).filter(|history| !history.pressure.is_empty()).collect();
     if wet.is_empty() {
         return None;
     }
@@ -20,6 +31,7 @@ pub(super) fn plot(summary: &Summary, model: &str, histories: &[&History]) -> Op
             let words = match (is_single, history.step) {
                 (true, 0) => "initial crack".to_owned(),
                 (true, step) => format!("step {step}"),
+                (false, _) if named.is_some() => format!("crack {}", history.crack),
                 (false, step) => format!("crack {}, step {step}", history.crack),
             };
             let all = history.xc_over_a.iter().zip(of(history)).map(|(&x, &value)| [x, value]);
@@ -27,7 +39,11 @@ pub(super) fn plot(summary: &Summary, model: &str, histories: &[&History]) -> Op
             let along = CurveColour::Along(1.1 * place as f64 / wet.len().max(2) as f64);
             Curve::line(&words, points).with_colour(along)
         };
-        wet.iter().enumerate().map(curve).collect()
+        let curves: Vec<Curve> = wet.iter().enumerate().map(curve).collect();
+        match named {
+            Some(named) => bundle(named, wet.iter().map(|history| history.crack).zip(curves).collect()),
+            None => curves,
+        }
     };
     let of = |id: &str, quantity: &str, unit: &str, caption: &str, values: fn(&History) -> &[f64]| -> Chart {
         let mut chart = chart(id, quantity, caption.to_owned(), curves(values));

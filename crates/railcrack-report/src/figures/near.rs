@@ -25,6 +25,33 @@ pub(crate) fn origin(summary: &Summary) -> f64 {
     summary.cracks.first().and_then(|crack| crack.initial_points_mm.first()).map_or(0.0, |point| point[0])
 }
 
+/// Where `crack` (from 1) begins, x/a: its mouth, or the first end of a buried one.
+pub(crate) fn mouth_over_a(summary: &Summary, crack: usize) -> f64 {
+    let crack = crack.checked_sub(1).and_then(|place| summary.cracks.get(place));
+    crack.and_then(|crack| crack.initial_points_mm.first()).map_or(0.0, |mouth| over_a(summary, mouth[0]))
+}
+
+/// Of output positions `xc_over_a`, those as near to `crack` (from 1), one of many in a row, as the
+/// passage is to the whole row.
+pub(crate) fn window(summary: &Summary, crack: usize, xc_over_a: &[f64]) -> Range<usize> {
+    let near = near(summary, xc_over_a);
+    let mouths = (1..=summary.cracks.len()).map(|crack| mouth_over_a(summary, crack));
+    let (low, high) =
+        mouths.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
+    let ends = xc_over_a[near.clone()].iter();
+    let (from, to) =
+        ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &x| (low.min(x), high.max(x)));
+    let mouth = mouth_over_a(summary, crack);
+    let (before, after) =
+        (mouth + (from - low).min(0.0) - ROUND_OFF, mouth + (to - high).max(0.0) + ROUND_OFF);
+    let is_inside = |x: &f64| (before..=after).contains(x);
+    let inside = |place: &usize| is_inside(&xc_over_a[*place]);
+    match (near.clone().find(inside), near.clone().rev().find(inside)) {
+        (Some(first), Some(last)) => first..last + 1,
+        _ => near,
+    }
+}
+
 fn over_a(summary: &Summary, xc: f64) -> f64 {
     (xc - origin(summary)) / summary.half_width_mm
 }

@@ -1,15 +1,23 @@
 //! Crack paths to scale.
 
+use super::many::colour_bar;
 use super::plot::Plot;
+use super::row::most_growth;
 use crate::chart::{
-    Chart, ChartArea, ChartAspect, ChartAxis, ChartNote, ChartSheet, Curve, CurveColour, CurveDots,
-    CurveWidth,
+    Chart, ChartArea, ChartAspect, ChartAxis, ChartNote, ChartRange, ChartSheet, Curve, CurveColour,
+    CurveDots, CurveLook, CurveWidth, LegendEntry, LegendMark, SheetLegend,
 };
+use crate::row::CrackRow;
+use crate::svg::ends;
 use railcrack::words::Choice;
-use railcrack_run::{CrackSummary, Summary};
+use railcrack_run::{CrackSummary, PieceSummary, Summary};
 
 /// Numbers of cracks on a chart; of more, evenly chosen ones.
 const NUMBERS: usize = 20;
+/// Cracks on a strip, about.
+const STRIP: usize = 25;
+/// How far the middle of a number stays from the ends of a strip, of its length.
+const EDGE: f64 = 0.013;
 
 /// Points (x, depth) of points (x, y).
 pub(super) fn by_depth(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
@@ -55,6 +63,13 @@ pub(super) fn chart<'a>(
     }
 }
 
+fn area(piece: &PieceSummary) -> ChartArea {
+    ChartArea {
+        name: format!("{}, {:.3} mm²", piece.kind.word(), piece.area_mm2),
+        outline: by_depth(&piece.outline_mm),
+    }
+}
+
 /// The paths of a run on the model `model`, with the pieces of rail that they enclose.
 pub(super) fn plot(summary: &Summary, model: &str) -> Plot {
     let cracks = &summary.cracks;
@@ -69,10 +84,7 @@ pub(super) fn plot(summary: &Summary, model: &str) -> Plot {
     };
     let curves = cracks.iter().enumerate().map(curve).collect();
     let mut chart = chart("Crack paths to scale.", curves, cracks.iter());
-    chart.areas.extend(summary.pieces.iter().map(|piece| ChartArea {
-        name: format!("{}, {:.3} mm²", piece.kind.word(), piece.area_mm2),
-        outline: by_depth(&piece.outline_mm),
-    }));
+    chart.areas.extend(summary.pieces.iter().map(area));
     if cracks.len() > 1 {
         let every = cracks.len().div_ceil(NUMBERS);
         let mouths = cracks.iter().enumerate().step_by(every);
@@ -83,4 +95,58 @@ pub(super) fn plot(summary: &Summary, model: &str) -> Plot {
     }
     let subtitle = format!("Crack paths to scale, a dot at the end of each increment · {model}");
     Plot::sheet("paths.svg", ChartSheet::of(&summary.title, &subtitle, chart))
+}
+
+/// The paths of the many cracks of `row` in strips, one below the other at one scale: what has grown
+/// in the colour of the growth.
+pub(super) fn strips(summary: &Summary, row: &CrackRow, model: &str) -> Plot {
+    let cracks = &summary.cracks;
+    let [left, right] = ends(cracks.iter().flat_map(|crack| whole(crack)).map(|point| point[0]));
+    let air = 0.01 * (right - left).max(1e-3);
+    let (left, right) = (left - air, right + air);
+    let count = cracks.len().div_ceil(STRIP);
+    let length = (right - left) / count as f64;
+    let most = most_growth(row);
+    let strip = |place: usize| {
+        let from = left + place as f64 * length;
+        let is_there = |points: &[[f64; 2]]| {
+            let [first, last] = ends(points.iter().map(|point| point[0]));
+            first <= from + length && last >= from
+        };
+        let there: Vec<usize> = (0..cracks.len()).filter(|&i| is_there(whole(&cracks[i]))).collect();
+        let curve = |&i: &usize| {
+            let growth = row.cracks.get(i).map_or(0.0, |crack| crack.growth());
+            path("", &cracks[i])
+                .with_dots(increments(&cracks[i]))
+                .with_colour(CurveColour::Along(growth / most))
+        };
+        let mut chart = chart("", there.iter().map(curve).collect(), there.iter().map(|&i| &cracks[i]));
+        chart.areas.extend(summary.pieces.iter().filter(|piece| is_there(&piece.outline_mm)).map(area));
+        let mouths = there.iter().filter_map(|&i| Some((i, cracks[i].initial_points_mm.first()?[0])));
+        let inside = mouths.filter(|(_, x)| (from..from + length).contains(x));
+        // A number at an end of the strip stands within it.
+        let within = |x: f64| x.clamp(from + EDGE * length, from + (1.0 - EDGE) * length);
+        let note = |(i, x): (usize, f64)| ChartNote { at: [within(x), 0.0], words: (i + 1).to_string() };
+        chart.notes.extend(inside.map(note));
+        Chart { x: chart.x.clone().over(ChartRange::Exact([from, from + length])), ..chart }
+    };
+    let colour = CurveColour::Ink;
+    let initial =
+        LegendMark::Curve { look: CurveLook::Line, dots: CurveDots::None, width: CurveWidth::Wide, colour };
+    let mut entries = vec![LegendEntry { mark: initial, words: "initial crack".to_owned() }];
+    if row.steps.len() > 1 {
+        entries.extend(colour_bar("Growth (mm)", most));
+    }
+    if !summary.pieces.is_empty() {
+        entries.push(LegendEntry { mark: LegendMark::Area, words: "piece cut off".to_owned() });
+    }
+    let subtitle =
+        format!("Paths of {} cracks to scale, a dot at the end of each increment · {model}", cracks.len());
+    let sheet = ChartSheet {
+        title: summary.title.clone(),
+        subtitle,
+        rows: (0..count).map(|place| vec![strip(place)]).collect(),
+        legend: SheetLegend::Entries(entries),
+    };
+    Plot::sheet("paths.svg", sheet)
 }

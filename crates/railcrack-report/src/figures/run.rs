@@ -4,7 +4,8 @@ use super::faces::{CrackMap, FaceMap, face_map};
 use super::near::near;
 use super::plot::Plot;
 use super::sif::Mode;
-use super::{cycles, fluid, paths, sif};
+use super::{cycles, fluid, paths, row, sif};
+use crate::row::{CrackRow, NamedCrack, is_many, named};
 use crate::shown::{CrackFaces, ShownRun, StepFaces};
 use railcrack::words::Choice;
 use railcrack_run::Summary;
@@ -27,17 +28,26 @@ pub(crate) fn run_plots(summary: &Summary, growth: &[TipRow], shown: &ShownRun) 
         summary.engine.word(),
         summary.contact.word()
     );
+    let row = is_many(summary.cracks.len()).then(|| CrackRow::of(&summary.cracks, growth)).flatten();
+    let told: Option<Vec<NamedCrack>> = row.as_ref().map(named);
+    let told = told.as_deref();
     let steps = chosen_steps(&shown.steps(), shown.histories(0).len());
     let histories: Vec<&History> = steps.into_iter().flat_map(|step| shown.histories(step)).collect();
     let mut plots: Vec<Plot> =
-        Mode::BOTH.iter().map(|&mode| sif::plot(summary, &model, &histories, mode)).collect();
-    plots.extend(fluid::plot(summary, &model, &histories));
-    plots.push(paths::plot(summary, &model));
-    plots.push(cycles::plot(summary, growth, &model));
+        Mode::BOTH.iter().map(|&mode| sif::plot(summary, &model, &histories, told, mode)).collect();
+    plots.extend(fluid::plot(summary, &model, &histories, told));
+    plots.push(match &row {
+        Some(row) => paths::strips(summary, row, &model),
+        None => paths::plot(summary, &model),
+    });
+    plots.push(cycles::plot(summary, growth, told, &model));
+    if let Some((row, told)) = row.as_ref().zip(told) {
+        plots.push(row::plot(summary, row, told, &model));
+    }
     for (file, (step, faces)) in ["faces.svg", "faces-last.svg"].into_iter().zip(shown.end_faces()) {
         plots.push(Plot::picture(
             file,
-            face_map(&summary.title, &model, &map(summary, step, faces, growth, shown)),
+            face_map(&summary.title, &model, &map(summary, step, faces, growth, shown, told)),
         ));
     }
     plots
@@ -60,6 +70,7 @@ fn map<'a>(
     faces: &'a StepFaces,
     growth: &[TipRow],
     shown: &'a ShownRun,
+    told: Option<&[NamedCrack]>,
 ) -> FaceMap<'a> {
     let of_crack = |faces: &'a CrackFaces| {
         let rows = || growth.iter().filter(|row| row.step == step && row.crack == faces.crack);
@@ -69,11 +80,14 @@ fn map<'a>(
         let last = || faces.s.last().copied().unwrap_or(0.0);
         CrackMap { length: rows().next().map_or_else(last, |row| row.length - deferred), faces }
     };
+    let is_told =
+        |faces: &&CrackFaces| told.is_none_or(|told| told.iter().any(|named| named.crack == faces.crack));
     let xc_over_a: &[f64] = shown.histories(step).first().map_or(&[], |history| &history.xc_over_a);
     FaceMap {
         step,
         xc_over_a,
         near: near(summary, xc_over_a),
-        cracks: faces.cracks.iter().map(of_crack).collect(),
+        of: summary.cracks.len(),
+        cracks: faces.cracks.iter().filter(is_told).map(of_crack).collect(),
     }
 }

@@ -1,10 +1,12 @@
 //! K_I and K_II against the wheel position.
 
-use super::near::{near, origin};
+use super::many::bundle;
+use super::near::{mouth_over_a, near, origin, window};
 use super::plot::Plot;
 use crate::chart::{
     Chart, ChartAxis, ChartRange, ChartSheet, Curve, CurveColour, CurveLook, LegendEntry, SheetLegend,
 };
+use crate::row::NamedCrack;
 use railcrack_run::Summary;
 use railcrack_run::histories::History;
 
@@ -85,8 +87,19 @@ pub(crate) fn far_chart(id: &str, quantity: &str, caption: String, curves: Vec<C
 
 /// The plot of one mode for the run with this `summary` on the model `model`: of a single tip one
 /// colour per step, of several tips one colour per tip, the last step dashed. A rail that bends has
-/// a second chart over the whole passage in metres.
-pub(super) fn plot(summary: &Summary, model: &str, histories: &[&History], mode: Mode) -> Plot {
+/// a second chart over the whole passage in metres. Of many cracks the `named` ones are told from
+/// the others, by the place of the wheel with respect to each crack.
+pub(super) fn plot(
+    summary: &Summary,
+    model: &str,
+    histories: &[&History],
+    named: Option<&[NamedCrack]>,
+    mode: Mode,
+) -> Plot {
+    if let Some(named) = named {
+        return many(summary, model, histories, named, mode);
+    }
+
     let title = &summary.title;
     let initial: Vec<(usize, usize)> =
         histories.iter().filter(|h| h.step == 0).map(|h| (h.crack, h.tip)).collect();
@@ -126,4 +139,28 @@ pub(super) fn plot(summary: &Summary, model: &str, histories: &[&History], mode:
         sheet.legend = SheetLegend::Names(LegendEntry::solid_and_dashed(["initial cracks", &last]).into());
     }
     Plot::sheet(mode.file(), sheet)
+}
+
+/// The plot of one mode for many cracks: the initial ones and, on a chart below, those of the last
+/// step, each by the place of the wheel from its own mouth.
+fn many(summary: &Summary, model: &str, histories: &[&History], named: &[NamedCrack], mode: Mode) -> Plot {
+    let words = format!("{} over the stabilised passage", mode.symbol());
+    let mut rows = Vec::new();
+    for histories in histories.chunk_by(|one, next| one.step == next.step) {
+        let step = histories.first().map_or(0, |history| history.step);
+        let curve = |history: &&History| {
+            let window = window(summary, history.crack, &history.xc_over_a);
+            let mouth = mouth_over_a(summary, history.crack);
+            let points = mode.points(history)[window].iter().map(|&[x, k]| [x - mouth, k]).collect();
+            (history.crack, Curve::line(&format!("crack {}", history.crack), points))
+        };
+        let curves = bundle(named, histories.iter().map(curve).collect());
+        let id = if rows.is_empty() { mode.id().to_owned() } else { format!("{}-last", mode.id()) };
+        let chart = chart(&id, mode.symbol(), format!("{words}, step {step}."), curves);
+        let x = ChartAxis::linear("Wheel position from the mouth of each crack, over a", "");
+        rows.push(vec![Chart { heading: format!("Step {step}"), x: x.over(ChartRange::Tight), ..chart }]);
+    }
+    let title = summary.title.clone();
+    let subtitle = format!("{words} of {} cracks · {model}", summary.cracks.len());
+    Plot::sheet(mode.file(), ChartSheet { title, subtitle, rows, legend: SheetLegend::default() })
 }

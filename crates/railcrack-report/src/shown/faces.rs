@@ -1,15 +1,17 @@
 //! The crack faces: all of what is shown of a step packed, the first and the last step also as they
-//! are.
+//! are. Of many cracks only these two, of which a page takes some cracks.
 
 use super::of_steps::OfSteps;
 use super::pack::{Deflated, Quantised, every, every_count};
 use super::thinned::Thinned;
+use crate::row::is_many;
 use railcrack::contact::FaceStatus;
 use railcrack::growth::StepRecord;
 use railcrack_run::OutputError;
 use railcrack_run::csv::{FaceRow, StepBlock};
 use serde::Serialize;
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 /// The most face states that are shown (points × positions × steps): about two bytes each in a
 /// page.
@@ -44,6 +46,26 @@ impl CrackFaces {
         (self.status[at], self.pressure[at])
     }
 
+    /// The faces at some of the positions, from 0.
+    fn within(&self, positions: Range<usize>) -> Self {
+        let points = self.s.len();
+        let of = |values: &[f64]| {
+            values
+                .get(positions.start * points..positions.end * points)
+                .map_or_else(Vec::new, <[f64]>::to_vec)
+        };
+        let status = self.status.get(positions.start * points..positions.end * points);
+        Self {
+            crack: self.crack,
+            s: self.s.clone(),
+            opening: of(&self.opening),
+            slip: of(&self.slip),
+            pressure: of(&self.pressure),
+            shear: of(&self.shear),
+            status: status.map_or_else(Vec::new, <[FaceStatus]>::to_vec),
+        }
+    }
+
     /// Status and pressure (MPa) everywhere.
     pub(crate) fn states(&self) -> impl Iterator<Item = (FaceStatus, f64)> {
         self.status.iter().copied().zip(self.pressure.iter().copied())
@@ -75,6 +97,11 @@ impl StepFaces {
         Ok(Self { cracks: cracks.into_iter().map(|(crack, faces)| CrackFaces { crack, ..faces }).collect() })
     }
 
+    /// Whether only some of its cracks are on a page.
+    fn is_many(&self) -> bool {
+        is_many(self.cracks.len())
+    }
+
     /// Its status and pressure alone, for a face map.
     fn drawn(self) -> Self {
         let drawn = |faces: CrackFaces| CrackFaces {
@@ -91,6 +118,9 @@ impl StepFaces {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 struct PackedCrack {
     crack: usize,
+    /// The first position, from 0.
+    #[serde(skip_serializing_if = "is_none")]
+    first: usize,
     s: Deflated,
     opening: Quantised,
     slip: Quantised,
@@ -103,6 +133,10 @@ struct PackedCrack {
     positions: usize,
 }
 
+fn is_none(first: &usize) -> bool {
+    *first == 0
+}
+
 impl PackedCrack {
     fn of(faces: &CrackFaces, stride: usize) -> Self {
         let (points, positions) = (faces.s.len(), faces.positions());
@@ -110,6 +144,7 @@ impl PackedCrack {
         let status: Vec<u8> = every(stride, &by_point(&faces.status, points), positions).map(code).collect();
         Self {
             crack: faces.crack,
+            first: 0,
             s: Deflated::singles(&faces.s),
             opening: along(&faces.opening),
             slip: along(&faces.slip),
@@ -126,6 +161,7 @@ impl PackedCrack {
         let status: Vec<u8> = every(2, &self.status.inflated(), self.positions).collect();
         Self {
             crack: self.crack,
+            first: self.first,
             s: self.s.clone(),
             opening: self.opening.halved(),
             slip: self.slip.halved(),
@@ -145,6 +181,15 @@ pub(crate) struct PackedFaces(Vec<PackedCrack>);
 impl PackedFaces {
     fn of(faces: &StepFaces, stride: usize) -> Self {
         Self(faces.cracks.iter().map(|crack| PackedCrack::of(crack, stride)).collect())
+    }
+
+    /// Of many cracks those of `windows`, by number, at the positions in these.
+    fn near(faces: &StepFaces, windows: &[(usize, Range<usize>)]) -> Self {
+        let of = |(crack, window): &(usize, Range<usize>)| {
+            let faces = faces.cracks.iter().find(|faces| faces.crack == *crack)?;
+            Some(PackedCrack { first: window.start, ..PackedCrack::of(&faces.within(window.clone()), 1) })
+        };
+        Self(windows.iter().filter_map(of).collect())
     }
 
     /// Leaves out every other position.
@@ -192,8 +237,8 @@ pub(crate) struct ShownFaces {
     pub steps: Thinned<PackedFaces>,
     /// Every how many positions the faces are packed.
     pub stride: usize,
-    /// Status and pressure for face maps: of the first step, and of the last where it is another
-    /// one.
+    /// Of the first step, and of the last where it is another one: status and pressure for face
+    /// maps, of many cracks everything.
     pub ends: Vec<(usize, StepFaces)>,
     most: usize,
 }
@@ -210,7 +255,16 @@ impl ShownFaces {
     }
 
     fn packed(&self, faces: StepFaces) -> FacesOfStep {
+        if faces.is_many() {
+            return FacesOfStep { packed: PackedFaces(Vec::new()), faces, stride: self.stride };
+        }
         FacesOfStep { packed: PackedFaces::of(&faces, self.stride), faces, stride: self.stride }
+    }
+
+    /// Of many cracks the faces in `step`, the first or the last, of those of `windows`.
+    pub(crate) fn near(&self, step: usize, windows: &[(usize, Range<usize>)]) -> Option<PackedFaces> {
+        let (_, faces) = self.ends.iter().find(|(at, _)| *at == step)?;
+        Some(PackedFaces::near(faces, windows))
     }
 
     /// Leaves out every other position; false where too few would be left.
@@ -245,7 +299,7 @@ impl OfSteps for ShownFaces {
         }
         self.steps.push(step, packed);
         self.ends.truncate(1);
-        self.ends.push((step, faces.drawn()));
+        self.ends.push((step, if faces.is_many() { faces } else { faces.drawn() }));
         while self.steps.weight(PackedFaces::states) > self.most && self.halve() {}
         self.steps.thin_to(self.most, PackedFaces::states);
     }

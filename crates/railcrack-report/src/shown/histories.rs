@@ -2,12 +2,15 @@
 
 use super::of_steps::OfSteps;
 use super::thinned::Thinned;
+use crate::chart::CATEGORIES;
 use railcrack_run::OutputError;
 use railcrack_run::csv::{SifRow, StepBlock};
 use railcrack_run::histories::History;
 
 /// The most values of K that are shown (tips × positions × steps). A page then stays below 3 MB.
 const VALUES: usize = 300_000;
+/// The same of many tips, whose page has the part of them near to each crack.
+const OF_MANY: usize = 4 * VALUES;
 
 /// The histories of the steps that are shown.
 #[derive(Debug, Clone, Default)]
@@ -28,7 +31,8 @@ impl OfSteps for ShownHistories {
     }
 
     fn push(&mut self, step: usize, histories: Vec<History>) {
+        let most = if histories.len() > CATEGORIES { OF_MANY } else { VALUES };
         self.steps.push(step, histories);
-        self.steps.thin_to(VALUES, |histories| histories.iter().map(|history| history.ki.len()).sum());
+        self.steps.thin_to(most, |histories| histories.iter().map(|history| history.ki.len()).sum());
     }
 }

@@ -12,5 +12,5 @@ mod run;
 mod thinned;
 
 pub(crate) use faces::{CrackFaces, StepFaces};
-pub(crate) use pack::Deflated;
+pub(crate) use pack::{Deflated, Quantised};
 pub(crate) use run::{ShownRun, ShownStep};

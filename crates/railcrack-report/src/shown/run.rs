@@ -8,6 +8,7 @@ use railcrack::growth::StepRecord;
 use railcrack_run::OutputError;
 use railcrack_run::csv::{SifRow, SifScale};
 use railcrack_run::histories::History;
+use std::ops::Range;
 use std::path::Path;
 
 /// The shown part of a run.
@@ -78,6 +79,11 @@ impl ShownRun {
     /// The crack faces in a step that is shown.
     pub(crate) fn faces(&self, step: usize) -> Option<&PackedFaces> {
         self.faces.steps.get(step)
+    }
+
+    /// Of many cracks the faces in a step, the first or the last, of those of `windows`, by number.
+    pub(crate) fn faces_of(&self, step: usize, windows: &[(usize, Range<usize>)]) -> Option<PackedFaces> {
+        self.faces.near(step, windows)
     }
 
     /// Every how many positions [`ShownRun::faces`] has.

@@ -18,6 +18,8 @@ pub(crate) enum Mark {
     Box(String),
     /// None: the words head the entries below.
     Heading,
+    /// None: the words stand for themselves.
+    Note,
 }
 
 /// One line of a legend.
@@ -55,11 +57,14 @@ pub(crate) fn draw_legend(svg: &mut Svg, at: [f64; 2], entries: &[Entry]) {
                 }
             }
             Mark::Dot(colour) => svg.dot([x + 0.5 * MARK, y], 2.6, colour),
-            Mark::Heading => {}
+            Mark::Heading | Mark::Note => {}
             Mark::Box(fill) => svg.rectangle([x + 6.0, y - 6.0, 12.0, 12.0], fill, "#999999"),
         }
-        let (indent, weight) =
-            if entry.mark == Mark::Heading { (0.0, "bold") } else { (MARK + 8.0, "normal") };
+        let (indent, weight) = match entry.mark {
+            Mark::Heading => (0.0, "bold"),
+            Mark::Note => (0.0, "normal"),
+            _ => (MARK + 8.0, "normal"),
+        };
         svg.text([x + indent, y + 4.2], &text(&entry.words), TextStyle { weight, ..style });
     }
 }

@@ -5,6 +5,7 @@ mod damage;
 mod fields;
 mod fields_of_a_run;
 mod report;
+mod row;
 mod run_folder;
 mod simulation;
 

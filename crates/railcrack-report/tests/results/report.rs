@@ -9,13 +9,13 @@ use serde_json::Value;
 use std::fs;
 use std::path::Path;
 
-fn run(folder: &Path, size: Size) {
+pub fn run(folder: &Path, size: Size) {
     let mut recorder = Recorder::start(folder, case(), info(), Existing::Refuse, &Pages).unwrap();
     record_steps(&mut recorder, size, 0, size.increments + 1).unwrap();
     recorder.finish().unwrap();
 }
 
-fn report(folder: &Path) -> String {
+pub fn report(folder: &Path) -> String {
     fs::read_to_string(folder.join("report.html")).unwrap()
 }
 
@@ -24,13 +24,13 @@ fn data(page: &str) -> Value {
     data_of(page, "run-data")
 }
 
-fn data_of(page: &str, id: &str) -> Value {
+pub fn data_of(page: &str, id: &str) -> Value {
     let (_, after) = page.split_once(&format!("<script type=\"application/json\" id=\"{id}\">")).unwrap();
     serde_json::from_str(after.split_once("</script>").unwrap().0).unwrap()
 }
 
 /// Rows of a table as maps would have them: the fields of `columns`.
-fn rows(folder: &Path, file: &str, columns: &[&str]) -> Vec<Vec<String>> {
+pub fn rows(folder: &Path, file: &str, columns: &[&str]) -> Vec<Vec<String>> {
     let text = fs::read_to_string(folder.join(file)).unwrap();
     let mut lines = text.lines().filter(|line| !line.starts_with('#'));
     let header: Vec<&str> = lines.next().unwrap().split(',').collect();
@@ -43,7 +43,7 @@ fn rows(folder: &Path, file: &str, columns: &[&str]) -> Vec<Vec<String>> {
     lines.map(row).collect()
 }
 
-fn unpacked(value: &Value) -> Vec<u8> {
+pub fn unpacked(value: &Value) -> Vec<u8> {
     let letters = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let (mut bits, mut count, mut bytes) = (0u32, 0, Vec::new());
     for letter in value.as_str().unwrap().bytes().filter(|&letter| letter != b'=') {
@@ -57,13 +57,13 @@ fn unpacked(value: &Value) -> Vec<u8> {
     decompress_to_vec_zlib(&bytes).unwrap()
 }
 
-fn singles(value: &Value) -> Vec<f64> {
+pub fn singles(value: &Value) -> Vec<f64> {
     let bytes = unpacked(value);
     bytes.chunks_exact(4).map(|b| f64::from(f32::from_le_bytes(b.try_into().unwrap()))).collect()
 }
 
 /// Quantised values in rows of `row`, and half a level.
-fn quantised(value: &Value, row: usize) -> (Vec<f64>, f64) {
+pub fn quantised(value: &Value, row: usize) -> (Vec<f64>, f64) {
     let (low, step) = (value["low"].as_f64().unwrap(), value["step"].as_f64().unwrap());
     let bytes = unpacked(&value["data"]);
     let count = bytes.len() / 2;

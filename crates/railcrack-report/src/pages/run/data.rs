@@ -1,36 +1,51 @@
 //! Data of the passage explorer.
 
 use super::stored::RunFolder;
-use crate::figures::near;
+use crate::figures::{near, window};
 use crate::numbers::{number, numbers};
-use crate::shown::{Deflated, ShownRun};
+use crate::row::NamedCrack;
+use crate::shown::{Deflated, Quantised, ShownRun};
 use railcrack::contact::FluidModel;
 use railcrack::growth::{CrackFluid, PressureProfile, RunStop, TipStop};
 use railcrack::words::Choice;
 use railcrack_run::csv::TipRow;
 use railcrack_run::histories::History;
 use serde_json::{Value, json};
+use std::ops::Range;
 
-/// The data of the explorer.
-pub(super) fn explorer(run: &RunFolder, shown: &ShownRun) -> Value {
+/// The most values of K of many cracks on a page (tips × positions × steps): about three bytes each.
+const VALUES: usize = 200_000;
+
+/// The data of the explorer. Of many cracks, K while the wheel is near each of them, and the faces
+/// of the `named` ones.
+pub(super) fn explorer(run: &RunFolder, shown: &ShownRun, named: Option<&[NamedCrack]>) -> Value {
     let summary = &run.summary;
-    let steps: Vec<Value> = shown
-        .steps()
+    let windows = named.map(|_| windows(run, shown));
+    let steps: Vec<Value> = explored_steps(run, shown, named)
         .into_iter()
         .map(|step| {
+            let faces = match (named, &windows) {
+                (Some(named), Some(windows)) => {
+                    json!(shown.faces_of(step, &told_windows(named, windows)))
+                }
+                _ => json!(shown.faces(step)),
+            };
             json!({
                 "step": step,
                 "cracks": polylines(run, step),
                 "lines": worn(run, step, Until::Now),
                 "whole": worn(run, step, Until::Last),
-                "tips": tips(run, shown.histories(step), step),
-                "faces": shown.faces(step),
+                "tips": tips(run, shown.histories(step), windows.as_deref(), step),
+                "faces": faces,
             })
         })
         .collect();
     let xc_over_a: &[f64] = shown.histories(0).first().map_or(&[], |history| &history.xc_over_a);
     let near = near(summary, xc_over_a);
+    let last_of = |window: &Range<usize>| json!([window.start, window.end.saturating_sub(1)]);
     json!({
+        "windows": windows.as_ref().map(|windows| windows.iter().map(last_of).collect::<Vec<_>>()),
+        "named": named.map(|named| named.iter().map(|named| named.crack).collect::<Vec<_>>()),
         "half_width": summary.half_width_mm,
         "origin": summary.cracks.first().and_then(|crack| crack.initial_points_mm.first()).map_or(0.0, |p| p[0]),
         "peak_pressure": number(run.case.wheel.contact().peak_pressure()),
@@ -52,6 +67,37 @@ pub(super) fn explorer(run: &RunFolder, shown: &ShownRun) -> Value {
         })),
         "steps": steps,
     })
+}
+
+/// Of every crack of a row the positions that are near to it.
+fn windows(run: &RunFolder, shown: &ShownRun) -> Vec<Range<usize>> {
+    let xc_over_a: &[f64] = shown.histories(0).first().map_or(&[], |history| &history.xc_over_a);
+    (1..=run.summary.cracks.len()).map(|crack| window(&run.summary, crack, xc_over_a)).collect()
+}
+
+/// The windows of the `named` cracks, by number.
+fn told_windows(named: &[NamedCrack], windows: &[Range<usize>]) -> Vec<(usize, Range<usize>)> {
+    let of = |named: &NamedCrack| Some((named.crack, windows.get(named.crack.checked_sub(1)?)?.clone()));
+    named.iter().filter_map(of).collect()
+}
+
+/// The steps of the explorer: those `shown`; of many cracks as many of these as fit.
+pub(super) fn explored_steps(run: &RunFolder, shown: &ShownRun, named: Option<&[NamedCrack]>) -> Vec<usize> {
+    let steps = shown.steps();
+    if named.is_none() {
+        return steps;
+    }
+    let windows = windows(run, shown);
+    let of_tip = |history: &History| {
+        history.crack.checked_sub(1).and_then(|place| windows.get(place)).map_or(0, Range::len)
+    };
+    let values: usize = shown.histories(0).iter().map(of_tip).sum();
+    let mut every = 1;
+    while steps.len().div_ceil(every) * values > VALUES && every < steps.len() {
+        every *= 2;
+    }
+    let is_shown = |place: &usize| place.is_multiple_of(every) || place + 1 == steps.len();
+    (0..steps.len()).filter(is_shown).map(|place| steps[place]).collect()
 }
 
 /// Whether the pressure of the fluid falls from the mouth to the tip, as far as cracks of their own
@@ -119,7 +165,7 @@ fn worn(run: &RunFolder, step: usize, until: Until) -> Option<Vec<Vec<Value>>> {
 
 /// The pieces that are enclosed and the cracks that have joined others, with the first step that
 /// has them.
-fn pieces(run: &RunFolder) -> Value {
+pub(super) fn pieces(run: &RunFolder) -> Value {
     let piece = |piece: &railcrack_run::PieceSummary| {
         json!({
             "kind": piece.kind.word(),
@@ -148,17 +194,25 @@ fn junctions(run: &RunFolder) -> Value {
     run.summary.junctions.iter().map(junction).collect()
 }
 
-fn nearest(points: &[[f64; 2]], place: [f64; 2]) -> usize {
+/// The place among `points` of the one nearest to `place`.
+pub(super) fn nearest(points: &[[f64; 2]], place: [f64; 2]) -> usize {
     let distance = |point: &[f64; 2]| (point[0] - place[0]).hypot(point[1] - place[1]);
     let all = points.iter().enumerate();
     all.min_by(|a, b| distance(a.1).total_cmp(&distance(b.1))).map_or(0, |(i, _)| i)
 }
 
-/// State and histories of every tip in `step`.
-fn tips(run: &RunFolder, histories: &[History], step: usize) -> Vec<Value> {
+/// State and histories of every tip in `step`, these within the `windows` of their cracks.
+fn tips(run: &RunFolder, histories: &[History], windows: Option<&[Range<usize>]>, step: usize) -> Vec<Value> {
     let tip = |row: &TipRow| {
         let history = histories.iter().find(|h| (h.crack, h.tip) == (row.crack, row.tip));
-        let packed = |k: fn(&History) -> &[f64]| history.map(|history| Deflated::singles(k(history)));
+        let window = windows.and_then(|windows| windows.get(row.crack.checked_sub(1)?));
+        let packed = |k: fn(&History) -> &[f64]| {
+            let values = k(history?);
+            Some(match window.and_then(|window| values.get(window.clone())) {
+                Some(near) => json!(Quantised::of(near, near.len())),
+                None => json!(Deflated::singles(values)),
+            })
+        };
         let is_wet = history.is_some_and(|history| !history.pressure.is_empty());
         json!({
             "crack": row.crack,

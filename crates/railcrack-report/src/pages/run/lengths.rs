@@ -2,6 +2,7 @@
 
 use super::stored::RunFolder;
 use crate::numbers::{fixed, grouped, tonnage};
+use crate::row::NamedCrack;
 use crate::svg::round_step;
 use crate::table::{MISSING, Table};
 use railcrack_run::csv::TipRow;
@@ -13,11 +14,16 @@ const LENGTHS: usize = 8;
 const LENGTH_CRACKS: usize = 9;
 
 /// How far the cracks have grown: of a single one the load cycles to each of some round lengths, of
-/// several their lengths after some round numbers of load cycles, with the tonnage. None without
-/// growth.
-pub(super) fn lengths(run: &RunFolder) -> Option<Table> {
-    let tips: Vec<(usize, usize)> =
-        run.tips().into_iter().filter(|&(_, tip)| tip == 1).take(LENGTH_CRACKS).collect();
+/// several their lengths after some round numbers of load cycles, with the tonnage; of many, of those
+/// `told` from the others. None without growth.
+pub(super) fn lengths(run: &RunFolder, told: Option<&[NamedCrack]>) -> Option<Table> {
+    let is_told = |crack: usize| told.is_none_or(|told| told.iter().any(|named| named.crack == crack));
+    let tips: Vec<(usize, usize)> = run
+        .tips()
+        .into_iter()
+        .filter(|&(crack, tip)| tip == 1 && is_told(crack))
+        .take(LENGTH_CRACKS)
+        .collect();
     let histories: Vec<(usize, Vec<&TipRow>)> =
         tips.iter().map(|&(crack, tip)| (crack, run.history(crack, tip).collect())).collect();
     match &histories[..] {

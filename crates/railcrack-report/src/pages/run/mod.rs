@@ -8,14 +8,16 @@ mod events;
 mod facts;
 mod far;
 mod lengths;
+mod row;
 mod stored;
 mod warnings;
 
 use super::pictures::still;
 use crate::chart::{Chart, ChartAxis, Curve, CurveColour, CurveDots};
-use crate::figures::{Plot, chart};
+use crate::figures::{Plot, bundle, chart};
 use crate::numbers::{fixed, grouped, significant, tonnage};
 use crate::page::{Block, Page, Section};
+use crate::row::{CrackRow, NamedCrack, is_many, named};
 use crate::shown::ShownRun;
 use crate::table::Table;
 use railcrack_run::csv::TipRow;
@@ -37,6 +39,10 @@ const TABLE_ROWS: usize = 500;
 /// The page of a run with its long tables `shown` and its `plots`.
 pub(crate) fn run_page(run: &RunFolder, shown: &ShownRun, plots: &[Plot]) -> Page {
     let warnings = warnings(run);
+    let row =
+        is_many(run.summary.cracks.len()).then(|| CrackRow::of(&run.summary.cracks, &run.growth)).flatten();
+    let told: Option<Vec<NamedCrack>> = row.as_ref().map(named);
+    let told = told.as_deref();
     let mut page = Page {
         title: run.summary.title.clone(),
         kind: "Crack growth under rolling contact".to_owned(),
@@ -48,9 +54,9 @@ pub(crate) fn run_page(run: &RunFolder, shown: &ShownRun, plots: &[Plot]) -> Pag
     if !warnings.is_empty() {
         page.lead.push(Block::Warnings(warnings));
     }
-    page.lead.extend(depth_by_tonnage(run).map(|chart| Block::charts([chart])));
+    page.lead.extend(depth_by_tonnage(run, told).map(|chart| Block::charts([chart])));
     page.lead.extend(decision::decision(run));
-    if let Some(table) = lengths::lengths(run) {
+    if let Some(table) = lengths::lengths(run, told) {
         let chart = Block::charts(chart(plots, "length-cycles"));
         // A table of many cracks takes the whole width.
         if table.headings.len() <= BESIDE_COLUMNS {
@@ -59,16 +65,21 @@ pub(crate) fn run_page(run: &RunFolder, shown: &ShownRun, plots: &[Plot]) -> Pag
             page.lead.extend([Block::Table(table), chart]);
         }
     }
-    page.lead.extend(facts::cracks(run).map(Block::Table));
+    if row.is_none() {
+        page.lead.extend(facts::cracks(run).map(Block::Table));
+    }
     page.lead.extend(events::table(run).map(Block::Table));
     page.lead.push(Block::Heading("Assumptions".to_owned()));
     page.lead.push(Block::List(assumptions::assumptions(run)));
     if run.summary.steps_recorded > 0 {
-        page.sections.push(explorer(data::explorer(run, shown), plots));
+        if let Some((row, told)) = row.as_ref().zip(told) {
+            page.sections.push(row::section(run, row, told, plots));
+        }
+        page.sections.push(explorer(data::explorer(run, shown, told), told, plots));
         page.sections.extend(far::section(run, plots));
         page.sections.extend(water(plots));
         page.sections.extend(around::section(shown));
-        page.sections.push(growth(run, warnings::remarks(run, shown)));
+        page.sections.push(growth(run, told, warnings::remarks(run, shown, told)));
         page.sections.push(steps(run));
     }
     page.sections.push(case_section(run));
@@ -87,12 +98,16 @@ pub(super) fn case_section(run: &RunFolder) -> Section {
     }
 }
 
-fn explorer(data: Value, plots: &[Plot]) -> Section {
+fn explorer(data: Value, told: Option<&[NamedCrack]>, plots: &[Plot]) -> Section {
     let mut blocks =
         vec![Block::Viewer { html: EXPLORER, data_id: "run-data", data, script: EXPLORER_SCRIPT }];
-    let stills = ["ki.svg", "kii.svg", "paths.svg"].map(|file| still(plots, file, ""));
-    blocks.extend(stills.into_iter().flatten());
-    blocks.extend(still(plots, "faces.svg", "Crack faces in step 0."));
+    // Of many cracks the largest pictures are left to their files.
+    let files: &[&str] =
+        if told.is_some() { &["kii.svg", "paths.svg"] } else { &["ki.svg", "kii.svg", "paths.svg"] };
+    blocks.extend(files.iter().filter_map(|file| still(plots, file, "")));
+    if told.is_none() {
+        blocks.extend(still(plots, "faces.svg", "Crack faces in step 0."));
+    }
     Section { id: "passage".to_owned(), heading: "Passage of the wheel".to_owned(), blocks }
 }
 
@@ -107,7 +122,7 @@ fn water(plots: &[Plot]) -> Option<Section> {
     })
 }
 
-fn growth(run: &RunFolder, remarks: Vec<String>) -> Section {
+fn growth(run: &RunFolder, told: Option<&[NamedCrack]>, remarks: Vec<String>) -> Section {
     let mut blocks = Vec::new();
     if run.summary.steps_recorded > 1 {
         let chart = |id: &str, caption: &str, x: ChartAxis, point: fn(&TipRow) -> [f64; 2]| Chart {
@@ -115,7 +130,7 @@ fn growth(run: &RunFolder, remarks: Vec<String>) -> Section {
             caption: caption.to_owned(),
             x,
             y: ChartAxis::logarithmic("da/dN", "mm/cycle"),
-            curves: curves(run, point),
+            curves: curves(run, told, point),
             ..Chart::default()
         };
         blocks.push(Block::charts([chart(
@@ -146,14 +161,14 @@ fn quantiles(run: &RunFolder) -> Vec<Curve> {
 }
 
 /// Depth of the tips against million gross tonnes; none without growth or without axle loads.
-fn depth_by_tonnage(run: &RunFolder) -> Option<Chart> {
+fn depth_by_tonnage(run: &RunFolder, told: Option<&[NamedCrack]>) -> Option<Chart> {
     let load = run.case.axle_load.filter(|_| run.summary.steps_recorded > 1)?;
     Some(Chart {
         id: "depth-mgt".to_owned(),
         caption: format!("Depth of the tip below the running surface against traffic of {load} t per axle."),
         x: ChartAxis::linear("Traffic", "million gross tonnes"),
         y: ChartAxis::linear("Depth", "mm"),
-        curves: curves(run, |row| [1e-6 * load * row.load_cycles, -row.place[1]])
+        curves: curves(run, told, |row| [1e-6 * load * row.load_cycles, -row.place[1]])
             .into_iter()
             .chain(quantiles(run))
             .collect(),
@@ -161,8 +176,9 @@ fn depth_by_tonnage(run: &RunFolder) -> Option<Chart> {
     })
 }
 
-/// A curve for each tip; a single one has no name, it needs no legend.
-fn curves(run: &RunFolder, point: impl Fn(&TipRow) -> [f64; 2]) -> Vec<Curve> {
+/// A curve for each tip; a single one has no name, it needs no legend. Of many cracks those `told`
+/// from the others are named.
+fn curves(run: &RunFolder, told: Option<&[NamedCrack]>, point: impl Fn(&TipRow) -> [f64; 2]) -> Vec<Curve> {
     let tips = run.tips();
     let has_two = tips.iter().any(|&(_, tip)| tip > 1);
     let curve = |(place, &(crack, tip)): (usize, &(usize, usize))| {
@@ -175,7 +191,11 @@ fn curves(run: &RunFolder, point: impl Fn(&TipRow) -> [f64; 2]) -> Vec<Curve> {
             .with_dots(CurveDots::All)
             .with_colour(CurveColour::of(place, tips.len()))
     };
-    tips.iter().enumerate().map(curve).collect()
+    let curves: Vec<Curve> = tips.iter().enumerate().map(curve).collect();
+    match told {
+        Some(told) => bundle(told, tips.iter().map(|&(crack, _)| crack).zip(curves).collect()),
+        None => curves,
+    }
 }
 
 fn steps(run: &RunFolder) -> Section {

@@ -1,7 +1,9 @@
 //! Warnings and remarks on a run.
 
+use super::data::explored_steps;
 use super::stored::RunFolder;
 use crate::numbers::{fixed, significant};
+use crate::row::NamedCrack;
 use crate::shown::ShownRun;
 use railcrack::bulk::Boundary;
 use railcrack::growth::{Warning, WarningKind};
@@ -58,7 +60,6 @@ fn grouped_text(kind: WarningKind, warnings: &[&Warning]) -> String {
         let _ = write!(text, "Step {}: {}. ", warning.step, warning.text.trim_end_matches('.'));
     }
     if warnings.len() > shown {
-        let others = if several { "others" } else { "the same" };
         let steps: Vec<String> =
             warnings.iter().skip(shown).map(|warning| warning.step.to_string()).collect();
         let list = if steps.len() > 12 {
@@ -66,13 +67,19 @@ fn grouped_text(kind: WarningKind, warnings: &[&Warning]) -> String {
         } else {
             steps.join(", ")
         };
-        let _ = write!(text, "And {} {others}, in steps {list}.", warnings.len() - shown);
+        let rest = warnings.len() - shown;
+        let (others, steps) = match (several, rest) {
+            (false, _) => ("the same", if rest == 1 { "step" } else { "steps" }),
+            (true, 1) => ("other", "step"),
+            (true, _) => ("others", "steps"),
+        };
+        let _ = write!(text, "And {rest} {others}, in {steps} {list}.");
     }
     text.trim_end().to_owned()
 }
 
 /// Remarks: the largest secondary maximum; results that the page leaves out.
-pub(super) fn remarks(run: &RunFolder, shown: &ShownRun) -> Vec<String> {
+pub(super) fn remarks(run: &RunFolder, shown: &ShownRun, told: Option<&[NamedCrack]>) -> Vec<String> {
     let mut texts = Vec::new();
     let secondary_maxima = run.growth.iter().filter_map(|row| Some((row, row.rival_deg?, row.rival_ratio?)));
     if let Some((row, angle, ratio)) =
@@ -89,11 +96,21 @@ pub(super) fn remarks(run: &RunFolder, shown: &ShownRun) -> Vec<String> {
             fixed(kink, 0)
         ));
     }
-    let steps = shown.steps().len();
+    let steps = explored_steps(run, shown, told).len();
     if steps < run.summary.steps_recorded {
         texts.push(format!(
             "To keep this file small, the passage explorer has {} of {} growth steps; the charts of growth have all.",
             steps, run.summary.steps_recorded
+        ));
+    }
+    if let Some(told) = told {
+        let mut numbers: Vec<usize> = told.iter().map(|named| named.crack).collect();
+        numbers.sort_unstable();
+        let numbers: Vec<String> = numbers.iter().map(usize::to_string).collect();
+        texts.push(format!(
+            "To keep this file small, K of a crack is given while the wheel is as near to it as the passage is to the row, \
+             and faces of cracks {} in the first and the last growth step; sif.csv and faces.csv have more.",
+            numbers.join(", ")
         ));
     }
     if shown.face_stride() > 1 {

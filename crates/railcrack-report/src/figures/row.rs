@@ -1,0 +1,93 @@
+//! A row of many cracks by their place along the rail: length, ΔK_eq and rate in the first and the
+//! last step.
+
+use super::many::colour_bar;
+use super::plot::Plot;
+use crate::chart::{
+    Chart, ChartAspect, ChartAxis, ChartNote, ChartRange, ChartScale, ChartSheet, Curve, CurveColour,
+    CurveLook, CurveWidth, LegendEntry, SheetLegend,
+};
+use crate::row::{CrackRow, CrackState, NamedCrack};
+use crate::svg::ends;
+use railcrack_run::Summary;
+
+/// The largest growth of a crack of the row, mm; a least one where none grows.
+pub(super) fn most_growth(row: &CrackRow) -> f64 {
+    row.cracks.iter().map(|crack| crack.growth()).fold(1e-6, f64::max)
+}
+
+/// The plot `row.svg`.
+pub(super) fn plot(summary: &Summary, row: &CrackRow, named: &[NamedCrack], model: &str) -> Plot {
+    let of = |id: &str, words: &str, y: ChartAxis, value: fn(&CrackState) -> f64| -> Chart {
+        let mut chart = Chart {
+            id: id.to_owned(),
+            caption: format!("{words} of the cracks by their place along the rail."),
+            x: ChartAxis::linear("Place of the mouth along the rail", "mm"),
+            y: y.clone().over(room(row, y.scale, value)),
+            curves: curves(row, value),
+            aspect: ChartAspect::Long,
+            ..Chart::default()
+        };
+        let note = |named: &NamedCrack| {
+            let crack = row.cracks.get(named.crack - 1)?;
+            let at = value(crack.last()).max(value(crack.first()));
+            Some(ChartNote { at: [crack.mouth, at], words: named.crack.to_string() })
+        };
+        chart.notes = named.iter().filter_map(note).collect();
+        chart
+    };
+    let rows = vec![
+        vec![of("row-length", "Length", ChartAxis::linear("Length", "mm"), |state| state.length)],
+        vec![of("row-keq", "ΔK_{eq}", ChartAxis::linear("ΔK_{eq}", "MPa√m"), |state| state.delta_keq)],
+        vec![of("row-rate", "Growth rate", ChartAxis::logarithmic("da/dN", "mm/cycle"), |state| state.rate)],
+    ];
+    let last = row.steps.last().copied().unwrap_or(0);
+    let mut entries = vec![LegendEntry::curve("step 0", CurveLook::Dots, CurveColour::Quiet)];
+    if last > 0 {
+        entries.extend(colour_bar(&format!("Step {last}, by growth (mm)"), most_growth(row)));
+    }
+    if !named.is_empty() {
+        entries.push(LegendEntry::heading("Numbered cracks"));
+        entries.extend(
+            named.iter().map(|named| LegendEntry::note(&format!("{}: {}", named.crack, named.words))),
+        );
+    }
+    let sheet = ChartSheet {
+        title: summary.title.clone(),
+        subtitle: format!("{} cracks, each in step 0 and in step {last} · {model}", row.cracks.len()),
+        rows,
+        legend: SheetLegend::Entries(entries),
+    };
+    Plot::sheet("row.svg", sheet)
+}
+
+/// What an axis of `scale` covers of a quantity, with room for numbers above.
+fn room(row: &CrackRow, scale: ChartScale, value: fn(&CrackState) -> f64) -> ChartRange {
+    let is_logarithmic = scale == ChartScale::Logarithmic;
+    let values = row.cracks.iter().flat_map(|crack| [crack.first(), crack.last()].map(value));
+    let values = values.filter(|&value| !is_logarithmic || value > 0.0);
+    let [low, high] = ends(values.map(|value| if is_logarithmic { value.ln() } else { value }));
+    let span = (high - low).max(1e-3 * high.abs()).max(1e-9);
+    let [low, high] = [low - 0.06 * span, high + 0.14 * span];
+    ChartRange::Exact(if is_logarithmic { [low.exp(), high.exp()] } else { [low, high] })
+}
+
+/// Of each crack a dot for its first state, one for its last in the colour of its growth, and the
+/// way between.
+fn curves(row: &CrackRow, value: fn(&CrackState) -> f64) -> Vec<Curve> {
+    let most = most_growth(row);
+    let mut curves = Vec::new();
+    for crack in &row.cracks {
+        let [from, to] = [crack.first(), crack.last()].map(|state| [crack.mouth, value(state)]);
+        let colour = CurveColour::Along(crack.growth() / most);
+        let first = Curve::line("", vec![from]).with_look(CurveLook::Dots).with_colour(CurveColour::Quiet);
+        if row.steps.len() > 1 {
+            let way = Curve::line("", vec![from, to]).with_colour(colour).with_width(CurveWidth::Usual);
+            let last = Curve::line("", vec![to]).with_look(CurveLook::Dots).with_colour(colour);
+            curves.extend([way, first, last]);
+        } else {
+            curves.push(first);
+        }
+    }
+    curves
+}
