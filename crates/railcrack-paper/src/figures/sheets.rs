@@ -13,6 +13,8 @@ use railcrack_report::{
 const INITIAL_POINTS: usize = 2;
 /// Cracks of a run in the block whose K leaves the other curves readable.
 const FEW_CRACKS: usize = 2;
+/// Colours of things without order.
+const COLOURS: usize = 9;
 /// Length over depth of paths that are shown one below the other.
 const LONG: f64 = 5.0;
 
@@ -79,10 +81,25 @@ fn sif_row(figure: &Figure, quantity: Quantity, curves: &[TableCurve]) -> Vec<Ch
 
 /// The paths in each main set-up that has any.
 fn path_panels(figure: &Figure, quantity: Quantity, curves: &[TableCurve]) -> Vec<Chart> {
+    let mut names: Vec<&str> = Vec::new();
+    for curve in curves.iter().filter(|curve| curve.setup != DIGITISED) {
+        if !names.contains(&curve.name.as_str()) {
+            names.push(&curve.name);
+        }
+    }
+    let is_crowded = names.iter().map(|name| cracks(curves, name)).sum::<usize>() > COLOURS;
     let panel = |name: &'static str| {
         let paths = drawn(figure, curves, move |curve| curve.setup == name || curve.setup == DIGITISED);
-        let paths: Vec<Curve> =
-            paths.map(|(_, curve)| curve.with_dots(CurveDots::AllBut(0..INITIAL_POINTS))).collect();
+        let dotted = |(table, curve): (&TableCurve, Curve)| {
+            let curve = curve.with_dots(CurveDots::AllBut(0..INITIAL_POINTS));
+            match names.iter().position(|name| *name == table.name) {
+                Some(place) if is_crowded && table.setup != DIGITISED => {
+                    by_curve(figure, table, curve, place)
+                }
+                _ => curve,
+            }
+        };
+        let paths: Vec<Curve> = paths.map(dotted).collect();
         let is_ours = |path: &&Curve| path.look != CurveLook::Dots;
         let initial = |path: &Curve| {
             let points = path.points.iter().take(INITIAL_POINTS).copied().collect();
@@ -99,6 +116,14 @@ fn path_panels(figure: &Figure, quantity: Quantity, curves: &[TableCurve]) -> Ve
     };
     let panels = SETUPS[..MAIN].iter().map(|setup| panel(setup.name));
     panels.filter(|chart| chart.curves.iter().any(|curve| curve.look != CurveLook::Dots)).collect()
+}
+
+/// One of more paths than there are colours: those of a curve of the paper have one colour, and the
+/// first curve is seen below the others.
+fn by_curve(figure: &Figure, table: &TableCurve, curve: Curve, place: usize) -> Curve {
+    let width = if place == 0 { CurveWidth::Wide } else { CurveWidth::Usual };
+    let colour = Some(CurveColour::Category(place));
+    Curve { name: figure.words(&table.name).to_owned(), colour, width, ..curve }
 }
 
 /// The readings of Fig. 21 solid, rolled rails dashed.

@@ -20,6 +20,9 @@ const LONG_HEIGHT: f64 = 200.0;
 const STRIP: [f64; 2] = [20.0, 24.0];
 /// Heights of a chart to scale.
 const TO_SCALE: [f64; 2] = [150.0, 560.0];
+/// The least height of a row of cracks over the whole width, and its length over its depth.
+const TO_SCALE_ROW: f64 = 110.0;
+const ROW: f64 = 5.0;
 /// Room at the left of a chart: ticks and title of its y axis.
 const LEFT: f64 = 76.0;
 /// Room below a chart with a title of its x axis, and below one without.
@@ -165,11 +168,14 @@ impl ChartSheet {
 fn equal([left, right]: [f64; 2], [_, deep]: [f64; 2], width: f64) -> (Axis, Axis, f64) {
     let (across, deep) = ((right - left).max(1e-6), deep.max(1e-6));
     let air = 0.12 * across.max(deep);
+    // Rows of cracks over the whole width of a page: what grows is a small part of them.
+    let is_row = width >= LONG && across > ROW * deep;
+    let (air, least) = if is_row { (0.25 * air, TO_SCALE_ROW) } else { (air, TO_SCALE[0]) };
     // The room above the surface takes notes.
     let above = 0.6 * air;
     let (x_span, y_span) = (across + 2.0 * air, deep + air + above);
     let scale = (width / x_span).min(TO_SCALE[1] / y_span);
-    let height = (scale * y_span).max(TO_SCALE[0]);
+    let height = (scale * y_span).max(least);
     let (half, middle) = (0.5 * width / scale, 0.5 * (left + right));
     let ticks = |length: f64| (length / 55.0) as usize + 1;
     let x = Axis::exact(middle - half, middle + half, ticks(width));

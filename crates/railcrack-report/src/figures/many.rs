@@ -5,7 +5,7 @@ use crate::row::NamedCrack;
 
 /// The most curves of a bundle; of more, evenly chosen ones.
 const BUNDLE: usize = 150;
-/// What the legend calls the bundle.
+/// Name of the bundle in a legend.
 const OTHERS: &str = "other cracks";
 /// Steps of a colour bar.
 const BAR: usize = 5;

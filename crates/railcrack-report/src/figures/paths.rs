@@ -97,11 +97,11 @@ pub(super) fn plot(summary: &Summary, model: &str) -> Plot {
     Plot::sheet("paths.svg", ChartSheet::of(&summary.title, &subtitle, chart))
 }
 
-/// The paths of the many cracks of `row` in strips, one below the other at one scale: what has grown
-/// in the colour of the growth.
+/// The paths of the many cracks of `row` in strips, one below the other at one scale: what has
+/// grown in the colour of the growth.
 pub(super) fn strips(summary: &Summary, row: &CrackRow, model: &str) -> Plot {
     let cracks = &summary.cracks;
-    let [left, right] = ends(cracks.iter().flat_map(|crack| whole(crack)).map(|point| point[0]));
+    let [left, right] = ends(cracks.iter().flat_map(whole).map(|point| point[0]));
     let air = 0.01 * (right - left).max(1e-3);
     let (left, right) = (left - air, right + air);
     let count = cracks.len().div_ceil(STRIP);

@@ -61,7 +61,7 @@ pub(super) fn plot(summary: &Summary, row: &CrackRow, named: &[NamedCrack], mode
     Plot::sheet("row.svg", sheet)
 }
 
-/// What an axis of `scale` covers of a quantity, with room for numbers above.
+/// The range of a quantity on an axis of `scale`, with room for numbers above.
 fn room(row: &CrackRow, scale: ChartScale, value: fn(&CrackState) -> f64) -> ChartRange {
     let is_logarithmic = scale == ChartScale::Logarithmic;
     let values = row.cracks.iter().flat_map(|crack| [crack.first(), crack.last()].map(value));

@@ -61,7 +61,7 @@ pub(crate) struct CrackRow {
     pub(crate) cracks: Vec<CrackHistory>,
 }
 
-/// What is known of a crack so far.
+/// A crack as far as it is followed.
 struct Followed {
     history: CrackHistory,
     /// By number of the tip.

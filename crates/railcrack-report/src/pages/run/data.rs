@@ -13,7 +13,8 @@ use railcrack_run::histories::History;
 use serde_json::{Value, json};
 use std::ops::Range;
 
-/// The most values of K of many cracks on a page (tips × positions × steps): about three bytes each.
+/// The most values of K of many cracks on a page (tips × positions × steps): about three bytes
+/// each.
 const VALUES: usize = 200_000;
 
 /// The data of the explorer. Of many cracks, K while the wheel is near each of them, and the faces

@@ -14,8 +14,8 @@ const LENGTHS: usize = 8;
 const LENGTH_CRACKS: usize = 9;
 
 /// How far the cracks have grown: of a single one the load cycles to each of some round lengths, of
-/// several their lengths after some round numbers of load cycles, with the tonnage; of many, of those
-/// `told` from the others. None without growth.
+/// several their lengths after some round numbers of load cycles, with the tonnage; of many, of
+/// those `told` from the others. None without growth.
 pub(super) fn lengths(run: &RunFolder, told: Option<&[NamedCrack]>) -> Option<Table> {
     let is_told = |crack: usize| told.is_none_or(|told| told.iter().any(|named| named.crack == crack));
     let tips: Vec<(usize, usize)> = run
