@@ -1,16 +1,21 @@
 //! How time and memory of a growth step grow: with the unknowns of the mesh, the number of cracks,
-//! the load steps, the threads.
+//! together and in groups, the load steps, the threads.
 //!
 //! `cargo bench --bench scaling > scaling.csv` prints a table, and exponents (least squares in
 //! logarithms) as comments at its end. Every row is a process of its own, so that its peak of
-//! memory is its own; what counts are ratios within one table.
+//! memory is its own; what counts are ratios within one table. Of rows in groups, times are those
+//! of the first growth step, and K is compared with that of all cracks together where these are
+//! not too many. With an argument, `cargo bench --bench scaling -- groups`, only studies whose
+//! names contain it are made.
 
-use railcrack::body::BodyEngine;
+use railcrack::body::{BodyEngine, CrackedBody};
 use railcrack::contact::{FaceProblem, Newton};
 use railcrack::crack::{Crack, CrackNetwork, End};
+use railcrack::dislocation::{DislocationEngine, FaceResolution};
 use railcrack::field::HertzWheel;
-use railcrack::growth::{PassageSettings, RailLoad, Unobserved, stabilised_passage};
-use railcrack::load::HertzianContact;
+use railcrack::growth::{PassageSettings, RailLoad, StabilisedPassage, Unobserved, stabilised_passage};
+use railcrack::interruption::Interruption;
+use railcrack::load::{HertzianContact, Passage};
 use railcrack::material::IsotropicElastic;
 use railcrack::xfem::{MeshSettings, RailEnd, XfemEngine, XfemSettings};
 use rayon::ThreadPoolBuilder;
@@ -24,6 +29,21 @@ const STEPS: usize = 5;
 const MANY_CRACKS: usize = 32;
 /// Distance between cracks, mm.
 const SPACING: f64 = 3.375;
+
+/// The most cracks of which K in groups is compared with that of all together.
+const COMPARED: usize = 32;
+/// Of the load steps of both there.
+const COMPARED_STEPS: f64 = 2e-4;
+/// Elements of the faces of a crack in rows of dislocations.
+const ELEMENTS: usize = 28;
+/// Half-width of the contact, and the reach of the passage beyond the row, mm.
+const HALF_WIDTH: f64 = 6.75;
+const BEYOND: f64 = 6.0 * HALF_WIDTH;
+/// Output positions of rows in groups.
+const POSITIONS: usize = 121;
+
+/// The studies of rows in groups.
+const GROUPS: [&str; 2] = ["groups, finite elements", "groups, dislocations"];
 
 /// The varied quantity.
 #[derive(Debug, Clone, Copy)]
@@ -46,7 +66,9 @@ fn points() -> Vec<Point> {
     let load_steps = tolerances.map(|step_tolerance| Point { study: "load steps", step_tolerance, ..PLAIN });
     let threads = [1, 2].map(|threads| Point { study: "threads", element_mm: 0.1, threads, ..PLAIN });
     let of_nine = [1, 2].map(|threads| Point { study: "threads, 9 cracks", cracks: 9, threads, ..PLAIN });
-    [&unknowns[..], &cracks, &load_steps, &threads, &of_nine].concat()
+    let numbers = [8, 16, 32, 64, 128];
+    let groups = GROUPS.map(|study| numbers.map(|cracks| Point { study, cracks, ..PLAIN }));
+    [&unknowns[..], &cracks, &load_steps, &threads, &of_nine, &groups.concat()].concat()
 }
 
 /// Cost of a point.
@@ -56,6 +78,60 @@ struct Cost {
     solves: usize,
     body_ms: f64,
     contact_ms: f64,
+    /// The largest difference of K from that of all cracks together, % of the peak at its tip.
+    off: Option<f64>,
+}
+
+/// A row in groups.
+fn measure_groups(point: Point) -> Result<Cost, Box<dyn Error>> {
+    let steel = IsotropicElastic::new(210e3, 0.3)?;
+    let contact = HertzianContact { peak_pressure: 845.0, half_width: HALF_WIDTH, friction: 0.1 };
+    let wheel = HertzWheel::new(&contact, &steel)?;
+    let crack = |k: usize| Crack::surface_breaking(SPACING * k as f64, 6.0, 15f64.to_radians());
+    let network = CrackNetwork::new((0..point.cracks).map(crack).collect::<Result<_, _>>()?)?;
+    let mut engine: Box<dyn BodyEngine> = if point.study == GROUPS[0] {
+        let mesh = MeshSettings { element_size: point.element_mm, expected_growth: 1.0 };
+        let end = RailEnd::HalfPlane { centre: 0.5 * network.rightmost_mouth() };
+        Box::new(XfemEngine::new(&network, steel, mesh, end, XfemSettings::default()))
+    } else {
+        Box::new(DislocationEngine { steel, resolution: FaceResolution { elements: ELEMENTS } })
+    };
+    let passage = |body: &CrackedBody, step_tolerance: f64| -> Result<StabilisedPassage, Box<dyn Error>> {
+        let to = network.rightmost_mouth() + BEYOND;
+        let settings = PassageSettings {
+            passage: Passage { from: -BEYOND, to, positions: POSITIONS },
+            step_tolerance,
+            ..PassageSettings::default()
+        };
+        let faces = FaceProblem::new(body, &vec![0.5; point.cracks])?;
+        let load = RailLoad { wheel: &wheel, residual: None };
+        Ok(stabilised_passage(&faces, &Newton::default(), load, &settings, &Unobserved)?)
+    };
+    let begun = Instant::now();
+    let body = engine.body_by_groups(Interruption::NEVER, &network)?.ok_or("no body by groups")?;
+    let body_ms = begun.elapsed().as_secs_f64() * 1e3;
+    let made = Instant::now();
+    let solves = passage(&body, point.step_tolerance)?.counts.solves;
+    let contact_ms = made.elapsed().as_secs_f64() * 1e3;
+    let off = if std::env::args().any(|argument| argument == "--compare") && point.cracks <= COMPARED {
+        let whole = passage(&engine.body(&network)?, COMPARED_STEPS)?;
+        Some(100.0 * largest_difference(&whole, &passage(&body, COMPARED_STEPS)?))
+    } else {
+        None
+    };
+    Ok(Cost { unknowns: body.dofs, face_points: body.faces.points.len(), solves, body_ms, contact_ms, off })
+}
+
+/// The largest difference of K at any position over the peak of K at its tip.
+fn largest_difference(whole: &StabilisedPassage, groups: &StabilisedPassage) -> f64 {
+    let last = |passage: &StabilisedPassage| passage.passages[passage.passages.len() - 1].sifs.clone();
+    let tips = last(whole).into_iter().zip(last(groups));
+    let of_tip = tips.map(|(one, other)| {
+        let peak = one.iter().fold(0.0f64, |peak, k| peak.max(k.ki.abs()).max(k.kii.abs()));
+        let off = one.iter().zip(other).map(|(a, b)| (a.ki - b.ki).abs().max((a.kii - b.kii).abs()));
+        off.fold(0.0, f64::max) / peak
+    });
+    of_tip.fold(0.0, f64::max)
 }
 
 fn median(mut values: Vec<f64>) -> f64 {
@@ -77,7 +153,7 @@ fn measure(point: Point) -> Result<Cost, Box<dyn Error>> {
     let passage = PassageSettings { step_tolerance: point.step_tolerance, ..PassageSettings::default() };
     let load = RailLoad { wheel: &HertzWheel::new(&wheel, &steel).unwrap(), residual: None };
     let (mut bodies, mut contacts) = (Vec::new(), Vec::new());
-    let mut cost = Cost { unknowns: 0, face_points: 0, solves: 0, body_ms: 0.0, contact_ms: 0.0 };
+    let mut cost = Cost { unknowns: 0, face_points: 0, solves: 0, body_ms: 0.0, contact_ms: 0.0, off: None };
     let steps = if point.cracks < MANY_CRACKS { STEPS } else { 1 };
     for step in 0..=steps {
         let network = CrackNetwork::new(cracks.clone())?;
@@ -118,29 +194,43 @@ fn exponent(pairs: &[(f64, f64)]) -> f64 {
 
 fn main() -> Result<(), Box<dyn Error>> {
     let points = points();
-    let own = std::env::args().skip_while(|argument| argument != "--point").nth(1);
-    if let Some(index) = own {
-        let point = points[index.parse::<usize>()?];
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    if let Some(place) = arguments.iter().position(|argument| argument == "--point") {
+        let point = points[arguments[place + 1].parse::<usize>()?];
         let pool = ThreadPoolBuilder::new().num_threads(point.threads).build()?;
+        let measure = if GROUPS.contains(&point.study) { measure_groups } else { measure };
         let cost = pool.install(|| measure(point).map_err(|reason| reason.to_string()))?;
-        let Cost { unknowns, face_points, solves, body_ms, contact_ms } = cost;
+        let Cost { unknowns, face_points, solves, body_ms, contact_ms, off } = cost;
         let memory = peak_memory_mb().map_or(String::new(), |mb| format!("{mb:.0}"));
-        println!("{unknowns},{face_points},{solves},{body_ms:.1},{contact_ms:.1},{memory}");
+        let off = off.map_or(String::new(), |off| format!("{off:.3}"));
+        println!("{unknowns},{face_points},{solves},{body_ms:.1},{contact_ms:.1},{memory},{off}");
         return Ok(());
     }
+    let wanted = arguments.iter().find(|argument| !argument.starts_with('-'));
     println!(
-        "study,element_mm,cracks,threads,step_tolerance,unknowns,face_points,contact_solves,body_ms,contact_ms,peak_memory_mb"
+        "study,element_mm,cracks,threads,step_tolerance,unknowns,face_points,contact_solves,body_ms,contact_ms,peak_memory_mb,k_off_percent"
     );
     let mut table: Vec<(Point, Vec<f64>)> = Vec::new();
-    for (index, point) in points.iter().enumerate() {
-        let output = Command::new(std::env::current_exe()?).args(["--point", &index.to_string()]).output()?;
-        if !output.status.success() {
-            return Err(format!("{point:?}: {}", String::from_utf8_lossy(&output.stderr)).into());
+    let is_wanted = |point: &Point| wanted.is_none_or(|wanted| point.study.contains(wanted.as_str()));
+    for (index, point) in points.iter().enumerate().filter(|(_, point)| is_wanted(point)) {
+        let index = index.to_string();
+        let told = |further: &[&str]| -> Result<String, Box<dyn Error>> {
+            let all = [&["--point", &index], further].concat();
+            let output = Command::new(std::env::current_exe()?).args(all).output()?;
+            if !output.status.success() {
+                return Err(format!("{point:?}: {}", String::from_utf8_lossy(&output.stderr)).into());
+            }
+            Ok(String::from_utf8(output.stdout)?.trim().to_owned())
+        };
+        let mut text = told(&[])?;
+        if GROUPS.contains(&point.study) && point.cracks <= COMPARED {
+            // Another process, whose memory is not that of the groups.
+            let compared = told(&["--compare"])?;
+            text.push_str(compared.rsplit(',').next().unwrap_or_default());
         }
-        let text = String::from_utf8(output.stdout)?;
         let Point { study, element_mm, cracks, threads, step_tolerance } = point;
-        println!("\"{study}\",{element_mm},{cracks},{threads},{step_tolerance},{}", text.trim());
-        table.push((*point, text.trim().split(',').filter_map(|value| value.parse().ok()).collect()));
+        println!("\"{study}\",{element_mm},{cracks},{threads},{step_tolerance},{text}");
+        table.push((*point, text.split(',').filter_map(|value| value.parse().ok()).collect()));
     }
     let slope = |study: &str, x: &dyn Fn(&Point, &[f64]) -> f64, y: &dyn Fn(&[f64]) -> f64| {
         let rows = table.iter().filter(|(point, _)| point.study == study);
@@ -148,10 +238,18 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let step = |row: &[f64]| row[3] + row[4];
     let unknowns = |_: &Point, row: &[f64]| row[0];
+    let cracks = |point: &Point, _: &[f64]| point.cracks as f64;
+    for study in GROUPS.into_iter().filter(|study| table.iter().any(|(point, _)| point.study == *study)) {
+        println!("# {study}: growth step over cracks: {:.2}", slope(study, &cracks, &step));
+        println!("# {study}: of it the body: {:.2}", slope(study, &cracks, &|row| row[3]));
+        println!("# {study}: memory over cracks: {:.2}", slope(study, &cracks, &|row| row[5]));
+    }
+    if wanted.is_some() {
+        return Ok(());
+    }
     println!("# growth step over unknowns: exponent {:.2}", slope("unknowns", &unknowns, &step));
     println!("# of it the body: {:.2}", slope("unknowns", &unknowns, &|row| row[3]));
     println!("# memory over unknowns: {:.2}", slope("unknowns", &unknowns, &|row| row[5]));
-    let cracks = |point: &Point, _: &[f64]| point.cracks as f64;
     println!("# growth step over cracks: {:.2}", slope("cracks", &cracks, &step));
     println!("# of it the body: {:.2}", slope("cracks", &cracks, &|row| row[3]));
     println!("# memory over cracks: {:.2}", slope("cracks", &cracks, &|row| row[5]));

@@ -65,6 +65,8 @@ pub struct FarStiffness {
     pub moments: Vec<Matrix>,
     /// For each unit k the units l that are not near to it, with E_kl, N/mm per mm.
     pub between: Vec<Vec<(usize, Matrix)>>,
+    /// The largest error of A between units that are nearest to each other, over its norm.
+    pub error: f64,
 }
 
 /// Some of the units of a row, as a body of their own.

@@ -9,6 +9,7 @@ use super::{
 };
 use crate::math::axpy;
 use crate::words::{Choice, Word};
+use std::ops::Range;
 use thiserror::Error;
 
 /// The load of a path: nodal forces as a function of one coordinate.
@@ -126,6 +127,24 @@ pub struct Stepper<'a> {
     pub(super) largest_pressure: f64,
     counts: SteppingCounts,
     interrupted: &'a (dyn Fn() -> bool + Sync),
+    visited: Option<Visited>,
+}
+
+/// The jumps of some points on the way: at every accepted solution, and wherever a status changes.
+#[derive(Debug, Clone)]
+struct Visited {
+    points: Range<usize>,
+    /// Of each path the coordinates with the jumps, mm.
+    paths: Vec<Vec<(f64, Vec<f64>)>>,
+}
+
+impl Visited {
+    fn add(&mut self, at: f64, solution: &FaceSolution) {
+        let jump = solution.jump[2 * self.points.start..2 * self.points.end].to_vec();
+        if let Some(path) = self.paths.last_mut() {
+            path.push((at, jump));
+        }
+    }
 }
 
 /// State that faces carry from one part of their path to another.
@@ -216,6 +235,7 @@ impl<'a> Stepper<'a> {
             largest_pressure: 0.0,
             counts: SteppingCounts::default(),
             interrupted: &|| false,
+            visited: None,
         }
     }
 
@@ -255,6 +275,18 @@ impl<'a> Stepper<'a> {
         Self { interrupted, ..self }
     }
 
+    /// The same, to keep the jumps of `points` on the way.
+    pub fn with_visits(self, points: Range<usize>) -> Self {
+        Self { visited: Some(Visited { points, paths: Vec::new() }), ..self }
+    }
+
+    /// The jumps (mm) of the points of [`Stepper::with_visits`] along each path since, with their
+    /// coordinates: from its beginning on, at every accepted solution and wherever a status
+    /// changes.
+    pub fn take_visits(&mut self) -> Vec<Vec<(f64, Vec<f64>)>> {
+        self.visited.as_mut().map_or(Vec::new(), |visited| std::mem::take(&mut visited.paths))
+    }
+
     /// The current solution.
     pub fn solution(&self) -> &FaceSolution {
         &self.current
@@ -285,6 +317,10 @@ impl<'a> Stepper<'a> {
     /// Begins a new path at coordinate `start`: its load there must be the current one.
     pub fn begin(&mut self, start: f64) {
         self.at = start;
+        if let Some(visited) = &mut self.visited {
+            visited.paths.push(Vec::new());
+            visited.add(start, &self.current);
+        }
     }
 
     /// Follows `path` to `station`, in as many steps as the tolerance asks for. `accepted` sees
@@ -435,7 +471,11 @@ impl<'a> Stepper<'a> {
         if closes && lets_off == LetsOff::There {
             return Ok(Attempt::Shorter(0.5));
         }
+        let from = self.at;
         for change in &changes {
+            if let Some(visited) = &mut self.visited {
+                visited.add(from + change.share * (target - from), &change.solution);
+            }
             accepted(&change.solution, &total(self.problem, &change.solution, &load.at(change.share)));
         }
         Ok(self.accept(target, (load.end, outside_end), accepted))
@@ -490,6 +530,9 @@ impl<'a> Stepper<'a> {
         }
         self.current.clone_from(after);
         self.at = target;
+        if let Some(visited) = &mut self.visited {
+            visited.add(target, &self.current);
+        }
         self.load = load;
         self.outside = outside;
         for k in 0..self.current.fluid.len() {

@@ -11,30 +11,87 @@ use rayon::prelude::*;
 /// The jumps of the faces of a unit (mm) on each part of the way.
 pub(super) type History = Vec<(Part, Track)>;
 
-/// The forces (N/mm) on each of `groups` of the jumps of all units that are not among its members,
-/// at the coordinates `nodes(group)` of each part of the way.
-///
-/// Errors: none.
-pub(super) fn forces_on_all(
-    blocks: &BlockStiffness,
-    groups: &[Group],
-    histories: &[History],
-    nodes: &(dyn Fn(usize) -> Vec<Vec<f64>> + Sync),
-) -> Result<Vec<History>, LinearError> {
-    let amplitudes: Vec<History> = histories
-        .par_iter()
-        .zip(&blocks.far.moments)
-        .map(|(history, moments)| {
-            let amplitude = |(part, track): &(Part, Track)| {
-                Ok((*part, Track::new(track.at().to_vec(), product(track.values(), moments)?)))
-            };
-            history.iter().map(amplitude).collect()
-        })
-        .collect::<Result<_, LinearError>>()?;
-    let far = |k: usize| far_forces(blocks, &amplitudes, k, &nodes(k));
-    let far: Vec<History> = (0..groups.len()).into_par_iter().map(far).collect::<Result<_, _>>()?;
-    let all = groups.par_iter().enumerate();
-    all.map(|(k, group)| forces_on(blocks, group, (histories, &far), &nodes(k))).collect()
+/// The jumps of all units on their way through a leg, and the forces of those that are far away.
+pub(super) struct Exchange<'a> {
+    blocks: &'a BlockStiffness,
+    groups: &'a [Group],
+    histories: &'a [History],
+    /// Forces (N/mm) on each unit of all that are not near to it.
+    far: Vec<History>,
+}
+
+impl<'a> Exchange<'a> {
+    /// Of units with these `histories`; far forces at the coordinates `nodes(unit)` of each part of
+    /// the way.
+    ///
+    /// Errors: none.
+    pub fn new(
+        blocks: &'a BlockStiffness,
+        groups: &'a [Group],
+        histories: &'a [History],
+        nodes: &(dyn Fn(usize) -> Vec<Vec<f64>> + Sync),
+    ) -> Result<Self, LinearError> {
+        let amplitudes: Vec<History> = histories
+            .par_iter()
+            .zip(&blocks.far.moments)
+            .map(|(history, moments)| {
+                let amplitude = |(part, track): &(Part, Track)| {
+                    Ok((*part, Track::new(track.at().to_vec(), product(track.values(), moments)?)))
+                };
+                history.iter().map(amplitude).collect()
+            })
+            .collect::<Result<_, LinearError>>()?;
+        let far = |k: usize| far_forces(blocks, &amplitudes, k, &nodes(k));
+        let far = (0..groups.len()).into_par_iter().map(far).collect::<Result<_, _>>()?;
+        Ok(Self { blocks, groups, histories, far })
+    }
+
+    /// The forces (N/mm) on group `k` of the jumps of all units that are not among its members, at
+    /// the coordinates `nodes` of each part of the way, and where the nearest of them keep their
+    /// jumps.
+    ///
+    /// Errors: none.
+    pub fn forces_on(&self, k: usize, nodes: Vec<Vec<f64>>) -> Result<History, LinearError> {
+        let nodes = self.with_kept(k, nodes);
+        forces_on(self.blocks, &self.groups[k], (self.histories, &self.far), &nodes)
+    }
+
+    /// The forces of far units on group `k` at the coordinates `nodes` of each part of the way.
+    pub fn far_forces_on(&self, k: usize, nodes: &[Vec<f64>]) -> Vec<Matrix> {
+        let members = &self.groups[k].members;
+        let components = 2 * self.groups[k].body.faces.points.len();
+        let on_part = |(i, nodes): (usize, &Vec<f64>)| {
+            let mut forces = Matrix::zeros(nodes.len(), components);
+            let mut first = 0;
+            for &m in members {
+                let on_member = self.far[m][i].1.resampled(nodes);
+                for row in 0..nodes.len() {
+                    forces.row_mut(row)[first..first + on_member.columns()]
+                        .copy_from_slice(on_member.row(row));
+                }
+                first += on_member.columns();
+            }
+            forces
+        };
+        nodes.iter().enumerate().map(on_part).collect()
+    }
+
+    /// The coordinates `nodes`, and those at which units that lean on members of group `k` keep
+    /// their jumps.
+    fn with_kept(&self, k: usize, mut nodes: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
+        let members = &self.groups[k].members;
+        let leaning = members.iter().flat_map(|&m| self.groups[m].members.iter().copied());
+        let mut givers: Vec<usize> = leaning.filter(|l| !members.contains(l)).collect();
+        givers.sort_unstable();
+        givers.dedup();
+        for (i, nodes) in nodes.iter_mut().enumerate() {
+            let travel = nodes[nodes.len() - 1] - nodes[0];
+            givers.iter().for_each(|&l| nodes.extend(self.histories[l][i].1.at()));
+            nodes.sort_by(|a, b| (a * travel).total_cmp(&(b * travel)));
+            nodes.dedup();
+        }
+        nodes
+    }
 }
 
 /// The forces on unit `k` of all that are not near to it.

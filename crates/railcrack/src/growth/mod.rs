@@ -54,7 +54,7 @@ pub use judge::TipJudge;
 pub use maintenance::{Grinding, Maintenance, StressMoves};
 pub use mix::{MOST_WHEELS, MixedWheel, WheelShares};
 pub use observer::{Observer, Unobserved};
-pub use passage::{PassageError, StabilisedPassage};
+pub use passage::{GroupsError, PassageError, StabilisedPassage};
 pub use passage_record::{FaceRecord, PassageRecord, SolverCounts};
 pub use pieces::{Piece, PieceKind};
 pub use positions::output_positions;

@@ -28,8 +28,28 @@ pub struct StabilisedPassage {
     pub counts: SolverCounts,
     /// Change of K between the last two passages relative to its peak; none after a single passage.
     pub last_change: Option<f64>,
-    /// Of a passage by groups of cracks, the estimated error of K at any tip over its peak.
-    pub coupling: Option<f64>,
+    /// Of a passage by groups of cracks, the estimated error of K.
+    pub coupling: Option<GroupsError>,
+}
+
+/// Parts of the error of K at any tip that is estimated for cracks in groups, over its peak.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GroupsError {
+    /// Of sweeps that end.
+    pub sweeps: f64,
+    /// Of jumps that are linear between the places at which they are handed over, as if faces were
+    /// free: more than it is.
+    pub hand_over: f64,
+    /// Of the expansion of the forces between cracks that are far apart, likewise.
+    pub far: f64,
+}
+
+impl GroupsError {
+    /// All of it.
+    #[must_use]
+    pub fn total(&self) -> f64 {
+        self.sweeps + self.hand_over + self.far
+    }
 }
 
 impl StabilisedPassage {
@@ -112,7 +132,7 @@ impl Passed {
         effort: SteppingCounts,
         edge_steps: usize,
         problem: &FaceProblem,
-        coupling: Option<f64>,
+        coupling: Option<GroupsError>,
     ) -> StabilisedPassage {
         let points = problem.body().faces.points.clone();
         StabilisedPassage {
@@ -202,8 +222,6 @@ pub(super) struct Rolling<'a> {
     pub stepper: Stepper<'a>,
     /// Steps to positions of [`EDGE_STATIONS`].
     pub edge_steps: usize,
-    /// The jumps (mm, 2p) at the stations before and behind the output positions, in order.
-    pub on_the_way: Vec<Vec<f64>>,
 }
 
 /// Results of one passage.
@@ -265,7 +283,6 @@ impl<'a> Rolling<'a> {
             covered: vec![false; trapped(problem).len()],
             stepper,
             edge_steps: 0,
-            on_the_way: Vec::new(),
         }
     }
 
@@ -447,7 +464,6 @@ impl<'a> Rolling<'a> {
         let path = self.face_load.along(part);
         for station in stations {
             self.stepper.advance(&path, station, sample)?;
-            self.on_the_way.push(self.stepper.solution().jump.clone());
         }
         Ok(())
     }

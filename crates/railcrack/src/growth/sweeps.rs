@@ -1,6 +1,6 @@
 //! Passages of the wheel over many cracks, group by group, in sweeps until they agree.
 
-use super::exchange::{History, forces_on_all};
+use super::exchange::{Exchange, History};
 use super::face_load::{FaceLoad, Part};
 use super::groups::{Group, groups};
 use super::mix::Beside;
@@ -11,7 +11,9 @@ use super::positions::output_positions;
 use super::stations::{stations, weights};
 use super::tip_sifs::TipSifs;
 use super::track::Track;
-use super::{Observer, PassageError, PassageRecord, PassageSettings, RailLoad, StabilisedPassage};
+use super::{
+    GroupsError, Observer, PassageError, PassageRecord, PassageSettings, RailLoad, StabilisedPassage,
+};
 use crate::body::BlockStiffness;
 use crate::contact::{
     ContactSolver, FaceHistory, FaceProblem, FaceState, NotConverged, Stepper, SteppingCounts, SteppingError,
@@ -22,6 +24,9 @@ use crate::math::Matrix;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+/// Error of the jumps that are handed over between the places where they are kept, over the largest
+/// of them: with 3e-3 the sweeps no longer come to an end.
+const KEPT: f64 = 3e-4;
 /// Sweeps over a passage at most.
 const MOST_SWEEPS: usize = 12;
 
@@ -72,7 +77,9 @@ pub(super) fn passages_by_groups(
         row.settle(Leg::Residual, observer)?;
     }
     let passed = until_stabilised(settings, problem, |number, _| row.pass(number, problem, observer))?;
-    Ok(passed.record(row.counts, row.edge_steps, problem, Some(row.error)))
+    let [hand_over, far] = row.handed_over()?;
+    let error = GroupsError { sweeps: row.error, hand_over, far };
+    Ok(passed.record(row.counts, row.edge_steps, problem, Some(error)))
 }
 
 fn unsolvable(_: LinearError) -> PassageError {
@@ -135,7 +142,7 @@ struct Row<'a> {
     peaks: Vec<f64>,
     /// The change of K in a sweep over that in the sweep before, when it was last seen.
     contraction: f64,
-    /// The largest estimate of what was left at the end of a leg, over the peak of K.
+    /// The largest estimate of what sweeps left at the end of a leg, over the peak of K.
     error: f64,
     counts: SteppingCounts,
     edge_steps: usize,
@@ -237,6 +244,69 @@ impl Row<'_> {
         parts.into_iter().map(constant).collect()
     }
 
+    /// The estimated errors of K in the last passage, over its peak, from the places at which jumps
+    /// are handed over and from the expansion of far forces, as if faces were free.
+    ///
+    /// Jumps are linear between these places; so with every other of them the error is four times
+    /// as large.
+    fn handed_over(&self) -> Result<[f64; 2], PassageError> {
+        let nodes = |k: usize| -> Vec<Vec<f64>> {
+            self.parts(Leg::Passage(1), &self.stations[k].0).into_iter().map(|(_, at)| at).collect()
+        };
+        let every_other = |k: usize| -> Vec<Vec<f64>> {
+            let other = |at: Vec<f64>| {
+                let last = at.len() - 1;
+                let kept = at.iter().enumerate().filter(|(i, _)| i % 2 == 0 || *i == last);
+                kept.map(|(_, x)| *x).collect()
+            };
+            nodes(k).into_iter().map(other).collect()
+        };
+        let halved: Vec<History> = self
+            .histories
+            .iter()
+            .map(|history| history.iter().map(|(part, track)| (*part, track.halved())).collect())
+            .collect();
+        let new = |histories, nodes: &(dyn Fn(usize) -> Vec<Vec<f64>> + Sync)| {
+            Exchange::new(self.blocks, &self.groups, histories, nodes).map_err(unsolvable)
+        };
+        let (all, half) = (new(&self.histories, &nodes)?, new(&halved, &every_other)?);
+        let of_group = |k: usize| -> Result<[f64; 2], PassageError> {
+            let group = &self.groups[k];
+            let forces = all.forces_on(k, nodes(k)).map_err(unsolvable)?;
+            let fewer = half.forces_on(k, every_other(k)).map_err(unsolvable)?;
+            let at: Vec<Vec<f64>> = forces.iter().map(|(_, track)| track.at().to_vec()).collect();
+            let far = all.far_forces_on(k, &at);
+            let mut largest = [0.0f64; 2];
+            for (((_, forces), (_, fewer)), far) in forces.iter().zip(&fewer).zip(&far) {
+                let fewer = fewer.resampled(forces.at());
+                for i in 0..forces.at().len() {
+                    let rows = forces.values().row(i).iter().zip(fewer.row(i));
+                    let by: Vec<f64> = rows.map(|(all, fewer)| all - fewer).collect();
+                    let (steps, far) =
+                        (self.share_of_peak(group, &by), self.share_of_peak(group, far.row(i)));
+                    largest = [largest[0].max(steps / 3.0), largest[1].max(self.blocks.far.error * far)];
+                }
+            }
+            Ok(largest)
+        };
+        let of_groups: Vec<[f64; 2]> =
+            (0..self.groups.len()).into_par_iter().map(of_group).collect::<Result<_, _>>()?;
+        Ok(of_groups.into_iter().fold([0.0; 2], |all, one| [all[0].max(one[0]), all[1].max(one[1])]))
+    }
+
+    /// The largest K of the own tips of `group` under `forces` (N/mm) on free faces, over its peak.
+    fn share_of_peak(&self, group: &Group, forces: &[f64]) -> f64 {
+        let influence = &group.body.sif_influence;
+        let of_tip = |&(number, tip): &(usize, usize)| {
+            let of_row = |row: usize| -> f64 {
+                influence.row(row).iter().zip(forces).map(|(s, f)| s * f).sum::<f64>().abs()
+            };
+            let largest = of_row(2 * tip).max(of_row(2 * tip + 1));
+            if largest > 0.0 { largest / self.peaks[number] } else { 0.0 }
+        };
+        group.own_tips.iter().map(of_tip).fold(0.0, f64::max)
+    }
+
     fn sweep(
         &mut self,
         (leg, number): (Leg, usize),
@@ -245,18 +315,20 @@ impl Row<'_> {
         let nodes = |k: usize| -> Vec<Vec<f64>> {
             self.parts(leg, &self.stations[k].0).into_iter().map(|(_, at)| at).collect()
         };
-        let forces = forces_on_all(self.blocks, &self.groups, &self.histories, &nodes).map_err(unsolvable)?;
+        let exchange =
+            Exchange::new(self.blocks, &self.groups, &self.histories, &nodes).map_err(unsolvable)?;
         // Half of what is left of the passage, for all that is known.
         let done = AtomicUsize::new(0);
         let left = 0.5f64.powi(number as i32 - 1);
-        let run = |(k, forces): (usize, History)| {
+        let run = |k: usize| {
+            let forces = exchange.forces_on(k, nodes(k)).map_err(unsolvable)?;
             let run = self.run(leg, k, forces, observer);
             let share = (done.fetch_add(1, Ordering::Relaxed) + 1) as f64 / self.groups.len() as f64;
             observer.progress(1.0 - left * (1.0 - 0.5 * share));
             run
         };
         let runs: Vec<Run> =
-            forces.into_par_iter().enumerate().map(run).collect::<Result<_, PassageError>>()?;
+            (0..self.groups.len()).into_par_iter().map(run).collect::<Result<_, PassageError>>()?;
         for Run { counts, edge_steps, .. } in &runs {
             self.counts.substeps += counts.substeps;
             self.counts.solves += counts.solves;
@@ -274,43 +346,33 @@ impl Row<'_> {
         let problem = problem(group)?;
         let face_load = FaceLoad::new(&problem, self.load, None)?.with_others(forces);
         let interrupted = || observer.interrupted();
-        let start = faces.solution.jump.clone();
         let stepper = Stepper::from_history(&problem, self.solver, self.settings.step_tolerance, faces)
             .with_control(self.settings.step_control)
-            .with_interruption(&interrupted);
+            .with_interruption(&interrupted)
+            .with_visits(group.own_points.clone());
         let stations = &self.stations[k].1;
         let way = (&stations[..], self.near);
         let mut wheel = Rolling::new(&face_load, self.load, way, self.settings.step_control, stepper);
         let own = group.own_points.clone();
-        let mut jumps: Vec<Vec<&[f64]>> = vec![vec![&start]];
-        let pass;
         let (mut sifs, mut histories, mut states) = (Vec::new(), Vec::new(), Vec::new());
         match leg {
             Leg::Residual => {
                 wheel.residual_stress(&mut tips)?;
                 let ends: Vec<Sif> = tips.sifs().collect();
                 sifs.extend(group.own_tips.iter().map(|&(_, tip)| vec![ends[tip]]));
-                jumps[0].extend(wheel.on_the_way.iter().map(Vec::as_slice));
             }
             Leg::Passage(number) => {
-                pass = wheel.pass(number, None, &mut tips, &Beside(observer))?;
+                let pass = wheel.pass(number, None, &mut tips, &Beside(observer))?;
                 sifs.extend(group.own_tips.iter().map(|&(_, tip)| pass.record.sifs[tip].clone()));
                 histories.extend(group.own_tips.iter().map(|&(_, tip)| pass.histories[tip].clone()));
                 states.extend(pass.states.iter().map(|faces| faces[own.clone()].to_vec()));
-                let over: Vec<&[f64]> = pass.marks.iter().map(|mark| &mark.faces.jump[..]).collect();
-                let (approach, departure) = wheel.on_the_way.split_at(far_stations(1.0).count());
-                jumps[0].extend(approach.iter().map(Vec::as_slice));
-                let away = over.last().copied().into_iter().chain(departure.iter().map(Vec::as_slice));
-                let away = away.collect();
-                jumps.extend([over, away]);
             }
         }
+        let ways = wheel.stepper.take_visits();
+        let largest = ways.iter().flatten().flat_map(|(_, jump)| jump).fold(0.0f64, |m, w| m.max(w.abs()));
         let parts = self.parts(leg, stations);
-        let track = |((part, at), jumps): ((Part, Vec<f64>), &Vec<&[f64]>)| {
-            let values = Matrix::from_fn(at.len(), 2 * own.len(), |i, c| jumps[i][2 * own.start + c]);
-            (part, Track::new(at, values))
-        };
-        let history = parts.into_iter().zip(&jumps).map(track).collect();
+        let tracks = ways.iter().map(|way| Track::thinned(way, KEPT * largest));
+        let history = parts.into_iter().map(|(part, _)| part).zip(tracks).collect();
         let (counts, edge_steps) = (wheel.stepper.counts(), wheel.edge_steps);
         let end = GroupState { faces: wheel.stepper.history(), tips };
         Ok(Run { history, sifs, faces: states, histories, end, counts, edge_steps })

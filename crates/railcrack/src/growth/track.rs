@@ -17,6 +17,34 @@ impl Track {
         Self { at, values }
     }
 
+    /// The values at so few of the coordinates of `way` that those at all others are within
+    /// `tolerance` of what is linear between them.
+    pub fn thinned(way: &[(f64, Vec<f64>)], tolerance: f64) -> Self {
+        let mut keeps = vec![false; way.len()];
+        let mut spans = vec![(0, way.len() - 1)];
+        while let Some((first, last)) = spans.pop() {
+            (keeps[first], keeps[last]) = (true, true);
+            let farthest = (first + 1..last)
+                .map(|i| (off_line(way, (first, last), i), i))
+                .max_by(|a, b| a.0.total_cmp(&b.0));
+            if let Some((_, i)) = farthest.filter(|(off, _)| *off > tolerance) {
+                spans.extend([(first, i), (i, last)]);
+            }
+        }
+        let kept: Vec<&(f64, Vec<f64>)> =
+            way.iter().zip(&keeps).filter(|(_, k)| **k).map(|(w, _)| w).collect();
+        let values = Matrix::from_fn(kept.len(), kept[0].1.len(), |i, c| kept[i].1[c]);
+        Self { at: kept.iter().map(|(at, _)| *at).collect(), values }
+    }
+
+    /// Every other of the values.
+    pub fn halved(&self) -> Self {
+        let last = self.at.len() - 1;
+        let kept: Vec<usize> = (0..=last).filter(|&i| i % 2 == 0 || i == last).collect();
+        let values = Matrix::from_fn(kept.len(), self.values.columns(), |i, c| self.values[(kept[i], c)]);
+        Self { at: kept.iter().map(|&i| self.at[i]).collect(), values }
+    }
+
     /// The coordinates.
     pub fn at(&self) -> &[f64] {
         &self.at
@@ -57,9 +85,34 @@ impl Track {
     }
 }
 
+/// The largest difference of value `i` of `way` from the line between two others.
+fn off_line(way: &[(f64, Vec<f64>)], (first, last): (usize, usize), i: usize) -> f64 {
+    let ((from, before), (to, after)) = (&way[first], &way[last]);
+    let (at, values) = &way[i];
+    let share = if to == from { 1.0 } else { (at - from) / (to - from) };
+    let off = |((value, a), b): ((&f64, &f64), &f64)| (value - (1.0 - share) * a - share * b).abs();
+    values.iter().zip(before).zip(after).map(off).fold(0.0, f64::max)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn few_values_are_kept_and_all_others_lie_near_the_lines_between_them() {
+        let kink = |x: f64| if x < 3.7 { vec![0.2 * x, 0.0] } else { vec![0.74, (x - 3.7).powi(2)] };
+        let way: Vec<(f64, Vec<f64>)> = (0..=100).map(|i| 0.1 * f64::from(i)).map(|x| (x, kink(x))).collect();
+        let track = Track::thinned(&way, 0.01);
+        let all = track.resampled(&way.iter().map(|(at, _)| *at).collect::<Vec<f64>>());
+        for (i, (at, values)) in way.iter().enumerate() {
+            for (c, value) in values.iter().enumerate() {
+                assert!((all[(i, c)] - value).abs() <= 0.01, "at {at}");
+            }
+        }
+        assert!(track.at().len() < 40 && track.at().iter().any(|at| (at - 3.7).abs() < 0.01));
+        let halved = track.halved();
+        assert!(halved.at().len() <= track.at().len() / 2 + 1 && halved.at().ends_with(&[way[100].0]));
+    }
 
     #[test]
     fn values_are_linear_between_coordinates_in_either_direction() {

@@ -4,11 +4,14 @@ use super::kernel::interaction;
 use super::units::{Extent, Units};
 use crate::body::{FaceElement, FaceMesh, FarStiffness};
 use crate::crack::Walk;
+use crate::linear::product;
 use crate::math::{Matrix, Vec2, gauss_legendre};
 use rayon::prelude::*;
 
 /// Gauss points on each piece of an element.
 const POINTS: usize = 8;
+/// The same for an estimate of the error.
+const FEW_POINTS: usize = 2;
 
 /// Dislocations that follow the jumps at face points.
 pub(crate) struct Source<'a> {
@@ -50,7 +53,72 @@ impl FarRow<'_> {
             let apart = (0..count).filter(|&l| !self.units.are_near(k, l));
             apart.map(|l| (l, self.between(&nodes[k], &nodes[l]))).collect()
         };
-        FarStiffness { moments, between: (0..count).into_par_iter().map(far).collect() }
+        let mut stiffness =
+            FarStiffness { moments, between: (0..count).into_par_iter().map(far).collect(), error: 0.0 };
+        let error = |k: usize| {
+            let nearest = stiffness.between[k].iter().find(|(l, _)| *l > k);
+            nearest.map_or(0.0, |(l, between)| {
+                self.off(&stiffness.moments[k], between, &stiffness.moments[*l], (k, *l))
+            })
+        };
+        let errors: Vec<f64> = (0..count).into_par_iter().map(error).collect();
+        stiffness.error = errors.into_iter().fold(0.0, f64::max);
+        stiffness
+    }
+
+    /// The difference between the expansion of A between units `k` and `l` and its integral, over
+    /// the norm of that.
+    fn off(&self, moments: &Matrix, between: &Matrix, others: &Matrix, (k, l): (usize, usize)) -> f64 {
+        let (one, other) = (self.dislocations(k), self.dislocations(l));
+        let at = |all: &[(Vec2, f64, usize)]| all.iter().map(|(at, ..)| *at).collect::<Vec<Vec2>>();
+        let kernel = self.between(&at(&one), &at(&other));
+        let spread = |all: &[(Vec2, f64, usize)], k: usize| {
+            let mut spread = Matrix::zeros(2 * self.points[k].len(), 2 * all.len());
+            for (i, (_, burgers, point)) in all.iter().enumerate() {
+                let tangent = self.faces.points[self.points[k][*point]].tangent;
+                for (c, axis) in [tangent, tangent.left()].into_iter().enumerate() {
+                    spread[(2 * point + c, 2 * i)] += burgers * axis.x;
+                    spread[(2 * point + c, 2 * i + 1)] += burgers * axis.y;
+                }
+            }
+            spread
+        };
+        let block = |left: &Matrix, middle: &Matrix, right: &Matrix| {
+            product(left, middle).and_then(|half| product(&half, &right.transposed()))
+        };
+        let exact = block(&spread(&one, k), &kernel, &spread(&other, l));
+        let (Ok(exact), Ok(expanded)) = (exact, block(moments, between, others)) else { return 0.0 };
+        let squares = exact.entries().iter().zip(expanded.entries());
+        let (off, norm) =
+            squares.fold((0.0, 0.0), |(off, norm), (a, b)| (off + (a - b) * (a - b), norm + a * a));
+        if norm > 0.0 { f64::sqrt(off / norm) } else { 0.0 }
+    }
+
+    /// The dislocations of unit `k`, where elements are taken by few points: places, Burgers
+    /// vectors over the jump at a point of the unit, and that point.
+    fn dislocations(&self, k: usize) -> Vec<(Vec2, f64, usize)> {
+        let rule = gauss_legendre(FEW_POINTS);
+        let mut all = Vec::new();
+        for Source { place, follows } in &self.sources[k] {
+            let mut at: Vec<(Vec2, f64)> = Vec::new();
+            match *place {
+                Place::Point { at: point, .. } => at.push((point, 1.0)),
+                Place::Element(element) => {
+                    let range = element.range.1 - element.range.0;
+                    for piece in &element.pieces {
+                        let (start, width) = (piece.range.0, piece.range.1 - piece.range.0);
+                        at.extend(rule.iter().map(|&(t, w)| {
+                            let g = start + t * width;
+                            (self.walks[piece.crack].position(piece.segment, g), w * width / range)
+                        }));
+                    }
+                }
+            }
+            for &(point, factor) in follows {
+                all.extend(at.iter().map(|&(at, weight)| (at, factor * weight, point)));
+            }
+        }
+        all
     }
 
     fn moments(&self, k: usize) -> Matrix {

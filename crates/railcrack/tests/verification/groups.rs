@@ -133,12 +133,19 @@ fn k_in_groups_is_that_of_all_cracks_together() {
     let whole = passage(&body(&row(8), ELEMENTS), (from, to), None, &Unobserved).unwrap();
     let off = largest_difference(&whole, &groups);
     assert!(off < 1e-3, "{off:e} of the peak");
-    assert!(groups.coupling.is_some_and(|error| error < 3e-4), "{:?}", groups.coupling);
+    assert!(groups.coupling.is_some_and(|error| error.sweeps < 3e-4), "{:?}", groups.coupling);
+    estimated(&groups, off);
 }
 
-/// A wheel towards −x over scattered cracks of a rail with residual stress: what is left comes from
-/// the steps in which jumps are handed over from group to group. With steps of a third it is 0.6 of
-/// that.
+/// An estimate is no less than the error. It is several times as large where faces that are closed
+/// bear what it lets free ones feel: 9 times was measured.
+fn estimated(groups: &StabilisedPassage, off: f64) {
+    let told = groups.coupling.unwrap().total();
+    assert!(told >= off && told <= 20.0 * off, "{told:e} told of {off:e}");
+}
+
+/// A wheel towards −x over scattered cracks of a rail with residual stress, where whole cracks are
+/// let go at once: what is left is the place of one such event, 0.05 % off elsewhere.
 #[test]
 fn k_in_groups_under_residual_stress_and_the_other_way() {
     let scattered = || -> Vec<Crack> {
@@ -151,9 +158,10 @@ fn k_in_groups_under_residual_stress_and_the_other_way() {
     let residual = DepthProfile::new(vec![(0.0, 60.0, 0.0), (3.0, 20.0, 0.0), (8.0, -30.0, 0.0)]).unwrap();
     let way = (SPACING * 5.0 + 40.5, -40.5);
     let of = |body: &CrackedBody| passage(body, way, Some(&residual), &Unobserved).unwrap();
-    let off =
-        largest_difference(&of(&body(&scattered(), ELEMENTS)), &of(&by_groups(scattered(), Vec::new())));
-    assert!(off < 5e-3, "{off:e} of the peak");
+    let groups = of(&by_groups(scattered(), Vec::new()));
+    let off = largest_difference(&of(&body(&scattered(), ELEMENTS)), &groups);
+    assert!(off < 3e-3, "{off:e} of the peak");
+    estimated(&groups, off);
 }
 
 /// A row of `count` cracks, the third of which has a branch, and the junction there.

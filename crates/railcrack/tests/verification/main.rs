@@ -17,6 +17,7 @@ mod engine_paths;
 mod far_apart;
 mod fluid;
 mod groups;
+mod groups_run;
 mod half_plane_histories;
 mod interruption;
 mod joined_passage;
