@@ -6,7 +6,7 @@ use super::limits::check_size;
 use super::mix::{MixedWheel, ReadWheel, read_mix};
 use super::space::read_space;
 use crate::files::read_profile;
-use crate::schema::{Report, SectionValues, Sections, Value, Written};
+use crate::schema::{Report, SectionValues, Sections, Value, Written, short};
 use crate::tables::{
     AXLE_LOAD, CENTRE, CONTACT, CRACK, ContactExtent, ContactSolver, ENGINE, Engine, FLUID, FOUNDATION,
     FRACTURE, FROM, FieldOutput, Fracture, GROWTH, GivenWheel, INSPECTION, LAW_KEYS, MAINTENANCE, MESH,
@@ -293,6 +293,7 @@ fn check_block(
     let (left, right) = (rail.extent.centre - reach, rail.extent.centre + reach);
     for (key, at) in [(FROM, passage.from), (TO, passage.to)] {
         if (at - rail.extent.centre).abs() > reach {
+            let [at, left, right] = [at, left, right].map(short);
             let says = format!(
                 "puts the wheel at x = {at} mm; on the top of the block it can be from {left} to {right} mm"
             );

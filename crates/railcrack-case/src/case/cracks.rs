@@ -2,7 +2,7 @@
 
 use super::limits::RESOLVED;
 use super::row_scatter::RowScatter;
-use crate::schema::{Fault, Report, Row, SectionValues};
+use crate::schema::{Fault, Report, Row, SectionValues, short};
 use crate::tables::{ANGLE, ANGLES, COUNT, CRACK_FRICTION, LENGTH, MOUTH, POINTS, Rail, SPACING};
 use railcrack::crack::{Crack, CrackError, CrackNetwork, segment_distance};
 use railcrack::math::Vec2;
@@ -233,8 +233,8 @@ pub(super) fn check_fit(
 fn misfit(crack: &Crack, rail: &Rail) -> Option<(String, Row<f64>)> {
     let length = crack.length();
     if length > rail.extent.width {
-        let message =
-            format!("a crack of {length} mm is longer than the rail, width_mm = {}", rail.extent.width);
+        let [length, width] = [length, rail.extent.width].map(short);
+        let message = format!("a crack of {length} mm is longer than the rail, width_mm = {width}");
         return Some((message, LENGTH));
     }
     let (left, right) = rail.extent.ends();
@@ -242,14 +242,15 @@ fn misfit(crack: &Crack, rail: &Rail) -> Option<(String, Row<f64>)> {
         if point.y <= -rail.extent.depth {
             let message = format!(
                 "the crack leaves the rail at depth {} mm, the rail ends at depth {} mm",
-                -point.y, rail.extent.depth
+                short(-point.y),
+                short(rail.extent.depth)
             );
             return Some((message, LENGTH));
         }
         if point.x <= left || point.x >= right {
+            let [x, left, right] = [point.x, left, right].map(short);
             let message = format!(
-                "the crack leaves the rail at x = {} mm, the rail reaches from {left} to {right} mm",
-                point.x
+                "the crack leaves the rail at x = {x} mm, the rail reaches from {left} to {right} mm"
             );
             return Some((message, MOUTH));
         }

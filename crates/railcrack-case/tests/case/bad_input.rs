@@ -1156,6 +1156,13 @@ fn cracks_that_meet_or_leave_the_rail() {
             "",
         ),
         wrong(
+            Append("[rail]\nwidth_mm = 1e-300"),
+            7,
+            "crack[1].length_mm",
+            "longer than the rail, width_mm = 1e-300",
+            "",
+        ),
+        wrong(
             Replace("length_mm = 6.0", "length_mm = 301"),
             7,
             "crack[1].length_mm",

@@ -10,3 +10,6 @@ mod rows;
 mod samples;
 mod studies;
 mod table;
+
+#[path = "../../../railcrack/tests/common/random.rs"]
+mod random;

@@ -3,6 +3,7 @@
 //! The damage follows a seed, so that a failure can be made again; `RAILCRACK_MUTATIONS` sets how
 //! many files of each kind are tried.
 
+use super::random::Random;
 use railcrack_case::{Case, Overrides, Study, init_text};
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -54,19 +55,6 @@ const PIECES: &[&str] = &[
     "true",
     "1979-05-27",
 ];
-
-/// SplitMix64 (Steele, Lea and Flood 2014).
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, most: usize) -> usize {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) % most.max(1) as u64) as usize
-    }
-}
 
 /// `text` with one to four changes: a value or a line exchanged, doubled or removed, a piece put
 /// in.

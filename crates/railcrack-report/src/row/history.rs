@@ -186,7 +186,8 @@ mod tests {
         let arrest = Some(RunStop::NoTipGrows(TipStop::Arrest));
         let joins = Some(RunStop::NoTipGrows(TipStop::Coalescence));
         // Crack 1 joins another one in step 1; crack 2 has two tips, of which one is arrested from
-        // step 0 on; crack 3 has joined another one before the run.
+        // step 0 on and the other breaks out in step 2; crack 3 has joined another one before the
+        // run.
         let growth = [
             tip(0, 1, 1, None),
             tip(0, 2, 1, arrest),
@@ -195,7 +196,7 @@ mod tests {
             tip(1, 2, 1, arrest),
             tip(1, 2, 2, None),
             tip(2, 2, 1, Some(RunStop::StepsDone)),
-            tip(2, 2, 2, Some(RunStop::StepsDone)),
+            tip(2, 2, 2, Some(RunStop::NoTipGrows(TipStop::BreakOut))),
         ];
         let row = CrackRow::of(&[crack(0.0), crack(3.0), crack(6.0)], &growth).unwrap();
         assert_eq!((&row.steps[..], &row.cycles[..]), (&[0, 1, 2][..], &[0.0, 100.0, 200.0][..]));
@@ -203,11 +204,11 @@ mod tests {
             row.cracks[crack].states.iter().map(|state| state.stop).collect()
         };
         assert_eq!(stops(0), [None, Some(TipStop::Coalescence), Some(TipStop::Coalescence)]);
-        assert_eq!(stops(1), [None; 3]);
+        assert_eq!(stops(1), [None, None, Some(TipStop::BreakOut)]);
         assert_eq!(stops(2), [Some(TipStop::Coalescence); 3]);
         assert_eq!(
             row.cracks.iter().map(|crack| crack.stopped).collect::<Vec<_>>(),
-            [Some(1), None, Some(0)]
+            [Some(1), Some(2), Some(0)]
         );
         let [first, second, third] = [0, 1, 2].map(|crack| *row.cracks[crack].last());
         assert_eq!((first.length, first.rate, first.delta_keq, first.depth), (7.0, 0.0, 0.0, 2.0));

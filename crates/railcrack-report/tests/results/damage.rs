@@ -3,6 +3,7 @@
 //! The damage follows a seed, so that a failure can be made again; `RAILCRACK_MUTATIONS` sets how
 //! many folders are tried.
 
+use super::random::Random;
 use super::simulation::run;
 use super::support::Scratch;
 use railcrack_report::rebuild_report;
@@ -36,19 +37,6 @@ const PIECES: [&[u8]; 14] = [
     b"../",
     b"",
 ];
-
-/// SplitMix64 (Steele, Lea and Flood 2014).
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, most: usize) -> usize {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) % most.max(1) as u64) as usize
-    }
-}
 
 /// `bytes` with one to three changes: a byte exchanged, a part removed or doubled, a piece put in,
 /// the end cut off.

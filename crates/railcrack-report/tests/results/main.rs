@@ -11,5 +11,7 @@ mod simulation;
 
 #[path = "../../../railcrack-vtu/tests/vtu/meshio.rs"]
 mod meshio;
+#[path = "../../../railcrack/tests/common/random.rs"]
+mod random;
 #[path = "../support/mod.rs"]
 mod support;

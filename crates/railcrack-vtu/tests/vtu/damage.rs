@@ -4,6 +4,7 @@
 //! many files are tried.
 
 use super::grid_of_every_shape;
+use super::random::Random;
 use railcrack_vtu::{read_vtu_bytes, vtu_text};
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -42,15 +43,8 @@ fn damaged_fields_are_answered() {
     let files = std::env::var("RAILCRACK_MUTATIONS").ok().and_then(|n| n.parse().ok()).unwrap_or(FILES);
     let whole = vtu_text(&grid_of_every_shape()).unwrap();
     for seed in 0..files {
-        // SplitMix64 (Steele, Lea and Flood 2014).
-        let mut state: u64 = seed;
-        let mut below = |most: usize| {
-            state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-            let mut z = state;
-            z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-            z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-            ((z ^ (z >> 31)) % most.max(1) as u64) as usize
-        };
+        let mut random = Random(seed);
+        let mut below = |most: usize| random.below(most);
         let mut bytes = whole.clone();
         for _ in 0..=below(4) {
             let at = below(bytes.len());

@@ -6,6 +6,9 @@ mod meshio;
 mod other_programs;
 mod round_trip;
 
+#[path = "../../../railcrack/tests/common/random.rs"]
+mod random;
+
 use railcrack::math::{Stress, Vec2};
 use railcrack::mesh::{Array, CellBlock, CellShape, UnstructuredGrid};
 use std::path::{Path, PathBuf};
