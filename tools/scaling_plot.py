@@ -22,10 +22,12 @@ def column(study, name):
 
 panels = [
     ("unknowns", "unknowns", "unknowns"),
-    ("cracks", "cracks", "number of cracks"),
+    ("cracks", "cracks", "number of cracks, together"),
+    ("groups, finite elements", "cracks", "in groups, finite elements"),
+    ("groups, dislocations", "cracks", "in groups, dislocations"),
     ("load steps", "contact_solves", "contact solutions of a step"),
 ]
-figure, axes = plt.subplots(1, 3, figsize=(11, 3.6), constrained_layout=True)
+figure, axes = plt.subplots(1, 5, figsize=(17, 3.6), constrained_layout=True)
 for axis, (study, name, title) in zip(axes, panels):
     x = column(study, name)
     axis.loglog(x, column(study, "body_ms"), "o-", color="#0072b2", label="body")
@@ -44,7 +46,7 @@ for axis, (study, name, title) in zip(axes, panels):
         axis.set_ylim(0, None)
     else:
         round_ticks = [2e4, 6e4, 2e5]
-        ticks = x if study == "cracks" else [v for v in round_ticks if min(x) <= v <= max(x)]
+        ticks = x if name == "cracks" else [v for v in round_ticks if min(x) <= v <= max(x)]
         axis.xaxis.set_minor_locator(matplotlib.ticker.NullLocator())
         axis.set_xticks(ticks, [f"{v:,.0f}".replace(",", "\u2009") for v in ticks])
 lines = [line for part in (axis, memory) for line in part.get_lines()]
