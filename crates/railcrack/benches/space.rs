@@ -1,0 +1,161 @@
+//! How time and memory of a crack in space grow with its elements.
+//!
+//! `cargo bench --bench space > space.csv` prints a table, and exponents (least squares in
+//! logarithms) as comments at its end. Every row is a process of its own, so that its peak of
+//! memory is its own. `-- --elements 600 --dip 15` measures one crack.
+
+use railcrack::growth::{PassageSettings, Unobserved};
+use railcrack::interruption::Interruption;
+use railcrack::load::Passage;
+use railcrack::material::IsotropicElastic;
+use railcrack::space::{
+    EllipticWheel, SpaceBody, SpaceContact, SpaceCrack, SpaceKernel, SpaceLoad, SpacePassageSettings,
+    SpacePassages, SpaceResolution,
+};
+use rayon::ThreadPoolBuilder;
+use std::error::Error;
+use std::process::Command;
+use std::time::Instant;
+
+const THREADS: usize = 2;
+/// The half axes of the crack and of the contact, mm.
+const DEPTH: f64 = 4.0;
+const HALF_LENGTH: f64 = 6.0;
+const CONTACT: f64 = 6.0;
+
+/// Cells from the middle of the block to its side and in the ring: 24 to 2016 elements.
+const CELLS: [[usize; 2]; 8] = [[2, 2], [3, 3], [4, 4], [6, 6], [8, 8], [10, 10], [14, 14], [18, 19]];
+const DIPS: [f64; 2] = [30.0, 15.0];
+
+fn elements([block, ring]: [usize; 2]) -> usize {
+    2 * block * block + 4 * block * ring
+}
+
+/// Seconds of each part, and what they were spent on.
+struct Cost {
+    points: usize,
+    table_s: f64,
+    body_s: f64,
+    forces_s: f64,
+    coarse_s: f64,
+    passage_s: f64,
+    steps: usize,
+    iterations: usize,
+    peak: f64,
+}
+
+fn measure([block, ring]: [usize; 2], dip: f64) -> Result<Cost, Box<dyn Error>> {
+    let steel = IsotropicElastic::new(210e3, 0.3)?;
+    let crack = SpaceCrack::surface_breaking(dip.to_radians(), HALF_LENGTH, DEPTH)?;
+    let begun = Instant::now();
+    let kernel = SpaceKernel::new(crack.dip, steel.poisson());
+    let table_s = begun.elapsed().as_secs_f64();
+
+    let begun = Instant::now();
+    let resolution = SpaceResolution { block, ring };
+    let body = SpaceBody::with_kernel(&crack, &steel, Some(&kernel), resolution, Interruption::NEVER)?;
+    let body_s = begun.elapsed().as_secs_f64();
+
+    let wheel = EllipticWheel {
+        peak_pressure: 1000.0,
+        half_width: CONTACT,
+        lateral_half_width: CONTACT,
+        lateral: 0.0,
+        friction: 0.1,
+        lateral_friction: 0.0,
+    };
+    let contact = SpaceContact { body: &body, friction: 0.3 };
+    let stress = |position: f64, point: [f64; 3]| wheel.stress(position, point, steel.poisson());
+    let load = SpaceLoad { wheel: &stress, constant: None };
+    let settings = PassageSettings::default();
+    let passage = Passage { from: -6.0 * CONTACT, to: 6.0 * CONTACT, ..settings.passage };
+    let begun = Instant::now();
+    let passages = SpacePassages::new(&contact, &load, passage, &Unobserved)?;
+    let forces_s = begun.elapsed().as_secs_f64();
+
+    let begun = Instant::now();
+    let whole = SpacePassageSettings { tolerance: f64::INFINITY, halvings: 0 };
+    let peak = passages.pass(&whole, &mut contact.virgin())?.peak();
+    let coarse_s = begun.elapsed().as_secs_f64();
+    let begun = Instant::now();
+    let settings = SpacePassageSettings { tolerance: settings.step_tolerance * peak, halvings: 7 };
+    let history = passages.pass(&settings, &mut contact.virgin())?;
+    let passage_s = begun.elapsed().as_secs_f64();
+    Ok(Cost {
+        points: body.points().len(),
+        table_s,
+        body_s,
+        forces_s,
+        coarse_s,
+        passage_s,
+        steps: history.steps,
+        iterations: history.iterations,
+        peak: history.peak(),
+    })
+}
+
+/// The largest resident memory of this process so far, MB.
+fn peak_memory_mb() -> Option<f64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find(|line| line.starts_with("VmHWM:"))?;
+    Some(line.split_whitespace().nth(1)?.parse::<f64>().ok()? / 1024.0)
+}
+
+/// The slope of ln y over ln x.
+fn exponent(pairs: &[(f64, f64)]) -> f64 {
+    let logs: Vec<(f64, f64)> = pairs.iter().map(|(x, y)| (x.ln(), y.ln())).collect();
+    let n = logs.len() as f64;
+    let mean = logs.iter().fold((0.0, 0.0), |m, p| (m.0 + p.0 / n, m.1 + p.1 / n));
+    let sum = |f: &dyn Fn(f64, f64) -> f64| logs.iter().map(|p| f(p.0 - mean.0, p.1 - mean.1)).sum::<f64>();
+    sum(&|x, y| x * y) / sum(&|x, _| x * x)
+}
+
+fn option(name: &str) -> Option<String> {
+    std::env::args().skip_while(|argument| argument != name).nth(1)
+}
+
+fn row(cells: [usize; 2], dip: f64) -> Result<String, Box<dyn Error>> {
+    let pool = ThreadPoolBuilder::new().num_threads(THREADS).build()?;
+    let cost = pool.install(|| measure(cells, dip).map_err(|reason| reason.to_string()))?;
+    let Cost { points, table_s, body_s, forces_s, coarse_s, passage_s, steps, iterations, peak } = cost;
+    let memory = peak_memory_mb().map_or(String::new(), |mb| format!("{mb:.0}"));
+    Ok(format!(
+        "{dip},{},{points},{table_s:.3},{body_s:.3},{forces_s:.3},{coarse_s:.3},{passage_s:.3},{steps},{iterations},{peak:.3},{memory}",
+        elements(cells)
+    ))
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let wanted = option("--elements").map(|text| text.parse::<usize>()).transpose()?;
+    let dip = option("--dip").map(|text| text.parse::<f64>()).transpose()?;
+    if let (Some(count), Some(dip)) = (wanted, dip) {
+        let cells = CELLS.into_iter().find(|cells| elements(*cells) >= count).unwrap_or(CELLS[0]);
+        println!("{}", row(cells, dip)?);
+        return Ok(());
+    }
+    println!(
+        "dip_deg,elements,points,table_s,body_s,forces_s,first_passage_s,passage_s,steps,iterations,peak_k,peak_memory_mb"
+    );
+    let mut table: Vec<Vec<f64>> = Vec::new();
+    for dip in DIPS {
+        for cells in CELLS {
+            let [elements, dip] = [elements(cells).to_string(), dip.to_string()];
+            let arguments = ["--elements", &elements, "--dip", &dip];
+            let output = Command::new(std::env::current_exe()?).args(arguments).output()?;
+            if !output.status.success() {
+                return Err(format!("{arguments:?}: {}", String::from_utf8_lossy(&output.stderr)).into());
+            }
+            let text = String::from_utf8(output.stdout)?;
+            println!("{}", text.trim());
+            table.push(text.trim().split(',').filter_map(|value| value.parse().ok()).collect());
+        }
+    }
+    for (column, name) in [(4, "body"), (5, "forces"), (7, "passage"), (11, "memory")] {
+        for dip in DIPS {
+            let rows = table.iter().filter(|row| row[0] == dip && row[1] >= 200.0);
+            let pairs: Vec<(f64, f64)> = rows.map(|row| (row[1], row[column])).collect();
+            println!("# {name} over elements from 200 on, {dip} degrees: exponent {:.2}", exponent(&pairs));
+        }
+    }
+    Ok(())
+}
