@@ -20,7 +20,7 @@ use thiserror::Error;
 /// Iterations of a step, at most.
 const ITERATIONS: usize = 60;
 /// Largest change of a jump, over the largest jump before or after it, of a converged step.
-const TOLERANCE: f64 = 1e-11;
+const TOLERANCE: f64 = 1e-9;
 /// Residuals of the linear systems, over their right-hand sides: where points change their state,
 /// and where none does at the end.
 const COARSEST: f64 = 1e-2;
@@ -60,6 +60,14 @@ pub struct SpaceFaces {
     pub reactions: Vec<f64>,
     /// The state of each point.
     pub status: Vec<SpaceStatus>,
+}
+
+impl SpaceFaces {
+    /// Whether every point is open, sticks or slips as it does there.
+    pub(super) fn keeps_states_of(&self, other: &Self) -> bool {
+        let kind = |status: &SpaceStatus| std::mem::discriminant(status);
+        self.status.iter().zip(&other.status).all(|(one, other)| kind(one) == kind(other))
+    }
 }
 
 /// The numbers of a step.

@@ -108,11 +108,16 @@ pub(super) struct LaggedFactor {
     factor: Option<LargeFactor>,
     /// The place of each jump among the unknowns of the factor.
     places: Vec<Option<usize>>,
+    /// Products that a new factor would have saved.
+    wasted: usize,
 }
 
-/// Products after which a factor is made anew, and per unknown: what making it costs in products.
+/// Wasted products after which a factor is made anew, and per unknown: what making it costs in
+/// products.
 const PRODUCTS: usize = 5;
-const UNKNOWNS_PER_PRODUCT: usize = 60;
+const UNKNOWNS_PER_PRODUCT: usize = 30;
+/// Products of a solution with a new factor.
+const NEEDED: usize = 2;
 
 impl LaggedFactor {
     /// Adds to `change` what makes the combinations of `conditions` change by `right`, to
@@ -130,9 +135,11 @@ impl LaggedFactor {
             return Ok(());
         }
         let most = PRODUCTS + right.len() / UNKNOWNS_PER_PRODUCT;
-        if self.factor.is_some() && self.improves(conditions, right, tolerance, most, change)? {
+        let is_worn = self.wasted >= most;
+        if self.factor.is_some() && !is_worn && self.improves(conditions, right, tolerance, most, change)? {
             return Ok(());
         }
+        self.wasted = 0;
         self.places = vec![None; change.jumps.len()];
         for (place, condition) in conditions.conditions.iter().enumerate() {
             self.places[condition.unknown] = Some(place);
@@ -145,7 +152,7 @@ impl LaggedFactor {
     /// [`Self::solve`] by this factor; changes nothing, and says so, if it takes more than `most`
     /// products.
     fn improves(
-        &self,
+        &mut self,
         conditions: &Linearised<'_>,
         right: &[f64],
         tolerance: f64,
@@ -160,6 +167,7 @@ impl LaggedFactor {
             directions.push(Change { jumps, forces });
             Ok::<_, LinearError>(product)
         })?;
+        self.wasted += directions.len().saturating_sub(NEEDED);
         if least.residual > tolerance {
             return Ok(false);
         }

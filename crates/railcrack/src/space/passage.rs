@@ -8,6 +8,9 @@ use crate::growth::Observer;
 use crate::interruption::{Interrupted, Interruption};
 use crate::load::Passage;
 use rayon::prelude::*;
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::rc::Rc;
 
 /// Stress (MPa) of the uncracked rail at x, lateral and depth (mm).
 pub type StressAt<'a> = dyn Fn([f64; 3]) -> Symmetric + Sync + 'a;
@@ -91,14 +94,13 @@ pub struct SpacePassages<'a> {
     observer: &'a dyn Observer,
     constant: Vec<f64>,
     passage: Passage,
-    /// Intervals between stations: two between output positions.
-    intervals: usize,
-    /// Nodal forces at the stations, which all passages need.
-    stations: Vec<Vec<f64>>,
+    /// Nodal forces by the bits of their position: the next passage needs them again.
+    forces: RefCell<HashMap<u64, Rc<[f64]>>>,
 }
 
-/// A position this close to a station, in their distance, lies on it.
-const ON_STATION: f64 = 1e-9;
+/// An interval in which no point changes its state is one step, if the last one that was halved was
+/// wrong by less than this share of what is allowed.
+const CALM: f64 = 0.1;
 
 impl<'a> SpacePassages<'a> {
     /// Of the wheel of `load` over the body of `contact`, with results at the positions of
@@ -113,19 +115,19 @@ impl<'a> SpacePassages<'a> {
     ) -> Result<Self, Interrupted> {
         let body = contact.body;
         let constant = load.constant_forces(body);
-        let intervals = 2 * passage.positions.saturating_sub(1).max(1);
         let asked = || observer.interrupted();
         let interruption = Interruption::when(&asked);
-        // Forces do not depend on the contact: all at once.
-        let stations = (0..=intervals)
+        // Forces do not depend on the contact: those that every passage needs, all at once.
+        let forces = passage
+            .abscissae()
             .into_par_iter()
-            .map(|k| {
+            .map(|position| {
                 interruption.check()?;
-                let share = k as f64 / intervals as f64;
-                Ok(load.forces(body, &constant, passage.from + share * (passage.to - passage.from)))
+                Ok((position.to_bits(), load.forces(body, &constant, position)))
             })
-            .collect::<Result<_, Interrupted>>()?;
-        Ok(Self { contact, load, observer, constant, passage, intervals, stations })
+            .collect::<Result<Vec<_>, Interrupted>>()?;
+        let forces = forces.into_iter().map(|(at, forces)| (at, Rc::from(forces))).collect();
+        Ok(Self { contact, load, observer, constant, passage, forces: RefCell::new(forces) })
     }
 
     /// A passage over the faces `faces`, which are left as after it: with the wheel away. Virgin
@@ -150,7 +152,8 @@ impl<'a> SpacePassages<'a> {
             violation: 0.0,
             step_error: 0.0,
         };
-        let mut walk = Walk { passages: self, settings, history, factor: LaggedFactor::default() };
+        let factor = LaggedFactor::default();
+        let mut walk = Walk { passages: self, settings, history, factor, is_calm: false };
         *faces = walk.step(&faces.jumps, faces, &self.constant)?;
         walk.history.before = body.sifs_of_jumps(&faces.jumps);
         let last = walk.history.positions.len() - 1;
@@ -175,14 +178,14 @@ impl<'a> SpacePassages<'a> {
     }
 
     /// Nodal forces (N) with the wheel at `position` (mm).
-    fn forces_at(&self, position: f64) -> Vec<f64> {
-        let Passage { from, to, .. } = self.passage;
-        let place = (position - from) / (to - from) * self.intervals as f64;
-        let nearest = place.round().clamp(0.0, self.intervals as f64) as usize;
-        if (place - nearest as f64).abs() < ON_STATION {
-            return self.stations[nearest].clone();
+    fn forces_at(&self, position: f64) -> Rc<[f64]> {
+        let at = position.to_bits();
+        if let Some(forces) = self.forces.borrow().get(&at) {
+            return Rc::clone(forces);
         }
-        self.load.forces(self.contact.body, &self.constant, position)
+        let forces: Rc<[f64]> = self.load.forces(self.contact.body, &self.constant, position).into();
+        self.forces.borrow_mut().insert(at, Rc::clone(&forces));
+        forces
     }
 }
 
@@ -192,6 +195,8 @@ struct Walk<'a> {
     settings: &'a SpacePassageSettings,
     history: SpaceHistory,
     factor: LaggedFactor,
+    /// Whether the last halved interval was wrong by little.
+    is_calm: bool,
 }
 
 impl Walk<'_> {
@@ -217,7 +222,8 @@ impl Walk<'_> {
     }
 
     /// The faces at the end of an interval, near the jumps `guess`, by its halves; each is divided
-    /// again until K at its end no longer depends on that. `whole`: the faces at its end by one
+    /// again until K at its end no longer depends on that. One step is enough where no point
+    /// changes its state and the last halves were calm. `whole`: the faces at its end by one
     /// step, if they are known.
     fn interval(
         &mut self,
@@ -233,12 +239,16 @@ impl Walk<'_> {
         }
         let body = self.passages.contact.body;
         let middle = 0.5 * (from + to);
-        let between = self.passages.forces_at(middle);
         let is_last = level + 1 >= self.settings.halvings;
         let whole = match whole.map_or_else(|| self.step(guess, before, &end), Ok) {
             Err(SpaceContactError::NotConverged { .. }) => None,
             whole => Some(whole?),
         };
+        let keeps_states = whole.as_ref().filter(|whole| whole.keeps_states_of(before));
+        if let Some(whole) = keeps_states.filter(|_| self.is_calm && level == 0) {
+            return Ok(whole.clone());
+        }
+        let between = self.passages.forces_at(middle);
         let jumps_at_end = whole.as_ref().map_or(&before.jumps, |whole| &whole.jumps);
         let jumps_between: Vec<f64> =
             before.jumps.iter().zip(jumps_at_end).map(|(start, end)| 0.5 * (start + end)).collect();
@@ -249,13 +259,16 @@ impl Walk<'_> {
         };
         match (&whole, halves) {
             (_, Err(error @ SpaceContactError::NotConverged { .. })) if is_last => return Err(error),
-            (_, Err(SpaceContactError::NotConverged { .. })) => {}
+            (_, Err(SpaceContactError::NotConverged { .. })) => self.is_calm = false,
             (_, Err(error)) => return Err(error),
             (whole, Ok(halves)) => {
                 let error = whole.as_ref().map_or(f64::INFINITY, |whole| {
                     let (one, two) = (body.sifs_of_jumps(&whole.jumps), body.sifs_of_jumps(&halves.jumps));
                     one.iter().zip(&two).map(|(a, b)| a.difference(b)).fold(0.0, f64::max)
                 });
+                if level == 0 {
+                    self.is_calm = error <= CALM * self.settings.tolerance;
+                }
                 if error <= self.settings.tolerance || is_last {
                     if error.is_finite() {
                         self.history.step_error = self.history.step_error.max(error);

@@ -34,8 +34,8 @@ pub struct EllipticWheel {
 }
 
 /// −ln of the error of a rule in its ellipse of convergence: leaves 5e-5 of p₀ next to the edge of
-/// the contact at most, 2e-6 in the mean.
-const DIGITS: f64 = 12.0;
+/// the contact at most, 1e-6 in the mean.
+const DIGITS: f64 = 14.0;
 /// Points of a rule, at least and at most.
 const POINTS: [usize; 2] = [3, 96];
 /// A point is taken to lie at least this share of a below the surface.

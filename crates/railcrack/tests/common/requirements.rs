@@ -549,6 +549,21 @@ pub const REQUIREMENTS: &[Requirement] = &[
         "Space: faces that stay open respond linearly.",
     ),
     requirement(
+        "space::contact::passages_are_steps_one_by_one",
+        "",
+        "Space: a passage with lagged factors and guesses is that of single steps.",
+    ),
+    requirement(
+        "space::wheel::compatible_under_pressure_and_shear",
+        "",
+        "Space: the stress under an elliptical contact is compatible.",
+    ),
+    requirement(
+        "space::wheel::of_point_forces_under_the_contact",
+        "",
+        "Space: the stress under an elliptical contact is that of its point forces.",
+    ),
+    requirement(
         "space::contact::lateral_mirror_images",
         "",
         "Space: wheels on either side of the crack give mirrored histories.",
@@ -556,12 +571,12 @@ pub const REQUIREMENTS: &[Requirement] = &[
     requirement(
         "space::wide::of_the_2d_engine_at_30_degrees",
         "",
-        "Space: the middle of a wide crack at 30° has roughly the K_II history of the 2D engine.",
+        "Space: the middle of a wide crack at 30° has the K_II history of the 2D engine.",
     ),
     requirement(
         "space::wide::of_the_2d_engine_at_15_degrees",
         "",
-        "Space: the middle of a wide crack at 15° has very roughly the K_II history of the 2D engine.",
+        "Space: the middle of a wide crack at 15° has the K_II history of the 2D engine.",
     ),
     requirement(
         "cycles::of_second_order_along_a_straight_path",

@@ -101,7 +101,7 @@ fn passages_are_steps_one_by_one() {
             alone = step(from + 0.25 * f64::from(quarter) * (to - from));
         }
         for (got, want) in sifs.iter().zip(&alone) {
-            close(got.difference(want), 0.0, Of(1e-7, scale), "changes of 1e-11 end the iterations");
+            close(got.difference(want), 0.0, Of(1e-7, scale), "changes of 1e-9 end the iterations");
         }
     }
 }

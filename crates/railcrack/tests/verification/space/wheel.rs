@@ -40,7 +40,7 @@ fn compatible_under_pressure_and_shear() {
         let of_trace: [f64; 6] = components.map(|(i, j)| second(i, j)[..3].iter().sum::<f64>() / (1.0 + NU));
         let scale = of_trace.iter().chain(&laplacian).fold(0.0f64, |m, v| m.max(v.abs()));
         for c in 0..6 {
-            close(laplacian[c] + of_trace[c], 0.0, Of(0.004, scale), "second differences over 0.2 mm");
+            close(laplacian[c] + of_trace[c], 0.0, Of(0.006, scale), "second differences over 0.2 mm");
         }
     }
 }
@@ -117,7 +117,9 @@ fn of_point_forces_under_the_contact() {
             friction: 0.3,
             lateral_friction: -0.2,
         };
-        for (along, across) in [(0.0, 0.0), (0.3, -0.2), (-0.6, 0.5), (0.95, 0.2), (0.1, -0.97), (-0.7, -0.69)] {
+        for (along, across) in
+            [(0.0, 0.0), (0.3, -0.2), (-0.6, 0.5), (0.95, 0.2), (0.1, -0.97), (-0.7, -0.69)]
+        {
             for depth in [0.01, 0.1, 1.0, 4.0, 15.0] {
                 let point = [6.0 * along, b * across, depth];
                 let (got, want) = (wheel.stress(0.0, point, NU), summed(&wheel, point));

@@ -11,12 +11,15 @@ use railcrack::space::{
 
 /// Half the length of the mouth over the depth along the dip.
 const WIDTH: f64 = 6.0;
-/// `allowed`: of the peak. The flap above a shallow crack bends; 4 cells in depth resolve it
-/// roughly.
-fn agrees(degrees: f64, allowed: f64) {
+/// Positions of the plane between two of space: where faces let go K_II falls by its whole peak
+/// within 0.2 a, and the plane may do so 0.005 a earlier or later.
+const FINER: usize = 20;
+
+/// `allowed`: of the peak. The flap above a shallow crack bends; its cells resolve it roughly.
+fn agrees(degrees: f64, cells: usize, allowed: f64) {
     let length = 6.0;
     let crack = SpaceCrack::surface_breaking(degrees.to_radians(), WIDTH * length, length).unwrap();
-    let resolution = SpaceResolution { block: 4, ring: 4 };
+    let resolution = SpaceResolution { block: cells, ring: cells };
     let body = SpaceBody::new(&crack, &steel(), Surroundings::HalfSpace, resolution).unwrap();
     let a = Rolling::HALF_WIDTH;
     let line = HertzianContact { peak_pressure: 845.0, half_width: a, friction: 0.025 };
@@ -33,25 +36,27 @@ fn agrees(degrees: f64, allowed: f64) {
     let space = space_passage(&contact, &load, passage, &settings, &mut contact.virgin()).unwrap();
 
     let mut plane = Rolling::over(vec![surface_crack(0.0, length, degrees)], 0.5, 0.025);
-    plane.steps.positions = passage.positions;
+    plane.steps.positions = FINER * (passage.positions - 1) + 1;
     let plane = plane.solve();
     let plane = &plane.passages[0].sifs[0];
     let peak = largest(plane.iter().map(|k| k.kii));
-    for (k, (sifs, want)) in space.sifs.iter().zip(plane).enumerate() {
-        let middle = sifs[sifs.len() / 2];
-        println!("{degrees} {k}: {:.1} {:.1}, {:.1} {:.1}", middle.ki, want.ki, middle.kii, want.kii);
-        close(middle.kii, want.kii, Of(allowed, peak), "a mouth of 12 depths under a line contact, 96 cells");
+    for (k, sifs) in space.sifs.iter().enumerate() {
+        let got = sifs[sifs.len() / 2].kii;
+        let near = &plane[(FINER * k).saturating_sub(1)..(FINER * k + 2).min(plane.len())];
+        let (least, most) = near.iter().fold((f64::MAX, f64::MIN), |(l, m), k| (l.min(k.kii), m.max(k.kii)));
+        let reason = "a mouth of 12 depths under a line contact, releases by their position";
+        close(got, got.clamp(least, most), Of(allowed, peak), reason);
     }
 }
 
 #[test]
 #[ignore = "extra: minutes"]
 fn of_the_2d_engine_at_30_degrees() {
-    agrees(30.0, 0.06);
+    agrees(30.0, 6, 0.015);
 }
 
 #[test]
 #[ignore = "extra: minutes"]
 fn of_the_2d_engine_at_15_degrees() {
-    agrees(15.0, 0.13);
+    agrees(15.0, 6, 0.07);
 }
