@@ -25,7 +25,8 @@ const CONTACT: f64 = 6.0;
 
 /// Cells from the middle of the block to its side and in the ring: 24 to 2016 elements.
 const CELLS: [[usize; 2]; 8] = [[2, 2], [3, 3], [4, 4], [6, 6], [8, 8], [10, 10], [14, 14], [18, 19]];
-const DIPS: [f64; 2] = [30.0, 15.0];
+/// Dips, and the most elements at each.
+const DIPS: [(f64, usize); 2] = [(30.0, 2016), (15.0, 600)];
 
 fn elements([block, ring]: [usize; 2]) -> usize {
     2 * block * block + 4 * block * ring
@@ -137,8 +138,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         "dip_deg,elements,points,table_s,body_s,forces_s,first_passage_s,passage_s,steps,iterations,peak_k,peak_memory_mb"
     );
     let mut table: Vec<Vec<f64>> = Vec::new();
-    for dip in DIPS {
-        for cells in CELLS {
+    for (dip, most) in DIPS {
+        for cells in CELLS.into_iter().filter(|cells| elements(*cells) <= most) {
             let [elements, dip] = [elements(cells).to_string(), dip.to_string()];
             let arguments = ["--elements", &elements, "--dip", &dip];
             let output = Command::new(std::env::current_exe()?).args(arguments).output()?;
@@ -151,7 +152,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
     }
     for (column, name) in [(4, "body"), (5, "forces"), (7, "passage"), (11, "memory")] {
-        for dip in DIPS {
+        for (dip, _) in DIPS {
             let rows = table.iter().filter(|row| row[0] == dip && row[1] >= 200.0);
             let pairs: Vec<(f64, f64)> = rows.map(|row| (row[1], row[column])).collect();
             println!("# {name} over elements from 200 on, {dip} degrees: exponent {:.2}", exponent(&pairs));

@@ -122,7 +122,7 @@ impl EllipticWheel {
         sum.map(|value| self.peak_pressure * value / PI)
     }
 
-    /// 1/R at the parametric angle φ with this sine and cosine, per mm, and its parts along x and y.
+    /// 1/R (per mm) at the parametric angle with this sine and cosine, and its parts along x and y.
     fn wave([sin, cos]: [f64; 2], half_axes: [f64; 2]) -> (f64, [f64; 2]) {
         let parts = [cos / half_axes[0], sin / half_axes[1]];
         ((parts[0] * parts[0] + parts[1] * parts[1]).sqrt(), parts)
