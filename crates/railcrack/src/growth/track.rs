@@ -100,13 +100,15 @@ mod tests {
 
     #[test]
     fn few_values_are_kept_and_all_others_lie_near_the_lines_between_them() {
+        // None of the deviations of the parabola from its chords, (0.05 k)², is just that.
+        const TOLERANCE: f64 = 0.012;
         let kink = |x: f64| if x < 3.7 { vec![0.2 * x, 0.0] } else { vec![0.74, (x - 3.7).powi(2)] };
         let way: Vec<(f64, Vec<f64>)> = (0..=100).map(|i| 0.1 * f64::from(i)).map(|x| (x, kink(x))).collect();
-        let track = Track::thinned(&way, 0.01);
+        let track = Track::thinned(&way, TOLERANCE);
         let all = track.resampled(&way.iter().map(|(at, _)| *at).collect::<Vec<f64>>());
         for (i, (at, values)) in way.iter().enumerate() {
             for (c, value) in values.iter().enumerate() {
-                assert!((all[(i, c)] - value).abs() <= 0.01, "at {at}");
+                assert!((all[(i, c)] - value).abs() <= TOLERANCE, "at {at}");
             }
         }
         assert!(track.at().len() < 40 && track.at().iter().any(|at| (at - 3.7).abs() < 0.01));
