@@ -20,7 +20,7 @@ section! {
         "Change of K between two passages, relative to its peak, below which the history repeats.");
     STEP_TOLERANCE: f64 = number("step_tolerance", "", closed(1e-6, 0.1), 2e-3,
         "Load steps are refined until K changes by less, relative to its peak.");
-    NETWORK_TOLERANCE: f64 = number("network_tolerance", "", closed(1e-9, 0.1), 3e-4,
+    NETWORK_TOLERANCE: f64 = number("network_tolerance", "", closed(1e-9, 0.1), 6e-4,
         "With solver.network = \"groups\", sweeps are repeated until the error of K that they leave is estimated as less, relative to its peak at the tip.");
     STEP_CONTROL: StepControl = choice("step_control", "Choice of the load steps.");
 }

@@ -58,7 +58,7 @@ impl Default for PassageSettings {
             passage_tolerance: 1e-3,
             step_tolerance: 2e-3,
             step_control: StepControl::Adaptive,
-            network_tolerance: 3e-4,
+            network_tolerance: 6e-4,
         }
     }
 }
