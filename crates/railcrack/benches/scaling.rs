@@ -8,6 +8,9 @@
 //! not too many. With an argument, `cargo bench --bench scaling -- groups`, only studies whose
 //! names contain it are made.
 
+mod common;
+
+use common::{exponent, peak_memory_mb};
 use railcrack::body::{BodyEngine, CrackedBody};
 use railcrack::contact::{FaceProblem, Newton};
 use railcrack::crack::{Crack, CrackNetwork, End};
@@ -174,22 +177,6 @@ fn measure(point: Point) -> Result<Cost, Box<dyn Error>> {
             .collect::<Result<_, _>>()?;
     }
     Ok(Cost { body_ms: median(bodies), contact_ms: median(contacts), ..cost })
-}
-
-/// The largest resident memory of this process so far, MB.
-fn peak_memory_mb() -> Option<f64> {
-    let status = std::fs::read_to_string("/proc/self/status").ok()?;
-    let line = status.lines().find(|line| line.starts_with("VmHWM:"))?;
-    Some(line.split_whitespace().nth(1)?.parse::<f64>().ok()? / 1024.0)
-}
-
-/// The slope of ln y over ln x.
-fn exponent(pairs: &[(f64, f64)]) -> f64 {
-    let logs: Vec<(f64, f64)> = pairs.iter().map(|(x, y)| (x.ln(), y.ln())).collect();
-    let n = logs.len() as f64;
-    let mean = logs.iter().fold((0.0, 0.0), |m, p| (m.0 + p.0 / n, m.1 + p.1 / n));
-    let sum = |f: &dyn Fn(f64, f64) -> f64| logs.iter().map(|p| f(p.0 - mean.0, p.1 - mean.1)).sum::<f64>();
-    sum(&|x, y| x * y) / sum(&|x, _| x * x)
 }
 
 fn main() -> Result<(), Box<dyn Error>> {

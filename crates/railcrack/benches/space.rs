@@ -4,6 +4,9 @@
 //! logarithms) as comments at its end. Every row is a process of its own, so that its peak of
 //! memory is its own. `-- --elements 600 --dip 15` measures one crack.
 
+mod common;
+
+use common::{exponent, peak_memory_mb};
 use railcrack::growth::{PassageSettings, Unobserved};
 use railcrack::interruption::Interruption;
 use railcrack::load::Passage;
@@ -93,22 +96,6 @@ fn measure([block, ring]: [usize; 2], dip: f64) -> Result<Cost, Box<dyn Error>> 
         iterations: history.iterations,
         peak: history.peak(),
     })
-}
-
-/// The largest resident memory of this process so far, MB.
-fn peak_memory_mb() -> Option<f64> {
-    let status = std::fs::read_to_string("/proc/self/status").ok()?;
-    let line = status.lines().find(|line| line.starts_with("VmHWM:"))?;
-    Some(line.split_whitespace().nth(1)?.parse::<f64>().ok()? / 1024.0)
-}
-
-/// The slope of ln y over ln x.
-fn exponent(pairs: &[(f64, f64)]) -> f64 {
-    let logs: Vec<(f64, f64)> = pairs.iter().map(|(x, y)| (x.ln(), y.ln())).collect();
-    let n = logs.len() as f64;
-    let mean = logs.iter().fold((0.0, 0.0), |m, p| (m.0 + p.0 / n, m.1 + p.1 / n));
-    let sum = |f: &dyn Fn(f64, f64) -> f64| logs.iter().map(|p| f(p.0 - mean.0, p.1 - mean.1)).sum::<f64>();
-    sum(&|x, y| x * y) / sum(&|x, _| x * x)
 }
 
 fn option(name: &str) -> Option<String> {

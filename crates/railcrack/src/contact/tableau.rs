@@ -4,7 +4,7 @@ use super::condition::{Condition, Degenerate};
 use super::differences::Differences;
 use super::probe::Probe;
 use crate::linear::{LinearError, SmallFactor, add_product, general_inverse, product};
-use crate::math::{Matrix, add_chosen_rows, add_rows_to_each, axpy};
+use crate::math::{Matrix, add_rows_to_each, axpy};
 
 /// The equations A w = load + q of the faces under a condition for each component: its jump w_i is
 /// held, or it is free with q_i + c_i q_{i+1} = 0, where c_i ≠ 0 couples the shear of a slipping
@@ -276,8 +276,9 @@ impl<'a> Tableau<'a> {
     fn answer_to(&mut self, action: Action) -> Result<Answer, Degenerate> {
         let mut answer = self.of_basis(action);
         self.meet_conditions(action, &mut answer)?;
-        let rows = (self.responses.entries(), &self.differences.components[..]);
-        add_chosen_rows(&answer.changes, rows, &mut answer.output);
+        let components = &self.differences.components;
+        let Answer { changes, output, .. } = &mut answer;
+        add_rows_to_each(&[changes], |k| self.responses.row(components[k]), &mut [output]);
         Ok(answer)
     }
 

@@ -59,19 +59,8 @@ impl<'a> Exchange<'a> {
     /// The forces of far units on group `k` at the coordinates `nodes` of each part of the way.
     pub fn far_forces_on(&self, k: usize, nodes: &[Vec<f64>]) -> Vec<Matrix> {
         let members = &self.groups[k].members;
-        let components = 2 * self.groups[k].body.faces.points.len();
         let on_part = |(i, nodes): (usize, &Vec<f64>)| {
-            let mut forces = Matrix::zeros(nodes.len(), components);
-            let mut first = 0;
-            for &m in members {
-                let on_member = self.far[m][i].1.resampled(nodes);
-                for row in 0..nodes.len() {
-                    forces.row_mut(row)[first..first + on_member.columns()]
-                        .copy_from_slice(on_member.row(row));
-                }
-                first += on_member.columns();
-            }
-            forces
+            side_by_side(members.iter().map(|&m| self.far[m][i].1.resampled(nodes)).collect())
         };
         nodes.iter().enumerate().map(on_part).collect()
     }
@@ -119,23 +108,32 @@ fn forces_on(
     (histories, far): (&[History], &[History]),
     nodes: &[Vec<f64>],
 ) -> Result<History, LinearError> {
-    let components = 2 * group.body.faces.points.len();
     let parts = nodes.iter().enumerate().map(|(i, nodes)| {
-        let mut forces = Matrix::zeros(nodes.len(), components);
-        let mut first = 0;
-        for &m in &group.members {
-            let mut on_member = far[m][i].1.resampled(nodes);
+        let on_member = |&m: &usize| {
+            let mut forces = far[m][i].1.resampled(nodes);
             for (l, _) in blocks.near[m].iter().filter(|(l, _)| !group.members.contains(l)) {
                 if let Some(block) = blocks.near_block(*l, m) {
-                    add_product(-1.0, &histories[*l][i].1.resampled(nodes), block, &mut on_member)?;
+                    add_product(-1.0, &histories[*l][i].1.resampled(nodes), block, &mut forces)?;
                 }
             }
-            for row in 0..nodes.len() {
-                forces.row_mut(row)[first..first + on_member.columns()].copy_from_slice(on_member.row(row));
-            }
-            first += on_member.columns();
-        }
-        Ok((histories[group.members[0]][i].0, Track::new(nodes.clone(), forces)))
+            Ok(forces)
+        };
+        let of_members = group.members.iter().map(on_member).collect::<Result<_, LinearError>>()?;
+        Ok((histories[group.members[0]][i].0, Track::new(nodes.clone(), side_by_side(of_members))))
     });
     parts.collect()
+}
+
+/// The columns of all `parts`, which have equally many rows.
+fn side_by_side(parts: Vec<Matrix>) -> Matrix {
+    let rows = parts.first().map_or(0, Matrix::rows);
+    let mut all = Matrix::zeros(rows, parts.iter().map(Matrix::columns).sum());
+    let mut first = 0;
+    for part in parts {
+        for row in 0..rows {
+            all.row_mut(row)[first..first + part.columns()].copy_from_slice(part.row(row));
+        }
+        first += part.columns();
+    }
+    all
 }

@@ -10,7 +10,7 @@ use super::passage::{
 use super::positions::output_positions;
 use super::stations::{stations, weights};
 use super::tip_sifs::TipSifs;
-use super::track::Track;
+use super::track::{Track, every_other};
 use super::{
     GroupsError, Observer, PassageError, PassageRecord, PassageSettings, RailLoad, StabilisedPassage,
 };
@@ -253,13 +253,8 @@ impl Row<'_> {
         let nodes = |k: usize| -> Vec<Vec<f64>> {
             self.parts(Leg::Passage(1), &self.stations[k].0).into_iter().map(|(_, at)| at).collect()
         };
-        let every_other = |k: usize| -> Vec<Vec<f64>> {
-            let other = |at: Vec<f64>| {
-                let last = at.len() - 1;
-                let kept = at.iter().enumerate().filter(|(i, _)| i % 2 == 0 || *i == last);
-                kept.map(|(_, x)| *x).collect()
-            };
-            nodes(k).into_iter().map(other).collect()
+        let fewer_nodes = |k: usize| -> Vec<Vec<f64>> {
+            nodes(k).into_iter().map(|at| every_other(at.len()).map(|i| at[i]).collect()).collect()
         };
         let halved: Vec<History> = self
             .histories
@@ -269,11 +264,11 @@ impl Row<'_> {
         let new = |histories, nodes: &(dyn Fn(usize) -> Vec<Vec<f64>> + Sync)| {
             Exchange::new(self.blocks, &self.groups, histories, nodes).map_err(unsolvable)
         };
-        let (all, half) = (new(&self.histories, &nodes)?, new(&halved, &every_other)?);
+        let (all, half) = (new(&self.histories, &nodes)?, new(&halved, &fewer_nodes)?);
         let of_group = |k: usize| -> Result<[f64; 2], PassageError> {
             let group = &self.groups[k];
             let forces = all.forces_on(k, nodes(k)).map_err(unsolvable)?;
-            let fewer = half.forces_on(k, every_other(k)).map_err(unsolvable)?;
+            let fewer = half.forces_on(k, fewer_nodes(k)).map_err(unsolvable)?;
             let at: Vec<Vec<f64>> = forces.iter().map(|(_, track)| track.at().to_vec()).collect();
             let far = all.far_forces_on(k, &at);
             let mut largest = [0.0f64; 2];

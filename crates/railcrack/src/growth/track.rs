@@ -39,8 +39,7 @@ impl Track {
 
     /// Every other of the values.
     pub fn halved(&self) -> Self {
-        let last = self.at.len() - 1;
-        let kept: Vec<usize> = (0..=last).filter(|&i| i % 2 == 0 || i == last).collect();
+        let kept: Vec<usize> = every_other(self.at.len()).collect();
         let values = Matrix::from_fn(kept.len(), self.values.columns(), |i, c| self.values[(kept[i], c)]);
         Self { at: kept.iter().map(|&i| self.at[i]).collect(), values }
     }
@@ -83,6 +82,11 @@ impl Track {
         }
         values
     }
+}
+
+/// Every other of `count` places, and the last one.
+pub(super) fn every_other(count: usize) -> impl Iterator<Item = usize> {
+    (0..count).filter(move |&i| i % 2 == 0 || i + 1 == count)
 }
 
 /// The largest difference of value `i` of `way` from the line between two others.

@@ -26,15 +26,7 @@ pub(crate) fn add_rows_to_each<'m>(
     rows: impl Fn(usize) -> &'m [f64],
     ys: &mut [impl AsMut<[f64]>],
 ) {
-    let count = weights.iter().map(|weights| weights.as_ref().len()).min().unwrap_or(0);
-    let rows: Vec<&[f64]> = (0..count).map(rows).collect();
-    Arch::new().dispatch(AddRows { weights, rows: &rows, ys });
-}
-
-/// y += Σ weights_k row(chosen_k) of a matrix whose entries stand row by row, each row as long as
-/// y.
-pub(crate) fn add_chosen_rows(weights: &[f64], (entries, chosen): (&[f64], &[usize]), y: &mut [f64]) {
-    Arch::new().dispatch(AddChosenRows { weights, entries, chosen, y });
+    Arch::new().dispatch(AddRows { weights, rows, ys });
 }
 
 struct Dot<'a> {
@@ -66,59 +58,33 @@ impl WithSimd for Axpy<'_> {
     }
 }
 
-struct AddRows<'a, W, Y> {
+struct AddRows<'a, W, R, Y> {
     weights: &'a [W],
-    rows: &'a [&'a [f64]],
+    rows: R,
     ys: &'a mut [Y],
 }
 
-impl<W: AsRef<[f64]>, Y: AsMut<[f64]>> WithSimd for AddRows<'_, W, Y> {
+impl<'m, W: AsRef<[f64]>, R: Fn(usize) -> &'m [f64], Y: AsMut<[f64]>> WithSimd for AddRows<'_, W, R, Y> {
     type Output = ();
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) {
-        let (blocks, rest) = self.rows.as_chunks::<ROWS>();
-        for (block, [x, z, u, v]) in blocks.iter().enumerate() {
+        let count = self.weights.iter().map(|weights| weights.as_ref().len()).min().unwrap_or(0);
+        let rest = count - count % ROWS;
+        for first in (0..rest).step_by(ROWS) {
+            let [x, z, u, v] = [0, 1, 2, 3].map(|k| (self.rows)(first + k));
             for (weights, y) in self.weights.iter().zip(self.ys.iter_mut()) {
-                let [a, b, c, d] = weights.as_ref().as_chunks::<ROWS>().0[block];
-                for ((((y, x), z), u), v) in y.as_mut().iter_mut().zip(*x).zip(*z).zip(*u).zip(*v) {
+                let [a, b, c, d] = weights.as_ref().as_chunks::<ROWS>().0[first / ROWS];
+                for ((((y, x), z), u), v) in y.as_mut().iter_mut().zip(x).zip(z).zip(u).zip(v) {
                     *y = (((*y + a * x) + b * z) + c * u) + d * v;
                 }
             }
         }
-        for (k, x) in rest.iter().enumerate() {
+        for k in rest..count {
+            let x = (self.rows)(k);
             for (weights, y) in self.weights.iter().zip(self.ys.iter_mut()) {
-                inlined::axpy(weights.as_ref()[ROWS * blocks.len() + k], x, y.as_mut());
+                inlined::axpy(weights.as_ref()[k], x, y.as_mut());
             }
-        }
-    }
-}
-
-struct AddChosenRows<'a> {
-    weights: &'a [f64],
-    entries: &'a [f64],
-    chosen: &'a [usize],
-    y: &'a mut [f64],
-}
-
-impl WithSimd for AddChosenRows<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, _: S) {
-        let Self { weights, entries, chosen, y } = self;
-        let width = y.len();
-        let row = |k: usize| &entries[k * width..(k + 1) * width];
-        let (weights, last_weights) = weights.as_chunks::<ROWS>();
-        let (chosen, last) = chosen.as_chunks::<ROWS>();
-        for (&[a, b, c, d], rows) in weights.iter().zip(chosen) {
-            let [x, z, u, v] = rows.map(row);
-            for ((((y, x), z), u), v) in y.iter_mut().zip(x).zip(z).zip(u).zip(v) {
-                *y = (((*y + a * x) + b * z) + c * u) + d * v;
-            }
-        }
-        for (&weight, &k) in last_weights.iter().zip(last) {
-            inlined::axpy(weight, row(k), y);
         }
     }
 }
@@ -181,10 +147,6 @@ mod tests {
             let (mut one, mut other) = (b.clone(), a.clone());
             add_rows_to_each(&[weights, [0.0; 5]], |k| rows[k], &mut [&mut one, &mut other]);
             assert_eq!([&one, &other], [&once, &a]);
-            let mut chosen = b.clone();
-            let firsts = [a.clone(), b.clone()].concat();
-            add_chosen_rows(&weights, (&firsts, &[0, 1, 0, 1, 0]), &mut chosen);
-            assert_eq!(chosen, once);
             assert!(once.iter().zip(&a).zip(&b).all(|((y, a), b)| (y - (2.0 * a - 0.5 * b)).abs() < 1e-14));
         }
     }

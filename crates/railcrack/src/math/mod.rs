@@ -20,7 +20,7 @@ pub(crate) use anderson::Anderson;
 pub(crate) use ball::smallest_ball;
 pub(crate) use elliptic::complete_elliptic;
 pub(crate) use grading::quantiles;
-pub(crate) use kernels::{add_chosen_rows, add_rows_to_each, axpy, dot, inlined};
+pub(crate) use kernels::{add_rows_to_each, axpy, dot, inlined};
 pub use matrix::Matrix;
 pub(crate) use predicate::{Orientation, orientation, segments_touch};
 pub use quadrature::gauss_legendre;
