@@ -49,10 +49,11 @@ fn grid_of(
     let of_front = |value: &dyn Fn(usize) -> f64| -> Vec<f64> {
         std::iter::repeat_n(0.0, free).chain((0..tips).map(value)).collect()
     };
-    let jumps = (0..free + tips).flat_map(|i| match states.get(i).zip(faces.points.get(i)) {
-        Some((state, point)) => {
-            let jump = point.tangent * state.slip + point.tangent.left() * state.opening;
-            [jump.x, jump.y, third[i][0]]
+    let frame = front.shape.frame();
+    let jumps = (0..free + tips).flat_map(|i| match states.get(i) {
+        Some(state) => {
+            let [x, z, down] = frame.vector([state.opening, state.slip, third[i][0]]);
+            [x, -down, z]
         }
         None => [0.0; 3],
     });

@@ -4,7 +4,7 @@ use super::case::Case;
 use super::cracks::{check_fit, place_cracks};
 use super::limits::check_size;
 use super::mix::{MixedWheel, ReadWheel, read_mix};
-use super::space::read_space;
+use super::space::{read_space, refuse_strike};
 use crate::files::read_profile;
 use crate::schema::{Report, SectionValues, Sections, Value, Written, short};
 use crate::tables::{
@@ -115,7 +115,10 @@ pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) 
     let scatter = scatter.map(|s| read_scatter(s, scattering, report));
     let space = match is_in_space(&sections) {
         true => read_space(&sections, placed.as_ref(), wheel.as_ref(), rail.as_ref(), report).map(Some),
-        false => Some(None),
+        false => {
+            refuse_strike(&sections, report);
+            Some(None)
+        }
     };
     let (placed, rail) = (placed?, rail?);
     let maintenance = match maintenance {

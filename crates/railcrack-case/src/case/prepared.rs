@@ -261,6 +261,7 @@ impl Case {
         let problem = SpaceProblem {
             steel: self.steel,
             wheel: space.wheel,
+            bending: self.wheel.bending(&self.steel),
             residual,
             friction: self.crack_friction.first().copied().unwrap_or(0.0),
             resolution: self.mesh.space,

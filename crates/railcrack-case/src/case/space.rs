@@ -6,7 +6,7 @@ use crate::schema::{Report, Section, SectionValues, Sections};
 use crate::tables::{
     CONTACT, COUNT, CRACK, CRACK_LATERAL, ContactKind, ContactOrigin, ContactSolver, FLUID, FRICTION, GROWTH,
     GivenWheel, KIND, LATERAL_FRICTION, LATERAL_HALF_WIDTH, LAW, LawName, MAINTENANCE, MODE_3_WEIGHT,
-    PLASTIC_STRESS, Rail, SOLVER, SOLVER_CONTACT, SURFACE_HALF_LENGTH, TRACK, WHEEL,
+    PLASTIC_STRESS, Rail, SOLVER, SOLVER_CONTACT, STRIKE, SURFACE_HALF_LENGTH, WHEEL,
 };
 use railcrack::bulk::Boundary;
 use railcrack::crack::Crack;
@@ -16,9 +16,8 @@ use railcrack::space::EllipticWheel;
 use std::f64::consts::PI;
 
 /// Sections of which the engine knows nothing, and why.
-const REFUSED: [(Section, &str); 5] = [
+const REFUSED: [(Section, &str); 4] = [
     (WHEEL, "computes one wheel"),
-    (TRACK, "does not follow the bending of the rail"),
     (FLUID, "computes dry cracks"),
     (PLASTIC_STRESS, "takes residual stress as a balanced profile ([residual_stress]) only"),
     (MAINTENANCE, "has no mouth that wear and grinding could cut"),
@@ -74,7 +73,7 @@ pub(super) fn read_space(
     }
     let shape = placed.and_then(|placed| {
         let crack = placed.network.cracks().first()?;
-        read_shape(crack, half_length?, section.get(CRACK_LATERAL).unwrap_or(0.0), section, report)
+        read_shape(crack, half_length?, section, report)
     });
     let wheel = read_wheel(sections, wheel, report);
     Some(SpaceCase { shape: shape?, wheel: wheel?, mode_3_weight: growth.get(MODE_3_WEIGHT) })
@@ -82,10 +81,18 @@ pub(super) fn read_space(
 
 const PLANE_ENGINES: &str = "engine = \"dislocation\" or \"xfem\" computes several cracks, in the plane";
 
+/// Reports cracks that the plane engines cannot turn.
+pub(super) fn refuse_strike(sections: &Sections, report: &mut Report) {
+    let turned = |section: &&SectionValues| section.get(STRIKE).is_some_and(|strike| strike != 0.0);
+    for section in sections.all(&CRACK).filter(turned) {
+        let says = "turns the crack about the vertical, which takes the engine space; in the plane its mouth is across the rail";
+        report.add(section.fault(STRIKE, says).help("engine = \"space\", or strike_deg = 0"));
+    }
+}
+
 fn read_shape(
     crack: &Crack,
     half_length: f64,
-    lateral: f64,
     section: &SectionValues,
     report: &mut Report,
 ) -> Option<FrontShape> {
@@ -103,11 +110,17 @@ fn read_shape(
     // Where the plane meets the surface; of a crack parallel to it nowhere, which is refused below.
     let to_surface = -top.y / dip.sin();
     let buried = (!crack.is_surface_breaking()).then_some(to_surface + 0.5 * length);
+    let lateral = section.get(CRACK_LATERAL).unwrap_or(0.0);
+    let strike = section.get(STRIKE).unwrap_or(0.0).to_radians();
+    // A buried crack turns about its own middle.
+    let (aside, ahead) = strike.sin_cos();
+    let away = buried.unwrap_or(0.0) * dip.cos();
     let shape = FrontShape {
         dip: dip.rem_euclid(2.0 * PI),
+        strike,
         depth: if buried.is_some() { 0.5 * length } else { length },
         half_length,
-        middle: [top.x - to_surface * dip.cos(), lateral],
+        middle: [top.x - to_surface * dip.cos() + away * (1.0 - ahead), lateral - away * aside],
         buried,
     };
     if let Err(error) = shape.crack() {

@@ -23,6 +23,9 @@ section! {
          plane engines take the crack as long along the surface.").optional();
     CRACK_LATERAL: f64 = number("lateral_mm", "mm", within(1e3), 0.0,
         "Lateral position of the middle of the crack, for the engine space; 0 without it.").optional();
+    STRIKE: f64 = number("strike_deg", "degrees", closed(-180.0, 180.0), 0.0,
+        "Turn of the crack about the vertical, for the engine space: a crack with angle_deg < 90 goes down towards +x with 0, towards \
+         +z (lateral) with 90. The plane engines take 0 only; 0 without it.").optional();
     COUNT: usize = integer("count", (1, 256), 1, "Number of cracks of a row, copies to the right included.");
     SPACING: f64 = number("spacing_mm", "mm", positive(1e4), 3.375,
         "Distance from one copy to the next; needed when count > 1. Cracks, copies or not, stand at least a thousandth of the \

@@ -44,7 +44,7 @@ pub(crate) use contact::{
 };
 pub(crate) use crack::{
     ANGLE, ANGLE_SD, ANGLES, COUNT, CRACK, CRACK_FRICTION, CRACK_LATERAL, LENGTH, LENGTH_SD, MOUTH, POINTS,
-    ROW_SEED, SPACING, SPACING_SD, SURFACE_HALF_LENGTH,
+    ROW_SEED, SPACING, SPACING_SD, STRIKE, SURFACE_HALF_LENGTH,
 };
 pub(crate) use file::CASE_FILE;
 pub(crate) use fluid::{FLUID, read_fluid};

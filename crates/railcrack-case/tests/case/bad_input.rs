@@ -34,12 +34,6 @@ macro_rules! space {
 }
 const SPACE_WITHOUT_LENGTH: &str = space!("", "", "angle_deg = 30.0\n", "");
 const SPACE_AT_3: &str = space!("", "surface_half_length_mm = 6.0\n", "angle_deg = 3.0\n", "");
-const SPACE_WITH_TRACK: &str = space!(
-    "",
-    "surface_half_length_mm = 6.0\n",
-    "angle_deg = 30.0\n",
-    "[track]\nwheel_load_kn = 100\nsection = \"60E1\"\n"
-);
 const SPACE_TWICE: &str = space!(
     "",
     "surface_half_length_mm = 6.0\n",
@@ -704,7 +698,13 @@ fn loads() {
             "radii of wheel and rail",
         ),
         wrong(Whole(SPACE_AT_3), 8, "crack[1].angle_deg", "must lie between 5° and 175°", ""),
-        wrong(Whole(SPACE_WITH_TRACK), 14, "track", "does not follow the bending", "dislocation"),
+        wrong(
+            Replace("friction = 0.5\n", "friction = 0.5\nstrike_deg = 30.0\n"),
+            10,
+            "crack[1].strike_deg",
+            "takes the engine space",
+            "strike_deg = 0",
+        ),
         wrong(Whole(SPACE_TWICE), 14, "crack[2]", "computes one crack", "several cracks"),
         wrong(Whole(SPACE_LATIN), 14, "solver.contact", "Newton's method", "newton"),
         wrong(Whole(SPACE_TOO_WIDE), 10, "crack[1].surface_half_length_mm", "ratio 100.000", "plane engine"),

@@ -213,6 +213,7 @@ fn in_space(case: &Case) -> Vec<Row> {
             ),
         ),
         ("dip", format!("{} degrees", number(shape.dip.to_degrees()))),
+        ("strike", format!("{} degrees", number(shape.strike.to_degrees()))),
         ("middle", format!("x = {} mm, z = {} mm", number(shape.middle[0]), number(shape.middle[1]))),
     ];
     if let Some(centre) = shape.buried {

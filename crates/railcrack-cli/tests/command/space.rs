@@ -104,6 +104,38 @@ fn a_run_in_space_has_all_its_files() {
 }
 
 #[test]
+fn a_turned_crack_on_a_rail_that_bends() {
+    let folder = workplace("turned");
+    let case = CASE
+        .replace("angle_deg = 45.0", "angle_deg = 45.0\nstrike_deg = 90.0")
+        .replace("steps = 2", "steps = 1")
+        .replace("positions = 13", "positions = 5")
+        + "\n[track]\nwheel_load_kn = 100.0\nsection = \"60E1\"\n";
+    fs::write(folder.join("case.toml"), &case).unwrap();
+    assert!(done(&folder, &["check", "case.toml"]).contains("strike               90 degrees"));
+    done(&folder, &["run", "case.toml", "--out", "run", "--quiet"]);
+    let run = folder.join("run");
+    let of = |column: &str| numbers(&run.join("growth.csv"), column);
+    // The mouth along the rail, the larger ζ at the smaller x; down towards +z.
+    let (x, y, z) = (of("tip_x_mm"), of("tip_y_mm"), of("tip_z_mm"));
+    let down = 3.0 * std::f64::consts::FRAC_1_SQRT_2;
+    let close = |a: f64, b: f64| (a - b).abs() < 1e-9;
+    assert!(close(x[0], -4.0) && close(x[8], 4.0) && close(z[0], 0.0) && close(y[0], 0.0), "{x:?} {z:?}");
+    assert!(close(x[4], 0.0) && close(z[4], down) && close(y[4], -down), "{x:?} {z:?}");
+    assert!(z[13] > down && (9..18).all(|q| close(z[q], -y[q])), "it grows in its plane: {y:?} {z:?}");
+    assert!(x[9] <= -4.0 && x[17] >= 4.0 && x[17] - x[9] > 8.0, "to both sides: {x:?}");
+    let xc = numbers(&run.join("sif.csv"), "xc_mm");
+    let (least, most) = xc.iter().fold((0.0f64, 0.0f64), |(a, b), x| (a.min(*x), b.max(*x)));
+    assert!(least < -5000.0 && most > 5000.0, "{least} {most}");
+    let page = read(&run.join("report.html"));
+    assert!(page.contains("The rail bends under the axle") && page.contains("The whole passage, in metres"));
+    assert!(read(&run.join("plots/ki.svg")).contains("metres"));
+    let plane = ["run", "case.toml", "--engine", "dislocation", "--out", "plane"];
+    let refused = common::stderr(&common::ends(&folder, &plane, 2));
+    assert!(refused.contains("strike_deg") && refused.contains("takes the engine space"), "{refused}");
+}
+
+#[test]
 fn a_killed_run_goes_on_to_the_same_files() {
     let folder = workplace("resume");
     done(&folder, &["run", "case.toml", "--out", "whole", "--quiet"]);

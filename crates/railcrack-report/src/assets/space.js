@@ -76,12 +76,6 @@
     const around = [d3.min(all, (p) => p.x) - wheel.half_width, d3.max(all, (p) => p.x) + wheel.half_width];
     const fit = toScale(around, [-1.2 * load, deepest], widths.side, 420);
     const pressure = d3.range(0, 61).map((i) => ({ x: xc - wheel.half_width * Math.cos(Math.PI * i / 60), y: -load * Math.sin(Math.PI * i / 60) }));
-    const line = (index) => {
-      const front = steps[index].front;
-      const [a, b] = d3.extent(front, (p) => p.depth);
-      const at = (depth) => ({ x: data.middle + depth / Math.tan(data.dip), depth });
-      return [at(closed ? a : 0), at(b)];
-    };
     show("side", Plot.plot({
       width: widths.side, height: fit.height, marginLeft: MARGIN.left, marginRight: MARGIN.right, marginTop: MARGIN.top, marginBottom: MARGIN.bottom,
       x: axis("x (mm)", fit.x), y: { ...axis("Depth (mm)", [fit.y[1], fit.y[0]]), ticks: d3.ticks(0, fit.y[1], 5) }, ariaLabel: "Crack from the side below the wheel", style,
@@ -89,8 +83,8 @@
         Plot.rect([0], { x1: fit.x[0], x2: fit.x[1], y1: 0, y2: fit.y[1], fill: "var(--rail)" }),
         Plot.line([[fit.x[0], 0], [fit.x[1], 0]], { stroke: "var(--ink)", strokeWidth: 2 }),
         Plot.areaY(pressure, { x: "x", y1: 0, y2: "y", fill: "var(--c1)", fillOpacity: 0.3, stroke: "var(--c1)", clip: true }),
-        Plot.line(line(last), { x: "x", y: "depth", stroke: "var(--quiet)", strokeDasharray: "2 3", strokeWidth: 1.6 }),
-        Plot.line(line(state.step), { x: "x", y: "depth", stroke: "var(--ink)", strokeWidth: 3 }),
+        Plot.line(outline(state.step), { x: "x", y: "depth", fill: "var(--c0)", fillOpacity: 0.12, stroke: "none" }),
+        ...fronts("x", "depth"),
         chosen("x", "depth"),
       ],
     }));
@@ -99,18 +93,21 @@
   function drawPlane() {
     if (!widths.plane) return;
     const down = (p) => p.depth / Math.sin(data.dip);
+    // Along the mouth, which a strike turns away from z.
+    const [sin, cos] = [Math.sin(data.strike), Math.cos(data.strike)];
+    const along = (p) => (sin === 0 ? p.z : (p.z - data.middle[1]) * cos - (p.x - data.middle[0]) * sin);
     const all = [...outline(0), ...outline(last)];
-    const fit = toScale(all.map((p) => p.z), [0, ...all.map(down)], widths.plane, 380);
+    const fit = toScale(all.map(along), [0, ...all.map(down)], widths.plane, 380);
     const colour = (i) => `var(--s${Math.round(20 * (last ? i / last : 0.5))})`;
     show("plane", Plot.plot({
       width: widths.plane, height: fit.height, marginLeft: MARGIN.left, marginRight: MARGIN.right, marginTop: MARGIN.top, marginBottom: MARGIN.bottom,
-      x: axis("z, across the rail (mm)", fit.x), y: axis("Down the dip (mm)", [fit.y[1], fit.y[0]]), ariaLabel: "Fronts in the plane of the crack", style,
+      x: axis(sin === 0 ? "z, across the rail (mm)" : "Along the mouth (mm)", fit.x), y: axis("Down the dip (mm)", [fit.y[1], fit.y[0]]), ariaLabel: "Fronts in the plane of the crack", style,
       marks: [
         Plot.line([[fit.x[0], 0], [fit.x[1], 0]], { stroke: "var(--ink)", strokeWidth: 2 }),
-        ...steps.map((_, i) => Plot.line(outline(i), { x: "z", y: down, stroke: colour(i), strokeWidth: i === state.step ? 3.2 : 1.2 })),
-        Plot.dot(steps[state.step].front, { x: "z", y: down, r: 3, fill: "var(--ground)", stroke: "var(--ink)",
+        ...steps.map((_, i) => Plot.line(outline(i), { x: along, y: down, stroke: colour(i), strokeWidth: i === state.step ? 3.2 : 1.2 })),
+        Plot.dot(steps[state.step].front, { x: along, y: down, r: 3, fill: "var(--ground)", stroke: "var(--ink)",
           title: (p) => `\u03c6 = ${words(p.phi)}\u00b0\nrate ${words(p.rate)} mm/cycle`, tip: { fill: "var(--ground)", fontSize: 12 } }),
-        Plot.dot([steps[state.step].front[state.point]], { x: "z", y: down, r: 5, fill: "var(--c4)", stroke: "var(--ink)" }),
+        Plot.dot([steps[state.step].front[state.point]], { x: along, y: down, r: 5, fill: "var(--c4)", stroke: "var(--ink)" }),
       ],
     }));
   }

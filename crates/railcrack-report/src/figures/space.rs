@@ -1,7 +1,9 @@
 //! Plots of a run in space: K over the passage, ranges along the front, fronts from above, from the
 //! side and in their plane, half axes against load cycles.
 
+use super::near::{near, origin};
 use super::plot::Plot;
+use super::sif::far_chart;
 use crate::chart::{
     Chart, ChartAspect, ChartAxis, ChartRange, ChartSheet, Curve, CurveColour, CurveDots, CurveLook,
     CurveWidth, LegendEntry, SheetLegend,
@@ -77,16 +79,25 @@ fn history_plot(summary: &Summary, model: &str, growth: &[TipRow], shown: &Shown
     let steps = shown.steps();
     let ends: Vec<usize> =
         steps.first().into_iter().chain(steps.last().filter(|_| steps.len() > 1)).copied().collect();
-    let mut curves = Vec::new();
+    let (mut curves, mut far) = (Vec::new(), Vec::new());
     for (place, step) in ends.iter().enumerate() {
         for (number, (tip, phi)) in points.iter().enumerate() {
             let Some(history) = shown.histories(*step).iter().find(|history| history.tip == *tip) else {
                 continue;
             };
-            let values = history.xc_over_a.iter().zip((mode.of)(history)).map(|(&x, &k)| [x, k]).collect();
-            let curve =
-                Curve::line(&format!("φ = {phi:.0}°"), values).with_colour(CurveColour::Category(number));
-            curves.push(if place == 0 { curve } else { curve.with_look(CurveLook::Dashed) });
+            let values: Vec<[f64; 2]> =
+                history.xc_over_a.iter().zip((mode.of)(history)).map(|(&x, &k)| [x, k]).collect();
+            let curve = |values: Vec<[f64; 2]>| {
+                let curve =
+                    Curve::line(&format!("φ = {phi:.0}°"), values).with_colour(CurveColour::Category(number));
+                if place == 0 { curve } else { curve.with_look(CurveLook::Dashed) }
+            };
+            let near = near(summary, &history.xc_over_a);
+            if near.len() < values.len() {
+                let metres = |x: f64| 1e-3 * (origin(summary) + x * summary.half_width_mm);
+                far.push(curve(values.iter().map(|[x, k]| [metres(*x), *k]).collect()));
+            }
+            curves.push(curve(values[near].to_vec()));
         }
     }
     let words = format!("{} over the stabilised passage at points of the front", mode.symbol);
@@ -99,6 +110,10 @@ fn history_plot(summary: &Summary, model: &str, growth: &[TipRow], shown: &Shown
         ..Chart::default()
     };
     let mut sheet = ChartSheet::of(&summary.title, &format!("{words} · {model}"), chart);
+    if !far.is_empty() {
+        let caption = format!("{words}, the whole passage.");
+        sheet.rows.push(vec![far_chart(&format!("{}-far", mode.id), mode.symbol, caption, far)]);
+    }
     if ends.len() > 1 {
         let last = format!("step {}", ends[1]);
         sheet.legend = SheetLegend::Names(LegendEntry::solid_and_dashed(["initial crack", &last]).to_vec());

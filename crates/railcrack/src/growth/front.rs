@@ -8,6 +8,8 @@ use serde::{Deserialize, Serialize};
 pub struct FrontShape {
     /// Angle between the plane and +x on the way down, radians.
     pub dip: f64,
+    /// Turn of the plane about the vertical, from +x to the positive lateral direction, radians.
+    pub strike: f64,
     /// Half axis l along the dip, mm.
     pub depth: f64,
     /// Half axis c along the surface, mm.
@@ -22,8 +24,8 @@ pub struct FrontShape {
 /// A point of a front beside its [`TipRecord`](super::TipRecord).
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct FrontTip {
-    /// Parametric angle of the ellipse, radians: 0 at the end of larger lateral position, π/2 at
-    /// the deepest point.
+    /// Parametric angle of the ellipse, radians: 0 at the end towards which the trace points, which
+    /// without strike is that of larger lateral position, π/2 at the deepest point.
     pub phi: f64,
     /// Lateral position, mm.
     pub lateral: f64,
@@ -64,9 +66,9 @@ pub enum FrontMotion {
     Down,
     /// Up the dip, of a buried crack.
     Up,
-    /// Towards larger lateral positions.
+    /// Along the trace of the plane: without strike, towards larger lateral positions.
     Plus,
-    /// Towards smaller ones.
+    /// The other way.
     Minus,
 }
 

@@ -136,7 +136,7 @@ impl SpaceBody {
         let compliance = spd_inverse_unless(interruption, &stiffness)?;
         let sif_of_jumps = front_rows(&grid, steel);
         let sif_influence = crate::linear::product(&sif_of_jumps, &compliance)?;
-        let frame = PlaneFrame::new(crack.dip);
+        let frame = PlaneFrame::turned(crack.dip, crack.strike);
         let place = |[s, zeta]: [f64; 2]| {
             let [x, lateral, depth] = frame.position(s.max(0.0), zeta);
             [x + crack.middle[0], lateral + crack.middle[1], depth]
@@ -183,6 +183,14 @@ impl SpaceBody {
             areas[point] += weight;
         }
         areas
+    }
+
+    /// Where along the rail the crack is, mm: the middle of its mouth, or of a buried crack.
+    pub fn places(&self) -> Vec<f64> {
+        let at_surface = self.points.iter().filter(|point| point[2] == 0.0);
+        let [mouth, all] = [at_surface.collect(), self.points.iter().collect::<Vec<_>>()];
+        let points = if mouth.is_empty() { all } else { mouth };
+        vec![points.iter().map(|point| point[0]).sum::<f64>() / points.len() as f64]
     }
 
     /// Points of the front, by growing φ.

@@ -96,10 +96,11 @@ impl FrontSpeeds {
         let by = |motion| cycles * self.of(motion);
         let (left, right) = (by(FrontMotion::Plus), by(FrontMotion::Minus));
         let (down, up) = (by(FrontMotion::Down), by(FrontMotion::Up));
+        let [x, lateral, _] = shape.frame().position(0.0, 0.5 * (left - right));
         FrontShape {
             depth: shape.depth + if shape.buried.is_some() { 0.5 * (down + up) } else { down },
             half_length: shape.half_length + 0.5 * (left + right),
-            middle: [shape.middle[0], shape.middle[1] + 0.5 * (left - right)],
+            middle: [shape.middle[0] + x, shape.middle[1] + lateral],
             buried: shape.buried.map(|centre| centre + 0.5 * (down - up)),
             ..*shape
         }
@@ -160,7 +161,7 @@ mod tests {
     use super::*;
 
     fn shape(buried: Option<f64>) -> FrontShape {
-        FrontShape { dip: 0.5, depth: 3.0, half_length: 5.0, middle: [0.0, 1.0], buried }
+        FrontShape { dip: 0.5, strike: 0.0, depth: 3.0, half_length: 5.0, middle: [0.0, 1.0], buried }
     }
 
     fn front(shape: &FrontShape, count: usize) -> Vec<FrontPoint> {
@@ -204,6 +205,9 @@ mod tests {
                 ]
             };
             let by: Vec<f64> = ends(&grown).iter().zip(ends(&shape)).map(|(a, b)| a - b).collect();
+            let turned = found.moved(&FrontShape { strike: 0.5 * PI, ..shape }, 1e6);
+            let [x, lateral] = [0, 1].map(|c| turned.middle[c] - shape.middle[c]);
+            assert!((x + 0.5).abs() < 1e-9 && lateral.abs() < 1e-9, "ends move along the trace: {turned:?}");
             assert!((by[0] - 3.0).abs() < 1e-9 && (by[1] + 2.0).abs() < 1e-9 && (by[2] - 1.0).abs() < 1e-9);
         }
     }

@@ -7,6 +7,7 @@ use super::front_motion::{FrontSpeeds, counts};
 use super::grid::SpaceResolution;
 use super::nuclei::Symmetric;
 use super::passage::SpaceLoad;
+use super::plane::PlaneFrame;
 use super::records::{StepOf, face_record, passage_record};
 use super::shape::{Extent, ShapeError, SpaceCrack};
 use super::stabilised::{StabilisedSpace, stabilised_space_passage};
@@ -22,6 +23,7 @@ use crate::growth::{
     WarningKind,
 };
 use crate::interruption::Interruption;
+use crate::load::Bending;
 use crate::material::IsotropicElastic;
 use crate::math::{RailBox, Vec2};
 use std::sync::Arc;
@@ -42,6 +44,8 @@ pub struct SpaceProblem {
     pub steel: IsotropicElastic,
     /// The wheel.
     pub wheel: EllipticWheel,
+    /// Bending of the rail under the axles of the train; none without a track.
+    pub bending: Option<Bending>,
     /// Stress of the rail that stays between passages: of depth alone, the same at all lateral
     /// positions.
     pub residual: Option<Box<dyn StressField>>,
@@ -77,6 +81,7 @@ impl FrontShape {
         let extent = self.buried.map_or(Extent::SurfaceBreaking, |centre| Extent::Buried { centre });
         let crack = SpaceCrack {
             dip: self.dip,
+            strike: self.strike,
             half_length: self.half_length,
             depth: self.depth,
             middle: self.middle,
@@ -86,15 +91,26 @@ impl FrontShape {
         crack.checked()
     }
 
-    /// The cut of the crack along the rail through its middle.
+    /// The line down the dip through the middle of the crack, as seen from the side of the rail:
+    /// without strike the cut of the crack along the rail.
     ///
     /// Errors: an inadmissible shape.
     pub fn section(&self) -> Result<Crack, CrackError> {
-        let Some(centre) = self.buried else {
-            return Crack::surface_breaking(self.middle[0], self.depth, self.dip);
+        let at = |s: f64| {
+            let [x, _, depth] = self.frame().position(s, 0.0);
+            Vec2::new(self.middle[0] + x, -depth)
         };
-        let at = |s: f64| Vec2::new(self.middle[0], 0.0) + Vec2::unit(-self.dip) * s;
-        Crack::polyline(vec![at(centre - self.depth), at(centre + self.depth)])
+        match self.buried {
+            None if self.strike == 0.0 => Crack::surface_breaking(self.middle[0], self.depth, self.dip),
+            None => Crack::polyline(vec![at(0.0), at(self.depth)]),
+            Some(centre) => Crack::polyline(vec![at(centre - self.depth), at(centre + self.depth)]),
+        }
+    }
+
+    /// The directions of its plane.
+    #[must_use]
+    pub fn frame(&self) -> PlaneFrame {
+        PlaneFrame::turned(self.dip, self.strike)
     }
 }
 
@@ -163,6 +179,7 @@ impl SpaceGrowth {
         let stays = |point: [f64; 3]| residual_stress(self.problem.residual.as_deref(), point);
         let load = SpaceLoad {
             wheel: &wheel,
+            bending: self.problem.bending.as_ref(),
             constant: self.problem.residual.is_some().then_some(&stays as &super::passage::StressAt),
         };
         let passage = stabilised_space_passage(&contact, &load, &self.problem.passages, observer)
@@ -284,8 +301,8 @@ impl SpaceGrowth {
     fn leaves(&self, shape: &FrontShape) -> Option<TipStop> {
         let rail = self.problem.rail;
         let deepest = shape.buried.unwrap_or(0.0) + shape.depth;
-        let (depth, x) = (deepest * shape.dip.sin(), shape.middle[0] + deepest * shape.dip.cos());
-        let inside = depth < rail.depth && (x - rail.centre).abs() < 0.5 * rail.width;
+        let [x, _, depth] = shape.frame().position(deepest, 0.0);
+        let inside = depth < rail.depth && (shape.middle[0] + x - rail.centre).abs() < 0.5 * rail.width;
         if !inside {
             return Some(TipStop::LeavesRail);
         }

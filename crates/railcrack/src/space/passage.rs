@@ -4,9 +4,9 @@ use super::body::{FrontSif, SpaceBody};
 use super::contact::{SpaceContact, SpaceContactError, SpaceFaces, StepReport};
 use super::linearised::LaggedFactor;
 use super::nuclei::Symmetric;
-use crate::growth::Observer;
+use crate::growth::{Observer, output_positions};
 use crate::interruption::{Interrupted, Interruption};
-use crate::load::Passage;
+use crate::load::{Bending, Passage};
 use rayon::prelude::*;
 use std::cell::RefCell;
 use std::collections::HashMap;
@@ -15,11 +15,13 @@ use std::rc::Rc;
 /// Stress (MPa) of the uncracked rail at x, lateral and depth (mm).
 pub type StressAt<'a> = dyn Fn([f64; 3]) -> Symmetric + Sync + 'a;
 
-/// Load of the rail with a crack: a wheel that passes, and a stress that stays.
+/// Load of the rail with a crack: a wheel that passes and bends the rail, and a stress that stays.
 pub struct SpaceLoad<'a> {
     /// Stress (MPa) of the uncracked rail with the wheel at an abscissa (mm), at x, lateral and
     /// depth (mm).
     pub wheel: &'a (dyn Fn(f64, [f64; 3]) -> Symmetric + Sync),
+    /// Bending of the rail under the axles of the train, which moves with the wheel.
+    pub bending: Option<&'a Bending>,
     /// The same without the wheel: residual, thermal.
     pub constant: Option<&'a StressAt<'a>>,
 }
@@ -32,7 +34,11 @@ impl SpaceLoad<'_> {
 
     /// Nodal forces (N) with the wheel at `position` (mm).
     fn forces(&self, body: &SpaceBody, constant: &[f64], position: f64) -> Vec<f64> {
-        let stress = |point: [f64; 3]| (self.wheel)(position, point);
+        let stress = |point: [f64; 3]| {
+            let mut stress = (self.wheel)(position, point);
+            stress[0] += self.bending.map_or(0.0, |beam| beam.stress(point[0] - position, point[2]));
+            stress
+        };
         body.nodal_forces(stress).iter().zip(constant).map(|(f, c)| f + c).collect()
     }
 }
@@ -93,7 +99,7 @@ pub struct SpacePassages<'a> {
     load: &'a SpaceLoad<'a>,
     observer: &'a dyn Observer,
     constant: Vec<f64>,
-    passage: Passage,
+    positions: Vec<f64>,
     /// Nodal forces by the bits of their position: the next passage needs them again.
     forces: RefCell<HashMap<u64, Rc<[f64]>>>,
 }
@@ -104,7 +110,7 @@ const CALM: f64 = 0.1;
 
 impl<'a> SpacePassages<'a> {
     /// Of the wheel of `load` over the body of `contact`, with results at the positions of
-    /// `passage`.
+    /// `passage`, and far away where the rail bends.
     ///
     /// Errors: an interruption.
     pub fn new(
@@ -117,17 +123,17 @@ impl<'a> SpacePassages<'a> {
         let constant = load.constant_forces(body);
         let asked = || observer.interrupted();
         let interruption = Interruption::when(&asked);
+        let positions = output_positions(&passage, load.bending, &body.places());
         // Forces do not depend on the contact: those that every passage needs, all at once.
-        let forces = passage
-            .abscissae()
-            .into_par_iter()
-            .map(|position| {
+        let forces = positions
+            .par_iter()
+            .map(|&position| {
                 interruption.check()?;
                 Ok((position.to_bits(), load.forces(body, &constant, position)))
             })
             .collect::<Result<Vec<_>, Interrupted>>()?;
         let forces = forces.into_iter().map(|(at, forces)| (at, Rc::from(forces))).collect();
-        Ok(Self { contact, load, observer, constant, passage, forces: RefCell::new(forces) })
+        Ok(Self { contact, load, observer, constant, positions, forces: RefCell::new(forces) })
     }
 
     /// A passage over the faces `faces`, which are left as after it: with the wheel away. Virgin
@@ -140,7 +146,7 @@ impl<'a> SpacePassages<'a> {
         faces: &mut SpaceFaces,
     ) -> Result<SpaceHistory, SpaceContactError> {
         let body = self.contact.body;
-        let positions = self.passage.abscissae();
+        let positions = self.positions.clone();
         let history = SpaceHistory {
             sifs: Vec::with_capacity(positions.len()),
             before: Vec::new(),
@@ -284,7 +290,7 @@ impl Walk<'_> {
 }
 
 /// The passage of the wheel over the faces `faces`, which are left as after it, with results at the
-/// positions of `passage`.
+/// positions of `passage`, and far away where the rail bends.
 ///
 /// Errors: a contact that does not converge.
 pub fn space_passage(

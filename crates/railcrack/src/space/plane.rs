@@ -2,8 +2,8 @@
 //!
 //! A point of the plane has the coordinates s, the distance from the trace of the plane in the
 //! surface along its dip, and ζ along that trace. Components of jumps and tractions are along the
-//! normal, along the dip and along the trace, in this order; the normal, the dip and the trace are
-//! turned as x2, x1 and the lateral axis of docs/conventions.md.
+//! normal, along the dip and along the trace, in this order; without strike the normal, the dip and
+//! the trace are x2, x1 and the lateral axis of docs/conventions.md.
 
 use super::nuclei::{image_stress, kelvin_stress, moment, traction};
 
@@ -21,10 +21,8 @@ pub enum Surroundings {
 pub struct PlaneFrame {
     normal: [f64; 3],
     dip: [f64; 3],
+    trace: [f64; 3],
 }
-
-/// The lateral direction, along the trace of the plane.
-const TRACE: [f64; 3] = [0.0, 1.0, 0.0];
 
 fn along(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
@@ -33,18 +31,34 @@ fn along(a: [f64; 3], b: [f64; 3]) -> f64 {
 impl PlaneFrame {
     /// The plane that goes down at the angle `dip` (radians) from +x.
     pub fn new(dip: f64) -> Self {
+        Self::turned(dip, 0.0)
+    }
+
+    /// The same plane turned about the vertical by `strike` (radians), from +x to the positive
+    /// lateral direction.
+    pub fn turned(dip: f64, strike: f64) -> Self {
         let (sin, cos) = dip.sin_cos();
-        Self { normal: [sin, 0.0, -cos], dip: [cos, 0.0, sin] }
+        let (aside, ahead) = strike.sin_cos();
+        Self {
+            normal: [sin * ahead, sin * aside, -cos],
+            dip: [cos * ahead, cos * aside, sin],
+            trace: [-aside, ahead, 0.0],
+        }
     }
 
     /// x, lateral and depth of the point (s, ζ) relative to the middle of the trace.
     pub fn position(&self, s: f64, zeta: f64) -> [f64; 3] {
-        [s * self.dip[0], zeta, s * self.dip[2]]
+        std::array::from_fn(|c| s * self.dip[c] + zeta * self.trace[c])
+    }
+
+    /// x, lateral and depth of a vector with these components: normal, dip, trace.
+    pub fn vector(&self, [normal, dip, trace]: [f64; 3]) -> [f64; 3] {
+        std::array::from_fn(|c| normal * self.normal[c] + dip * self.dip[c] + trace * self.trace[c])
     }
 
     /// The components of a vector of the rail: normal, dip, trace.
     pub fn components(&self, vector: [f64; 3]) -> [f64; 3] {
-        [along(vector, self.normal), along(vector, self.dip), along(vector, TRACE)]
+        [along(vector, self.normal), along(vector, self.dip), along(vector, self.trace)]
     }
 
     /// The components of the traction of a stress on the plane.
@@ -66,7 +80,7 @@ impl PlaneFrame {
     }
 
     fn columns(&self, stress: impl Fn(&super::Symmetric) -> super::Symmetric, poisson: f64) -> [[f64; 3]; 3] {
-        let tractions = [self.normal, self.dip, TRACE].map(|jump| {
+        let tractions = [self.normal, self.dip, self.trace].map(|jump| {
             let stress = stress(&moment(jump, self.normal, poisson));
             self.traction(&stress)
         });
@@ -78,6 +92,18 @@ impl PlaneFrame {
 mod tests {
     use super::*;
     use std::f64::consts::PI;
+
+    #[test]
+    fn a_turned_plane() {
+        let frame = PlaneFrame::turned(0.6, 0.5 * PI);
+        let close = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-15);
+        assert!(close(frame.position(2.0, 0.0), [0.0, 2.0 * 0.6f64.cos(), 2.0 * 0.6f64.sin()]));
+        assert!(close(frame.position(0.0, 1.0), [-1.0, 0.0, 0.0]), "x to z as z to −x");
+        let frame = PlaneFrame::turned(1.1, -0.4);
+        let vector = frame.vector([0.3, -0.5, 0.7]);
+        assert!(close(frame.components(vector), [0.3, -0.5, 0.7]));
+        assert!(close(frame.vector([0.0, 2.0, 3.0]), frame.position(2.0, 3.0)));
+    }
 
     #[test]
     fn coplanar_jumps_in_the_full_space() {

@@ -68,8 +68,8 @@ pub(super) fn passage_record(history: &SpaceHistory) -> PassageRecord {
 /// The faces during the stabilised passage: stresses are nodal forces over the areas of the hats.
 pub(super) fn face_record(body: &SpaceBody, passage: &StabilisedSpace) -> FaceRecord {
     let areas = body.areas();
-    let frame = body.frame();
-    let [along, _, down] = frame.position(1.0, 0.0);
+    // Down the dip, as seen from the side of the rail.
+    let [along, _, down] = body.frame().position(1.0, 0.0);
     let points = body.points().iter().zip(&areas).map(|([x, _, depth], area)| FacePoint {
         crack: 0,
         segment: 0,

@@ -26,6 +26,9 @@ pub enum Extent {
 pub struct SpaceCrack {
     /// Angle between the plane and +x on the way down, radians.
     pub dip: f64,
+    /// Turn of the plane about the vertical through `middle`, from +x to the positive lateral
+    /// direction, radians.
+    pub strike: f64,
     /// Half-axis along the surface c, mm.
     pub half_length: f64,
     /// Half-axis along the dip l, mm.
@@ -50,6 +53,12 @@ pub enum ShapeError {
     /// The dip angle.
     #[error("dip of {degrees}° of a crack: must lie between 5° and 175°")]
     Dip {
+        /// The given value, degrees.
+        degrees: f64,
+    },
+    /// The strike.
+    #[error("strike of {degrees}° of a crack: must lie between −180° and 180°")]
+    Strike {
         /// The given value, degrees.
         degrees: f64,
     },
@@ -86,8 +95,8 @@ impl SpaceCrack {
     }
 
     fn new(dip: f64, half_length: f64, depth: f64, extent: Extent) -> Result<Self, ShapeError> {
-        let crack = Self { dip, half_length, depth, middle: [0.0; 2], extent, deviation: Vec::new() };
-        crack.checked()
+        let middle = [0.0; 2];
+        Self { dip, strike: 0.0, half_length, depth, middle, extent, deviation: Vec::new() }.checked()
     }
 
     /// The same crack, if it is admissible.
@@ -100,6 +109,10 @@ impl SpaceCrack {
         let degrees = self.dip.to_degrees();
         if !(5.0..=175.0).contains(&degrees) {
             return Err(ShapeError::Dip { degrees });
+        }
+        let degrees = self.strike.to_degrees();
+        if !(-180.0..=180.0).contains(&degrees) {
+            return Err(ShapeError::Strike { degrees });
         }
         for degrees in 0..360 {
             let value = self.radius_factor(f64::from(degrees).to_radians()) - 1.0;

@@ -569,6 +569,41 @@ pub const REQUIREMENTS: &[Requirement] = &[
         "Space: wheels on either side of the crack give mirrored histories.",
     ),
     requirement(
+        "space::track::wide_crack_in_bending_alone",
+        "",
+        "Space: K of a wide crack under the bending of the rail alone is that of the handbook.",
+    ),
+    requirement(
+        "space::track::loads_of_an_open_crack_add",
+        "",
+        "Space: wheel, bending and constant stress add up to K of an open crack at all positions.",
+    ),
+    requirement(
+        "space::track::wide_crack_under_axles_of_a_cold_rail",
+        "",
+        "Space: a wide crack on a cold rail that bends under two axles has the history of the 2D engine.",
+    ),
+    requirement(
+        "space::strike::a_crack_along_the_rail_is_the_case_turned",
+        "",
+        "Space: a crack along the rail is one across it with the load turned.",
+    ),
+    requirement(
+        "space::strike::cracks_turned_to_either_side_are_mirror_images",
+        "",
+        "Space: strikes to either side are mirror images.",
+    ),
+    requirement(
+        "space::strike::half_a_turn_leans_the_other_way",
+        "",
+        "Space: half a turn is the crack that leans the other way.",
+    ),
+    requirement(
+        "space::strike::everything_turned_under_a_round_contact",
+        "",
+        "Space: crack and round contact turned together have the same K.",
+    ),
+    requirement(
         "space::wide::of_the_2d_engine_at_30_degrees",
         "",
         "Space: the middle of a wide crack at 30° has the K_II history of the 2D engine.",
@@ -577,6 +612,16 @@ pub const REQUIREMENTS: &[Requirement] = &[
         "space::wide::of_the_2d_engine_at_15_degrees",
         "",
         "Space: the middle of a wide crack at 15° has the K_II history of the 2D engine.",
+    ),
+    requirement(
+        "space::wide::of_the_2d_engine_under_a_wide_ellipse_at_30_degrees",
+        "",
+        "Space: a wide crack at 30° under a wide ellipse has the K_II history of the 2D engine under its stress.",
+    ),
+    requirement(
+        "space::wide::of_the_2d_engine_under_a_wide_ellipse_at_15_degrees",
+        "",
+        "Space: a wide crack at 15° under a wide ellipse has the K_II history of the 2D engine under its stress.",
     ),
     requirement(
         "cycles::of_second_order_along_a_straight_path",

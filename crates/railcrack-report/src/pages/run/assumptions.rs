@@ -125,7 +125,7 @@ fn fluid(case: &Case) -> String {
 }
 
 /// Bending and temperature of the rail.
-fn long_rail(case: &Case) -> String {
+pub(in crate::pages) fn long_rail(case: &Case) -> String {
     let mut text = String::new();
     if let (Some(track), Some(bending)) = (&case.wheel.load.track, case.wheel.bending(&case.steel)) {
         let axles = match track.axles.len() {

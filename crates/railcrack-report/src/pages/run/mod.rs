@@ -25,6 +25,7 @@ use railcrack_run::decision::Quantiles;
 use railcrack_run::files::CASE_FILE;
 use serde_json::Value;
 
+pub(super) use assumptions::long_rail;
 pub(super) use facts::{ending, stop_sentence};
 pub(crate) use stored::RunFolder;
 pub(super) use warnings::warnings;

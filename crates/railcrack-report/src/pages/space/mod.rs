@@ -1,8 +1,8 @@
 //! The page of a growth run in space.
 
 use super::pictures::{charts, still};
-use super::run::{RunFolder, case_section, ending, stop_sentence, warnings};
-use crate::figures::Plot;
+use super::run::{RunFolder, case_section, ending, long_rail, stop_sentence, warnings};
+use crate::figures::{Plot, near};
 use crate::numbers::{fixed, grouped, number, numbers, significant, tonnage};
 use crate::page::{Block, Fact, Page, Section};
 use crate::shown::{Deflated, ShownRun};
@@ -41,6 +41,7 @@ pub(crate) fn space_page(run: &RunFolder, space: &SpaceCase, shown: &ShownRun, p
     page.lead.push(Block::List(assumptions(run, space)));
     if run.summary.steps_recorded > 0 {
         page.sections.push(explorer(run, space, shown, plots));
+        page.sections.extend(whole_passage(run, plots));
         page.sections.push(Section {
             id: "fronts".to_owned(),
             heading: "Fronts".to_owned(),
@@ -163,17 +164,15 @@ fn front_table(run: &RunFolder) -> Table {
 fn assumptions(run: &RunFolder, space: &SpaceCase) -> Vec<String> {
     let case = &run.case;
     let wheel = &space.wheel;
-    let stays = match (case.residual_stress.is_some(), case.wheel.load.temperature.is_some()) {
-        (false, false) => "The rail carries no other stress.",
-        (true, false) => {
-            "The rail carries the residual stress of the case, the same at all lateral positions."
-        }
-        (false, true) => "The rail carries the stress of its temperature.",
-        (true, true) => "The rail carries the residual stress of the case and that of its temperature.",
+    let other = long_rail(case);
+    let stays = match (case.residual_stress.is_some(), other.is_empty()) {
+        (false, true) => " The rail carries no other stress.",
+        (true, _) => " The rail carries the residual stress of the case, the same at all lateral positions.",
+        (false, false) => "",
     };
     vec![
         format!(
-            "Rail: linear elastic half-space, E = {} MPa, ν = {}; no curvature of its head and no edge. {stays}",
+            "Rail: linear elastic half-space, E = {} MPa, ν = {}; no curvature of its head and no edge.{stays}{other}",
             grouped(case.steel.young()),
             case.steel.poisson()
         ),
@@ -222,6 +221,17 @@ fn explorer(run: &RunFolder, space: &SpaceCase, shown: &ShownRun, plots: &[Plot]
     Section { id: "passage".to_owned(), heading: "Passage of the wheel".to_owned(), blocks }
 }
 
+/// K over the whole passage; none where the rail does not bend.
+fn whole_passage(run: &RunFolder, plots: &[Plot]) -> Option<Section> {
+    run.case.wheel.load.track.as_ref()?;
+    let text = "The rail bends over metres, and the passage goes as far. Its bending is the same at all lateral positions.";
+    Some(Section {
+        id: "far".to_owned(),
+        heading: "The whole passage, in metres".to_owned(),
+        blocks: vec![Block::Text(text.to_owned()), charts(plots, &["ki-far", "kii-far", "kiii-far"])],
+    })
+}
+
 fn data(run: &RunFolder, space: &SpaceCase, shown: &ShownRun) -> Value {
     let steps: Vec<Value> = shown.steps().into_iter().map(|step| step_data(run, shown, step)).collect();
     let xc_over_a: &[f64] = shown.histories(0).first().map_or(&[], |history| &history.xc_over_a);
@@ -235,10 +245,12 @@ fn data(run: &RunFolder, space: &SpaceCase, shown: &ShownRun) -> Value {
         },
         "origin": origin,
         "dip": space.shape.dip,
-        "middle": number(space.shape.middle[0]),
+        "strike": space.shape.strike,
+        "middle": space.shape.middle.map(number),
         "buried": space.shape.buried.is_some(),
         "layer": VERTEX_LAYER.to_degrees(),
-        "positions": numbers(xc_over_a.iter().copied()),
+        // A rail that bends has positions far beyond, of which the far charts have K.
+        "positions": numbers(xc_over_a[near(&run.summary, xc_over_a)].iter().copied()),
         "last_step": run.summary.steps_recorded.saturating_sub(1),
         "steps": steps,
     })
@@ -249,7 +261,9 @@ fn step_data(run: &RunFolder, shown: &ShownRun, step: usize) -> Value {
     let first = rows.first();
     let point = |row: &&TipRow| {
         let history = shown.histories(step).iter().find(|history| history.tip == row.tip);
-        let packed = |k: fn(&History) -> &[f64]| history.map(|history| Deflated::singles(k(history)));
+        let packed = |k: fn(&History) -> &[f64]| {
+            history.map(|history| Deflated::singles(&k(history)[near(&run.summary, &history.xc_over_a)]))
+        };
         json!({
             "phi": number(row.phi_deg.unwrap_or(0.0)),
             "x": number(row.place[0]),

@@ -5,6 +5,8 @@ mod contact;
 mod fronts;
 mod kernel;
 mod stiffness;
+mod strike;
+mod track;
 mod wheel;
 mod wide;
 
