@@ -187,7 +187,7 @@ fn fronts(summary: &Summary, model: &str, growth: &[TipRow]) -> Plot {
     let above = Chart {
         id: "from-above".to_owned(),
         heading: "From above".to_owned(),
-        caption: "The front from above, to scale; x = 0 is along the mouth.".to_owned(),
+        caption: "The front from above, to scale.".to_owned(),
         x: ChartAxis::linear("z, across the rail", "mm"),
         y: ChartAxis::linear("x, along the rail", "mm"),
         curves: curves(&|row| Some([row.lateral?, row.place[0]]), true),
