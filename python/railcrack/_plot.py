@@ -92,7 +92,8 @@ class RunPlots:
             rows = self._run.sif.where(step=step, crack=crack, tip=tip)
             rows = rows.where(passage=rows["passage"].max())
             axes.plot(xc, rows["kiii_mpa_sqrt_m"], label="$K_{III}$")
-            name = f"front at {rows['phi_deg'][0]:.4g}°"
+            whose = f"crack {crack} " if len(np.unique(self._run.growth["crack"])) > 1 else ""
+            name = f"{whose}front at {rows['phi_deg'][0]:.4g}°"
         axes.axhline(0.0, color="0.7", linewidth=0.8, zorder=0)
         axes.set_xlabel("$x_c / a$")
         axes.set_ylabel(r"K (MPa$\sqrt{\mathrm{m}}$)")
@@ -102,13 +103,14 @@ class RunPlots:
 
     def paths(self, *, ax: Axes | None = None) -> Axes:
         """The cracks at the start and at the end, to scale, and the tips of every step; in space the
-        front of every step, seen along the rail."""
+        fronts of every step, seen along the rail."""
         axes: Axes = _axes(ax)
         growth = self._run.growth
         if _is_in_space(self._run):
-            for step in np.unique(growth["step"]):
-                front = growth.where(step=step)
-                axes.plot(front["tip_z_mm"], front["tip_y_mm"], color="C0", linewidth=3.0 if step == 0 else 1.0)
+            for step, crack in np.unique(np.stack([growth["step"], growth["crack"]], axis=1), axis=0):
+                front = growth.where(step=step, crack=crack)
+                width = 3.0 if step == 0 else 1.0
+                axes.plot(front["tip_z_mm"], front["tip_y_mm"], color=f"C{(crack - 1) % 10}", linewidth=width)
             return _section(axes, "z (mm)")
         for i, (first, last) in enumerate(zip(self._run.cracks(0), self._run.cracks(), strict=False)):
             colour = f"C{i % 10}"
@@ -122,9 +124,12 @@ class RunPlots:
         axes: Axes = _axes(ax)
         growth, last = self._run.growth, {}
         if _is_in_space(self._run):
-            rows = growth.where(tip=growth["tip"].min())
-            axes.plot(rows["load_cycles"], rows["length_mm"], ".-", label="down the dip")
-            axes.plot(rows["load_cycles"], rows["surface_half_length_mm"], ".-", label="along the surface")
+            cracks = np.unique(growth["crack"])
+            for crack in cracks:
+                rows = growth.where(crack=crack, tip=growth["tip"].min())
+                whose = f"crack {crack} " if len(cracks) > 1 else ""
+                axes.plot(rows["load_cycles"], rows["length_mm"], ".-", label=f"{whose}down the dip")
+                axes.plot(rows["load_cycles"], rows["surface_half_length_mm"], ".-", label=f"{whose}along the surface")
             axes.set_xlabel("load cycles")
             axes.set_ylabel("half axis (mm)")
             axes.legend()

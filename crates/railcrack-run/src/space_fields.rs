@@ -1,13 +1,13 @@
-//! A crack in space as a file of VTK: its faces with jumps, its front with K.
+//! Cracks in space as a file of VTK: their faces with jumps, their fronts with K.
 
 use super::field_names::name_in_space;
 use super::files::FIELDS_FOLDER;
 use railcrack::contact::FaceStatus;
-use railcrack::growth::{FaceAcross, FrontRecord, PassageRecord, StepRecord};
+use railcrack::growth::{FaceAcross, FrontRecord, FrontShape, PassageRecord, StepRecord};
 use railcrack::math::{MPA_SQRT_MM, Vec2};
 use railcrack::mesh::{Array, CellBlock, CellShape, UnstructuredGrid};
 
-/// The crack of a step in space: of each written wheel position its number (from 1), the name of
+/// The cracks of a step in space: of each written wheel position its number (from 1), the name of
 /// its file in the run folder, and what the file holds.
 pub(crate) fn space_grids(record: &StepRecord) -> impl Iterator<Item = (usize, String, UnstructuredGrid)> {
     let parts = record.front.as_ref().zip(record.faces.across.as_ref()).zip(record.passages.last());
@@ -18,6 +18,14 @@ pub(crate) fn space_grids(record: &StepRecord) -> impl Iterator<Item = (usize, S
             (position + 1, file, grid)
         })
     })
+}
+
+/// The ends of the segments of the front of a crack, which is closed where the crack is buried.
+fn along_front(record: &StepRecord, front: &FrontRecord, crack: usize) -> Vec<usize> {
+    let first = record.faces.points.len();
+    let own = || (0..record.tips.len()).filter(|&q| record.tips[q].tip.crack == crack).map(|q| first + q);
+    let closing = own().next().filter(|_| front.shapes[crack].buried.is_some());
+    own().zip(own().skip(1).chain(closing)).flat_map(|(a, b)| [a, b]).collect()
 }
 
 fn grid_of(
@@ -33,9 +41,7 @@ fn grid_of(
     let points: Vec<Vec2> = inner.chain(record.tips.iter().map(|tip| Vec2::new(tip.x, tip.y))).collect();
     let lateral_of_tips = record.tips.iter().map(|tip| tip.front.map_or(0.0, |front| front.lateral));
     let z = across.lateral.iter().copied().chain(lateral_of_tips).collect();
-    // The front is closed where the crack is buried.
-    let sides = if front.shape.buried.is_some() { tips } else { tips.saturating_sub(1) };
-    let along_front = (0..sides).flat_map(|q| [free + q, free + (q + 1) % tips]).collect();
+    let along_front = (0..front.shapes.len()).flat_map(|crack| along_front(record, front, crack)).collect();
     let cells = vec![
         CellBlock { shape: CellShape::Quad, connectivity: front.cells.concat() },
         CellBlock { shape: CellShape::Line, connectivity: along_front },
@@ -49,14 +55,19 @@ fn grid_of(
     let of_front = |value: &dyn Fn(usize) -> f64| -> Vec<f64> {
         std::iter::repeat_n(0.0, free).chain((0..tips).map(value)).collect()
     };
-    let frame = front.shape.frame();
-    let jumps = (0..free + tips).flat_map(|i| match states.get(i) {
-        Some(state) => {
+    let frames: Vec<_> = front.shapes.iter().map(FrontShape::frame).collect();
+    let jumps = (0..free + tips).flat_map(|i| match states.get(i).zip(faces.points.get(i)) {
+        Some((state, point)) => {
+            let frame = &frames[point.crack];
             let [x, z, down] = frame.vector([state.opening, state.slip, third[i][0]]);
             [x, -down, z]
         }
         None => [0.0; 3],
     });
+    let crack_of = |i: usize| match faces.points.get(i) {
+        Some(point) => point.crack,
+        None => record.tips[i - free].tip.crack,
+    };
     let status = |i: usize| match states[i].status {
         FaceStatus::Open => 0.0,
         FaceStatus::Stick => 1.0,
@@ -75,6 +86,7 @@ fn grid_of(
             Array::scalars("s12_mpa", of_faces(&|i| states[i].s12)),
             Array::scalars("s23_mpa", of_faces(&|i| third[i][1])),
             Array::scalars("status", of_faces(&status)),
+            Array::scalars("crack", (0..free + tips).map(|i| (crack_of(i) + 1) as f64).collect()),
             Array::scalars("ki_mpa_sqrt_m", of_front(&|q| passage.sifs[q][position].ki_mpa_sqrt_m())),
             Array::scalars("kii_mpa_sqrt_m", of_front(&|q| passage.sifs[q][position].kii_mpa_sqrt_m())),
             Array::scalars("kiii_mpa_sqrt_m", of_front(&|q| passage.kiii[q][position] / MPA_SQRT_MM)),

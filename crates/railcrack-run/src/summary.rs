@@ -226,9 +226,12 @@ pub struct Summary {
     pub tips: Vec<TipSummary>,
     /// Paths.
     pub cracks: Vec<CrackSummary>,
-    /// The crack in space; left out in the plane.
+    /// The first crack in space; left out in the plane.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub front: Option<FrontSummary>,
+    /// All cracks in space where there are several; else left out.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub fronts: Vec<FrontSummary>,
     /// Where cracks have joined each other.
     #[serde(default)]
     pub junctions: Vec<JunctionSummary>,
@@ -310,7 +313,8 @@ impl Summary {
                     path_mm: log.now.paths.get(i).map(|path| points(path)),
                 })
                 .collect(),
-            front: front(steps),
+            front: front(steps, 0),
+            fronts: Some(fronts(steps)).filter(|fronts| fronts.len() > 1).unwrap_or_default(),
             junctions: log.now.junctions.iter().map(|junction| junction_summary(junction, log)).collect(),
             pieces: log.pieces().map(piece_summary).collect(),
             checksums: BTreeMap::new(),
@@ -319,21 +323,29 @@ impl Summary {
     }
 }
 
-/// The crack in space of a run there.
-fn front(steps: &[StepDigest]) -> Option<FrontSummary> {
+/// The cracks in space of a run there.
+fn fronts(steps: &[StepDigest]) -> Vec<FrontSummary> {
+    let cracks =
+        steps.last().map_or(0, |last| last.tips.iter().map(|tip| tip.tip.crack + 1).max().unwrap_or(0));
+    (0..cracks).map_while(|crack| front(steps, crack)).collect()
+}
+
+/// A crack in space of a run there, counted from 0.
+fn front(steps: &[StepDigest], crack: usize) -> Option<FrontSummary> {
     let (first, last) = (steps.first()?, steps.last()?);
     let axes = |step: &StepDigest| {
-        let tip = step.tips.first()?;
+        let tip = step.tips.iter().find(|tip| tip.tip.crack == crack)?;
         Some((tip.length, tip.front?.half_length))
     };
     let (initial, now) = (axes(first)?, axes(last)?);
-    let lateral = || last.tips.iter().filter_map(|tip| Some(tip.front?.lateral));
+    let own = || last.tips.iter().filter(|tip| tip.tip.crack == crack);
+    let lateral = || own().filter_map(|tip| Some(tip.front?.lateral));
     Some(FrontSummary {
         initial_length_mm: initial.0,
         initial_surface_half_length_mm: initial.1,
         length_mm: now.0,
         surface_half_length_mm: now.1,
-        depth_mm: last.tips.iter().map(|tip| -tip.y).fold(0.0, f64::max),
+        depth_mm: own().map(|tip| -tip.y).fold(0.0, f64::max),
         z_mm: [lateral().fold(f64::INFINITY, f64::min), lateral().fold(f64::NEG_INFINITY, f64::max)],
     })
 }

@@ -52,12 +52,12 @@ fn measure([block, ring]: [usize; 2], dip: f64) -> Result<Cost, Box<dyn Error>> 
     let steel = IsotropicElastic::new(210e3, 0.3)?;
     let crack = SpaceCrack::surface_breaking(dip.to_radians(), HALF_LENGTH, DEPTH)?;
     let begun = Instant::now();
-    let kernel = SpaceKernel::new(crack.dip, steel.poisson());
+    let kernel = SpaceKernel::new(&[crack.dip], steel.poisson());
     let table_s = begun.elapsed().as_secs_f64();
 
     let begun = Instant::now();
     let resolution = SpaceResolution { block, ring };
-    let body = SpaceBody::with_kernel(&crack, &steel, Some(&kernel), resolution, Interruption::NEVER)?;
+    let body = SpaceBody::with_kernel(&[crack], &steel, Some(&kernel), resolution, Interruption::NEVER)?;
     let body_s = begun.elapsed().as_secs_f64();
 
     let wheel = EllipticWheel {
@@ -68,7 +68,7 @@ fn measure([block, ring]: [usize; 2], dip: f64) -> Result<Cost, Box<dyn Error>> 
         friction: 0.1,
         lateral_friction: 0.0,
     };
-    let contact = SpaceContact { body: &body, friction: 0.3 };
+    let contact = SpaceContact { body: &body, friction: &[0.3] };
     let stress = |position: f64, point: [f64; 3]| wheel.stress(position, point, steel.poisson());
     let load = SpaceLoad { wheel: &stress, bending: None, constant: None };
     let settings = PassageSettings::default();

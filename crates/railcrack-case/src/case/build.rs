@@ -1,7 +1,7 @@
 //! From accepted values to a case: checks that involve several keys.
 
 use super::case::Case;
-use super::cracks::{check_fit, place_cracks};
+use super::cracks::{Meetings, check_fit, place_cracks};
 use super::limits::check_size;
 use super::mix::{MixedWheel, ReadWheel, read_mix};
 use super::space::{read_space, refuse_strike};
@@ -42,7 +42,8 @@ pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) 
         None => None,
     };
     let crack_sections: Vec<&SectionValues> = sections.all(&CRACK).collect();
-    let placed = place_cracks(&crack_sections, report);
+    let meetings = if is_in_space(&sections) { Meetings::InSpace } else { Meetings::InThePlane };
+    let placed = place_cracks(&crack_sections, meetings, report);
     let network = placed.as_ref().map(|placed| &placed.network);
     let middle = network.map(|network| 0.5 * (network.leftmost_mouth() + network.rightmost_mouth()));
     let rail = rail_section.and_then(|s| Rail::read(s, middle));

@@ -19,8 +19,21 @@ pub(super) struct PlacedCracks {
     pub owner: Vec<usize>,
 }
 
+/// Where cracks may not meet.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Meetings {
+    /// In the plane.
+    InThePlane,
+    /// In space, where they may lie beside each other: their own reader looks for meetings.
+    InSpace,
+}
+
 /// Builds the cracks of all sections, and reports those that are impossible or meet.
-pub(super) fn place_cracks(sections: &[&SectionValues], report: &mut Report) -> Option<PlacedCracks> {
+pub(super) fn place_cracks(
+    sections: &[&SectionValues],
+    meetings: Meetings,
+    report: &mut Report,
+) -> Option<PlacedCracks> {
     let mut cracks = Vec::new();
     let mut friction = Vec::new();
     let mut owner = Vec::new();
@@ -39,10 +52,16 @@ pub(super) fn place_cracks(sections: &[&SectionValues], report: &mut Report) -> 
         owner.resize(owner.len() + row.len(), index);
         cracks.extend(row);
     }
-    if !report_meetings(&cracks, &owner, sections, report) || !complete {
-        return None;
-    }
-    CrackNetwork::new(cracks).ok().map(|network| PlacedCracks { network, friction, owner })
+    let network = match meetings {
+        Meetings::InSpace => CrackNetwork::sections(cracks),
+        Meetings::InThePlane => {
+            if !report_meetings(&cracks, &owner, sections, report) {
+                return None;
+            }
+            CrackNetwork::new(cracks)
+        }
+    };
+    network.ok().filter(|_| complete).map(|network| PlacedCracks { network, friction, owner })
 }
 
 /// The cracks of a section, and their crack-face friction.

@@ -1,7 +1,7 @@
 //! Largest sizes of a run, computed before anything is made.
 
 use super::case::Case;
-use super::space_case::{MOST_SPACE_POINTS, face_points};
+use super::space_case::MOST_SPACE_POINTS;
 use crate::schema::{Report, SectionValues, Sections};
 use crate::tables::{
     ELEMENT_SIZE, Engine, INTERFACE_ELEMENTS, INTERFACE_SPACING, MESH, PASSAGE, POSITIONS, SPACE_CELLS,
@@ -59,7 +59,7 @@ pub(super) fn check_size(case: &Case, sections: &Sections, report: &mut Report) 
     if case.engine == Engine::Space && points > MOST_SPACE_POINTS as f64 {
         let says =
             format!("with space_rings, {points} face points; there can be {MOST_SPACE_POINTS} in space");
-        report.add(mesh.fault(SPACE_CELLS, says).help("fewer space_cells or space_rings"));
+        report.add(mesh.fault(SPACE_CELLS, says).help("fewer space_cells, space_rings or cracks"));
         return false;
     }
     if points.is_nan() || points > MOST_FACE_POINTS {
@@ -97,10 +97,7 @@ pub(super) fn check_size(case: &Case, sections: &Sections, report: &mut Report) 
 /// points follow the elements that a crack crosses.
 fn wanted_face_points(case: &Case) -> f64 {
     match case.engine {
-        Engine::Space => {
-            let is_buried = case.space.as_ref().is_some_and(|space| space.shape.buried.is_some());
-            face_points(case.mesh.space, is_buried) as f64
-        }
+        Engine::Space => case.space.as_ref().map_or(0.0, |space| space.face_points(case.mesh.space) as f64),
         Engine::Dislocation => dislocation::face_points(&case.cracks, case.face_resolution()) as f64,
         Engine::Xfem => {
             let spacing = case.mesh.interface_spacing.unwrap_or(f64::INFINITY);

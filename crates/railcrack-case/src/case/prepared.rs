@@ -156,7 +156,7 @@ const ROOM_TEMPERATURE: f64 = 20.0;
 pub enum CaseGrowth {
     /// Of cracks in the plane.
     Plane(Box<Growth>),
-    /// Of a crack in space.
+    /// Of cracks in space.
     Space(Box<SpaceGrowth>),
 }
 
@@ -246,7 +246,7 @@ impl PreparedRun<'_> {
 }
 
 impl Case {
-    /// The growth of the crack in space from `state` on, or from the beginning; none of a case for
+    /// The growth of the cracks in space from `state` on, or from the beginning; none of a case for
     /// another engine.
     fn space_growth(
         &self,
@@ -256,14 +256,14 @@ impl Case {
         let space = self.space.as_ref().filter(|_| self.engine == Engine::Space)?;
         let state = match state {
             Some(state) => state,
-            None => GrowthState::initial_in_space(space.shape).ok()?,
+            None => GrowthState::initial_in_space(space.shapes.clone()).ok()?,
         };
         let problem = SpaceProblem {
             steel: self.steel,
             wheel: space.wheel,
             bending: self.wheel.bending(&self.steel),
             residual,
-            friction: self.crack_friction.first().copied().unwrap_or(0.0),
+            friction: self.crack_friction.clone(),
             resolution: self.mesh.space,
             passages: self.passages,
             growth: self.growth.clone(),

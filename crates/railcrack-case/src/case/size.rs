@@ -1,11 +1,12 @@
 //! Size of a run: unknowns and memory.
 
 use super::case::Case;
-use super::space_case::{face_points, front_points};
+use super::space_case::SpaceCase;
 use crate::tables::{Engine, PlasticSource};
 use railcrack::dislocation;
 use railcrack::growth::NetworkContact;
 use railcrack::residual::PlasticField;
+use railcrack::space::SpaceResolution;
 
 /// Size of the face problem of a case at its first step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -44,13 +45,15 @@ impl Case {
     /// The size of the run.
     #[must_use]
     pub fn size(&self) -> RunSize {
-        let is_buried = self.space.as_ref().is_some_and(|space| space.shape.buried.is_some());
+        let in_space = |points: fn(&SpaceCase, SpaceResolution) -> usize| {
+            self.space.as_ref().map_or(0, |space| points(space, self.mesh.space))
+        };
         let tips = match self.engine {
-            Engine::Space => front_points(self.mesh.space, is_buried),
+            Engine::Space => in_space(SpaceCase::front_points),
             _ => self.cracks.tips().len(),
         };
         let (face_points, displacements, factor) = match self.engine {
-            Engine::Space => (face_points(self.mesh.space, is_buried), 0, 0),
+            Engine::Space => (in_space(SpaceCase::face_points), 0, 0),
             Engine::Dislocation => (dislocation::face_points(&self.cracks, self.face_resolution()), 0, 0),
             // Errors of a plastic stress are reported by its reader; that of rolling is not there
             // yet.

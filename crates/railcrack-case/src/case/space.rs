@@ -2,17 +2,17 @@
 
 use super::cracks::PlacedCracks;
 use super::space_case::SpaceCase;
-use crate::schema::{Report, Section, SectionValues, Sections};
+use crate::schema::{Fault, Report, Section, SectionValues, Sections};
 use crate::tables::{
-    CONTACT, COUNT, CRACK, CRACK_LATERAL, ContactKind, ContactOrigin, ContactSolver, FLUID, FRICTION, GROWTH,
+    CONTACT, CRACK, CRACK_LATERAL, ContactKind, ContactOrigin, ContactSolver, FLUID, FRICTION, GROWTH,
     GivenWheel, KIND, LATERAL_FRICTION, LATERAL_HALF_WIDTH, LAW, LawName, MAINTENANCE, MODE_3_WEIGHT,
-    PLASTIC_STRESS, Rail, SOLVER, SOLVER_CONTACT, STRIKE, SURFACE_HALF_LENGTH, WHEEL,
+    PLASTIC_STRESS, Rail, SOLVER, SOLVER_CONTACT, SPACING, STRIKE, SURFACE_HALF_LENGTH, WHEEL,
 };
 use railcrack::bulk::Boundary;
 use railcrack::crack::Crack;
 use railcrack::growth::FrontShape;
 use railcrack::load::HertzEllipse;
-use railcrack::space::EllipticWheel;
+use railcrack::space::{CloseCracks, EllipticWheel, SpaceCrack};
 use std::f64::consts::PI;
 
 /// Sections of which the engine knows nothing, and why.
@@ -23,7 +23,7 @@ const REFUSED: [(Section, &str); 4] = [
     (MAINTENANCE, "has no mouth that wear and grinding could cut"),
 ];
 
-/// The crack, the wheel and the law of the engine in space; none where something is wrong or
+/// The cracks, the wheel and the law of the engine in space; none where something is wrong or
 /// missing, which `report` then says.
 pub(super) fn read_space(
     sections: &Sections,
@@ -56,30 +56,44 @@ pub(super) fn read_space(
         report.add(growth.fault(LAW, says).help("another law, such as law = \"paris\""));
     }
     let given: Vec<&SectionValues> = sections.all(&CRACK).collect();
-    if let Some(second) = given.get(1) {
-        report.add(second.fault_of_all("the engine space computes one crack").help(PLANE_ENGINES));
+    for section in &given {
+        if section.get(SURFACE_HALF_LENGTH).is_none() && !section.is_refused(SURFACE_HALF_LENGTH) {
+            let key = section.dotted(SURFACE_HALF_LENGTH.key.name);
+            let message = format!(
+                "`{key}` is missing: the engine space needs the half axis of the crack along the surface, in mm"
+            );
+            report.add(Fault::of(key, section.span.clone(), message));
+        }
     }
-    let section = given.first()?;
-    if section.get(COUNT).is_some_and(|count| count > 1) {
-        report.add(section.fault(COUNT, "the engine space computes one crack").help(PLANE_ENGINES));
-    }
-    let half_length = section.get(SURFACE_HALF_LENGTH);
-    if half_length.is_none() && !section.is_refused(SURFACE_HALF_LENGTH) {
-        let key = section.dotted(SURFACE_HALF_LENGTH.key.name);
-        let message = format!(
-            "`{key}` is missing: the engine space needs the half axis of the crack along the surface, in mm"
-        );
-        report.add(crate::schema::Fault::of(key, section.span.clone(), message));
-    }
-    let shape = placed.and_then(|placed| {
-        let crack = placed.network.cracks().first()?;
-        read_shape(crack, half_length?, section, report)
-    });
+    let shapes = placed.and_then(|placed| read_shapes(placed, &given, report));
     let wheel = read_wheel(sections, wheel, report);
-    Some(SpaceCase { shape: shape?, wheel: wheel?, mode_3_weight: growth.get(MODE_3_WEIGHT) })
+    Some(SpaceCase { shapes: shapes?, wheel: wheel?, mode_3_weight: growth.get(MODE_3_WEIGHT) })
 }
 
-const PLANE_ENGINES: &str = "engine = \"dislocation\" or \"xfem\" computes several cracks, in the plane";
+/// The cracks, none of which meets another.
+fn read_shapes(
+    placed: &PlacedCracks,
+    given: &[&SectionValues],
+    report: &mut Report,
+) -> Option<Vec<FrontShape>> {
+    let mut shapes = Vec::new();
+    for (crack, &owner) in placed.network.cracks().iter().zip(&placed.owner) {
+        let section = given.get(owner)?;
+        shapes.push(read_shape(crack, section.get(SURFACE_HALF_LENGTH)?, section, report)?);
+    }
+    let cracks: Vec<SpaceCrack> = shapes.iter().filter_map(|shape| shape.crack().ok()).collect();
+    let Some(close) = CloseCracks::among(&cracks) else { return Some(shapes) };
+    let [first, second] = [close.first, close.second].map(|k| given[placed.owner[k]]);
+    let help = "copies counted; cracks that join in space are not modelled";
+    let fault = if placed.owner[close.first] == placed.owner[close.second] {
+        Fault::of(first.dotted(SPACING.key.name), first.span_of(SPACING), close.to_string())
+    } else {
+        Fault::of(second.path.clone(), second.span.clone(), close.to_string())
+            .also(first.span.clone(), "the other crack")
+    };
+    report.add(fault.help(help));
+    None
+}
 
 /// Reports cracks that the plane engines cannot turn.
 pub(super) fn refuse_strike(sections: &Sections, report: &mut Report) {
@@ -161,7 +175,7 @@ fn read_wheel(sections: &Sections, wheel: Option<&GivenWheel>, report: &mut Repo
                 "`{key}` is missing: the engine space needs the semi-axis of the contact ellipse across the rail, in mm"
             );
             let help = "beside peak_pressure_mpa and half_width_mm; or wheel_load_kn with the radii of wheel and rail";
-            report.add(crate::schema::Fault::of(key, section.span.clone(), message).help(help));
+            report.add(Fault::of(key, section.span.clone(), message).help(help));
             return None;
         }
     };

@@ -6,8 +6,8 @@ use railcrack::space::{EllipticWheel, SpaceResolution};
 /// The parts of a case that only the engine in space knows.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SpaceCase {
-    /// The crack at the beginning.
-    pub shape: FrontShape,
+    /// The cracks at the beginning, in the order of those of the case.
+    pub shapes: Vec<FrontShape>,
     /// The wheel.
     pub wheel: EllipticWheel,
     /// Weight of mode III in the range of Hourlier and Pineau, where it is given.
@@ -17,8 +17,20 @@ pub struct SpaceCase {
 /// Most points of the faces: three unknowns at each make dense matrices of 300 MB.
 pub(super) const MOST_SPACE_POINTS: usize = 2000;
 
-/// Points of the faces of a crack of this resolution.
-pub(super) fn face_points(resolution: SpaceResolution, is_buried: bool) -> usize {
+impl SpaceCase {
+    /// Points of the faces of all cracks of this resolution.
+    pub(super) fn face_points(&self, resolution: SpaceResolution) -> usize {
+        self.shapes.iter().map(|shape| face_points(resolution, shape.buried.is_some())).sum()
+    }
+
+    /// Points of all fronts.
+    pub(super) fn front_points(&self, resolution: SpaceResolution) -> usize {
+        self.shapes.iter().map(|shape| front_points(resolution, shape.buried.is_some())).sum()
+    }
+}
+
+/// Points of the faces of a crack.
+fn face_points(resolution: SpaceResolution, is_buried: bool) -> usize {
     let SpaceResolution { block, ring } = resolution;
     let rows = ring.saturating_sub(1);
     if is_buried {
@@ -29,6 +41,6 @@ pub(super) fn face_points(resolution: SpaceResolution, is_buried: bool) -> usize
 }
 
 /// Points of its front.
-pub(super) fn front_points(resolution: SpaceResolution, is_buried: bool) -> usize {
+fn front_points(resolution: SpaceResolution, is_buried: bool) -> usize {
     if is_buried { 8 * resolution.block } else { 4 * resolution.block + 1 }
 }

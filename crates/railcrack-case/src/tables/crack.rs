@@ -22,7 +22,8 @@ section! {
         "Half axis of the elliptical crack along the surface, for the engine space, in which length_mm is the other one; the \
          plane engines take the crack as long along the surface.").optional();
     CRACK_LATERAL: f64 = number("lateral_mm", "mm", within(1e3), 0.0,
-        "Lateral position of the middle of the crack, for the engine space; 0 without it.").optional();
+        "Lateral position of the middle of the crack and of its copies, for the engine space; 0 without it. Cracks in space stand \
+         at least a twentieth of their smallest half axis apart.").optional();
     STRIKE: f64 = number("strike_deg", "degrees", closed(-180.0, 180.0), 0.0,
         "Turn of the crack about the vertical, for the engine space: a crack with angle_deg < 90 goes down towards +x with 0, towards \
          +z (lateral) with 90. The plane engines take 0 only; 0 without it.").optional();

@@ -19,7 +19,7 @@ pub enum Engine {
     Xfem,
     /// Distributed dislocations in a half-plane.
     Dislocation,
-    /// A planar crack with a curved front in the half-space.
+    /// Planar cracks with curved fronts in the half-space.
     Space,
 }
 
@@ -27,7 +27,7 @@ impl Choice for Engine {
     const WORDS: &'static [(Self, Word)] = &[
         (Self::Xfem, Word::now("xfem", "extended finite elements")),
         (Self::Dislocation, Word::now("dislocation", "distributed dislocations in a half-plane")),
-        (Self::Space, Word::now("space", "one planar crack with an elliptical front in the half-space")),
+        (Self::Space, Word::now("space", "planar cracks with elliptical fronts in the half-space")),
     ];
 }
 

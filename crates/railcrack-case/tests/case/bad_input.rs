@@ -38,8 +38,10 @@ const SPACE_TWICE: &str = space!(
     "",
     "surface_half_length_mm = 6.0\n",
     "angle_deg = 30.0\n",
-    "[[crack]]\nmouth_mm = 20.0\nlength_mm = 4.0\nangle_deg = 30.0\nfriction = 0.5\n"
+    "[[crack]]\nmouth_mm = 3.0\nlength_mm = 4.0\nangle_deg = 120.0\nfriction = 0.5\nsurface_half_length_mm = 6.0\n"
 );
+const SPACE_COPIES: &str =
+    space!("", "surface_half_length_mm = 6.0\ncount = 3\nspacing_mm = 0.3\n", "angle_deg = 30.0\n", "");
 const SPACE_LATIN: &str =
     space!("", "surface_half_length_mm = 6.0\n", "angle_deg = 30.0\n", "contact = \"latin\"\n");
 const SPACE_TOO_WIDE: &str = space!("", "surface_half_length_mm = 400.0\n", "angle_deg = 30.0\n", "");
@@ -705,7 +707,14 @@ fn loads() {
             "takes the engine space",
             "strike_deg = 0",
         ),
-        wrong(Whole(SPACE_TWICE), 14, "crack[2]", "computes one crack", "several cracks"),
+        wrong(Whole(SPACE_TWICE), 14, "crack[2]", "in space are 0.000e0 mm apart", "not modelled"),
+        wrong(
+            Whole(SPACE_COPIES),
+            12,
+            "crack[1].spacing_mm",
+            "must be at least 2.000e-1 mm",
+            "copies counted",
+        ),
         wrong(Whole(SPACE_LATIN), 14, "solver.contact", "Newton's method", "newton"),
         wrong(Whole(SPACE_TOO_WIDE), 10, "crack[1].surface_half_length_mm", "ratio 100.000", "plane engine"),
         wrong(Whole(SPACE_CARTER), 2, "contact.kind", "full sliding", "hertz"),

@@ -199,25 +199,20 @@ fn offset(case: &Case, lateral: f64) -> Row {
     }
 }
 
-/// The crack of a case in space.
+/// The cracks of a case in space.
 fn in_space(case: &Case) -> Vec<Row> {
     let Some(space) = &case.space else { return Vec::new() };
-    let shape = &space.shape;
-    let mut rows = vec![
-        (
-            "half axes",
-            format!(
-                "{} mm down the dip, {} mm along the surface",
-                number(shape.depth),
-                number(shape.half_length)
-            ),
-        ),
-        ("dip", format!("{} degrees", number(shape.dip.to_degrees()))),
-        ("strike", format!("{} degrees", number(shape.strike.to_degrees()))),
-        ("middle", format!("x = {} mm, z = {} mm", number(shape.middle[0]), number(shape.middle[1]))),
-    ];
-    if let Some(centre) = shape.buried {
-        rows.push(("buried", format!("{} mm down the dip", number(centre))));
+    let mut rows = Vec::new();
+    for shape in &space.shapes {
+        let [down, along] = [shape.depth, shape.half_length].map(number);
+        rows.push(("half axes", format!("{down} mm down the dip, {along} mm along the surface")));
+        rows.push(("dip", format!("{} degrees", number(shape.dip.to_degrees()))));
+        rows.push(("strike", format!("{} degrees", number(shape.strike.to_degrees()))));
+        let [x, z] = shape.middle.map(number);
+        rows.push(("middle", format!("x = {x} mm, z = {z} mm")));
+        if let Some(centre) = shape.buried {
+            rows.push(("buried", format!("{} mm down the dip", number(centre))));
+        }
     }
     let cells = case.mesh.space;
     rows.push(("cells", format!("{} beside the middle, {} to the front", cells.block, cells.ring)));

@@ -211,9 +211,11 @@ pub fn result_text(finished: &Finished) -> String {
         text.push_str(&format!(", {tonnes:.3} million gross tonnes"));
     }
     text.push('\n');
-    if let Some(front) = &summary.front {
+    let all = if summary.fronts.is_empty() { summary.front.as_slice() } else { &summary.fronts };
+    for (k, front) in all.iter().enumerate() {
+        let whose = if all.len() > 1 { format!("crack {}: ", k + 1) } else { String::new() };
         text.push_str(&format!(
-            "half axes {:.3} mm down the dip and {:.3} mm along the surface, from {:.3} and {:.3} mm; {:.3} mm deep\n",
+            "{whose}half axes {:.3} mm down the dip and {:.3} mm along the surface, from {:.3} and {:.3} mm; {:.3} mm deep\n",
             front.length_mm,
             front.surface_half_length_mm,
             front.initial_length_mm,

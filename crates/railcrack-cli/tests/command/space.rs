@@ -2,7 +2,7 @@
 
 use super::common::{self, column, command, done, names, numbers, read};
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::Stdio;
 use std::time::{Duration, Instant};
 
@@ -139,8 +139,13 @@ fn a_turned_crack_on_a_rail_that_bends() {
 fn a_killed_run_goes_on_to_the_same_files() {
     let folder = workplace("resume");
     done(&folder, &["run", "case.toml", "--out", "whole", "--quiet"]);
+    goes_on(&folder);
+}
+
+/// Kills a run of the case and resumes it: its files are those of the folder `whole`.
+fn goes_on(folder: &Path) {
     let line = ["run", "case.toml", "--out", "parts", "--quiet"];
-    let mut run = command(&folder, &line).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
+    let mut run = command(folder, &line).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
     let started = Instant::now();
     while !folder.join("parts/checkpoint.bin").exists() && run.try_wait().unwrap().is_none() {
         assert!(started.elapsed() < Duration::from_secs(120));
@@ -148,10 +153,53 @@ fn a_killed_run_goes_on_to_the_same_files() {
     }
     run.kill().unwrap();
     run.wait().unwrap();
-    done(&folder, &["run", "case.toml", "--out", "parts", "--resume", "--quiet"]);
+    done(folder, &["run", "case.toml", "--out", "parts", "--resume", "--quiet"]);
     for file in ["sif.csv", "growth.csv", "faces.csv", "case.toml", "fields.pvd", "plots/kii.svg"] {
         assert_eq!(read(&folder.join("whole").join(file)), read(&folder.join("parts").join(file)), "{file}");
     }
+}
+
+/// A row of two copies behind each other, and a crack beside them: its section crosses theirs.
+fn several() -> String {
+    CASE.replace("friction = 0.3\n", "friction = 0.3\ncount = 2\nspacing_mm = 3.0\n").replace(
+        "[growth]",
+        "[[crack]]\nmouth_mm = 3.5\nlength_mm = 2.0\nsurface_half_length_mm = 2.0\nangle_deg = 120.0\nfriction = 0.1\nlateral_mm = 8.0\n\n[growth]",
+    )
+}
+
+#[test]
+fn several_cracks_have_their_rows_and_resume() {
+    let folder = workplace("several");
+    fs::write(folder.join("case.toml"), several()).unwrap();
+    assert!(done(&folder, &["check", "case.toml"]).contains("x = 3.5 mm, z = 8 mm"));
+    let told = done(&folder, &["run", "case.toml", "--out", "whole", "--quiet"]);
+    assert!(told.contains("crack 3: half axes"), "{told}");
+    let run = folder.join("whole");
+    let growth = |name: &str| numbers(&run.join("growth.csv"), name);
+    // Nine points of each of three fronts, three steps.
+    let (crack, tip) = (growth("crack"), growth("tip"));
+    assert_eq!((crack.len(), crack[8], crack[9], crack[26]), (81, 1.0, 2.0, 3.0));
+    assert_eq!((tip[8], tip[9], tip[26]), (9.0, 1.0, 9.0));
+    let (length, increment) = (growth("length_mm"), growth("increment_mm"));
+    for of_crack in 0..3 {
+        let deepest = 9 * of_crack + 4;
+        assert!((length[27 + deepest] - length[deepest] - increment[deepest]).abs() < 1e-9, "{of_crack}");
+    }
+    // The fastest of all grows by the increment, the others by less.
+    let most = (0..3).map(|of_crack| length[27 + 9 * of_crack] / length[9 * of_crack]).fold(0.0, f64::max);
+    assert!((most - 1.04).abs() < 1e-9, "{most}");
+    assert_eq!(numbers(&run.join("faces.csv"), "crack").iter().copied().fold(0.0, f64::max), 3.0);
+    let summary = read(&run.join("summary.json"));
+    assert!(summary.contains("\"fronts\"") && summary.contains("\"front\""));
+    for plot in ["ki.svg", "along-front.svg", "paths.svg", "length-cycles.svg"] {
+        assert!(read(&run.join("plots").join(plot)).starts_with("<svg"), "{plot}");
+    }
+    done(&folder, &["verify", "whole"]);
+    goes_on(&folder);
+    // The plane takes no cracks whose sections cross.
+    let plane = command(&folder, &["run", "case.toml", "--engine", "dislocation"]).output().unwrap();
+    assert_eq!(plane.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&plane.stderr).contains("cross, touch or overlap"));
 }
 
 #[test]

@@ -1,25 +1,38 @@
-// The explorer of a crack in space: sliders for growth step, wheel position and point of the front.
+// The explorer of cracks in space: the crack, sliders for growth step, wheel position and point of
+// its front.
 "use strict";
 
 (async () => {
   const { words, singles, legend, scale, typeset, onWidth, tools } = railcrack;
   const find = (id) => document.getElementById(id);
   const data = JSON.parse(find("space-data").textContent);
-  const { wheel, positions, steps } = data;
+  const { wheel, positions, steps, cracks } = data;
   const MODES = [["ki", "K_{I}", "var(--c0)"], ["kii", "K_{II}", "var(--c1)"], ["kiii", "K_{III}", "var(--c2)"]];
   const count = positions.length;
-  // By step, mode and point of the front: K over the wheel positions.
-  const k = await Promise.all(steps.map(async (step) =>
-    Object.fromEntries(await Promise.all(MODES.map(async ([name]) => [name, await Promise.all(step.front.map((point) => (point[name] ? singles(point[name]) : [])))])))));
-  const state = { step: 0, position: 0, point: Math.floor(steps[0].front.length / 2) };
-  state.position = d3.maxIndex(positions, (_, i) => Math.hypot(...MODES.map(([name]) => k[0][name][state.point][i] ?? 0)));
+  // By step, crack, mode and point of the front: K over the wheel positions.
+  const of = (front, name) => Promise.all(front.map((point) => (point[name] ? singles(point[name]) : [])));
+  const modes = async (crack) => Object.fromEntries(await Promise.all(MODES.map(async ([name]) => [name, await of(crack.front, name)])));
+  const all = await Promise.all(steps.map((step) => Promise.all(step.cracks.map(modes))));
+  const state = { step: 0, position: 0, crack: 0, point: 0 };
+  const k = (step = state.step) => all[step][state.crack];
+  const front = (index, crack = state.crack) => steps[index].cracks[crack].front;
+  /** The deepest point of the chosen crack, and where K is largest there. */
+  function choose(crack) {
+    state.crack = crack;
+    const points = front(0);
+    state.point = d3.minIndex(points, (p) => Math.abs(p.phi - 90));
+    state.position = d3.maxIndex(positions, (_, i) => Math.hypot(...MODES.map(([name]) => k(0)[name][state.point][i] ?? 0)));
+  }
+  choose(d3.maxIndex(cracks, (_, c) => d3.max(front(0, c), (p) => p.delta_keq)));
   const centre = () => data.origin + positions[state.position] * wheel.half_width;
   const signed = (value, digits) => value.toFixed(digits).replace(/^-(?=[0.]*$)/, "").replace("-", "\u2212");
   const widths = {};
   const style = { fontSize: "12px", overflow: "visible" };
   const show = (id, svg) => find(id).querySelector(".drawing").replaceChildren(typeset(svg));
-  const closed = data.buried;
-  const outline = (index) => (closed ? [...steps[index].front, steps[index].front[0]] : steps[index].front);
+  const closed = (crack = state.crack) => cracks[crack].buried;
+  const outline = (index, crack = state.crack) => (closed(crack) ? [...front(index, crack), front(index, crack)[0]] : front(index, crack));
+  const every = (draw) => cracks.flatMap((_, crack) => draw(crack));
+  const everywhere = () => every((crack) => [...outline(0, crack), ...outline(last, crack)]);
   const last = steps.length - 1;
   const MARGIN = { left: 56, right: 16, top: 12, bottom: 42 };
 
@@ -37,31 +50,34 @@
 
   const axis = (title, domain) => ({ ...scale({ title, scale: "linear" }), domain, grid: false });
 
-  const fronts = (x, y) => [
-    Plot.line(outline(0), { x, y, stroke: "var(--quiet)", strokeDasharray: "2 3", strokeWidth: 1.6 }),
-    Plot.line(outline(last), { x, y, stroke: "var(--quiet)", strokeWidth: 1 }),
-    Plot.line(outline(state.step), { x, y, stroke: "var(--ink)", strokeWidth: 3 }),
-  ];
+  const weight = (crack) => (crack === state.crack ? 3 : 1.6);
+  const fronts = (x, y) => every((crack) => [
+    Plot.line(outline(0, crack), { x, y, stroke: "var(--quiet)", strokeDasharray: "2 3", strokeWidth: 1.6 }),
+    Plot.line(outline(last, crack), { x, y, stroke: "var(--quiet)", strokeWidth: 1 }),
+    Plot.line(outline(state.step, crack), { x, y, stroke: "var(--ink)", strokeWidth: weight(crack) }),
+  ]);
 
-  const chosen = (x, y) => Plot.dot([steps[state.step].front[state.point]], { x, y, r: 5, fill: "var(--c4)", stroke: "var(--ink)" });
+  const chosen = (x, y) => Plot.dot([front(state.step)[state.point]], { x, y, r: 5, fill: "var(--c4)", stroke: "var(--ink)" });
 
   function drawAbove() {
     if (!widths.above) return;
     const xc = centre();
     const ellipse = d3.range(0, 73).map((i) => ({ x: xc + wheel.half_width * Math.cos(Math.PI * i / 36), z: wheel.lateral + wheel.lateral_half_width * Math.sin(Math.PI * i / 36) }));
-    const all = [...outline(0), ...outline(last)];
+    const all = everywhere();
     const wide = [wheel.lateral - wheel.lateral_half_width, wheel.lateral + wheel.lateral_half_width];
     const around = [d3.min(all, (p) => p.x) - wheel.half_width, d3.max(all, (p) => p.x) + wheel.half_width];
     const fit = toScale(around, [...all.map((p) => p.z), ...wide], widths.above, 420);
-    const mouth = closed ? [] : [steps[state.step].front[0], steps[state.step].front.at(-1)];
+    const mouth = (crack) => (closed(crack) ? [] : [front(state.step, crack)[0], front(state.step, crack).at(-1)]);
     show("above", Plot.plot({
       width: widths.above, height: fit.height, marginLeft: MARGIN.left, marginRight: MARGIN.right, marginTop: MARGIN.top, marginBottom: MARGIN.bottom,
       x: axis("x (mm)", fit.x), y: axis("z, across the rail (mm)", fit.y), ariaLabel: "Crack from above with the contact ellipse", style,
       marks: [
         Plot.rect([0], { x1: fit.x[0], x2: fit.x[1], y1: fit.y[0], y2: fit.y[1], fill: "var(--rail)" }),
         Plot.line(ellipse, { x: "x", y: "z", fill: "var(--c1)", fillOpacity: 0.2, stroke: "var(--c1)", clip: true }),
-        Plot.line(outline(state.step), { x: "x", y: "z", fill: "var(--c0)", fillOpacity: 0.12, stroke: "none" }),
-        Plot.line(mouth, { x: "x", y: "z", stroke: "var(--ink)", strokeWidth: 1.4, strokeDasharray: "6 4" }),
+        ...every((crack) => [
+          Plot.line(outline(state.step, crack), { x: "x", y: "z", fill: "var(--c0)", fillOpacity: crack === state.crack ? 0.18 : 0.08, stroke: "none" }),
+          Plot.line(mouth(crack), { x: "x", y: "z", stroke: "var(--ink)", strokeWidth: 1.4, strokeDasharray: "6 4" }),
+        ]),
         ...fronts("x", "z"), chosen("x", "z"),
       ],
     }));
@@ -70,7 +86,7 @@
   function drawSide() {
     if (!widths.side) return;
     const xc = centre();
-    const all = [...outline(0), ...outline(last)];
+    const all = everywhere();
     const deepest = d3.max(all, (p) => p.depth);
     const load = 0.35 * Math.max(deepest, 0.5 * wheel.half_width);
     const around = [d3.min(all, (p) => p.x) - wheel.half_width, d3.max(all, (p) => p.x) + wheel.half_width];
@@ -83,7 +99,7 @@
         Plot.rect([0], { x1: fit.x[0], x2: fit.x[1], y1: 0, y2: fit.y[1], fill: "var(--rail)" }),
         Plot.line([[fit.x[0], 0], [fit.x[1], 0]], { stroke: "var(--ink)", strokeWidth: 2 }),
         Plot.areaY(pressure, { x: "x", y1: 0, y2: "y", fill: "var(--c1)", fillOpacity: 0.3, stroke: "var(--c1)", clip: true }),
-        Plot.line(outline(state.step), { x: "x", y: "depth", fill: "var(--c0)", fillOpacity: 0.12, stroke: "none" }),
+        ...every((crack) => Plot.line(outline(state.step, crack), { x: "x", y: "depth", fill: "var(--c0)", fillOpacity: crack === state.crack ? 0.18 : 0.08, stroke: "none" })),
         ...fronts("x", "depth"),
         chosen("x", "depth"),
       ],
@@ -92,10 +108,11 @@
 
   function drawPlane() {
     if (!widths.plane) return;
-    const down = (p) => p.depth / Math.sin(data.dip);
+    const { dip, strike, middle } = cracks[state.crack];
+    const down = (p) => p.depth / Math.sin(dip);
     // Along the mouth, which a strike turns away from z.
-    const [sin, cos] = [Math.sin(data.strike), Math.cos(data.strike)];
-    const along = (p) => (sin === 0 ? p.z : (p.z - data.middle[1]) * cos - (p.x - data.middle[0]) * sin);
+    const [sin, cos] = [Math.sin(strike), Math.cos(strike)];
+    const along = (p) => (sin === 0 ? p.z : (p.z - middle[1]) * cos - (p.x - middle[0]) * sin);
     const all = [...outline(0), ...outline(last)];
     const fit = toScale(all.map(along), [0, ...all.map(down)], widths.plane, 380);
     const colour = (i) => `var(--s${Math.round(20 * (last ? i / last : 0.5))})`;
@@ -105,9 +122,9 @@
       marks: [
         Plot.line([[fit.x[0], 0], [fit.x[1], 0]], { stroke: "var(--ink)", strokeWidth: 2 }),
         ...steps.map((_, i) => Plot.line(outline(i), { x: along, y: down, stroke: colour(i), strokeWidth: i === state.step ? 3.2 : 1.2 })),
-        Plot.dot(steps[state.step].front, { x: along, y: down, r: 3, fill: "var(--ground)", stroke: "var(--ink)",
+        Plot.dot(front(state.step), { x: along, y: down, r: 3, fill: "var(--ground)", stroke: "var(--ink)",
           title: (p) => `\u03c6 = ${words(p.phi)}\u00b0\nrate ${words(p.rate)} mm/cycle`, tip: { fill: "var(--ground)", fontSize: 12 } }),
-        Plot.dot([steps[state.step].front[state.point]], { x: along, y: down, r: 5, fill: "var(--c4)", stroke: "var(--ink)" }),
+        Plot.dot([front(state.step)[state.point]], { x: along, y: down, r: 5, fill: "var(--c4)", stroke: "var(--ink)" }),
       ],
     }));
   }
@@ -116,10 +133,10 @@
 
   function drawAlong() {
     if (!widths.along) return;
-    const front = steps[state.step].front;
+    const points = front(state.step);
     const now = MODES.flatMap(([name, , colour]) => {
-      const values = k[state.step][name];
-      const rows = front.map((p, q) => ({ phi: p.phi, k: values[q][state.position], low: d3.min(values[q]), high: d3.max(values[q]) }));
+      const values = k()[name];
+      const rows = points.map((p, q) => ({ phi: p.phi, k: values[q][state.position], low: d3.min(values[q]), high: d3.max(values[q]) }));
       return [
         Plot.areaY(rows, { x: "phi", y1: "low", y2: "high", fill: colour, fillOpacity: 0.12 }),
         Plot.line(rows, { x: "phi", y: "k", stroke: colour, strokeWidth: 2 }),
@@ -128,12 +145,12 @@
     });
     show("along", Plot.plot({
       width: widths.along, height: Math.min(380, Math.max(260, 0.6 * widths.along)), marginLeft: MARGIN.left, marginRight: MARGIN.right, marginTop: MARGIN.top, marginBottom: MARGIN.bottom,
-      x: { ...scale({ title: "\u03c6 along the front (\u00b0)", scale: "linear" }), domain: [0, closed ? 360 : 180], ticks: d3.range(0, 361, 30) },
+      x: { ...scale({ title: "\u03c6 along the front (\u00b0)", scale: "linear" }), domain: [0, closed() ? 360 : 180], ticks: d3.range(0, 361, 30) },
       y: scale({ title: "K (MPa\u221am)", scale: "linear" }), ariaLabel: "K along the front", style,
       marks: [
         Plot.frame({ stroke: "var(--line)" }), Plot.ruleY([0], { stroke: "var(--quiet)" }), ...now,
-        Plot.ruleX([front[state.point].phi], { stroke: "var(--c4)", strokeDasharray: "4 3" }),
-        closed ? null : Plot.ruleX([data.layer, 180 - data.layer], { stroke: "var(--quiet)", strokeDasharray: "2 4" }),
+        Plot.ruleX([points[state.point].phi], { stroke: "var(--c4)", strokeDasharray: "4 3" }),
+        closed() ? null : Plot.ruleX([data.layer, 180 - data.layer], { stroke: "var(--quiet)", strokeDasharray: "2 4" }),
       ],
     }));
   }
@@ -141,7 +158,7 @@
   function drawHistory() {
     if (!widths.history) return;
     const curves = MODES.map(([name, , colour]) =>
-      Plot.line(positions.map((x, i) => [x, k[state.step][name][state.point][i]]), { stroke: colour, strokeWidth: 2 }));
+      Plot.line(positions.map((x, i) => [x, k()[name][state.point][i]]), { stroke: colour, strokeWidth: 2 }));
     show("history", Plot.plot({
       width: widths.history, height: 280, marginLeft: MARGIN.left, marginRight: MARGIN.right, marginTop: MARGIN.top, marginBottom: MARGIN.bottom,
       x: scale({ title: "Wheel position x_{c}/a", scale: "linear" }), y: scale({ title: "K (MPa\u221am)", scale: "linear" }),
@@ -153,24 +170,30 @@
   const DRAW = { above: drawAbove, side: drawSide, plane: drawPlane, along: drawAlong, history: drawHistory };
 
   function changed() {
-    const [step, point] = [steps[state.step], steps[state.step].front[state.point]];
+    const [step, crack, point] = [steps[state.step], steps[state.step].cracks[state.crack], front(state.step)[state.point]];
     find("step-value").textContent = `${step.step} of ${data.last_step}`;
     find("wheel-value").textContent = `${signed(positions[state.position], 2)} a, x = ${signed(centre(), 1)} mm`;
     find("front-value").textContent = `\u03c6 = ${words(point.phi)}\u00b0`;
-    const now = MODES.map(([name, symbol]) => `${symbol.replace(/[_{}]/g, "")} ${signed(k[state.step][name][state.point][state.position] ?? 0, 2)}`).join(", ");
+    const now = MODES.map(([name, symbol]) => `${symbol.replace(/[_{}]/g, "")} ${signed(k()[name][state.point][state.position] ?? 0, 2)}`).join(", ");
     const wanted = point.wanted === null ? "" : ` The direction criterion would kink by ${signed(point.wanted, 0)}\u00b0 there.`;
-    find("readout").textContent = `Half axes ${words(step.depth)} mm down the dip and ${words(step.half_length)} mm along the surface, after ${words(step.cycles)} load cycles. `
+    const whose = cracks.length > 1 ? `Crack ${state.crack + 1}: half` : "Half";
+    find("readout").textContent = `${whose} axes ${words(crack.depth)} mm down the dip and ${words(crack.half_length)} mm along the surface, after ${words(step.cycles)} load cycles. `
       + `At \u03c6 = ${words(point.phi)}\u00b0: ${now} MPa\u221am; \u0394Keq ${words(point.delta_keq)} MPa\u221am, ${words(point.rate)} mm per cycle.${wanted}`;
+    find("front").max = front(state.step).length - 1;
     for (const [id, name] of [["step", "step"], ["wheel", "position"], ["front", "point"]]) find(id).value = state[name];
     for (const draw of Object.values(DRAW)) draw();
   }
 
   find("explorer").hidden = false;
-  for (const [id, name, most] of [["step", "step", last], ["wheel", "position", count - 1], ["front", "point", steps[0].front.length - 1]]) {
+  for (const [id, name, most] of [["step", "step", last], ["wheel", "position", count - 1], ["front", "point", front(0).length - 1]]) {
     find(id).max = most;
     find(id).disabled = most === 0;
     find(id).addEventListener("input", (event) => { stop(); state[name] = +event.target.value; changed(); });
   }
+  const select = find("crack");
+  select.replaceChildren(...cracks.map((_, crack) => new Option(`${crack + 1}`, crack, crack === state.crack, crack === state.crack)));
+  select.closest("label").hidden = cracks.length < 2;
+  select.addEventListener("change", () => { stop(); choose(+select.value); changed(); });
   let playing = null;
   function stop() {
     if (playing !== null) cancelAnimationFrame(playing);

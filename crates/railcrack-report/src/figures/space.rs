@@ -1,5 +1,5 @@
-//! Plots of a run in space: K over the passage, ranges along the front, fronts from above, from the
-//! side and in their plane, half axes against load cycles.
+//! Plots of a run in space: K over the passage, ranges along the fronts, fronts from above and
+//! along the rail, half axes against load cycles.
 
 use super::near::{near, origin};
 use super::plot::Plot;
@@ -14,6 +14,7 @@ use railcrack_run::csv::TipRow;
 use railcrack_run::histories::History;
 
 /// Points of the front whose histories are drawn, degrees: the last two where the two sides differ.
+/// Of several cracks it is the deepest point of each.
 const DRAWN: [f64; 5] = [90.0, 60.0, 30.0, 120.0, 150.0];
 /// Sides whose ranges differ by less of the largest are the same.
 const MIRRORED: f64 = 1e-3;
@@ -53,16 +54,42 @@ fn rows_of(growth: &[TipRow], step: usize) -> impl Iterator<Item = &TipRow> {
     growth.iter().filter(move |row| row.step == step)
 }
 
-/// The points of the front nearest to the drawn angles, as (tip, degrees), each once.
-fn drawn_points(growth: &[TipRow]) -> Vec<(usize, f64)> {
-    let mut points: Vec<(usize, f64)> = Vec::new();
+/// How many cracks there are.
+fn cracks(growth: &[TipRow]) -> usize {
+    growth.iter().map(|row| row.crack).max().unwrap_or(0)
+}
+
+/// A point of a front whose history is drawn, and its name.
+struct Drawn {
+    crack: usize,
+    tip: usize,
+    name: String,
+}
+
+/// The points of the front nearest to the drawn angles, each once; of several cracks the deepest
+/// point of each.
+fn drawn_points(growth: &[TipRow]) -> Vec<Drawn> {
+    let nearest = |crack: usize, wanted: f64| {
+        rows_of(growth, 0)
+            .filter(|row| row.crack == crack)
+            .filter_map(|row| Some((row.tip, row.phi_deg?)))
+            .min_by(|a, b| (a.1 - wanted).abs().total_cmp(&(b.1 - wanted).abs()))
+    };
+    let count = cracks(growth);
+    if count > 1 {
+        let deepest = |crack: usize| {
+            let (tip, _) = nearest(crack, DRAWN[0])?;
+            Some(Drawn { crack, tip, name: format!("crack {crack}") })
+        };
+        return (1..=count).filter_map(deepest).collect();
+    }
+    let mut points: Vec<Drawn> = Vec::new();
     let count = if is_mirrored(growth) { 3 } else { DRAWN.len() };
     for wanted in DRAWN.into_iter().take(count) {
-        let of = |row: &TipRow| Some((row.tip, row.phi_deg?));
-        let nearest = rows_of(growth, 0)
-            .filter_map(of)
-            .min_by(|a, b| (a.1 - wanted).abs().total_cmp(&(b.1 - wanted).abs()));
-        points.extend(nearest.filter(|nearest| points.iter().all(|point| point.0 != nearest.0)));
+        let Some((tip, phi)) = nearest(1, wanted) else { continue };
+        if points.iter().all(|point| point.tip != tip) {
+            points.push(Drawn { crack: 1, tip, name: format!("φ = {phi:.0}°") });
+        }
     }
     points
 }
@@ -81,15 +108,14 @@ fn history_plot(summary: &Summary, model: &str, growth: &[TipRow], shown: &Shown
         steps.first().into_iter().chain(steps.last().filter(|_| steps.len() > 1)).copied().collect();
     let (mut curves, mut far) = (Vec::new(), Vec::new());
     for (place, step) in ends.iter().enumerate() {
-        for (number, (tip, phi)) in points.iter().enumerate() {
-            let Some(history) = shown.histories(*step).iter().find(|history| history.tip == *tip) else {
-                continue;
-            };
+        for (number, Drawn { crack, tip, name }) in points.iter().enumerate() {
+            let is_own = |history: &&History| (history.crack, history.tip) == (*crack, *tip);
+            let Some(history) = shown.histories(*step).iter().find(is_own) else { continue };
             let values: Vec<[f64; 2]> =
                 history.xc_over_a.iter().zip((mode.of)(history)).map(|(&x, &k)| [x, k]).collect();
             let curve = |values: Vec<[f64; 2]>| {
-                let curve =
-                    Curve::line(&format!("φ = {phi:.0}°"), values).with_colour(CurveColour::Category(number));
+                let colour = CurveColour::of(number, points.len());
+                let curve = Curve::line(name, values).with_colour(colour);
                 if place == 0 { curve } else { curve.with_look(CurveLook::Dashed) }
             };
             let near = near(summary, &history.xc_over_a);
@@ -100,7 +126,8 @@ fn history_plot(summary: &Summary, model: &str, growth: &[TipRow], shown: &Shown
             curves.push(curve(values[near].to_vec()));
         }
     }
-    let words = format!("{} over the stabilised passage at points of the front", mode.symbol);
+    let where_drawn = if cracks(growth) > 1 { "the deepest points" } else { "points of the front" };
+    let words = format!("{} over the stabilised passage at {where_drawn}", mode.symbol);
     let chart = Chart {
         id: mode.id.to_owned(),
         caption: format!("{words}."),
@@ -134,17 +161,33 @@ fn ranges(summary: &Summary, model: &str, growth: &[TipRow]) -> Plot {
     ];
     let last = summary.steps_recorded - 1;
     let ends: Vec<usize> = if last > 0 { vec![0, last] } else { vec![0] };
+    let count = cracks(growth);
     let mut curves = Vec::new();
     for &step in &ends {
-        for (number, (name, of)) in quantities.iter().enumerate() {
-            let points = rows_of(growth, step).filter_map(|row| Some([row.phi_deg?, of(row)])).collect();
-            let curve = Curve::line(name, points)
-                .with_dots(CurveDots::All)
-                .with_colour(CurveColour::Category(number));
-            curves.push(if step == 0 { curve } else { curve.with_look(CurveLook::Dashed) });
+        let look = |curve: Curve| if step == 0 { curve } else { curve.with_look(CurveLook::Dashed) };
+        let along = |crack: usize, of: OfRow| {
+            let own = rows_of(growth, step).filter(move |row| row.crack == crack);
+            own.filter_map(move |row| Some([row.phi_deg?, of(row)])).collect()
+        };
+        if count > 1 {
+            let of_crack = |crack: usize| {
+                let curve = Curve::line(&format!("crack {crack}"), along(crack, |row| row.delta_keq));
+                look(curve.with_dots(CurveDots::All).with_colour(CurveColour::of(crack - 1, count)))
+            };
+            curves.extend((1..=count).map(of_crack));
+        } else {
+            let of_range = |(number, (name, of)): (usize, &(&str, OfRow))| {
+                let curve = Curve::line(name, along(1, *of));
+                look(curve.with_dots(CurveDots::All).with_colour(CurveColour::Category(number)))
+            };
+            curves.extend(quantities.iter().enumerate().map(of_range));
         }
     }
-    let words = "Ranges over the stabilised passage along the front";
+    let words = if count > 1 {
+        "ΔK_{eq} over the stabilised passage along the fronts"
+    } else {
+        "Ranges over the stabilised passage along the front"
+    };
     let chart = Chart {
         id: "along-front".to_owned(),
         caption: format!(
@@ -169,25 +212,32 @@ fn fronts(summary: &Summary, model: &str, growth: &[TipRow]) -> Plot {
     let parts = last.clamp(1, FRONTS - 1);
     let mut steps: Vec<usize> = (0..=parts).map(|part| (part * last + parts / 2) / parts).collect();
     steps.dedup();
-    let is_closed = growth.iter().any(|row| row.phi_deg.is_some_and(|phi| phi > 180.5));
+    let is_closed = |crack: usize| {
+        growth.iter().any(|row| row.crack == crack && row.phi_deg.is_some_and(|phi| phi > 180.5))
+    };
     let curves = |of: &dyn Fn(&TipRow) -> Option<[f64; 2]>, closes: bool| -> Vec<Curve> {
-        let curve = |(place, &step): (usize, &usize)| {
-            let mut points: Vec<[f64; 2]> = rows_of(growth, step).filter_map(of).collect();
-            let first = points.first().copied().filter(|_| closes && is_closed);
+        let curve = |place: usize, crack: usize| {
+            let step = steps[place];
+            let own = rows_of(growth, step).filter(|row| row.crack == crack);
+            let mut points: Vec<[f64; 2]> = own.filter_map(of).collect();
+            let first = points.first().copied().filter(|_| closes && is_closed(crack));
             points.extend(first);
             let (name, colour) = match step {
                 0 => ("initial front".to_owned(), CurveColour::Ink),
                 step => (format!("step {step}"), CurveColour::Along(place as f64 / steps.len() as f64)),
             };
+            // One entry in the legend for all cracks.
+            let name = if crack == 1 { name } else { String::new() };
             let curve = Curve::line(&name, points).with_colour(colour);
             if step == 0 { curve.with_width(CurveWidth::Wide) } else { curve }
         };
-        steps.iter().enumerate().map(curve).collect()
+        let of_step = |place: usize| (1..=cracks(growth)).map(move |crack| (place, crack));
+        (0..steps.len()).flat_map(of_step).map(|(place, crack)| curve(place, crack)).collect()
     };
     let above = Chart {
         id: "from-above".to_owned(),
         heading: "From above".to_owned(),
-        caption: "The front from above, to scale.".to_owned(),
+        caption: "The fronts from above, to scale.".to_owned(),
         x: ChartAxis::linear("z, across the rail", "mm"),
         y: ChartAxis::linear("x, along the rail", "mm"),
         curves: curves(&|row| Some([row.lateral?, row.place[0]]), true),
@@ -197,7 +247,7 @@ fn fronts(summary: &Summary, model: &str, growth: &[TipRow]) -> Plot {
     let side = Chart {
         id: "from-the-front".to_owned(),
         heading: "Along the rail".to_owned(),
-        caption: "The front as seen along the rail, to scale.".to_owned(),
+        caption: "The fronts as seen along the rail, to scale.".to_owned(),
         x: ChartAxis::linear("z, across the rail", "mm"),
         y: ChartAxis::depth(),
         curves: curves(&|row| Some([row.lateral?, -row.place[1]]), true),
@@ -215,17 +265,34 @@ fn fronts(summary: &Summary, model: &str, growth: &[TipRow]) -> Plot {
 
 /// Both half axes against load cycles.
 fn half_axes(summary: &Summary, model: &str, growth: &[TipRow]) -> Plot {
-    let of = |name: &str, value: fn(&TipRow) -> Option<f64>, colour: usize| {
-        let rows = growth.iter().filter(|row| row.tip == 1);
+    let of = |name: &str, crack: usize, value: fn(&TipRow) -> Option<f64>| {
+        let rows = growth.iter().filter(move |row| row.crack == crack && row.tip == 1);
         let points = rows.filter_map(|row| Some([row.load_cycles, value(row)?])).collect();
-        Curve::line(name, points).with_dots(CurveDots::All).with_colour(CurveColour::Category(colour))
+        Curve::line(name, points).with_dots(CurveDots::All)
     };
-    let curves = vec![
-        of("half axis down the dip", |row| Some(row.length), 0),
-        of("half axis along the surface", |row| row.half_length, 1),
-    ];
-    let caption = "Half axes of the crack against load cycles (axles); a dot for each growth step.";
+    let down: fn(&TipRow) -> Option<f64> = |row| Some(row.length);
+    let along: fn(&TipRow) -> Option<f64> = |row| row.half_length;
+    let count = cracks(growth);
+    let curves = match count {
+        0 | 1 => vec![
+            of("half axis down the dip", 1, down).with_colour(CurveColour::Category(0)),
+            of("half axis along the surface", 1, along).with_colour(CurveColour::Category(1)),
+        ],
+        count => (1..=count)
+            .flat_map(|crack| {
+                let colour = CurveColour::of(crack - 1, count);
+                let solid = of(&format!("crack {crack}"), crack, down).with_colour(colour);
+                [solid, of("", crack, along).with_colour(colour).with_look(CurveLook::Dashed)]
+            })
+            .collect(),
+    };
+    let caption = "Half axes of the cracks against load cycles (axles); a dot for each growth step.";
     let chart = Chart { curves, ..super::cycles::chart(caption, Vec::new()) };
-    let subtitle = format!("Half axes of the crack, a dot for each growth step · {model}");
-    Plot::sheet("length-cycles.svg", ChartSheet::of(&summary.title, &subtitle, chart))
+    let subtitle = format!("Half axes of the cracks, a dot for each growth step · {model}");
+    let mut sheet = ChartSheet::of(&summary.title, &subtitle, chart);
+    if count > 1 {
+        let axes = ["down the dip", "along the surface"];
+        sheet.legend = SheetLegend::Names(LegendEntry::solid_and_dashed(axes).to_vec());
+    }
+    Plot::sheet("length-cycles.svg", sheet)
 }

@@ -93,6 +93,15 @@ impl CrackNetwork {
         Ok(Self { cracks, junctions, points })
     }
 
+    /// Sections of cracks in space, at least one: they may cross, since the cracks may lie beside
+    /// each other. No engine in the plane takes such a network.
+    pub fn sections(cracks: Vec<Crack>) -> Result<Self, NetworkError> {
+        if cracks.is_empty() {
+            return Err(NetworkError::Empty);
+        }
+        Ok(Self { cracks, junctions: Vec::new(), points: Vec::new() })
+    }
+
     /// The cracks, in order.
     pub fn cracks(&self) -> &[Crack] {
         &self.cracks

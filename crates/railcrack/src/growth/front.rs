@@ -1,5 +1,6 @@
 //! Fronts of cracks in space: what their records have beside those of tips in the plane.
 
+use super::TipStop;
 use serde::{Deserialize, Serialize};
 
 /// Shape of a planar crack in space: half of an ellipse that breaks the surface, or a whole one
@@ -49,7 +50,9 @@ pub struct FrontTip {
 /// Increment of a front whose cycles are known once the speed at its end is.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct FrontInterval {
-    /// Which of the motions of the front set the pace.
+    /// The crack (from 0) that set the pace.
+    pub crack: usize,
+    /// Which of the motions of its front did.
     pub motion: FrontMotion,
     /// Its speed at the start, mm per cycle.
     pub speed: f64,
@@ -72,16 +75,18 @@ pub enum FrontMotion {
     Minus,
 }
 
-/// A crack in space between two steps.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+/// Cracks in space between two steps.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct FrontState {
-    /// Its shape at the start of the step to compute next.
-    pub shape: FrontShape,
-    /// The increment that led to it.
+    /// Their shapes at the start of the step to compute next.
+    pub shapes: Vec<FrontShape>,
+    /// Why each no longer grows.
+    pub stopped: Vec<Option<TipStop>>,
+    /// The increment that led to the shapes.
     pub interval: Option<FrontInterval>,
 }
 
-/// Faces of a crack in space beside their [`FaceRecord`](super::FaceRecord).
+/// Faces of cracks in space beside their [`FaceRecord`](super::FaceRecord).
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct FaceAcross {
     /// Lateral position of each face point, mm.
@@ -91,12 +96,12 @@ pub struct FaceAcross {
     pub states: Vec<Vec<[f64; 2]>>,
 }
 
-/// A crack in space at one step.
+/// Cracks in space at one step.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FrontRecord {
-    /// Its shape.
-    pub shape: FrontShape,
-    /// Corners of its cells: face points, then the points of the front.
+    /// Their shapes.
+    pub shapes: Vec<FrontShape>,
+    /// Corners of their cells: face points, then the points of the fronts.
     pub cells: Vec<[usize; 4]>,
     /// Output positions (from 0) whose jumps are written.
     pub written: Vec<usize>,

@@ -29,7 +29,7 @@ pub struct GrowthState {
     pub deferred: Vec<Vec<DeferredGrowth>>,
     /// The running surface as wear and grinding have left it.
     pub worn: WornSurface,
-    /// The crack in space, of a run there.
+    /// The cracks in space, of a run there.
     pub front: Option<FrontState>,
     /// Set when the run has ended.
     pub ended: Option<RunStop>,

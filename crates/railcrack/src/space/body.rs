@@ -1,6 +1,7 @@
 //! Cracked body in space: compliance, stiffness and stress intensity factors along the front.
 
 use super::Symmetric;
+use super::cross::{Placed, cross_stiffness};
 use super::galerkin::{Galerkin, ImagePart};
 use super::grid::{Grid, SpaceResolution};
 use super::image_table::ImageTable;
@@ -12,41 +13,94 @@ use crate::material::IsotropicElastic;
 use crate::math::{Matrix, gauss_legendre};
 use rayon::prelude::*;
 use std::f64::consts::PI;
+use std::ops::Range;
 use std::sync::Arc;
 use thiserror::Error;
 
 /// Points per cell and direction at which the stress of the uncracked rail is taken.
 const LOAD_POINTS: usize = 4;
 
+/// Distance of two cracks over their smallest half-axis that is allowed at least: so far the
+/// integrals between them are verified, and cells resolve what lies between them.
+pub const LEAST_DISTANCE: f64 = 0.05;
+
 /// A body in space that cannot be made.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum SpaceError {
-    /// The stiffness of the crack is not positive definite, or not finite.
+    /// The stiffness of the cracks is not positive definite, or not finite.
     #[error(transparent)]
     Linear(#[from] LinearError),
     /// Given up on request.
     #[error("{0}")]
     Interrupted(#[from] Interrupted),
+    /// Cracks that meet, or nearly so.
+    #[error(transparent)]
+    Close(#[from] CloseCracks),
 }
 
-/// The half-space seen from planes of one dip: what cracks that grow in their plane share.
+/// Two cracks in space that meet, or nearly so.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[error(
+    "cracks {} and {} in space are {distance:.3e} mm apart: must be at least {least:.3e} mm, {LEAST_DISTANCE} of the smallest \
+     half axis of the two", first + 1, second + 1
+)]
+pub struct CloseCracks {
+    /// One of them, from 0.
+    pub first: usize,
+    /// The other one.
+    pub second: usize,
+    /// Their distance, mm.
+    pub distance: f64,
+    /// The distance allowed, mm.
+    pub least: f64,
+}
+
+impl CloseCracks {
+    /// The first two of `cracks` that are too close to each other.
+    pub fn among(cracks: &[SpaceCrack]) -> Option<Self> {
+        let pairs = (0..cracks.len()).flat_map(|second| (0..second).map(move |first| (first, second)));
+        let of = |(first, second): (usize, usize)| {
+            let axes = [&cracks[first], &cracks[second]].map(|crack| crack.depth.min(crack.half_length));
+            let least = LEAST_DISTANCE * axes[0].min(axes[1]);
+            let distance = cracks[first].distance(&cracks[second]);
+            (distance < least).then_some(Self { first, second, distance, least })
+        };
+        pairs.into_iter().find_map(of)
+    }
+}
+
+/// The half-space seen from planes of some dips: what cracks that grow in their planes share.
 #[derive(Debug, Clone)]
 pub struct SpaceKernel {
-    dip: f64,
     poisson: f64,
-    table: Arc<ImageTable>,
+    tables: Vec<(f64, Arc<ImageTable>)>,
 }
 
 impl SpaceKernel {
-    /// For planes that go down at `dip` (radians) in steel of Poisson's ratio `poisson`.
-    pub fn new(dip: f64, poisson: f64) -> Self {
-        Self { dip, poisson, table: Arc::new(ImageTable::new(dip, poisson)) }
+    /// For planes that go down at `dips` (radians) in steel of Poisson's ratio `poisson`.
+    pub fn new(dips: &[f64], poisson: f64) -> Self {
+        let mut kernel = Self { poisson, tables: Vec::new() };
+        for &dip in dips {
+            let table = kernel.image(dip).table;
+            if kernel.tables.iter().all(|(known, _)| *known != dip) {
+                kernel.tables.push((dip, table));
+            }
+        }
+        kernel
+    }
+
+    /// The image seen from planes of a dip, computed where it is not one of the given ones.
+    fn image(&self, dip: f64) -> ImagePart {
+        let known = self.tables.iter().find(|(known, _)| *known == dip).map(|(_, table)| Arc::clone(table));
+        ImagePart { table: known.unwrap_or_else(|| Arc::new(ImageTable::new(dip, self.poisson))), dip }
     }
 }
 
 /// A point of the front.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FrontPoint {
+    /// Its crack, from 0.
+    pub crack: usize,
     /// Parametric angle: 0 and π at the surface, π/2 at the deepest point, radians.
     pub phi: f64,
     /// x, lateral and depth, mm.
@@ -79,17 +133,30 @@ impl FrontSif {
 /// Where the stress of the uncracked rail is taken, and its part in the nodal forces.
 #[derive(Debug, Clone)]
 pub(super) struct LoadPoint {
+    /// Its crack, from 0.
+    pub crack: usize,
     /// x, lateral and depth, mm.
     pub position: [f64; 3],
     /// Points of the crack and the integrals of their hats, mm².
     pub hats: [(usize, f64); 4],
 }
 
-/// A planar crack in the half-space as matrices: with f the nodal forces on its faces,
-/// ⟦w⟧ = C f and K = S f.
+/// A crack of a body.
+#[derive(Debug, Clone)]
+pub struct CrackPart {
+    /// The directions of its plane.
+    pub frame: PlaneFrame,
+    /// Its points.
+    pub points: Range<usize>,
+    /// The points of its front.
+    pub front: Range<usize>,
+}
+
+/// Planar cracks in the half-space as matrices: with f the nodal forces on their faces, ⟦w⟧ = C f
+/// and K = S f. Points and points of fronts are those of the first crack, then of the next.
 #[derive(Debug, Clone)]
 pub struct SpaceBody {
-    frame: PlaneFrame,
+    cracks: Vec<CrackPart>,
     points: Vec<[f64; 3]>,
     front: Vec<FrontPoint>,
     stiffness: Matrix,
@@ -101,77 +168,109 @@ pub struct SpaceBody {
 }
 
 impl SpaceBody {
-    /// The body with `crack` in `surroundings`.
+    /// The body with `cracks` in `surroundings`.
     ///
-    /// Errors: a stiffness that is not positive definite.
+    /// Errors: cracks that are too close to each other; a stiffness that is not positive definite.
     pub fn new(
-        crack: &SpaceCrack,
+        cracks: &[SpaceCrack],
         steel: &IsotropicElastic,
         surroundings: Surroundings,
         resolution: SpaceResolution,
     ) -> Result<Self, SpaceError> {
+        let dips: Vec<f64> = cracks.iter().map(|crack| crack.dip).collect();
         let kernel =
-            (surroundings == Surroundings::HalfSpace).then(|| SpaceKernel::new(crack.dip, steel.poisson()));
-        Self::with_kernel(crack, steel, kernel.as_ref(), resolution, Interruption::NEVER)
+            (surroundings == Surroundings::HalfSpace).then(|| SpaceKernel::new(&dips, steel.poisson()));
+        Self::with_kernel(cracks, steel, kernel.as_ref(), resolution, Interruption::NEVER)
     }
 
-    /// The body with `crack` in the half-space of `kernel`, or in the full space without one. Given
-    /// up on an `interruption`.
+    /// The body with `cracks` in the half-space of `kernel`, or in the full space without one.
+    /// Given up on an `interruption`.
     ///
-    /// Errors: a stiffness that is not positive definite; the interruption.
+    /// Errors: cracks that are too close to each other; a stiffness that is not positive definite;
+    /// the interruption.
     pub fn with_kernel(
-        crack: &SpaceCrack,
+        cracks: &[SpaceCrack],
         steel: &IsotropicElastic,
         kernel: Option<&SpaceKernel>,
         resolution: SpaceResolution,
         interruption: Interruption<'_>,
     ) -> Result<Self, SpaceError> {
-        let grid = Grid::new(crack, resolution);
-        let poisson = steel.poisson();
-        debug_assert!(kernel.is_none_or(|kernel| (kernel.dip, kernel.poisson) == (crack.dip, poisson)));
-        let image = kernel.map(|kernel| ImagePart { table: Arc::clone(&kernel.table), dip: crack.dip });
-        let mut stiffness = Galerkin::new(&grid, poisson, image.as_ref()).stiffness_unless(interruption)?;
-        let mu = steel.shear_modulus();
-        (0..stiffness.rows()).for_each(|i| stiffness.row_mut(i).iter_mut().for_each(|v| *v *= mu));
-        let compliance = spd_inverse_unless(interruption, &stiffness)?;
-        let sif_of_jumps = front_rows(&grid, steel);
-        let sif_influence = crate::linear::product(&sif_of_jumps, &compliance)?;
-        let frame = PlaneFrame::turned(crack.dip, crack.strike);
-        let place = |[s, zeta]: [f64; 2]| {
-            let [x, lateral, depth] = frame.position(s.max(0.0), zeta);
-            [x + crack.middle[0], lateral + crack.middle[1], depth]
-        };
-        let points = grid.vertices[..grid.free].iter().map(|&p| place(p)).collect();
-        let front = grid
-            .front
+        if let Some(close) = CloseCracks::among(cracks) {
+            return Err(close.into());
+        }
+        let grids: Vec<Grid> = cracks.iter().map(|crack| Grid::new(crack, resolution)).collect();
+        let placed: Vec<Placed> = cracks
             .iter()
-            .enumerate()
-            .map(|(t, column)| FrontPoint {
-                phi: column.phi,
-                position: place(grid.vertices[grid.free + t]),
-                normal: column.normal,
-            })
+            .zip(&grids)
+            .map(|(crack, grid)| Placed { grid, frame: crack.frame(), middle: crack.middle })
             .collect();
+        let stiffness = stiffness_of(cracks, &placed, steel, kernel, interruption)?;
+        let compliance = spd_inverse_unless(interruption, &stiffness)?;
+        let total = stiffness.rows() / 3;
+        let fronts = grids.iter().map(|grid| grid.front.len()).sum::<usize>();
+        let mut body = Self {
+            cracks: Vec::with_capacity(cracks.len()),
+            points: Vec::with_capacity(total),
+            front: Vec::with_capacity(fronts),
+            sif_of_jumps: Matrix::zeros(3 * fronts, 3 * total),
+            sif_influence: Matrix::zeros(0, 0),
+            stiffness,
+            compliance,
+            loads: Vec::new(),
+            cells: Vec::new(),
+        };
+        placed.iter().for_each(|crack| body.append(crack, steel, total));
+        body.sif_influence = crate::linear::product(&body.sif_of_jumps, &body.compliance)?;
+        Ok(body)
+    }
+
+    /// Appends the points of a crack, of `total` in all.
+    fn append(&mut self, placed: &Placed, steel: &IsotropicElastic, total: usize) {
+        let (crack, grid) = (self.cracks.len(), placed.grid);
+        let (first, first_of_front) = (self.points.len(), self.front.len());
+        let vertex =
+            |v: usize| if v < grid.free { first + v } else { total + first_of_front + v - grid.free };
+        front_rows(grid, steel, [3 * first_of_front, 3 * first], &mut self.sif_of_jumps);
+        self.points.extend(grid.vertices[..grid.free].iter().map(|&p| placed.place(p)));
+        self.front.extend(grid.front.iter().enumerate().map(|(t, column)| FrontPoint {
+            crack,
+            phi: column.phi,
+            position: placed.place(grid.vertices[grid.free + t]),
+            normal: column.normal,
+        }));
         let rule = gauss_legendre(LOAD_POINTS);
-        let mut loads = Vec::new();
         for cell in &grid.cells {
             for (u, wu) in &rule {
                 for (v, wv) in &rule {
                     let point = cell.at(*u, *v);
                     let hats = std::array::from_fn(|a| {
                         let weight = wu * wv * point.area * point.hats[a];
-                        let vertex = cell.vertices[a];
-                        if vertex < grid.free { (vertex, weight) } else { (0, 0.0) }
+                        let corner = cell.vertices[a];
+                        if corner < grid.free { (vertex(corner), weight) } else { (first, 0.0) }
                     });
-                    loads.push(LoadPoint { position: place(point.position), hats });
+                    self.loads.push(LoadPoint { crack, position: placed.place(point.position), hats });
                 }
             }
         }
-        let cells = grid.cells.iter().map(|cell| cell.vertices).collect();
-        Ok(Self { frame, points, front, stiffness, compliance, sif_influence, sif_of_jumps, loads, cells })
+        self.cells.extend(grid.cells.iter().map(|cell| cell.vertices.map(vertex)));
+        self.cracks.push(CrackPart {
+            frame: placed.frame,
+            points: first..self.points.len(),
+            front: first_of_front..self.front.len(),
+        });
     }
 
-    /// Points of the crack that carry a jump: x, lateral and depth, mm.
+    /// The cracks.
+    pub fn cracks(&self) -> &[CrackPart] {
+        &self.cracks
+    }
+
+    /// The crack (from 0) of a point.
+    pub fn crack_of(&self, point: usize) -> usize {
+        self.cracks.partition_point(|crack| crack.points.end <= point)
+    }
+
+    /// Points of the cracks that carry a jump: x, lateral and depth, mm.
     pub fn points(&self) -> &[[f64; 3]] {
         &self.points
     }
@@ -185,25 +284,28 @@ impl SpaceBody {
         areas
     }
 
-    /// Where along the rail the crack is, mm: the middle of its mouth, or of a buried crack.
+    /// Where along the rail the cracks are, mm: the middles of their mouths; where none breaks the
+    /// surface, that of the first.
     pub fn places(&self) -> Vec<f64> {
-        let at_surface = self.points.iter().filter(|point| point[2] == 0.0);
-        let [mouth, all] = [at_surface.collect(), self.points.iter().collect::<Vec<_>>()];
-        let points = if mouth.is_empty() { all } else { mouth };
-        vec![points.iter().map(|point| point[0]).sum::<f64>() / points.len() as f64]
+        let mean = |points: Vec<&[f64; 3]>| {
+            let sum = points.iter().map(|point| point[0]).sum::<f64>();
+            (!points.is_empty()).then(|| sum / points.len() as f64)
+        };
+        let of = |crack: &CrackPart| self.points[crack.points.clone()].iter();
+        let mouths = self.cracks.iter().map(|crack| mean(of(crack).filter(|p| p[2] == 0.0).collect()));
+        let places: Vec<f64> = mouths.flatten().collect();
+        if !places.is_empty() {
+            return places;
+        }
+        self.cracks.first().and_then(|crack| mean(of(crack).collect())).into_iter().collect()
     }
 
-    /// Points of the front, by growing φ.
+    /// Points of the fronts, of each by growing φ.
     pub fn front(&self) -> &[FrontPoint] {
         &self.front
     }
 
-    /// The directions of the plane of the crack.
-    pub fn frame(&self) -> &PlaneFrame {
-        &self.frame
-    }
-
-    /// Vertices of the cells: points of the crack, then points of the front.
+    /// Vertices of the cells: points of the cracks, then points of the fronts.
     pub fn cells(&self) -> &[[usize; 4]] {
         &self.cells
     }
@@ -226,7 +328,7 @@ impl SpaceBody {
     /// Nodal forces (N), 3p, of a stress field of the uncracked rail given at x, lateral and depth.
     pub fn nodal_forces(&self, stress: impl Fn([f64; 3]) -> Symmetric + Sync) -> Vec<f64> {
         let tractions: Vec<_> =
-            self.loads.par_iter().map(|p| self.frame.traction(&stress(p.position))).collect();
+            self.loads.par_iter().map(|p| self.cracks[p.crack].frame.traction(&stress(p.position))).collect();
         let mut forces = vec![0.0; 3 * self.points.len()];
         for (point, traction) in self.loads.iter().zip(tractions) {
             for (a, weight) in point.hats {
@@ -251,10 +353,63 @@ fn sifs(values: &[f64]) -> Vec<FrontSif> {
     values.chunks_exact(3).map(|k| FrontSif { ki: k[0], kii: k[1], kiii: k[2] }).collect()
 }
 
+/// A of all cracks, N/mm.
+fn stiffness_of(
+    cracks: &[SpaceCrack],
+    placed: &[Placed],
+    steel: &IsotropicElastic,
+    kernel: Option<&SpaceKernel>,
+    interruption: Interruption<'_>,
+) -> Result<Matrix, SpaceError> {
+    let poisson = steel.poisson();
+    debug_assert!(kernel.is_none_or(|kernel| kernel.poisson == poisson));
+    let surroundings = kernel.map_or(Surroundings::FullSpace, |_| Surroundings::HalfSpace);
+    let starts: Vec<usize> = placed
+        .iter()
+        .scan(0, |next, crack| {
+            let start = *next;
+            *next += 3 * crack.grid.free;
+            Some(start)
+        })
+        .collect();
+    let order = placed.iter().map(|crack| 3 * crack.grid.free).sum();
+    let mut stiffness = Matrix::zeros(order, order);
+    let mu = steel.shear_modulus();
+    for (k, (crack, &start)) in placed.iter().zip(&starts).enumerate() {
+        let size = 3 * crack.grid.free;
+        // Copies have the same own stiffness, wherever they are.
+        if let Some(copied) = (0..k).find(|&other| cracks[k].is_copy_of(&cracks[other])) {
+            let from = starts[copied];
+            for i in 0..size {
+                let row = stiffness.row(from + i)[from..from + size].to_vec();
+                stiffness.row_mut(start + i)[start..start + size].copy_from_slice(&row);
+            }
+        } else {
+            let image = kernel.map(|kernel| kernel.image(cracks[k].dip));
+            let own = Galerkin::new(crack.grid, poisson, image.as_ref()).stiffness_unless(interruption)?;
+            for i in 0..size {
+                let into = &mut stiffness.row_mut(start + i)[start..start + size];
+                into.iter_mut().zip(own.row(i)).for_each(|(into, value)| *into = mu * value);
+            }
+        }
+        for (other, &first) in placed[..k].iter().zip(&starts) {
+            let between = cross_stiffness([*other, *crack], surroundings, poisson, interruption)?;
+            for i in 0..between.rows() {
+                for (j, value) in between.row(i).iter().enumerate() {
+                    stiffness[(first + i, start + j)] = mu * value;
+                    stiffness[(start + j, first + i)] = mu * value;
+                }
+            }
+        }
+    }
+    Ok(stiffness)
+}
+
 /// K from the jumps of the first two rows: w = α η + β η³ along a column, α √(distance) near the
 /// front, and K_I = μ α √(2π) / (4 (1 − ν)), the same for K_II, without (1 − ν) for K_III.
-fn front_rows(grid: &Grid, steel: &IsotropicElastic) -> Matrix {
-    let mut rows = Matrix::zeros(3 * grid.front.len(), 3 * grid.free);
+/// The rows begin at `start` in `rows`.
+fn front_rows(grid: &Grid, steel: &IsotropicElastic, start: [usize; 2], rows: &mut Matrix) {
+    let [first, left] = start;
     for (q, column) in grid.front.iter().enumerate() {
         let [e, f] = column.parameters;
         let weights = [f * f / (e * (f * f - e * e)), -e * e / (f * (f * f - e * e))];
@@ -262,13 +417,13 @@ fn front_rows(grid: &Grid, steel: &IsotropicElastic) -> Matrix {
         let plane = scale / (1.0 - steel.poisson());
         let [ms, mz] = column.normal;
         for (vertex, weight) in column.vertices.into_iter().zip(weights) {
-            rows[(3 * q, 3 * vertex)] += plane * weight;
-            rows[(3 * q + 1, 3 * vertex + 1)] += plane * weight * ms;
-            rows[(3 * q + 1, 3 * vertex + 2)] += plane * weight * mz;
+            let (row, at) = (first + 3 * q, left + 3 * vertex);
+            rows[(row, at)] += plane * weight;
+            rows[(row + 1, at + 1)] += plane * weight * ms;
+            rows[(row + 1, at + 2)] += plane * weight * mz;
             // The front's direction, normal × x2: (−m_ζ, m_s).
-            rows[(3 * q + 2, 3 * vertex + 1)] -= scale * weight * mz;
-            rows[(3 * q + 2, 3 * vertex + 2)] += scale * weight * ms;
+            rows[(row + 2, at + 1)] -= scale * weight * mz;
+            rows[(row + 2, at + 2)] += scale * weight * ms;
         }
     }
-    rows
 }

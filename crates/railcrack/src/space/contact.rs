@@ -86,8 +86,8 @@ pub struct StepReport {
 pub struct SpaceContact<'a> {
     /// The body.
     pub body: &'a SpaceBody,
-    /// Crack-face friction coefficient μ, not negative.
-    pub friction: f64,
+    /// Crack-face friction coefficient μ of each crack, not negative.
+    pub friction: &'a [f64],
 }
 
 impl SpaceContact<'_> {
@@ -150,7 +150,7 @@ impl SpaceContact<'_> {
             // Where no point changes its state the error falls as the square of the change.
             let wanted = if kinds == last.0 { (0.1 * last.1).clamp(FINEST, COARSEST) } else { COARSEST };
             let mut change = self.held(&states, &jumps, before);
-            let conditions = Linearised::new(self.body.stiffness(), self.friction, &states);
+            let conditions = Linearised::new(self.body.stiffness(), &states);
             let sum = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a + b).collect::<Vec<f64>>();
             let slip: Vec<f64> =
                 sum(&jumps, &change.jumps).iter().zip(&before.jumps).map(|(new, old)| new - old).collect();
@@ -200,14 +200,20 @@ impl SpaceContact<'_> {
         let normal = reactions[3 * a] - weight * jumps[3 * a];
         let [s, t] = [1, 2].map(|c| reactions[3 * a + c] - weight * (jumps[3 * a + c] - before[3 * a + c]));
         let size = s.hypot(t);
+        let friction = self.friction_at(a);
         if normal <= 0.0 {
-            PointState { status: SpaceStatus::Open, turning: 0.0 }
-        } else if size <= self.friction * normal || size == 0.0 {
-            PointState { status: SpaceStatus::Stick, turning: 0.0 }
+            PointState { status: SpaceStatus::Open, friction, turning: 0.0 }
+        } else if size <= friction * normal || size == 0.0 {
+            PointState { status: SpaceStatus::Stick, friction, turning: 0.0 }
         } else {
             let status = SpaceStatus::Slip { direction: [s / size, t / size] };
-            PointState { status, turning: self.friction * normal / size }
+            PointState { status, friction, turning: friction * normal / size }
         }
+    }
+
+    /// μ at point a.
+    fn friction_at(&self, a: usize) -> f64 {
+        self.friction[self.body.crack_of(a)]
     }
 
     /// The change of jumps that are held, to where they are held.
@@ -240,7 +246,7 @@ impl SpaceContact<'_> {
                 .max(open)
                 .max(pull)
                 .max(both.abs())
-                .max((shear - self.friction * r.max(0.0)).max(0.0) / force)
+                .max((shear - self.friction_at(a) * r.max(0.0)).max(0.0) / force)
         })
     }
 }

@@ -173,6 +173,7 @@ mod tests {
             let normal = [sin / shape.depth, cos / shape.half_length];
             let size = normal[0].hypot(normal[1]);
             FrontPoint {
+                crack: 0,
                 phi,
                 position: [0.0, shape.half_length * cos, shape.depth * sin],
                 normal: normal.map(|n| n / size),

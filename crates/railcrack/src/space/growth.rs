@@ -1,7 +1,7 @@
-//! Growth of a planar crack in space, step by step: passages, rates along the front, the next
-//! ellipse.
+//! Growth of planar cracks in space, step by step: passages, rates along the fronts, the
+//! next ellipses.
 
-use super::body::{SpaceBody, SpaceError, SpaceKernel};
+use super::body::{CloseCracks, SpaceBody, SpaceError, SpaceKernel};
 use super::contact::{SpaceContact, SpaceContactError};
 use super::front_motion::{FrontSpeeds, counts};
 use super::grid::SpaceResolution;
@@ -12,14 +12,14 @@ use super::records::{StepOf, face_record, passage_record};
 use super::shape::{Extent, ShapeError, SpaceCrack};
 use super::stabilised::{StabilisedSpace, stabilised_space_passage};
 use super::tips::{FrontDrive, FrontLaw};
-use super::way::Way;
+use super::way::{Start, Way};
 use super::wheel::EllipticWheel;
 use crate::body::BodyError;
-use crate::crack::{Crack, CrackError};
+use crate::crack::{Crack, CrackError, CrackNetwork};
 use crate::field::StressField;
 use crate::growth::{
     FieldSettings, FrontInterval, FrontRecord, FrontShape, FrontState, GrowthError, GrowthSettings,
-    GrowthState, Observer, PassageSettings, PhaseTimes, RunStop, StepRecord, TipJudge, TipStop, Warning,
+    GrowthState, Observer, PassageSettings, PhaseTimes, StepRecord, TipJudge, TipRecord, TipStop, Warning,
     WarningKind,
 };
 use crate::interruption::Interruption;
@@ -33,12 +33,8 @@ use std::time::Instant;
 const OVERLAP: f64 = 0.02;
 /// Rates that differ from those of the ellipse by this share of the largest are worth a warning.
 const MISFIT: f64 = 0.25;
-/// Cycles that fall short by this fraction are the cycles asked for.
-const CYCLES_ROUNDING: f64 = 1e-12;
-/// The ligament of a buried crack to the surface, over its half axis, that is used up.
-const LIGAMENT: f64 = 0.05;
 
-/// Everything that decides how a crack in space grows.
+/// Everything that decides how cracks in space grow.
 pub struct SpaceProblem {
     /// The steel.
     pub steel: IsotropicElastic,
@@ -49,9 +45,9 @@ pub struct SpaceProblem {
     /// Stress of the rail that stays between passages: of depth alone, the same at all lateral
     /// positions.
     pub residual: Option<Box<dyn StressField>>,
-    /// Crack-face friction coefficient.
-    pub friction: f64,
-    /// Cells of the crack.
+    /// Crack-face friction coefficient of each crack.
+    pub friction: Vec<f64>,
+    /// Cells of each crack.
     pub resolution: SpaceResolution,
     /// Passages of the wheel.
     pub passages: PassageSettings,
@@ -65,7 +61,7 @@ pub struct SpaceProblem {
     pub rail: RailBox,
 }
 
-/// The growth of a crack in space; each step is computed on virgin faces.
+/// The growth of cracks in space; each step is computed on virgin faces.
 pub struct SpaceGrowth {
     problem: SpaceProblem,
     judge: Option<Arc<dyn TipJudge>>,
@@ -115,14 +111,15 @@ impl FrontShape {
 }
 
 impl GrowthState {
-    /// The beginning of a run with a crack in space.
+    /// The beginning of a run with cracks in space, at least one.
     ///
     /// Errors: an inadmissible shape.
-    pub fn initial_in_space(shape: FrontShape) -> Result<Self, CrackError> {
-        let section = shape.section()?;
-        let network = crate::crack::CrackNetwork::new(vec![section])
-            .map_err(|_| CrackError::TooFewPoints { count: 0 })?;
-        Ok(Self { front: Some(FrontState { shape, interval: None }), ..Self::initial(&network) })
+    pub fn initial_in_space(shapes: Vec<FrontShape>) -> Result<Self, CrackError> {
+        let sections = shapes.iter().map(FrontShape::section).collect::<Result<Vec<_>, _>>()?;
+        let network = CrackNetwork::sections(sections).map_err(|_| CrackError::TooFewPoints { count: 0 })?;
+        let stopped = vec![None; shapes.len()];
+        let front = FrontState { shapes, stopped, interval: None };
+        Ok(Self { front: Some(front), ..Self::initial(&network) })
     }
 }
 
@@ -138,7 +135,7 @@ fn of_contact(step: usize, error: SpaceContactError) -> GrowthError {
 }
 
 impl SpaceGrowth {
-    /// The growth under `problem` from `state` on, which has a crack in space.
+    /// The growth under `problem` from `state` on, which has cracks in space.
     #[must_use]
     pub fn new(problem: SpaceProblem, state: GrowthState) -> Self {
         Self { problem, judge: None, state, kernel: None }
@@ -161,19 +158,21 @@ impl SpaceGrowth {
     /// Errors: settings, a crack that cannot be computed, a contact that does not converge, an
     /// interruption.
     pub fn next_step(&mut self, observer: &dyn Observer) -> Result<Option<StepRecord>, GrowthError> {
-        let Some(front) = self.state.front.filter(|_| self.state.ended.is_none()) else { return Ok(None) };
+        let Some(front) = self.state.front.clone().filter(|_| self.state.ended.is_none()) else {
+            return Ok(None);
+        };
         self.problem.passages.check()?;
         self.problem.growth.check()?;
         let step = self.state.step;
-        let shape = front.shape;
+        let FrontState { shapes, stopped, interval } = front;
         let started = Instant::now();
-        let crack = shape.crack().map_err(|error| body_error(step, error))?;
-        let section = shape.section().map_err(|error| body_error(step, error))?;
-        let body = self.body(&crack, step, observer)?;
+        let cracks = shapes.iter().map(FrontShape::crack).collect::<Result<Vec<_>, _>>();
+        let cracks = cracks.map_err(|error| body_error(step, error))?;
+        let body = self.body(&cracks, step, observer)?;
         let body_s = started.elapsed().as_secs_f64();
 
         let started = Instant::now();
-        let contact = SpaceContact { body: &body, friction: self.problem.friction };
+        let contact = SpaceContact { body: &body, friction: &self.problem.friction };
         let poisson = self.problem.steel.poisson();
         let wheel = |position: f64, point: [f64; 3]| self.problem.wheel.stress(position, point, poisson);
         let stays = |point: [f64; 3]| residual_stress(self.problem.residual.as_deref(), point);
@@ -193,23 +192,41 @@ impl SpaceGrowth {
             mode_3_weight: self.problem.mode_3_weight,
             judge: self.judge.as_deref(),
         };
-        let drive = FrontDrive::new(&law, &shape, body.front(), &passage);
-        let speeds = FrontSpeeds::nearest(&shape, body.front(), &drive.growing);
-        let load_cycles = self.state.load_cycles + self.passed(front.interval, &speeds);
-        let way = self.way(&shape, &speeds, &drive, load_cycles);
-        let tips = StepOf { shape, body: &body }.tips(drive, &speeds, &way);
+        let drive = FrontDrive::new(&law, &shapes, &stopped, body.front(), &passage);
+        let speeds: Vec<FrontSpeeds> = shapes
+            .iter()
+            .zip(body.cracks())
+            .map(|(shape, crack)| {
+                let points = crack.front.clone();
+                FrontSpeeds::nearest(shape, &body.front()[points.clone()], &drive.growing[points])
+            })
+            .collect();
+        let load_cycles = self.state.load_cycles + self.passed(interval, &speeds);
+        let start = Start {
+            shapes: &shapes,
+            stopped: &stopped,
+            speeds: &speeds,
+            breaks: drive.breaks,
+            step,
+            load_cycles,
+        };
+        let way = Way::new(&start, &self.problem.growth, self.problem.rail);
+        let tips = StepOf { shapes: &shapes, body: &body }.tips(drive, &speeds, &way);
         let mut warnings = self.warnings(&passage, step);
-        warnings.extend(misfit(&tips, &speeds, &shape, body.front(), step));
+        warnings.extend(misfits(&tips, &start, &body));
+        warnings.extend(way.meetings.iter().map(|close| meeting_warning(close, step)));
+        let sections =
+            |shapes: &[FrontShape]| shapes.iter().map(FrontShape::section).collect::<Result<_, _>>();
         let record = StepRecord {
             step,
-            cracks: vec![section],
+            cracks: sections(&shapes).map_err(|error| body_error(step, error))?,
             junctions: Vec::new(),
             passages: passage.passages.iter().map(passage_record).collect(),
             beside: Vec::new(),
             faces: face_record(&body, &passage),
             fields: None,
             front: Some(FrontRecord {
-                shape,
+                shapes: shapes.clone(),
                 cells: body.cells().to_vec(),
                 written: self.written(&passage, step),
             }),
@@ -231,24 +248,27 @@ impl SpaceGrowth {
         self.state.step += 1;
         self.state.load_cycles = load_cycles;
         self.state.ended = way.stop;
-        self.state.front = Some(FrontState { shape: way.shape, interval: way.interval });
-        if let Ok(section) = way.shape.section() {
-            self.state.cracks = vec![section];
+        if let Ok(sections) = sections(&way.shapes) {
+            self.state.cracks = sections;
         }
+        self.state.front =
+            Some(FrontState { shapes: way.shapes, stopped: way.stopped, interval: way.interval });
         Ok(Some(record))
     }
 
     fn body(
         &mut self,
-        crack: &SpaceCrack,
+        cracks: &[SpaceCrack],
         step: usize,
         observer: &dyn Observer,
     ) -> Result<SpaceBody, GrowthError> {
         let asked = || observer.interrupted();
         let steel = self.problem.steel;
-        let kernel = self.kernel.get_or_insert_with(|| SpaceKernel::new(crack.dip, steel.poisson()));
+        let dips: Vec<f64> = cracks.iter().map(|crack| crack.dip).collect();
+        let kernel = self.kernel.get_or_insert_with(|| SpaceKernel::new(&dips, steel.poisson()));
         let interruption = Interruption::when(&asked);
-        let body = SpaceBody::with_kernel(crack, &steel, Some(kernel), self.problem.resolution, interruption);
+        let body =
+            SpaceBody::with_kernel(cracks, &steel, Some(kernel), self.problem.resolution, interruption);
         body.map_err(|error| match error {
             SpaceError::Interrupted(_) => GrowthError::Interrupted { step },
             SpaceError::Linear(_) if observer.interrupted() => GrowthError::Interrupted { step },
@@ -257,57 +277,14 @@ impl SpaceGrowth {
     }
 
     /// Cycles of the increment that led here: the trapezoidal rule in the inverse of the speed.
-    fn passed(&self, interval: Option<FrontInterval>, speeds: &FrontSpeeds) -> f64 {
+    fn passed(&self, interval: Option<FrontInterval>, speeds: &[FrontSpeeds]) -> f64 {
         let Some(interval) = interval else { return 0.0 };
-        let end = speeds.of(interval.motion);
+        let end = speeds[interval.crack].of(interval.motion);
         let slowest = self.problem.growth.arrest_rate;
         if interval.is_settled || end <= 0.0 || end < slowest {
             return interval.cycles;
         }
         0.5 * interval.cycles * (1.0 + interval.speed / end)
-    }
-
-    /// The way to the next step.
-    fn way(&self, shape: &FrontShape, speeds: &FrontSpeeds, drive: &FrontDrive, load_cycles: f64) -> Way {
-        let growth = &self.problem.growth;
-        let stays = |stop| Way { shape: *shape, interval: None, cycles: 0.0, stop: Some(stop) };
-        if drive.breaks {
-            return stays(RunStop::Fracture);
-        }
-        if growth.critical_length.is_some_and(|critical| shape.depth >= critical) {
-            return stays(RunStop::CriticalLength);
-        }
-        let most = growth.stop_after_cycles.unwrap_or(f64::INFINITY);
-        if load_cycles >= most * (1.0 - CYCLES_ROUNDING) {
-            return stays(RunStop::Cycles);
-        }
-        if self.state.step >= growth.steps {
-            return stays(RunStop::StepsDone);
-        }
-        let Some((motion, speed)) = speeds.fastest() else {
-            return stays(RunStop::NoTipGrows(TipStop::Arrest));
-        };
-        let (wanted, left) = (growth.increment * shape.depth / speed, most - load_cycles);
-        let (cycles, is_settled) = if wanted <= left { (wanted, false) } else { (left, true) };
-        let next = speeds.moved(shape, cycles);
-        if let Some(stop) = self.leaves(&next) {
-            return stays(RunStop::NoTipGrows(stop));
-        }
-        let interval = FrontInterval { motion, speed, cycles, is_settled };
-        Way { shape: next, interval: Some(interval), cycles, stop: None }
-    }
-
-    /// Whether a crack of this shape would leave the rail, or has no ligament left.
-    fn leaves(&self, shape: &FrontShape) -> Option<TipStop> {
-        let rail = self.problem.rail;
-        let deepest = shape.buried.unwrap_or(0.0) + shape.depth;
-        let [x, _, depth] = shape.frame().position(deepest, 0.0);
-        let inside = depth < rail.depth && (shape.middle[0] + x - rail.centre).abs() < 0.5 * rail.width;
-        if !inside {
-            return Some(TipStop::LeavesRail);
-        }
-        let spent = shape.buried.is_some_and(|centre| centre - shape.depth < LIGAMENT * shape.depth);
-        spent.then_some(TipStop::BreakOut)
     }
 
     /// The output positions whose jumps are written in this step.
@@ -359,28 +336,45 @@ fn residual_stress(field: Option<&dyn StressField>, [x, _, depth]: [f64; 3]) -> 
     [stress.xx, stress.zz, stress.yy, 0.0, -stress.xy, 0.0]
 }
 
-/// Local rates that no ellipse follows.
-fn misfit(
-    tips: &[crate::growth::TipRecord],
-    speeds: &FrontSpeeds,
-    shape: &FrontShape,
-    front: &[super::body::FrontPoint],
-    step: usize,
-) -> Option<Warning> {
-    let counted = tips.iter().zip(front).filter(|(_, point)| counts(shape, point.phi));
-    let (mut most, mut largest) = (0.0f64, 0.0f64);
-    for (tip, point) in counted {
-        let rate = if tip.stop == Some(TipStop::Arrest) { 0.0 } else { tip.rate };
-        most = most.max((rate - speeds.at(shape, point)).abs());
-        largest = largest.max(rate);
-    }
-    (largest > 0.0 && most > MISFIT * largest).then(|| Warning {
+/// Local rates that no ellipse follows, of each crack.
+fn misfits(tips: &[TipRecord], start: &Start, body: &SpaceBody) -> Vec<Warning> {
+    let of = |(k, shape): (usize, &FrontShape)| {
+        let points = body.cracks()[k].front.clone();
+        let counted = tips[points.clone()]
+            .iter()
+            .zip(&body.front()[points])
+            .filter(|(_, point)| start.stopped[k].is_none() && counts(shape, point.phi));
+        let (mut most, mut largest) = (0.0f64, 0.0f64);
+        for (tip, point) in counted {
+            let rate = if tip.stop == Some(TipStop::Arrest) { 0.0 } else { tip.rate };
+            most = most.max((rate - start.speeds[k].at(shape, point)).abs());
+            largest = largest.max(rate);
+        }
+        let whose = if start.shapes.len() > 1 { format!(" of crack {}", k + 1) } else { String::new() };
+        (largest > 0.0 && most > MISFIT * largest).then(|| Warning {
+            step: start.step,
+            kind: WarningKind::Engine,
+            text: format!(
+                "the front{whose} would leave its ellipse: its rates differ from those of the nearest growing ellipse by up to \
+                 {:.0} % of the largest",
+                100.0 * most / largest
+            ),
+        })
+    };
+    start.shapes.iter().enumerate().filter_map(of).collect()
+}
+
+/// Cracks that stop before they meet.
+fn meeting_warning(close: &CloseCracks, step: usize) -> Warning {
+    let CloseCracks { first, second, distance, least } = close;
+    Warning {
         step,
         kind: WarningKind::Engine,
         text: format!(
-            "the front would leave its ellipse: its rates differ from those of the nearest growing ellipse by up to {:.0} % of \
-             the largest",
-            100.0 * most / largest
+            "cracks {} and {} stop: with the next increment they would be {distance:.3} mm apart, less than {least:.3} mm, and how \
+             cracks join in space is not modelled",
+            first + 1,
+            second + 1
         ),
-    })
+    }
 }

@@ -39,10 +39,10 @@ pub(super) struct Linearised<'a> {
 }
 
 impl<'a> Linearised<'a> {
-    /// Of points in `states`, with Coulomb's coefficient `friction`.
-    pub fn new(stiffness: &'a Matrix, friction: f64, states: &[PointState]) -> Self {
+    /// Of points in `states`.
+    pub fn new(stiffness: &'a Matrix, states: &[PointState]) -> Self {
         let mut conditions = Vec::new();
-        for (a, PointState { status, turning }) in states.iter().enumerate() {
+        for (a, PointState { status, friction, turning }) in states.iter().enumerate() {
             match status {
                 SpaceStatus::Open => conditions.extend((0..3).map(|c| Condition {
                     unknown: 3 * a + c,

@@ -3,6 +3,8 @@
 mod body;
 mod cell;
 mod contact;
+mod cross;
+mod distance;
 mod duffy;
 mod front_motion;
 mod galerkin;
@@ -24,7 +26,9 @@ mod tips;
 mod way;
 mod wheel;
 
-pub use body::{FrontPoint, FrontSif, SpaceBody, SpaceError, SpaceKernel};
+pub use body::{
+    CloseCracks, CrackPart, FrontPoint, FrontSif, LEAST_DISTANCE, SpaceBody, SpaceError, SpaceKernel,
+};
 pub use contact::{SpaceContact, SpaceContactError, SpaceFaces, StepReport};
 pub use front_motion::VERTEX_LAYER;
 pub use grid::SpaceResolution;

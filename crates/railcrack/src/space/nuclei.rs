@@ -46,8 +46,12 @@ pub fn kelvin_stress(d: [f64; 3], moment: &Symmetric, poisson: f64) -> Symmetric
 /// The image part of the same in the half-space: the stress at `point` of a double force at
 /// `source`.
 pub fn image_stress(point: [f64; 3], source: [f64; 3], moment: &Symmetric, poisson: f64) -> Symmetric {
-    let image = mindlin_image(point[0] - source[0], point[1] - source[1], point[2], source[2], poisson);
-    image.map(|row| row.iter().zip(moment).map(|(a, b)| a * b).sum())
+    image_matrix(point, source, poisson).map(|row| row.iter().zip(moment).map(|(a, b)| a * b).sum())
+}
+
+/// The same of all unit moments: entry `[a][b]` is stress component a of moment component b.
+pub(super) fn image_matrix(point: [f64; 3], source: [f64; 3], poisson: f64) -> [Symmetric; 6] {
+    mindlin_image(point[0] - source[0], point[1] - source[1], point[2], source[2], poisson)
 }
 
 /// The moment, in units of the shear modulus, of the jump `jump` over a unit of surface with the

@@ -56,6 +56,16 @@ impl PlaneFrame {
         std::array::from_fn(|c| normal * self.normal[c] + dip * self.dip[c] + trace * self.trace[c])
     }
 
+    /// The unit normal, along which a jump opens the crack.
+    pub fn normal(&self) -> [f64; 3] {
+        self.normal
+    }
+
+    /// The directions of the components: normal, dip, trace.
+    pub fn directions(&self) -> [[f64; 3]; 3] {
+        [self.normal, self.dip, self.trace]
+    }
+
     /// The components of a vector of the rail: normal, dip, trace.
     pub fn components(&self, vector: [f64; 3]) -> [f64; 3] {
         [along(vector, self.normal), along(vector, self.dip), along(vector, self.trace)]

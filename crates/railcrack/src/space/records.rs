@@ -13,37 +13,35 @@ use crate::fracture::Sif;
 use crate::growth::{FaceAcross, FaceRecord, FrontShape, PassageRecord, RunStop, TipRecord, TipStop};
 use crate::math::Vec2;
 
-/// Shape and body of a step.
+/// Shapes and body of a step.
 pub(super) struct StepOf<'a> {
-    pub shape: FrontShape,
+    pub shapes: &'a [FrontShape],
     pub body: &'a SpaceBody,
 }
 
 impl StepOf<'_> {
-    /// The points of the front with their increments and stops.
-    pub fn tips(&self, drive: FrontDrive, speeds: &FrontSpeeds, way: &Way) -> Vec<TipRecord> {
+    /// The points of the fronts with their increments and stops.
+    pub fn tips(&self, drive: FrontDrive, speeds: &[FrontSpeeds], way: &Way) -> Vec<TipRecord> {
         let toughness_of =
             |tip: &TipRecord| way.stop == Some(RunStop::Fracture) && tip.rate >= crate::fatigue::RUNAWAY;
-        let stop_of_all = match way.stop {
-            Some(RunStop::NoTipGrows(stop)) => Some(stop),
-            _ => None,
-        };
         let FrontDrive { tips, growing, .. } = drive;
         let points = self.body.front();
         tips.into_iter()
             .zip(growing)
             .zip(points)
             .map(|((mut tip, rate), point)| {
-                tip.increment = way.cycles * speeds.at(&self.shape, point);
+                let crack = point.crack;
+                let cycles = way.cycles_of(crack);
+                tip.increment = cycles * speeds[crack].at(&self.shapes[crack], point);
                 if let Some(front) =
-                    tip.front.as_mut().filter(|front| front.counts && rate > 0.0 && way.cycles > 0.0)
+                    tip.front.as_mut().filter(|front| front.counts && rate > 0.0 && cycles > 0.0)
                 {
-                    front.followed = Some(tip.increment / (way.cycles * rate));
+                    front.followed = Some(tip.increment / (cycles * rate));
                 }
                 tip.stop = if toughness_of(&tip) {
                     Some(TipStop::Fracture)
                 } else if rate > 0.0 {
-                    stop_of_all
+                    way.stopped[crack]
                 } else {
                     Some(TipStop::Arrest)
                 };
@@ -69,14 +67,17 @@ pub(super) fn passage_record(history: &SpaceHistory) -> PassageRecord {
 pub(super) fn face_record(body: &SpaceBody, passage: &StabilisedSpace) -> FaceRecord {
     let areas = body.areas();
     // Down the dip, as seen from the side of the rail.
-    let [along, _, down] = body.frame().position(1.0, 0.0);
-    let points = body.points().iter().zip(&areas).map(|([x, _, depth], area)| FacePoint {
-        crack: 0,
-        segment: 0,
-        s: depth / down,
-        position: Vec2::new(*x, -depth),
-        tangent: Vec2::new(along, -down),
-        weight: *area,
+    let points = body.points().iter().zip(&areas).enumerate().map(|(a, ([x, _, depth], area))| {
+        let crack = body.crack_of(a);
+        let [along, _, down] = body.cracks()[crack].frame.position(1.0, 0.0);
+        FacePoint {
+            crack,
+            segment: 0,
+            s: depth / down,
+            position: Vec2::new(*x, -depth),
+            tangent: Vec2::new(along, -down),
+            weight: *area,
+        }
     });
     let positions = passage.passages.last().map_or(&[][..], |history| &history.faces[..]);
     let states = positions.iter().map(|faces| {

@@ -1,5 +1,6 @@
 //! Shape of a planar crack.
 
+use super::plane::PlaneFrame;
 use std::f64::consts::PI;
 use thiserror::Error;
 
@@ -127,6 +128,17 @@ impl SpaceCrack {
             }
         }
         Ok(self)
+    }
+
+    /// The directions of its plane.
+    pub fn frame(&self) -> PlaneFrame {
+        PlaneFrame::turned(self.dip, self.strike)
+    }
+
+    /// Whether the crack is the other one at another place of the surface.
+    pub fn is_copy_of(&self, other: &Self) -> bool {
+        let at_origin = |crack: &Self| Self { middle: [0.0; 2], ..crack.clone() };
+        at_origin(self) == at_origin(other)
     }
 
     /// g(φ).

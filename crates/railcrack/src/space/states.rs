@@ -18,6 +18,8 @@ pub enum SpaceStatus {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct PointState {
     pub status: SpaceStatus,
+    /// Coulomb's coefficient μ of its crack.
+    pub friction: f64,
     /// Friction force over what pushes the point along: μ (r_n − α w_n) / |r_t − α Δw_t|.
     pub turning: f64,
 }

@@ -1,15 +1,17 @@
-//! Rates along a front: ranges of K in three modes, and what the direction criterion would like.
+//! Rates along fronts: ranges of K in three modes, and what the direction criterion would like.
 
-use super::body::FrontPoint;
+use super::body::{FrontPoint, FrontSif};
 use super::front_motion::counts;
 use super::stabilised::StabilisedSpace;
 use crate::crack::{CrackTip, End};
 use crate::fatigue::{HourlierPineau, LargestK1, RUNAWAY, SifRanges};
 use crate::fracture::{Sif, SifHistory};
-use crate::growth::{DeferredGrowth, FrontShape, FrontTip, GrowthSettings, TipJudge, TipRecord, WheelShares};
+use crate::growth::{
+    DeferredGrowth, FrontShape, FrontTip, GrowthSettings, TipJudge, TipRecord, TipStop, WheelShares,
+};
 use crate::math::MPA_SQRT_MM;
 
-/// How K along a front becomes growth.
+/// How K along fronts becomes growth.
 pub(super) struct FrontLaw<'a> {
     pub growth: &'a GrowthSettings,
     pub poisson: f64,
@@ -17,9 +19,9 @@ pub(super) struct FrontLaw<'a> {
     pub judge: Option<&'a dyn TipJudge>,
 }
 
-/// A front under its stabilised passage.
+/// Fronts under their stabilised passage.
 pub(super) struct FrontDrive {
-    /// Its points.
+    /// Their points.
     pub tips: Vec<TipRecord>,
     /// The rate of each, zero where it is slower than the arrest rate, mm per cycle.
     pub growing: Vec<f64>,
@@ -28,14 +30,31 @@ pub(super) struct FrontDrive {
 }
 
 impl FrontDrive {
-    pub fn new(law: &FrontLaw, shape: &FrontShape, front: &[FrontPoint], passage: &StabilisedSpace) -> Self {
-        let tips: Vec<TipRecord> =
-            front.iter().enumerate().map(|(q, point)| law.tip(shape, q, point, passage)).collect();
+    /// Of cracks with these `shapes`, some of which have `stopped`.
+    pub fn new(
+        law: &FrontLaw,
+        shapes: &[FrontShape],
+        stopped: &[Option<TipStop>],
+        front: &[FrontPoint],
+        passage: &StabilisedSpace,
+    ) -> Self {
+        let mut tips: Vec<TipRecord> = Vec::with_capacity(front.len());
+        for (q, point) in front.iter().enumerate() {
+            let before = tips.iter().filter(|tip| tip.tip.crack == point.crack).count();
+            let tip = CrackTip { crack: point.crack, tip: before, end: End::Last };
+            tips.push(law.tip(&shapes[point.crack], tip, point, |sifs| sifs[q], passage));
+        }
+        let stopped = |tip: &TipRecord| stopped[tip.tip.crack];
         let growing = tips
             .iter()
             .map(|tip| if tip.rate >= law.growth.arrest_rate { tip.rate.min(RUNAWAY) } else { 0.0 })
             .collect();
-        let breaks = tips.iter().filter(|tip| tip.front.is_some_and(|front| front.counts)).any(|tip| {
+        // A front behind a spent ligament, or that has met another one, is no front any more.
+        let is_front = |tip: &&TipRecord| {
+            !matches!(stopped(tip), Some(TipStop::BreakOut | TipStop::Coalescence))
+                && tip.front.is_some_and(|front| front.counts)
+        };
+        let breaks = tips.iter().filter(is_front).any(|tip| {
             let k1 = tip.largest_k1.map_or(0.0, |largest| largest.k1);
             tip.rate >= RUNAWAY || law.growth.toughness.is_some_and(|toughness| k1 >= toughness)
         });
@@ -44,16 +63,19 @@ impl FrontDrive {
 }
 
 impl FrontLaw<'_> {
-    fn tip(&self, shape: &FrontShape, q: usize, point: &FrontPoint, passage: &StabilisedSpace) -> TipRecord {
+    fn tip(
+        &self,
+        shape: &FrontShape,
+        tip: CrackTip,
+        point: &FrontPoint,
+        of: impl Fn(&[FrontSif]) -> FrontSif,
+        passage: &StabilisedSpace,
+    ) -> TipRecord {
         let last = passage.passages.last();
         let samples = || {
-            let output = last.into_iter().flat_map(|history| history.sifs.iter().map(|sifs| sifs[q]));
+            let output = last.into_iter().flat_map(|history| history.sifs.iter().map(|sifs| of(sifs)));
             // With the wheel away, before it comes and after it.
-            last.and_then(|history| history.before.get(q))
-                .into_iter()
-                .chain(passage.between.get(q))
-                .copied()
-                .chain(output)
+            last.map(|history| of(&history.before)).into_iter().chain([of(&passage.between)]).chain(output)
         };
         let history = SifHistory { samples: samples().map(|k| Sif { ki: k.ki, kii: k.kii }).collect() };
         let ranges = SifRanges::of(&history);
@@ -68,7 +90,7 @@ impl FrontLaw<'_> {
         let ahead = self.growth.law.rate(ranges.load());
         let [x, lateral, depth] = point.position;
         let mut tip = TipRecord {
-            tip: CrackTip { crack: 0, tip: q, end: End::Last },
+            tip,
             x,
             y: -depth,
             length: shape.depth,

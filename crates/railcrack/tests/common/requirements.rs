@@ -539,6 +539,31 @@ pub const REQUIREMENTS: &[Requirement] = &[
     ),
     requirement("space::stiffness::mirror_images", "", "Space: cracks at 30° and 150° are mirror images."),
     requirement(
+        "space::several::pennies_load_each_other_as_dipoles",
+        "",
+        "Space: pennies at a distance, in one plane or not, load each other as the dipoles of their openings.",
+    ),
+    requirement(
+        "space::several::mirrored_turned_and_exchanged",
+        "",
+        "Space: two cracks mirrored across the rail have mirrored K, turned ones the same, in any order.",
+    ),
+    requirement(
+        "space::several::distant_cracks_are_single",
+        "",
+        "Space: cracks far apart have the K of single ones.",
+    ),
+    requirement(
+        "space::several::each_crack_has_its_own_friction",
+        "",
+        "Space: each crack slides by its own coefficient of friction.",
+    ),
+    requirement(
+        "space::several::wide_parallel_cracks_shield_each_other_as_in_the_plane",
+        "",
+        "Space: the middles of two wide parallel cracks shield each other as in the 2D engine.",
+    ),
+    requirement(
         "space::contact::closed_penny_with_friction",
         "",
         "Space: a closed penny slides under τ − μ p and is held by friction when the load falls.",

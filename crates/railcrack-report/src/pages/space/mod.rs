@@ -53,12 +53,25 @@ pub(crate) fn space_page(run: &RunFolder, space: &SpaceCase, shown: &ShownRun, p
     page
 }
 
-/// The deepest point in the first and in the last step.
-fn deepest(run: &RunFolder) -> Option<(&TipRow, &TipRow)> {
+/// The deepest point of a crack, counted from 1, in the first and in the last step.
+fn deepest_of(run: &RunFolder, crack: usize) -> Option<(&TipRow, &TipRow)> {
     let distance = |row: &&TipRow| (row.phi_deg.unwrap_or(0.0) - 90.0).abs();
-    let first =
-        run.growth.iter().filter(|row| row.step == 0).min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
+    let own = run.growth.iter().filter(|row| row.step == 0 && row.crack == crack);
+    let first = own.min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
     Some((first, run.history(first.crack, first.tip).last()?))
+}
+
+/// The same of the crack that has grown furthest down the dip, or is loaded most where none grows.
+fn deepest(run: &RunFolder) -> Option<(&TipRow, &TipRow)> {
+    let all = (1..=cracks(run)).filter_map(|crack| deepest_of(run, crack));
+    let rank = |(first, last): &(&TipRow, &TipRow)| (last.length - first.length, first.delta_keq);
+    let is_ahead = |a: (f64, f64), b: (f64, f64)| a.0 > b.0 || (a.0 == b.0 && a.1 > b.1);
+    all.reduce(|best, next| if is_ahead(rank(&next), rank(&best)) { next } else { best })
+}
+
+/// How many cracks there are.
+fn cracks(run: &RunFolder) -> usize {
+    run.summary.cracks.len()
 }
 
 fn verdict(run: &RunFolder) -> String {
@@ -66,21 +79,25 @@ fn verdict(run: &RunFolder) -> String {
     let axes =
         |row: &TipRow| format!("{} by {} mm", fixed(row.length, 2), fixed(row.half_length.unwrap_or(0.0), 2));
     let grown = last.length > first.length || last.half_length > first.half_length;
+    let (which, whose) = match cracks(run) {
+        1 => ("The crack".to_owned(), String::new()),
+        count => (format!("Crack {}", first.crack), format!("Of {count} cracks: ")),
+    };
     let text = if grown {
         let tonnes = run.case.axle_load.map_or_else(String::new, |load| {
             format!(" ({} million gross tonnes at {load} t per axle)", tonnage(last.load_cycles * load / 1e6))
         });
         format!(
-            "The crack with half axes of {} (down the dip, along the surface) grows to {} in {} load cycles{tonnes}.",
+            "{whose}{which} with half axes of {} (down the dip, along the surface) grows to {} in {} load cycles{tonnes}.",
             axes(first),
             axes(last),
             grouped(last.load_cycles)
         )
     } else if last.stop == Some(RunStop::NoTipGrows(railcrack::growth::TipStop::Arrest)) {
-        format!("The crack with half axes of {} does not grow.", axes(first))
+        format!("{which} with half axes of {} does not grow.", axes(first))
     } else {
         format!(
-            "The crack with half axes of {} is at ΔK_{{eq}} = {} MPa√m at its deepest point and grows there by {} mm per \
+            "{which} with half axes of {} is at ΔK_{{eq}} = {} MPa√m at its deepest point and grows there by {} mm per \
              load cycle at first; no increment was computed.",
             axes(first),
             significant(first.delta_keq),
@@ -114,7 +131,10 @@ fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
     facts.push(fact(
         "ΔK_{eq}",
         format!("{} MPa√m", significant(first.delta_keq)),
-        "at the deepest point of the initial crack".to_owned(),
+        match cracks(run) {
+            1 => "at the deepest point of the initial crack".to_owned(),
+            _ => format!("at the deepest point of crack {} at first", first.crack),
+        },
     ));
     if let Some((angle, ratio)) = first.wanted_kink_deg.zip(first.wanted_ratio) {
         facts.push(fact(
@@ -133,6 +153,7 @@ fn facts(run: &RunFolder, warnings: usize) -> Vec<Fact> {
 /// The front in the last finished step.
 fn front_table(run: &RunFolder) -> Table {
     let headings = [
+        "Crack",
         "φ (°)",
         "z (mm)",
         "Depth (mm)",
@@ -147,6 +168,7 @@ fn front_table(run: &RunFolder) -> Table {
     table.caption = format!("The front in the last finished step, {}; K in MPa√m", run.summary.steps);
     for row in run.last() {
         table.row([
+            row.crack.to_string(),
             fixed(row.phi_deg.unwrap_or(0.0), 1),
             fixed(row.lateral.unwrap_or(0.0), 3),
             fixed(-row.place[1], 3),
@@ -189,7 +211,7 @@ fn assumptions(run: &RunFolder, space: &SpaceCase) -> Vec<String> {
         format!(
             "Crack faces: unilateral contact with Coulomb friction {} in two directions, slip by backward Euler in load steps until K \
              changes by less than {} of its peak.",
-            case.crack_friction.first().copied().unwrap_or(0.0),
+            frictions(&case.crack_friction),
             case.passages.step_tolerance
         ),
         format!(
@@ -206,10 +228,17 @@ fn assumptions(run: &RunFolder, space: &SpaceCase) -> Vec<String> {
             grouped(run.summary.contact_solves as f64),
             run.summary.complementarity_max
         ),
-        "Limits: one plane crack, growth in its plane, small-scale yielding, no fluid, no wear. The load cycles carry the scatter of the \
-         growth law, a factor of several."
+        "Limits: plane cracks, growth in their planes; cracks that would meet stop. Small-scale yielding, no fluid, no wear. The load \
+         cycles carry the scatter of the growth law, a factor of several."
             .to_owned(),
     ]
+}
+
+/// The friction coefficients of the cracks: one where all are the same.
+fn frictions(of_cracks: &[f64]) -> String {
+    let mut different = of_cracks.to_vec();
+    different.dedup();
+    different.iter().map(f64::to_string).collect::<Vec<_>>().join(", ")
 }
 
 fn explorer(run: &RunFolder, space: &SpaceCase, shown: &ShownRun, plots: &[Plot]) -> Section {
@@ -244,10 +273,12 @@ fn data(run: &RunFolder, space: &SpaceCase, shown: &ShownRun) -> Value {
             "lateral": number(space.wheel.lateral),
         },
         "origin": origin,
-        "dip": space.shape.dip,
-        "strike": space.shape.strike,
-        "middle": space.shape.middle.map(number),
-        "buried": space.shape.buried.is_some(),
+        "cracks": space.shapes.iter().map(|shape| json!({
+            "dip": shape.dip,
+            "strike": shape.strike,
+            "middle": shape.middle.map(number),
+            "buried": shape.buried.is_some(),
+        })).collect::<Vec<_>>(),
         "layer": VERTEX_LAYER.to_degrees(),
         // A rail that bends has positions far beyond, of which the far charts have K.
         "positions": numbers(xc_over_a[near(&run.summary, xc_over_a)].iter().copied()),
@@ -258,9 +289,9 @@ fn data(run: &RunFolder, space: &SpaceCase, shown: &ShownRun) -> Value {
 
 fn step_data(run: &RunFolder, shown: &ShownRun, step: usize) -> Value {
     let rows: Vec<&TipRow> = run.growth.iter().filter(|row| row.step == step).collect();
-    let first = rows.first();
     let point = |row: &&TipRow| {
-        let history = shown.histories(step).iter().find(|history| history.tip == row.tip);
+        let is_own = |history: &&History| (history.crack, history.tip) == (row.crack, row.tip);
+        let history = shown.histories(step).iter().find(is_own);
         let packed = |k: fn(&History) -> &[f64]| {
             history.map(|history| Deflated::singles(&k(history)[near(&run.summary, &history.xc_over_a)]))
         };
@@ -277,18 +308,25 @@ fn step_data(run: &RunFolder, shown: &ShownRun, step: usize) -> Value {
             "kiii": packed(|history| &history.kiii),
         })
     };
+    let crack = |number_of: usize| {
+        let own: Vec<&TipRow> = rows.iter().copied().filter(|row| row.crack == number_of).collect();
+        json!({
+            "depth": own.first().map(|row| number(row.length)),
+            "half_length": own.first().and_then(|row| row.half_length).map(number),
+            "front": own.iter().map(point).collect::<Vec<_>>(),
+        })
+    };
     json!({
         "step": step,
-        "depth": first.map(|row| number(row.length)),
-        "half_length": first.and_then(|row| row.half_length).map(number),
-        "cycles": first.map(|row| row.load_cycles),
-        "front": rows.iter().map(point).collect::<Vec<_>>(),
+        "cycles": rows.first().map(|row| row.load_cycles),
+        "cracks": (1..=cracks(run)).map(crack).collect::<Vec<_>>(),
     })
 }
 
 fn steps(run: &RunFolder) -> Section {
     let mut table = Table::new([
         "Step",
+        "Crack",
         "φ (°)",
         "Half axis down the dip (mm)",
         "Along the surface (mm)",
@@ -302,6 +340,7 @@ fn steps(run: &RunFolder) -> Section {
     for row in run.growth.iter().take(TABLE_ROWS) {
         table.row([
             row.step.to_string(),
+            row.crack.to_string(),
             fixed(row.phi_deg.unwrap_or(0.0), 1),
             fixed(row.length, 3),
             fixed(row.half_length.unwrap_or(0.0), 3),

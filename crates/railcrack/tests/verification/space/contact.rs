@@ -13,7 +13,7 @@ use std::f64::consts::PI;
 fn closed_penny_with_friction() {
     let crack = SpaceCrack::buried(1.0, 1.0, 1.0, 50.0).unwrap();
     let body = body(&crack, Surroundings::FullSpace, 4);
-    let contact = SpaceContact { body: &body, friction: 0.4 };
+    let contact = SpaceContact { body: &body, friction: &[0.4] };
     let load = |factor: f64| {
         let stress = stress(1f64.to_degrees(), [-100.0 * factor, 90.0 * factor, 0.0]);
         body.nodal_forces(|_| stress)
@@ -37,7 +37,7 @@ fn open_faces_do_not_feel_the_contact() {
     let crack = SpaceCrack::surface_breaking(0.6, 1.5, 1.0).unwrap();
     let body = body(&crack, Surroundings::HalfSpace, 2);
     let forces = body.nodal_forces(|_| stress(0.6f64.to_degrees(), [50.0, 10.0, 5.0]));
-    let contact = SpaceContact { body: &body, friction: 0.5 };
+    let contact = SpaceContact { body: &body, friction: &[0.5] };
     let (faces, _) = contact.step(&contact.virgin(), &forces).unwrap();
     let free = body.compliance().times(&forces);
     let gap = largest(free.iter().zip(&faces.jumps).map(|(a, b)| a - b));
@@ -57,7 +57,7 @@ fn roll(degrees: f64, friction: f64, lateral: f64, lateral_friction: f64) -> (Ve
     };
     let passage = Passage { from: -20.0, to: 20.0, positions: 31 };
     let settings = SpacePassageSettings { tolerance: f64::INFINITY, halvings: 0 };
-    let contact = SpaceContact { body: &body, friction };
+    let contact = SpaceContact { body: &body, friction: &[friction] };
     let wheel = |position: f64, point: [f64; 3]| wheel.stress(position, point, 0.3);
     let load = SpaceLoad { wheel: &wheel, bending: None, constant: None };
     let history = space_passage(&contact, &load, passage, &settings, &mut contact.virgin()).unwrap();
@@ -80,7 +80,7 @@ fn passages_are_steps_one_by_one() {
         lateral_friction: 0.02,
     };
     let passage = Passage { from: -20.0, to: 20.0, positions: 21 };
-    let contact = SpaceContact { body: &body, friction: 0.3 };
+    let contact = SpaceContact { body: &body, friction: &[0.3] };
     let field = |position: f64, point: [f64; 3]| wheel.stress(position, point, 0.3);
     let load = SpaceLoad { wheel: &field, bending: None, constant: None };
     let settings = SpacePassageSettings { tolerance: 0.0, halvings: 2 };

@@ -4,6 +4,7 @@
 mod contact;
 mod fronts;
 mod kernel;
+mod several;
 mod stiffness;
 mod strike;
 mod track;
@@ -17,7 +18,7 @@ use railcrack::space::{FrontSif, SpaceBody, SpaceCrack, SpaceResolution, Surroun
 /// ring.
 fn body(crack: &SpaceCrack, surroundings: Surroundings, cells: usize) -> SpaceBody {
     let resolution = SpaceResolution { block: cells, ring: cells };
-    SpaceBody::new(crack, &steel(), surroundings, resolution).unwrap()
+    SpaceBody::new(std::slice::from_ref(crack), &steel(), surroundings, resolution).unwrap()
 }
 
 /// The uniform stress with the tractions `normal`, `dip` and `trace` on a plane of the angle

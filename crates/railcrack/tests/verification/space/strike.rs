@@ -25,7 +25,7 @@ const WHEEL: EllipticWheel = EllipticWheel {
 
 fn pass(crack: &SpaceCrack, wheel: &(dyn Fn(f64, [f64; 3]) -> Symmetric + Sync)) -> SpaceHistory {
     let body = body(crack, Surroundings::HalfSpace, 2);
-    let contact = SpaceContact { body: &body, friction: 0.3 };
+    let contact = SpaceContact { body: &body, friction: &[0.3] };
     let load = SpaceLoad { wheel, bending: None, constant: None };
     let settings = SpacePassageSettings { tolerance: f64::INFINITY, halvings: 0 };
     let passage = Passage { from: -20.0, to: 20.0, positions: 31 };

@@ -28,7 +28,7 @@ const NEAR: Passage = Passage { from: -36.0, to: 36.0, positions: 25 };
 const WHOLE_STEPS: SpacePassageSettings = SpacePassageSettings { tolerance: f64::INFINITY, halvings: 0 };
 
 fn pass(body: &SpaceBody, load: &SpaceLoad) -> SpaceHistory {
-    let contact = SpaceContact { body, friction: 0.3 };
+    let contact = SpaceContact { body, friction: &[0.3] };
     space_passage(&contact, load, NEAR, &WHOLE_STEPS, &mut contact.virgin()).unwrap()
 }
 
@@ -124,13 +124,13 @@ fn wide_crack_under_axles_of_a_cold_rail() {
 
     let crack = SpaceCrack::surface_breaking(f64::to_radians(degrees), 20.0 * length, length).unwrap();
     let resolution = SpaceResolution { block: 4, ring: 4 };
-    let body = SpaceBody::new(&crack, &steel(), Surroundings::HalfSpace, resolution).unwrap();
+    let body = SpaceBody::new(&[crack], &steel(), Surroundings::HalfSpace, resolution).unwrap();
     let field = HertzField::new(&line, 0.3);
     let wheel = |position: f64, point: [f64; 3]| line_contact(position, point, &field);
     let bending = beam(&axles);
     let constant = |_: [f64; 3]| [cold, 0.0, 0.0, 0.0, 0.0, 0.0];
     let load = SpaceLoad { wheel: &wheel, bending: Some(&bending), constant: Some(&constant) };
-    let contact = SpaceContact { body: &body, friction: 0.3 };
+    let contact = SpaceContact { body: &body, friction: &[0.3] };
     let steps = SpacePassageSettings { tolerance: 1.0, halvings: 7 };
     let space = space_passage(&contact, &load, NEAR, &steps, &mut contact.virgin()).unwrap();
     assert_eq!(space.positions, plane.xc);

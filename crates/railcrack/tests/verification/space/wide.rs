@@ -37,8 +37,8 @@ impl Wide {
     fn in_space(&self, wheel: &(dyn Fn(f64, [f64; 3]) -> Symmetric + Sync)) -> SpaceHistory {
         let crack = SpaceCrack::surface_breaking(self.degrees.to_radians(), WIDTH * self.length, self.length);
         let resolution = SpaceResolution { block: self.cells, ring: self.cells };
-        let body = SpaceBody::new(&crack.unwrap(), &steel(), Surroundings::HalfSpace, resolution).unwrap();
-        let contact = SpaceContact { body: &body, friction: self.friction };
+        let body = SpaceBody::new(&[crack.unwrap()], &steel(), Surroundings::HalfSpace, resolution).unwrap();
+        let contact = SpaceContact { body: &body, friction: &[self.friction] };
         let settings = SpacePassageSettings { tolerance: 0.3, halvings: 7 };
         let load = SpaceLoad { wheel, bending: None, constant: None };
         space_passage(&contact, &load, self.passage(POSITIONS), &settings, &mut contact.virgin()).unwrap()

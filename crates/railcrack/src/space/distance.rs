@@ -1,0 +1,165 @@
+//! Distance of two planar cracks.
+//!
+//! Ellipses and halves of them are convex: the points of one less those of the other are a convex
+//! body, of which the point nearest to zero is found by its supporting points (Gilbert, Johnson &
+//! Keerthi 1988).
+
+use super::shape::{Extent, SpaceCrack};
+
+type Vector = [f64; 3];
+
+/// Steps, at most.
+const STEPS: usize = 500;
+/// Relative error of the distance.
+const TOLERANCE: f64 = 1e-9;
+
+fn along(a: Vector, b: Vector) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+impl SpaceCrack {
+    /// The distance (mm) to another crack; zero where they meet. A front that leaves its ellipse
+    /// counts as the smallest ellipse of the same aspect around it.
+    pub fn distance(&self, other: &Self) -> f64 {
+        let start: Vector =
+            std::array::from_fn(|i| self.farthest([0.0, 0.0, 1.0])[i] - other.farthest([0.0, 0.0, 1.0])[i]);
+        let mut corners = vec![start];
+        let mut nearest = start;
+        let size = self.depth.max(self.half_length).max(other.depth).max(other.half_length);
+        for _ in 0..STEPS {
+            let square = along(nearest, nearest);
+            if square <= (TOLERANCE * size).powi(2) {
+                return 0.0;
+            }
+            let (one, two) = (self.farthest(nearest.map(|v| -v)), other.farthest(nearest));
+            let corner: Vector = std::array::from_fn(|i| one[i] - two[i]);
+            if square - along(nearest, corner) <= TOLERANCE * square {
+                break;
+            }
+            corners.push(corner);
+            let Some((point, kept)) = nearest_of(&corners) else { break };
+            if along(point, point) >= square {
+                break;
+            }
+            corners = kept;
+            nearest = point;
+        }
+        along(nearest, nearest).sqrt()
+    }
+
+    /// The point that is farthest in a direction: x, lateral, depth.
+    fn farthest(&self, direction: Vector) -> Vector {
+        let frame = self.frame();
+        let [_, ds, dz] = frame.components(direction);
+        let reach =
+            (0..360).map(|degree| self.radius_factor(f64::from(degree).to_radians())).fold(1.0, f64::max);
+        let (l, c) = (reach * self.depth, reach * self.half_length);
+        let size = (l * ds).hypot(c * dz);
+        let on_ellipse = if size > 0.0 { [l * l * ds / size, c * c * dz / size] } else { [0.0; 2] };
+        let [s, zeta] = match self.extent {
+            Extent::Buried { centre } => [centre + on_ellipse[0], on_ellipse[1]],
+            Extent::SurfaceBreaking if ds >= 0.0 => on_ellipse,
+            Extent::SurfaceBreaking => [0.0, c * dz.signum()],
+        };
+        let [x, lateral, depth] = frame.position(s, zeta);
+        [x + self.middle[0], lateral + self.middle[1], depth]
+    }
+}
+
+/// The point nearest to zero of the hull of up to four points, and the points that span it; none
+/// where round-off leaves nothing.
+fn nearest_of(corners: &[Vector]) -> Option<(Vector, Vec<Vector>)> {
+    let sets = 1u32..1 << corners.len();
+    let points = sets.filter_map(|set| {
+        let chosen: Vec<Vector> =
+            (0..corners.len()).filter(|k| set >> k & 1 == 1).map(|k| corners[k]).collect();
+        Some((nearest_of_flat(&chosen)?, chosen))
+    });
+    points.reduce(|a, b| if along(b.0, b.0) < along(a.0, a.0) { b } else { a })
+}
+
+/// The point nearest to zero of the flat through all of these points, if it lies between them.
+fn nearest_of_flat(corners: &[Vector]) -> Option<Vector> {
+    let (first, others) = corners.split_first()?;
+    let sides: Vec<Vector> = others.iter().map(|p| std::array::from_fn(|i| p[i] - first[i])).collect();
+    let order = sides.len();
+    let mut rows: Vec<Vec<f64>> = sides
+        .iter()
+        .map(|a| sides.iter().map(|b| along(*a, *b)).chain([-along(*a, *first)]).collect())
+        .collect();
+    for k in 0..order {
+        let pivot = (k..order).max_by(|&a, &b| rows[a][k].abs().total_cmp(&rows[b][k].abs()))?;
+        rows.swap(k, pivot);
+        if rows[k][k].is_nan() || rows[k][k].abs() <= f64::MIN_POSITIVE {
+            return None;
+        }
+        for i in (0..order).filter(|&i| i != k) {
+            let factor = rows[i][k] / rows[k][k];
+            for j in k..=order {
+                let above = rows[k][j];
+                rows[i][j] -= factor * above;
+            }
+        }
+    }
+    let shares: Vec<f64> = (0..order).map(|k| rows[k][order] / rows[k][k]).collect();
+    let is_between = shares.iter().all(|share| *share >= 0.0) && shares.iter().sum::<f64>() <= 1.0;
+    let add =
+        |point: Vector, (side, share): (&Vector, &f64)| std::array::from_fn(|i| point[i] + share * side[i]);
+    is_between.then(|| sides.iter().zip(&shares).fold(*first, add))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::PI;
+
+    fn placed(crack: SpaceCrack, middle: [f64; 2]) -> SpaceCrack {
+        SpaceCrack { middle, ..crack }
+    }
+
+    #[test]
+    fn of_parallel_crossing_and_coplanar_cracks() {
+        let half = |degrees: f64| SpaceCrack::surface_breaking(f64::to_radians(degrees), 6.0, 4.0).unwrap();
+        let behind = placed(half(15.0), [3.4, 1.0]);
+        let want = 3.4 * 15f64.to_radians().sin();
+        assert!((half(15.0).distance(&behind) - want).abs() < 1e-8, "planes");
+        assert_eq!(half(60.0).distance(&placed(half(130.0), [1.0, 0.0])), 0.0, "they cross");
+        let beside = placed(half(30.0), [0.0, 12.5]);
+        assert!((half(30.0).distance(&beside) - 0.5).abs() < 1e-7, "along the mouth");
+        assert!((beside.distance(&half(30.0)) - 0.5).abs() < 1e-7, "exchanged");
+        // Pennies in one plane, whose middles lie obliquely.
+        let penny = |centre: f64| SpaceCrack::buried(0.5 * PI, 1.0, 1.0, centre).unwrap();
+        let distance = penny(10.0).distance(&placed(penny(13.0), [0.0, 4.0]));
+        assert!((distance - 3.0).abs() < 1e-7, "{distance}");
+    }
+
+    #[test]
+    fn of_ellipses_in_general_places_by_search() {
+        let one = SpaceCrack::surface_breaking(0.7, 3.0, 2.0).unwrap();
+        let two = placed(SpaceCrack::buried(2.2, 1.5, 1.0, 2.5).unwrap(), [4.5, 2.0]);
+        let points = |crack: &SpaceCrack, last: f64| -> Vec<Vector> {
+            let frame = crack.frame();
+            let mut points = Vec::new();
+            for i in 0..=60 {
+                for k in 0..=240 {
+                    let (sin, cos) = (last * f64::from(k) / 240.0).sin_cos();
+                    let r = f64::from(i) / 60.0;
+                    let [s, zeta] = crack.point([r * cos, r * sin]);
+                    let [x, z, depth] = frame.position(s, zeta);
+                    points.push([x + crack.middle[0], z + crack.middle[1], depth]);
+                }
+            }
+            points
+        };
+        let (first, second) = (points(&one, PI), points(&two, 2.0 * PI));
+        let mut least = f64::INFINITY;
+        for p in &first {
+            for q in &second {
+                let d: Vector = std::array::from_fn(|i| p[i] - q[i]);
+                least = least.min(along(d, d).sqrt());
+            }
+        }
+        let got = one.distance(&two);
+        assert!(got <= least + 1e-12 && got > least - 2e-3, "{got} {least}");
+    }
+}
