@@ -15,9 +15,9 @@ section! {
     INTERFACE_SPACING: f64 = number("interface_spacing_mm", "mm", positive(100.0), 0.2,
         "Largest distance between face points in the finite-element engine, at least 0.3 of the element size; without \
          it, the length of crack in an element.").optional();
-    INTERFACE_ELEMENTS: usize = integer("interface_elements", (8, 400), 48,
-        "Elements along each crack in the dislocation engine, before its grading towards mouth and kinks; without \
-         it 48, and 180 shared by all cracks, but at least 28 each, where there are more than three.").optional();
+    INTERFACE_ELEMENTS: usize = integer("interface_elements", (8, 400), 28,
+        "Elements along each crack in the dislocation engine, before its grading towards mouth, tips and kinks; without \
+         it 28, and 132 shared by all cracks, but at least 22 each, where there are more than four.").optional();
     SPACE_CELLS: usize = integer("space_cells", (2, 16), 4,
         "Cells from the middle of the crack to each side of its inner block, in the engine space; along the front are four \
          times as many.").optional();

@@ -7,23 +7,27 @@ use crate::math::{Vec2, quantiles};
 /// Resolution of the crack faces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct FaceResolution {
-    /// Elements along a straight crack, at least 4; mouth, kinks and close neighbours add further
-    /// ones.
+    /// Elements along a straight crack, at least 4; mouth, tips, kinks and close neighbours add
+    /// further ones.
     pub elements: usize,
 }
 
 impl FaceResolution {
-    /// Default for `cracks` cracks: 48 elements each give K to 0.4 % of its peak; networks share
-    /// 180, but at least 28 each: in the network of nine 0.3 % from 48 each, where 24 are 0.5 % and
-    /// 20 are 1.0 % away.
+    /// Default for `cracks` cracks: 28 elements each; networks share 132, but at least 22 each.
+    /// Their errors stand in `docs/theory.md`, 3.
     pub fn for_cracks(cracks: usize) -> Self {
-        Self { elements: (180 / cracks.max(1)).clamp(28, 48) }
+        let elements = (NETWORK_ELEMENTS / cracks.max(1)).clamp(LEAST_ELEMENTS, Self::default().elements);
+        Self { elements }
     }
 }
 
+/// Elements that the cracks of a network share, and the least number of each.
+const NETWORK_ELEMENTS: usize = 132;
+const LEAST_ELEMENTS: usize = 22;
+
 impl Default for FaceResolution {
     fn default() -> Self {
-        Self { elements: 48 }
+        Self { elements: 28 }
     }
 }
 
@@ -48,8 +52,9 @@ struct Place {
     nodes: Vec<f64>,
 }
 
-/// Nodes in g, ends included: evenly spaced in g, denser at kinks, where the jump has a corner
-/// singularity, at junctions, and where there is `room` (mm, by point) for short elements only. A
+/// Nodes in g, ends included: evenly spaced in g, denser at the mouth, at tips, at kinks, where the
+/// jump has a corner singularity, at junctions, and where there is `room` (mm, by point) for short
+/// elements only. A
 /// kink that is not slight lies inside a short element, so that every node has one tangent. Where
 /// there is a core at a point of the crack (`core_at`, by the index of the point), its edge, its
 /// inner edge and the junction on each side are nodes.
@@ -74,7 +79,11 @@ pub(super) fn nodes<'a>(
     let places: Vec<Place> = (0..=segments).filter_map(place).collect();
     let depth = (0..segments).map(|i| -walk.position(i, vertices[i + 1]).y).fold(0.0, f64::max);
     let flap = walk.is_surface_breaking() && depth < SHALLOW * walk.length();
-    let last_segment = [end - vertices[segments - 1], vertices[1] - start];
+    let kinks = |i: usize| i > 0 && i < segments && walk.turn(i) > SMALL_KINK;
+    let tips = [
+        (End::First, vertices[1] - start, kinks(1)),
+        (End::Last, end - vertices[segments - 1], kinks(segments - 1)),
+    ];
     let density = |g: f64, segment: usize| {
         let s = walk.s(g);
         let ds = walk.ds(g);
@@ -86,18 +95,24 @@ pub(super) fn nodes<'a>(
         // What needs short elements needs them as short in a coarse resolution.
         density = density.max(ds / (coarseness.min(1.0) * room(point)));
         if walk.is_surface_breaking() {
-            let at_mouth = MOUTH_ELEMENT * walk.length();
-            density = density.max(ds / (coarseness * (at_mouth + MOUTH_GRADING * s)));
+            let below = (-point.y / depth).max(0.0).powf(MOUTH_POWER);
+            let longest = (MOUTH_ELEMENT + MOUTH_GRADING * below) * depth;
+            density = density.max(ds / (coarseness * longest));
             if flap {
-                let thick = (FLAP_SHARE * -point.y).max(0.5 * at_mouth);
+                let thick = (FLAP_SHARE * -point.y).max(0.5 * MOUTH_ELEMENT * depth);
                 density = density.max(ds / (coarseness.min(1.0) * thick));
             }
         }
-        if segment == segments - 1 && walk.has_tip(End::Last) {
-            density = density.max(TIP_ELEMENTS / coarseness / last_segment[0]);
-        }
-        if segment == 0 && walk.has_tip(End::First) {
-            density = density.max(TIP_ELEMENTS / coarseness / last_segment[1]);
+        for (tip, last_segment, kinks) in tips.into_iter().filter(|(tip, ..)| walk.has_tip(*tip)) {
+            let (distance, own) = match tip {
+                End::First => (g - start, 0),
+                End::Last => (end - g, segments - 1),
+            };
+            let longest = TIP_ELEMENT * (end - start) + TIP_GRADING * distance;
+            density = density.max(1.0 / (coarseness * longest));
+            if kinks && segment == own {
+                density = density.max(TIP_ELEMENTS / coarseness / last_segment);
+            }
         }
         density
     };
@@ -139,20 +154,27 @@ fn core_place(walk: &Walk, g: f64, i: usize, core: &Core) -> Place {
 /// of one.
 const SMALL_KINK: f64 = 0.05;
 /// Length of the element across a kink: this over the angle (radians), times the regular element.
-const KINK_ELEMENT: f64 = 0.03;
+const KINK_ELEMENT: f64 = 0.01;
 /// Growth of elements away from a kink or a junction: length per distance.
-const GRADING: f64 = 0.5;
-/// Element at the mouth, over the length of the crack, at the default resolution. The edge of the
-/// wheel contact passes over the mouth, and the stress there varies over its distance from the
-/// surface; without this grading the error is 1 % of the peak K.
-const MOUTH_ELEMENT: f64 = 0.0017;
-/// Growth of elements away from the mouth: length per distance.
-const MOUTH_GRADING: f64 = 0.085;
+const GRADING: f64 = 0.35;
+/// Longest element near the mouth, over the depth of the crack and at the default resolution: at
+/// the mouth, and what comes to it with this power of the relative depth. The edge of the wheel
+/// contact passes over the mouth, the stress there varies over its distance from the surface, and
+/// the slip that it locks is felt at the tip: half of all elements are there. Powers of 0.5 and 1
+/// need more of them for the same error.
+const MOUTH_ELEMENT: f64 = 0.002;
+const MOUTH_GRADING: f64 = 0.27;
+const MOUTH_POWER: f64 = 0.75;
 /// Depth of a surface-breaking crack over its length, below which the steel above it is a thin flap
-/// that bends: elements follow its thickness. At 3° and 2° K is 0.5 % off, without this 0.9 and 3
-/// %; from 4° on it is not needed.
+/// that bends: elements follow its thickness.
 const SHALLOW: f64 = 0.06;
 /// Largest length of an element below a flap over its thickness.
 const FLAP_SHARE: f64 = 0.7;
-/// Least number of elements on the segment that ends at a tip, at the default resolution.
-const TIP_ELEMENTS: f64 = 17.0;
+/// Element at a tip in g, over the range of g, at the default resolution, and what comes to it per
+/// distance in g: where slip ceases, it does so at the tip last. With even elements K_II that is
+/// locked is 0.4 % too small, and has the same error with half as many that grow from the tip.
+const TIP_ELEMENT: f64 = 0.004;
+const TIP_GRADING: f64 = 0.35;
+/// Least number of elements on the segment between a kink that is not slight and a tip, at the
+/// default resolution.
+const TIP_ELEMENTS: f64 = 14.0;

@@ -27,13 +27,13 @@ fn closed_tips_have_no_opening_mode() {
                 .map(|(k, _)| k.ki / peak)
                 .collect();
             // An unstable multiplier space would show as some per cent; LATIN's indicator on K is
-            // 1e-9.
-            close(largest(closed.iter().copied()), 0.0, Absolute(1e-8), name);
+            // 1e-9 between two iterations.
+            close(largest(closed.iter().copied()), 0.0, Absolute(3e-8), name);
             assert!(closed.len() > 100, "{name}: closed at {} positions only", closed.len());
             let negative = result.histories[0].samples.iter().fold(0.0f64, |m, k| m.max(-k.ki)) / peak;
             let violation = result.counts.complementarity_max;
             close(violation, 0.0, Absolute(1e-9), "largest violation of the contact conditions");
-            close(negative, 0.0, Absolute(1e-8), "faces never overlap at the tip");
+            close(negative, 0.0, Absolute(3e-8), "faces never overlap at the tip");
         }
     }
 }

@@ -39,7 +39,7 @@ fn inner_and_outer_tips_in_both_modes() {
     for (b, c, allowed) in [(1.0, 4.0, 1e-3), (0.2, 4.0, 2e-3)] {
         let k = sifs(b, c, default_elements());
         let (inner, outer) = closed_form(b, c);
-        let reason = "(π/48)²/12 = 3.6e-4 as for one crack; 1.0e-3 at tips a tenth of the length apart";
+        let reason = "as for one crack; more at tips a tenth of the length apart";
         for (tip, want) in [(0, outer), (1, inner), (2, inner), (3, outer)] {
             close(k[2 * tip], want, Relative(allowed), reason);
             close(k[2 * tip + 1], 0.5 * want, Relative(allowed), reason);
@@ -47,12 +47,13 @@ fn inner_and_outer_tips_in_both_modes() {
     }
 }
 
-/// Tips a hundredth of the length apart: 1 % at the default, but second order.
+/// Tips a hundredth of the length apart.
 #[test]
 fn closely_spaced_tips() {
     let (inner, _) = closed_form(0.02, 4.0);
-    let errors = [40, 80, 160].map(|elements| sifs(0.02, 4.0, elements)[2] / inner - 1.0);
+    let errors = [7, 14, 28].map(|elements| sifs(0.02, 4.0, elements)[2] / inner - 1.0);
     for pair in errors.windows(2) {
-        close(order(pair[0], pair[1]), 2.0, Absolute(0.2), "order of convergence");
+        assert!(order(pair[0], pair[1]) > 1.8, "order of convergence: {pair:?}");
     }
+    close(errors[2], 0.0, Absolute(3e-4), "default elements");
 }

@@ -21,9 +21,9 @@ fn factors_by_angle() {
     let reference = column(&table, "f1").into_iter().zip(column(&table, "f2"));
     for (degrees, (f1, f2)) in column(&table, "angle_deg").into_iter().zip(reference) {
         let (k1, k2) = factors(degrees, default_elements());
-        let reason = "default elements: 4e-4 at 15°, 4e-5 from 45° on; the reference has five decimals";
-        close(k1, f1, Of(1e-3, f1), reason);
-        close(k2, f2, Of(1e-3, f1), reason);
+        let reason = "default elements; the reference has five decimals";
+        close(k1, f1, Of(3e-4, f1), reason);
+        close(k2, f2, Of(3e-4, f1), reason);
         let (mirrored_k1, mirrored_k2) = factors(180.0 - degrees, default_elements());
         close(mirrored_k1, k1, Absolute(1e-11), "mirrored: round-off of the inverse");
         close(mirrored_k2, -k2, Absolute(1e-11), "mirrored: K_II changes sign");
@@ -33,9 +33,10 @@ fn factors_by_angle() {
 #[test]
 fn second_order_in_the_elements() {
     let errors: Vec<f64> =
-        [10, 20, 40, 80].into_iter().map(|elements| factors(90.0, elements).0 - NORMAL_CRACK).collect();
+        [20, 40, 80].into_iter().map(|elements| factors(90.0, elements).0 - NORMAL_CRACK).collect();
     for pair in errors.windows(2) {
-        // Linear elements in √r, K from the first node: second order. Measured 1.93, 1.96, 2.00.
-        close(order(pair[0], pair[1]), 2.0, Absolute(0.15), "order of convergence");
+        // Linear elements in √r, K from the first node, whose element shrinks with the others: at
+        // least second order.
+        assert!(order(pair[0], pair[1]) > 1.8, "order of convergence: {pair:?}");
     }
 }

@@ -47,7 +47,7 @@ fn buried_crack_in_two_pieces() {
         sifs_of(&joined_body(&cracks, &junctions, elements), |_| MIXED)[0] / want - 1.0
     });
     for pair in errors.windows(2) {
-        close(order(pair[0], pair[1]), 2.0, Absolute(0.2), "order of convergence");
+        assert!(order(pair[0], pair[1]) > 1.8, "order of convergence: {pair:?}");
     }
 }
 
@@ -142,8 +142,10 @@ fn branched_cracks() {
     for case in 0..misfits[0].len() {
         let [coarse, middle, fine] = [0, 1, 2].map(|level: usize| misfits[level][case]);
         println!("case {case}: {coarse:.1e} {middle:.1e} {fine:.1e}");
-        close(middle, 0.0, Absolute(2e-4), "linear elements, over K of the order of one");
-        assert!(order(coarse, fine) > 3.4, "case {case}: two halvings give {:.2} of 4", order(coarse, fine));
+        close(middle, 0.0, Absolute(2e-5), "linear elements, over K of the order of one");
+        // The reference has five decimals.
+        let orders = [order(coarse, middle), order(middle, fine)];
+        assert!(orders[0] > 1.8 && (orders[1] > 1.8 || fine < 1e-5), "case {case}: orders {orders:.2?}");
     }
 }
 

@@ -77,7 +77,10 @@ fn finer_meshes() {
         let scale = largest(fine.iter().copied());
         let error = |elements| largest(at(elements).iter().zip(&fine).map(|(k, fine)| k - fine)) / scale;
         close(error(default_elements()), 0.0, Absolute(allowed), "the ligament above a rising kink is thin");
-        close(order(error(20), error(40)), 2.0, Absolute(0.2), "order of convergence");
-        close(order(error(40), error(80)), 2.0, Absolute(0.2), "order of convergence");
+        let errors = [20, 40, 80].map(error);
+        assert!(
+            errors.windows(2).all(|pair| order(pair[0], pair[1]) > 1.8),
+            "orders of convergence: {errors:?}"
+        );
     }
 }

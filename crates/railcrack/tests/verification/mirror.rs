@@ -28,7 +28,12 @@ fn passage() {
         let difference = largest(k.iter().zip(&m).flat_map(|(a, b)| [a.0 - b.0, a.1 + b.1])) / peak;
         assert_eq!(one.counts.substeps, other.counts.substeps, "{degrees}°: the same steps");
         // Round-off alone would be 1e-15 of the stresses; steps end at events, whose position it
-        // shifts. Measured 1.4e-13.
-        close(difference, 0.0, Absolute(1e-11), "round-off");
+        // shifts. Measured 3e-11.
+        close(
+            difference,
+            0.0,
+            Absolute(1e-10),
+            "round-off, which the short elements at the tips make larger",
+        );
     }
 }

@@ -3,7 +3,7 @@
 use crate::common::{Of, buried_crack, close, default_elements, open_sifs, surface_crack};
 use railcrack::math::{Stress, Vec2};
 
-const ROUND_OFF: f64 = 1e-11;
+const ROUND_OFF: f64 = 1e-10;
 
 /// Two tips of a shallow horizontal crack: the mirror reverses x2 of a tip frame, so that K_II
 /// changes sign.
