@@ -427,3 +427,33 @@ fn front_rows(grid: &Grid, steel: &IsotropicElastic, start: [usize; 2], rows: &m
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::linear::spd_inverse;
+
+    #[test]
+    fn more_points_leave_ki_of_an_open_shallow_crack() {
+        let steel = IsotropicElastic::new(210e3, 0.3).unwrap();
+        let crack = SpaceCrack::surface_breaking(15f64.to_radians(), 2.0, 1.0).unwrap();
+        let resolution = SpaceResolution { block: 4, ring: 4 };
+        let kernel = SpaceKernel::new(&[crack.dip], steel.poisson());
+        let cracks = std::slice::from_ref(&crack);
+        let body =
+            SpaceBody::with_kernel(cracks, &steel, Some(&kernel), resolution, Interruption::NEVER).unwrap();
+        let [x, lateral, depth] = crack.frame().vector([1.0, 0.0, 0.0]);
+        let tension = [x * x, lateral * lateral, depth * depth, lateral * depth, x * depth, x * lateral];
+        let forces = body.nodal_forces(|_| tension);
+        let (grid, image) = (Grid::new(&crack, resolution), kernel.image(crack.dip));
+        let finer = Galerkin::with_more_points(&grid, steel.poisson(), Some(&image), 2);
+        let stiffness = finer.stiffness_unless(Interruption::NEVER).unwrap();
+        let mut jumps = spd_inverse(&stiffness).unwrap().times(&forces);
+        jumps.iter_mut().for_each(|jump| *jump /= steel.shear_modulus());
+        let (sifs, finer) = (body.sifs(&forces), body.sifs_of_jumps(&jumps));
+        // The front without the layer next to the surface.
+        for (k, fine) in sifs.iter().zip(&finer).skip(2).take(sifs.len() - 4) {
+            assert!((k.ki / fine.ki - 1.0).abs() < 0.0015, "{} {}", k.ki, fine.ki);
+        }
+    }
+}

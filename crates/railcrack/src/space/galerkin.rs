@@ -32,6 +32,9 @@ const IMAGE_ORDER: f64 = 4.0;
 const SHALLOW_ORDER: f64 = 1.5;
 /// Share of the distance to an image that counts: the image varies faster than 1/r.
 const IMAGE_GAP: f64 = 0.5;
+/// Points per direction that a cell and a part of the mouth apart take beyond two cells: the kernel
+/// varies faster than 1/r, and jumps on the mouth are the largest.
+const MOUTH_MORE: usize = 2;
 /// Points per direction on the mouth.
 const MOUTH_ORDER: usize = 8;
 
@@ -56,6 +59,7 @@ pub(super) struct Galerkin<'a> {
     near: DuffyRules,
     mouth: DuffyRules,
     apart: ApartRules,
+    apart_mouth: ApartRules,
     logarithmic: Vec<(f64, f64)>,
     /// Cells at the points of the rules of the whole cell.
     points: Vec<Vec<Vec<(CellPoint, f64)>>>,
@@ -70,14 +74,19 @@ enum Half {
 
 impl<'a> Galerkin<'a> {
     pub fn new(grid: &'a Grid, poisson: f64, image: Option<&'a ImagePart>) -> Self {
-        let apart = ApartRules::new();
+        Self::with_more_points(grid, poisson, image, 0)
+    }
+
+    /// With `more` points per direction where cells lie apart from cells or from the mouth.
+    pub fn with_more_points(grid: &'a Grid, poisson: f64, image: Option<&'a ImagePart>, more: usize) -> Self {
+        let (apart, apart_mouth) = (ApartRules::new(more), ApartRules::new(MOUTH_MORE + more));
         let of_cell = |cell| apart.all().iter().map(|rule| Patch::WHOLE.points(cell, rule)).collect();
         let points = grid.cells.iter().map(of_cell).collect();
         let covers = grid.cells.iter().map(|cell| Patch::WHOLE.cover(cell)).collect();
         let order = image.map_or(1.0, |image| IMAGE_ORDER + SHALLOW_ORDER / image.dip.sin());
         let (near, mouth) = (DuffyRules::new(DUFFY_ORDER), DuffyRules::new(order.round() as usize));
         let logarithmic = gauss_legendre(MOUTH_ORDER);
-        Self { grid, poisson, image, near, mouth, apart, logarithmic, points, covers }
+        Self { grid, poisson, image, near, mouth, apart, apart_mouth, logarithmic, points, covers }
     }
 
     /// The stiffness in units of the shear modulus (mm): component i of the free vertex a is row
@@ -292,7 +301,7 @@ impl<'a> Galerkin<'a> {
         let (j, [from, to]) = self.grid.mouth[edge];
         let cells = [&self.grid.cells[i], &self.grid.cells[j]];
         let corner = |end: usize| cells[0].vertices.iter().position(|&v| v == cells[1].vertices[end]);
-        let pair = MouthPair { cells, touching: &self.mouth, apart: &self.apart };
+        let pair = MouthPair { cells, touching: &self.mouth, apart: &self.apart_mouth };
         let mut add = |x: &CellPoint, line: &LinePoint, weight: f64| {
             self.add_line(image, x, line, weight, &mut block);
         };

@@ -158,8 +158,9 @@ pub(super) const CORNER_RATIO: f64 = 3.0;
 pub(super) struct ApartRules(Vec<Vec<(f64, f64)>>);
 
 impl ApartRules {
-    pub fn new() -> Self {
-        Self(ORDERS.iter().map(|&(_, order)| crate::math::gauss_legendre(order)).collect())
+    /// With `more` points per direction than `ORDERS`.
+    pub fn new(more: usize) -> Self {
+        Self(ORDERS.iter().map(|&(_, order)| crate::math::gauss_legendre(order + more)).collect())
     }
 
     /// The place of the rule that is enough for patches with the distance `gap`.
