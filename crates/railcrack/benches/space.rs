@@ -82,7 +82,7 @@ fn measure([block, ring]: [usize; 2], dip: f64) -> Result<Cost, Box<dyn Error>> 
     let peak = passages.pass(&whole, &mut contact.virgin())?.peak();
     let coarse_s = begun.elapsed().as_secs_f64();
     let begun = Instant::now();
-    let settings = SpacePassageSettings { tolerance: settings.step_tolerance * peak, halvings: 7 };
+    let settings = SpacePassageSettings { tolerance: settings.step_tolerance * peak, halvings: 8 };
     let history = passages.pass(&settings, &mut contact.virgin())?;
     let passage_s = begun.elapsed().as_secs_f64();
     Ok(Cost {

@@ -5,13 +5,13 @@
 //!   ⟦w_n⟧ ≥ 0, r_n ≥ 0, r_n ⟦w_n⟧ = 0,   |r_t| ≤ μ r_n, and slip increments against r_t.
 //!
 //! The augmented equations of Alart & Curnier (1991) are solved by semismooth Newton iterations:
-//! each point is open, sticks or slips, and the unknowns are the jumps that are not held. Their
-//! linear systems are solved by minimal residuals, preconditioned by the factor of an earlier one.
-//! Slip is integrated by backward Euler: an error of first order in the step, which the passage
-//! controls.
+//! each point is open, sticks or slips. The unknowns are the jumps that are not held, or the forces
+//! between faces that touch, ⟦w⟧ = C (f + r), whichever are fewer. Their linear systems are solved
+//! by minimal residuals, preconditioned by the factor of an earlier one. From where slip counts is
+//! the business of the passage, and with it the error of the load step.
 
 use super::body::SpaceBody;
-use super::linearised::{Change, LaggedFactor, Linearised, resisted, size};
+use super::linearised::{Change, Form, LaggedFactor, Linearised, size, times_sparse};
 use super::states::{PointState, SpaceStatus};
 use crate::interruption::Interrupted;
 use crate::linear::LinearError;
@@ -25,6 +25,8 @@ const TOLERANCE: f64 = 1e-9;
 /// and where none does at the end.
 const COARSEST: f64 = 1e-2;
 const FINEST: f64 = 1e-9;
+/// Residual of the conditions, over the forces of the faces, of a converged step.
+const CONVERGED: f64 = 1e-13;
 /// A residual this small over the forces of the faces is round-off.
 const ROUNDING: f64 = 1e-13;
 
@@ -109,24 +111,24 @@ impl SpaceContact<'_> {
         before: &SpaceFaces,
         forces: &[f64],
     ) -> Result<(SpaceFaces, StepReport), SpaceContactError> {
-        self.step_from(&before.jumps, &mut LaggedFactor::default(), before, forces)
+        self.step_from(&before.jumps, &mut LaggedFactor::default(), &before.jumps, forces)
     }
 
-    /// [`Self::step`] by iterations that begin with the jumps `guess` (mm), and with those of
-    /// `before` where they do not end; `factor` is that of a similar step, and of this one after
-    /// it.
+    /// The faces under `forces` (N) whose slip opposes friction from the jumps `origin` (mm) on, by
+    /// iterations that begin with the jumps `guess` (mm), and with those of `origin` where they do
+    /// not end; `factor` is that of a similar step, and of this one after it.
     ///
     /// Errors: iterations that do not end; a singular system.
     pub(super) fn step_from(
         &self,
         guess: &[f64],
         factor: &mut LaggedFactor,
-        before: &SpaceFaces,
+        origin: &[f64],
         forces: &[f64],
     ) -> Result<(SpaceFaces, StepReport), SpaceContactError> {
-        match self.iterated(guess, factor, before, forces) {
-            Err(SpaceContactError::NotConverged { .. }) if guess != before.jumps => {
-                self.iterated(&before.jumps, factor, before, forces)
+        match self.iterated(guess, factor, origin, forces) {
+            Err(SpaceContactError::NotConverged { .. }) if guess != origin => {
+                self.iterated(origin, factor, origin, forces)
             }
             result => result,
         }
@@ -136,69 +138,87 @@ impl SpaceContact<'_> {
         &self,
         guess: &[f64],
         factor: &mut LaggedFactor,
-        before: &SpaceFaces,
+        origin: &[f64],
         forces: &[f64],
     ) -> Result<(SpaceFaces, StepReport), SpaceContactError> {
-        let points = before.status.len();
+        let points = origin.len() / 3;
         let mut jumps = guess.to_vec();
         let mut reactions = self.reactions(&jumps, forces);
         let mut last = (Vec::new(), f64::INFINITY);
         for iteration in 1..=ITERATIONS {
             let states: Vec<PointState> =
-                (0..points).map(|a| self.state(a, &jumps, &reactions, &before.jumps)).collect();
+                (0..points).map(|a| self.state(a, &jumps, &reactions, origin)).collect();
             let kinds: Vec<_> = states.iter().map(|state| std::mem::discriminant(&state.status)).collect();
-            // Where no point changes its state the error falls as the square of the change.
-            let wanted = if kinds == last.0 { (0.1 * last.1).clamp(FINEST, COARSEST) } else { COARSEST };
-            let mut change = self.held(&states, &jumps, before);
-            let conditions = Linearised::new(self.body.stiffness(), &states);
-            let sum = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a + b).collect::<Vec<f64>>();
-            let slip: Vec<f64> =
-                sum(&jumps, &change.jumps).iter().zip(&before.jumps).map(|(new, old)| new - old).collect();
-            let mut right = conditions.of(&sum(&reactions, &change.forces), &slip);
+            let form = Form::of(&states, factor.form());
+            let held = self.held(form, &states, &jumps, &reactions, origin);
+            let conditions = Linearised::new(form, self.body, &states);
+            let mut moved = sum(&jumps, &held.jumps);
+            (0..moved.len()).filter(|i| i % 3 > 0).for_each(|i| moved[i] -= origin[i]);
+            let mut right = conditions.of(&sum(&reactions, &held.forces), &moved);
             right.iter_mut().for_each(|value| *value = -*value);
-            let rounding = ROUNDING * size(&sum(&reactions, forces)) / size(&right).max(f64::MIN_POSITIVE);
+            let whole = size(&sum(&reactions, forces));
+            if kinds == last.0 && size(&right) <= CONVERGED * whole {
+                return Ok(self.converged(jumps, &states, origin, forces, iteration - 1));
+            }
+            // Without slip the conditions are linear; where no point changes its state the error
+            // falls as the square of the change.
+            let is_linear = states.iter().all(|state| state.turning == 0.0);
+            let wanted = if is_linear {
+                FINEST
+            } else if kinds == last.0 {
+                (0.1 * last.1).clamp(FINEST, COARSEST)
+            } else {
+                COARSEST
+            };
+            let rounding = ROUNDING * whole / size(&right).max(f64::MIN_POSITIVE);
+            let mut change = held;
             factor.solve(&conditions, &right, wanted.max(rounding.min(0.5)), &mut change)?;
             jumps = sum(&jumps, &change.jumps);
             reactions = sum(&reactions, &change.forces);
-            for (a, state) in states.iter().enumerate() {
-                // Exactly, after a sum that rounds.
-                if state.status != SpaceStatus::Open {
-                    jumps[3 * a] = 0.0;
-                }
-                if state.status == SpaceStatus::Stick {
-                    jumps[3 * a + 1..3 * a + 3].copy_from_slice(&before.jumps[3 * a + 1..3 * a + 3]);
-                }
+            // What is not unknown is there exactly, after a sum that rounds.
+            match form {
+                Form::Jumps => hold(&mut jumps, &states, origin),
+                Form::Forces => let_go(&mut reactions, &states),
             }
             // Jumps that were there before count: those of faces that come to rest may all vanish.
-            let scale = largest(&jumps).max(largest(&before.jumps)).max(f64::MIN_POSITIVE);
+            let scale = largest(&jumps).max(largest(origin)).max(f64::MIN_POSITIVE);
             last = (kinds, largest(&change.jumps) / scale);
             if last.1 <= TOLERANCE {
-                let mut reactions = self.reactions(&jumps, forces);
-                let status: Vec<SpaceStatus> = states.iter().map(|state| state.status).collect();
-                // Open faces exert no force: what is left is round-off.
-                for (a, status) in status.iter().enumerate() {
-                    if *status == SpaceStatus::Open {
-                        reactions[3 * a..3 * a + 3].fill(0.0);
-                    }
-                }
-                let faces = SpaceFaces { jumps, reactions, status };
-                let violation = self.violation(&faces, before);
-                return Ok((faces, StepReport { iterations: iteration, violation }));
+                return Ok(self.converged(jumps, &states, origin, forces, iteration));
             }
         }
         Err(SpaceContactError::NotConverged { iterations: ITERATIONS, change: last.1, tolerance: TOLERANCE })
     }
 
+    /// The faces at the end of the iterations.
+    fn converged(
+        &self,
+        mut jumps: Vec<f64>,
+        states: &[PointState],
+        origin: &[f64],
+        forces: &[f64],
+        iterations: usize,
+    ) -> (SpaceFaces, StepReport) {
+        hold(&mut jumps, states, origin);
+        let mut reactions = self.reactions(&jumps, forces);
+        // What is left on open faces is round-off.
+        let_go(&mut reactions, states);
+        let status = states.iter().map(|state| state.status).collect();
+        let faces = SpaceFaces { jumps, reactions, status };
+        let violation = self.violation(&faces, origin);
+        (faces, StepReport { iterations, violation })
+    }
+
     fn reactions(&self, jumps: &[f64], forces: &[f64]) -> Vec<f64> {
-        let resisted = resisted(self.body.stiffness(), jumps);
+        let resisted = times_sparse(self.body.stiffness(), jumps);
         resisted.iter().zip(forces).map(|(resisted, force)| resisted - force).collect()
     }
 
     /// The state of point a. α is the stiffness of its augmentation.
-    fn state(&self, a: usize, jumps: &[f64], reactions: &[f64], before: &[f64]) -> PointState {
+    fn state(&self, a: usize, jumps: &[f64], reactions: &[f64], origin: &[f64]) -> PointState {
         let weight = self.body.stiffness()[(3 * a, 3 * a)];
         let normal = reactions[3 * a] - weight * jumps[3 * a];
-        let [s, t] = [1, 2].map(|c| reactions[3 * a + c] - weight * (jumps[3 * a + c] - before[3 * a + c]));
+        let [s, t] = [1, 2].map(|c| reactions[3 * a + c] - weight * (jumps[3 * a + c] - origin[3 * a + c]));
         let size = s.hypot(t);
         let friction = self.friction_at(a);
         if normal <= 0.0 {
@@ -216,23 +236,38 @@ impl SpaceContact<'_> {
         self.friction[self.body.crack_of(a)]
     }
 
-    /// The change of jumps that are held, to where they are held.
-    fn held(&self, states: &[PointState], jumps: &[f64], before: &SpaceFaces) -> Change {
+    /// The change of what is not unknown: of jumps to where they are held, or of forces on open
+    /// faces to nothing.
+    fn held(
+        &self,
+        form: Form,
+        states: &[PointState],
+        jumps: &[f64],
+        reactions: &[f64],
+        origin: &[f64],
+    ) -> Change {
         let mut moved = vec![0.0; jumps.len()];
         for (a, state) in states.iter().enumerate() {
-            if state.status != SpaceStatus::Open {
-                moved[3 * a] = -jumps[3 * a];
-            }
-            if state.status == SpaceStatus::Stick {
-                (3 * a + 1..3 * a + 3).for_each(|i| moved[i] = before.jumps[i] - jumps[i]);
+            match (form, state.status) {
+                (Form::Forces, SpaceStatus::Open) => {
+                    (3 * a..3 * a + 3).for_each(|i| moved[i] = -reactions[i])
+                }
+                (Form::Jumps, SpaceStatus::Slip { .. }) => moved[3 * a] = -jumps[3 * a],
+                (Form::Jumps, SpaceStatus::Stick) => {
+                    moved[3 * a] = -jumps[3 * a];
+                    (3 * a + 1..3 * a + 3).for_each(|i| moved[i] = origin[i] - jumps[i]);
+                }
+                _ => {}
             }
         }
-        let forces = resisted(self.body.stiffness(), &moved);
-        Change { jumps: moved, forces }
+        match form {
+            Form::Jumps => Change { forces: times_sparse(self.body.stiffness(), &moved), jumps: moved },
+            Form::Forces => Change { jumps: times_sparse(self.body.compliance(), &moved), forces: moved },
+        }
     }
 
-    fn violation(&self, faces: &SpaceFaces, before: &SpaceFaces) -> f64 {
-        let jump = largest(&faces.jumps).max(largest(&before.jumps)).max(f64::MIN_POSITIVE);
+    fn violation(&self, faces: &SpaceFaces, origin: &[f64]) -> f64 {
+        let jump = largest(&faces.jumps).max(largest(origin)).max(f64::MIN_POSITIVE);
         let stiffness = self.body.stiffness();
         let stiffest = (0..faces.jumps.len()).fold(0.0f64, |m, i| m.max(stiffness[(i, i)]));
         let force = largest(&faces.reactions).max(stiffest * jump);
@@ -251,6 +286,84 @@ impl SpaceContact<'_> {
     }
 }
 
+/// Puts the jumps that `states` hold where they are held.
+fn hold(jumps: &mut [f64], states: &[PointState], origin: &[f64]) {
+    for (a, state) in states.iter().enumerate() {
+        if state.status != SpaceStatus::Open {
+            jumps[3 * a] = 0.0;
+        }
+        if state.status == SpaceStatus::Stick {
+            jumps[3 * a + 1..3 * a + 3].copy_from_slice(&origin[3 * a + 1..3 * a + 3]);
+        }
+    }
+}
+
+/// Open faces exert no force.
+fn let_go(reactions: &mut [f64], states: &[PointState]) {
+    for (a, state) in states.iter().enumerate() {
+        if state.status == SpaceStatus::Open {
+            reactions[3 * a..3 * a + 3].fill(0.0);
+        }
+    }
+}
+
+fn sum(a: &[f64], b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| a + b).collect()
+}
+
 fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |m, v| m.max(v.abs()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::material::IsotropicElastic;
+    use crate::space::{SpaceCrack, SpaceResolution, Surroundings};
+
+    #[test]
+    fn few_jumps_or_few_forces_are_the_same_iteration() {
+        let steel = IsotropicElastic::new(210e3, 0.3).unwrap();
+        let crack = SpaceCrack::surface_breaking(0.5, 3.0, 2.0).unwrap();
+        let resolution = SpaceResolution { block: 2, ring: 2 };
+        let body = SpaceBody::new(std::slice::from_ref(&crack), &steel, Surroundings::HalfSpace, resolution)
+            .unwrap();
+        let contact = SpaceContact { body: &body, friction: &[0.4] };
+        let count = 3 * body.points().len();
+        let states: Vec<PointState> = (0..body.points().len())
+            .map(|a| match a % 3 {
+                0 => PointState { status: SpaceStatus::Open, friction: 0.4, turning: 0.0 },
+                1 => PointState { status: SpaceStatus::Stick, friction: 0.4, turning: 0.0 },
+                _ => {
+                    let (sin, cos) = (a as f64).sin_cos();
+                    PointState {
+                        status: SpaceStatus::Slip { direction: [cos, sin] },
+                        friction: 0.4,
+                        turning: 0.6,
+                    }
+                }
+            })
+            .collect();
+        let of =
+            |scale: f64, turn: f64| (0..count).map(|i| scale * (turn * i as f64).sin()).collect::<Vec<_>>();
+        let (jumps, origin, forces) = (of(1e-3, 1.7), of(1e-3, 0.9), of(50.0, 0.3));
+        let reactions = contact.reactions(&jumps, &forces);
+        let [one, other] = [Form::Jumps, Form::Forces].map(|form| {
+            let mut change = contact.held(form, &states, &jumps, &reactions, &origin);
+            let conditions = Linearised::new(form, &body, &states);
+            let mut moved = sum(&jumps, &change.jumps);
+            (0..count).filter(|i| i % 3 > 0).for_each(|i| moved[i] -= origin[i]);
+            let mut right = conditions.of(&sum(&reactions, &change.forces), &moved);
+            right.iter_mut().for_each(|value| *value = -*value);
+            LaggedFactor::default().solve(&conditions, &right, 1e-13, &mut change).unwrap();
+            change
+        });
+        for (one, other) in [(&one.jumps, &other.jumps), (&one.forces, &other.forces)] {
+            let gap = one.iter().zip(other).fold(0.0f64, |m, (a, b)| m.max((a - b).abs()));
+            assert!(gap < 1e-10 * largest(one), "{gap:e} of {:e}", largest(one));
+        }
+        assert_eq!(Form::of(&states, None), Form::Jumps);
+        assert_eq!(Form::of(&states[..1], Some(Form::Jumps)), Form::Forces);
+        assert_eq!(Form::of(&states[..2], Some(Form::Forces)), Form::Forces);
+    }
 }

@@ -1,5 +1,6 @@
 //! Contact conditions of the faces in space, linearised at given states of the points.
 
+use super::body::SpaceBody;
 use super::states::{PointState, SpaceStatus};
 use crate::linear::{LargeFactor, LinearError, least_residual};
 use crate::math::{Matrix, add_rows_to_each, axpy, dot};
@@ -8,72 +9,146 @@ use rayon::prelude::*;
 /// Rows of a product that one thread computes: their sums do not depend on the thread.
 const ROWS: usize = 450;
 
-/// A ⟦w⟧ of jumps of which many may be zero.
-pub(super) fn resisted(stiffness: &Matrix, jumps: &[f64]) -> Vec<f64> {
-    let (moving, values): (Vec<usize>, Vec<f64>) =
-        jumps.iter().enumerate().filter(|(_, jump)| **jump != 0.0).unzip();
-    let mut forces = vec![0.0; jumps.len()];
-    forces.par_chunks_mut(ROWS).enumerate().for_each(|(k, chunk)| {
+/// A symmetric matrix times values of which many may be zero.
+pub(super) fn times_sparse(matrix: &Matrix, values: &[f64]) -> Vec<f64> {
+    let (places, weights): (Vec<usize>, Vec<f64>) =
+        values.iter().enumerate().filter(|(_, value)| **value != 0.0).unzip();
+    let mut product = vec![0.0; values.len()];
+    product.par_chunks_mut(ROWS).enumerate().for_each(|(k, chunk)| {
         let (from, to) = (k * ROWS, k * ROWS + chunk.len());
-        // A is symmetric: its rows are its columns.
-        add_rows_to_each(&[&values], |i| &stiffness.row(moving[i])[from..to], &mut [chunk]);
+        // Rows are columns.
+        add_rows_to_each(&[&weights], |i| &matrix.row(places[i])[from..to], &mut [chunk]);
     });
-    forces
+    product
 }
 
-/// The condition of a jump that is not held: this combination of the forces at its point, and of
-/// the slip since the last step, is zero.
+/// The unknowns of the points: few jumps move where most faces touch, few forces act where most
+/// are apart.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Form {
+    /// The jumps that are not held; A makes forces of them.
+    Jumps,
+    /// The forces of faces that touch; C makes jumps of them.
+    Forces,
+}
+
+/// A form is left for one of less than this share of its unknowns.
+const CLEARLY_LESS: f64 = 0.8;
+
+impl Form {
+    /// The form with the fewest unknowns for points in `states`; `present`, the one that there is a
+    /// factor of, unless it has many more.
+    pub fn of(states: &[PointState], present: Option<Self>) -> Self {
+        let (mut jumps, mut forces) = (0, 0);
+        for state in states {
+            let (free, pressed) = match state.status {
+                SpaceStatus::Open => (3, 0),
+                SpaceStatus::Stick => (0, 3),
+                SpaceStatus::Slip { .. } => (2, 3),
+            };
+            jumps += free;
+            forces += pressed;
+        }
+        let less = |one: usize, other: usize| (one as f64) < CLEARLY_LESS * other as f64;
+        match present {
+            Some(Self::Jumps) if less(forces, jumps) => Self::Forces,
+            Some(Self::Forces) if less(jumps, forces) => Self::Jumps,
+            Some(present) => present,
+            None if forces < jumps => Self::Forces,
+            None => Self::Jumps,
+        }
+    }
+}
+
+/// The condition of an unknown: this combination of the unknowns at its point, and of what the
+/// matrix makes of all, is zero (N).
 #[derive(Debug, Clone, Copy)]
 struct Condition {
-    /// The jump, 3a + c.
+    /// The unknown, 3a + c.
     unknown: usize,
-    forces: [f64; 3],
-    slip: [f64; 2],
+    image: [f64; 3],
+    own: [f64; 3],
 }
 
-/// The conditions of all jumps that are not held.
+/// The conditions of all unknowns.
 #[derive(Debug, Clone)]
 pub(super) struct Linearised<'a> {
-    stiffness: &'a Matrix,
+    form: Form,
+    /// Of unknown jumps A (N/mm), of unknown forces C (mm/N).
+    matrix: &'a Matrix,
     conditions: Vec<Condition>,
 }
 
 impl<'a> Linearised<'a> {
-    /// Of points in `states`.
-    pub fn new(stiffness: &'a Matrix, states: &[PointState]) -> Self {
+    /// Of points in `states` on the faces of `body`.
+    pub fn new(form: Form, body: &'a SpaceBody, states: &[PointState]) -> Self {
         let mut conditions = Vec::new();
         for (a, PointState { status, friction, turning }) in states.iter().enumerate() {
-            match status {
-                SpaceStatus::Open => conditions.extend((0..3).map(|c| Condition {
-                    unknown: 3 * a + c,
-                    forces: std::array::from_fn(|e| f64::from(u8::from(e == c))),
-                    slip: [0.0; 2],
-                })),
-                SpaceStatus::Stick => {}
-                SpaceStatus::Slip { direction } => conditions.extend((1..3).map(|c| {
-                    let mut forces = [-friction * direction[c - 1], 0.0, 0.0];
-                    let mut slip = [0.0; 2];
-                    for e in 0..2 {
-                        let same = f64::from(u8::from(e + 1 == c));
-                        let across = turning * (same - direction[c - 1] * direction[e]);
-                        forces[e + 1] = same - across;
-                        slip[e] = across * stiffness[(3 * a, 3 * a)];
+            let weight = body.stiffness()[(3 * a, 3 * a)];
+            let alone = |c: usize, factor: f64| {
+                let mut one = [0.0; 3];
+                one[c] = factor;
+                one
+            };
+            let mut add = |c: usize, of_forces: [f64; 3], of_jumps: [f64; 3]| {
+                let (image, own) = match form {
+                    Form::Jumps => (of_forces, of_jumps),
+                    Form::Forces => (of_jumps, of_forces),
+                };
+                conditions.push(Condition { unknown: 3 * a + c, image, own });
+            };
+            match (status, form) {
+                (SpaceStatus::Open, Form::Jumps) => (0..3).for_each(|c| add(c, alone(c, 1.0), [0.0; 3])),
+                (SpaceStatus::Stick, Form::Forces) => {
+                    (0..3).for_each(|c| add(c, [0.0; 3], alone(c, weight)));
+                }
+                (SpaceStatus::Open, Form::Forces) | (SpaceStatus::Stick, Form::Jumps) => {}
+                (SpaceStatus::Slip { direction }, _) => {
+                    if form == Form::Forces {
+                        add(0, [0.0; 3], alone(0, weight));
                     }
-                    Condition { unknown: 3 * a + c, forces, slip }
-                })),
+                    for c in 1..3 {
+                        let mut forces = [-friction * direction[c - 1], 0.0, 0.0];
+                        let mut slip = [0.0; 3];
+                        for e in 1..3 {
+                            let same = f64::from(u8::from(e == c));
+                            let across = turning * (same - direction[c - 1] * direction[e - 1]);
+                            forces[e] = same - across;
+                            slip[e] = across * weight;
+                        }
+                        add(c, forces, slip);
+                    }
+                }
             }
         }
-        Self { stiffness, conditions }
+        let matrix = match form {
+            Form::Jumps => body.stiffness(),
+            Form::Forces => body.compliance(),
+        };
+        Self { form, matrix, conditions }
     }
 
-    /// The combinations of `forces` (N) and `slip` (mm), both 3p.
-    pub fn of(&self, forces: &[f64], slip: &[f64]) -> Vec<f64> {
+    /// The combinations of `forces` (N) and of the slip and opening `moved` (mm), both 3p.
+    pub fn of(&self, forces: &[f64], moved: &[f64]) -> Vec<f64> {
+        match self.form {
+            Form::Jumps => self.combined(forces, moved),
+            Form::Forces => self.combined(moved, forces),
+        }
+    }
+
+    /// The combinations of unknowns and what the matrix makes of them, both 3p.
+    fn combined(&self, image: &[f64], own: &[f64]) -> Vec<f64> {
         let value = |condition: &Condition| {
             let at = condition.unknown / 3 * 3;
-            let pushed: f64 = (0..3).map(|e| condition.forces[e] * forces[at + e]).sum();
-            pushed + (0..2).map(|e| condition.slip[e] * slip[at + 1 + e]).sum::<f64>()
+            (0..3).map(|e| condition.image[e] * image[at + e] + condition.own[e] * own[at + e]).sum()
         };
         self.conditions.iter().map(value).collect()
+    }
+
+    /// The effect of unknown `k` on its own condition.
+    fn alone(&self, k: usize) -> f64 {
+        let Condition { unknown, image, own } = self.conditions[k];
+        image[unknown % 3] * self.matrix[(unknown, unknown)] + own[unknown % 3]
     }
 
     fn factor(&self) -> Result<LargeFactor, LinearError> {
@@ -81,12 +156,12 @@ impl<'a> Linearised<'a> {
         let mut columns = Matrix::zeros(order, order);
         columns.entries_mut().par_chunks_mut(order.max(1)).enumerate().for_each(|(k, column)| {
             let unknown = self.conditions[k].unknown;
-            let own = self.stiffness.row(unknown);
+            let row = self.matrix.row(unknown);
             for (condition, entry) in self.conditions.iter().zip(column) {
                 let at = condition.unknown / 3 * 3;
-                *entry = (0..3).map(|e| condition.forces[e] * own[at + e]).sum();
-                if unknown / 3 * 3 == at && unknown > at {
-                    *entry += condition.slip[unknown - at - 1];
+                *entry = (0..3).map(|e| condition.image[e] * row[at + e]).sum();
+                if unknown / 3 * 3 == at {
+                    *entry += condition.own[unknown - at];
                 }
             }
         });
@@ -94,19 +169,29 @@ impl<'a> Linearised<'a> {
     }
 }
 
-/// A change of the jumps (mm) and the forces (N) that resist it.
+/// A change of the jumps (mm) and of the forces between the faces (N) that goes with it.
 #[derive(Debug, Clone)]
 pub(super) struct Change {
     pub jumps: Vec<f64>,
     pub forces: Vec<f64>,
 }
 
+impl Change {
+    /// The unknowns, and what the matrix makes of them.
+    fn parts_mut(&mut self, form: Form) -> [&mut [f64]; 2] {
+        match form {
+            Form::Jumps => [&mut self.jumps, &mut self.forces],
+            Form::Forces => [&mut self.forces, &mut self.jumps],
+        }
+    }
+}
+
 /// Factors of conditions that are solved again and again with small changes: those of some earlier
 /// iteration precondition minimal residuals of the present one, until they no longer help.
 #[derive(Debug, Default)]
 pub(super) struct LaggedFactor {
-    factor: Option<LargeFactor>,
-    /// The place of each jump among the unknowns of the factor.
+    factor: Option<(Form, LargeFactor)>,
+    /// The place of each component among the unknowns of the factor.
     places: Vec<Option<usize>>,
     /// Products that a new factor would have saved.
     wasted: usize,
@@ -120,6 +205,11 @@ const UNKNOWNS_PER_PRODUCT: usize = 30;
 const NEEDED: usize = 2;
 
 impl LaggedFactor {
+    /// The form of the conditions that there is a factor of.
+    pub fn form(&self) -> Option<Form> {
+        self.factor.as_ref().map(|(form, _)| *form)
+    }
+
     /// Adds to `change` what makes the combinations of `conditions` change by `right`, to
     /// `tolerance` of the size of `right`.
     ///
@@ -136,7 +226,10 @@ impl LaggedFactor {
         }
         let most = PRODUCTS + right.len() / UNKNOWNS_PER_PRODUCT;
         let is_worn = self.wasted >= most;
-        if self.factor.is_some() && !is_worn && self.improves(conditions, right, tolerance, most, change)? {
+        if self.form() == Some(conditions.form)
+            && !is_worn
+            && self.improves(conditions, right, tolerance, most, change)?
+        {
             return Ok(());
         }
         self.wasted = 0;
@@ -144,7 +237,7 @@ impl LaggedFactor {
         for (place, condition) in conditions.conditions.iter().enumerate() {
             self.places[condition.unknown] = Some(place);
         }
-        self.factor = Some(conditions.factor()?);
+        self.factor = Some((conditions.form, conditions.factor()?));
         self.improves(conditions, right, tolerance, most, change)?;
         Ok(())
     }
@@ -161,10 +254,10 @@ impl LaggedFactor {
     ) -> Result<bool, LinearError> {
         let mut directions = Vec::new();
         let least = least_residual(right, tolerance, most, |direction| {
-            let jumps = self.preconditioned(conditions, direction)?;
-            let forces = resisted(conditions.stiffness, &jumps);
-            let product = conditions.of(&forces, &jumps);
-            directions.push(Change { jumps, forces });
+            let unknowns = self.preconditioned(conditions, direction)?;
+            let image = times_sparse(conditions.matrix, &unknowns);
+            let product = conditions.combined(&image, &unknowns);
+            directions.push([unknowns, image]);
             Ok::<_, LinearError>(product)
         })?;
         self.wasted += directions.len().saturating_sub(NEEDED);
@@ -172,34 +265,32 @@ impl LaggedFactor {
             return Ok(false);
         }
         for (factor, direction) in least.factors.iter().zip(&directions) {
-            axpy(*factor, &direction.jumps, &mut change.jumps);
-            axpy(*factor, &direction.forces, &mut change.forces);
+            for (part, direction) in change.parts_mut(conditions.form).into_iter().zip(direction) {
+                axpy(*factor, direction, part);
+            }
         }
         Ok(true)
     }
 
-    /// Jumps (3p) that nearly make the combinations `values`: unknowns that are new to the factor
+    /// Unknowns (3p) that nearly make the combinations `values`: those that are new to the factor
     /// move alone.
     fn preconditioned(&self, conditions: &Linearised<'_>, values: &[f64]) -> Result<Vec<f64>, LinearError> {
-        let mut jumps = vec![0.0; self.places.len()];
-        let Some(factor) = &self.factor else { return Ok(jumps) };
+        let mut unknowns = vec![0.0; self.places.len()];
+        let Some((_, factor)) = &self.factor else { return Ok(unknowns) };
         let mut right = vec![0.0; factor.order()];
-        for (condition, value) in conditions.conditions.iter().zip(values) {
+        for (k, (condition, value)) in conditions.conditions.iter().zip(values).enumerate() {
             match self.places[condition.unknown] {
                 Some(place) => right[place] = *value,
-                None => {
-                    let own = conditions.stiffness[(condition.unknown, condition.unknown)];
-                    jumps[condition.unknown] = value / own;
-                }
+                None => unknowns[condition.unknown] = value / conditions.alone(k),
             }
         }
         let solution = factor.solve(&right)?;
         for condition in &conditions.conditions {
             if let Some(place) = self.places[condition.unknown] {
-                jumps[condition.unknown] = solution[place];
+                unknowns[condition.unknown] = solution[place];
             }
         }
-        Ok(jumps)
+        Ok(unknowns)
     }
 }
 

@@ -20,6 +20,7 @@ mod patch;
 mod plane;
 mod records;
 mod shape;
+mod slip_origin;
 mod stabilised;
 mod states;
 mod tips;

@@ -4,6 +4,7 @@ use super::body::{FrontSif, SpaceBody};
 use super::contact::{SpaceContact, SpaceContactError, SpaceFaces, StepReport};
 use super::linearised::LaggedFactor;
 use super::nuclei::Symmetric;
+use super::slip_origin::{LONGEST, Moment, slip_origin};
 use crate::growth::{Observer, output_positions};
 use crate::interruption::{Interrupted, Interruption};
 use crate::load::{Bending, Passage};
@@ -46,9 +47,10 @@ impl SpaceLoad<'_> {
 /// How passages are computed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SpacePassageSettings {
-    /// Largest difference of K between one step and its two halves, MPa √mm.
+    /// Largest difference of K between two steps and one of twice the length, MPa √mm.
     pub tolerance: f64,
-    /// How often an interval between two positions may be halved; with none, each is one step.
+    /// How often two intervals between positions may be halved, the first time into one step each;
+    /// with none, each is one step and nothing is compared.
     pub halvings: usize,
 }
 
@@ -71,7 +73,8 @@ pub struct SpaceHistory {
     pub iterations_max: usize,
     /// Largest violation of the contact conditions.
     pub violation: f64,
-    /// Largest difference of K (MPa √mm) that was accepted between a step and its halves.
+    /// Largest difference of K (MPa √mm) that was accepted between two steps and one of twice the
+    /// length.
     pub step_error: f64,
 }
 
@@ -104,9 +107,12 @@ pub struct SpacePassages<'a> {
     forces: RefCell<HashMap<u64, Rc<[f64]>>>,
 }
 
-/// An interval in which no point changes its state is one step, if the last one that was halved was
-/// wrong by less than this share of what is allowed.
+/// Two steps in which no point changes its state are not compared with one, if the last ones that
+/// were differed by less than this share of what is allowed.
 const CALM: f64 = 0.1;
+/// Steps of twice the length are tried after a comparison that differed by less than this share of
+/// what is allowed: the local error grows as the cube of the step.
+const COARSER: f64 = 0.125;
 
 impl<'a> SpacePassages<'a> {
     /// Of the wheel of `load` over the body of `contact`, with results at the positions of
@@ -146,40 +152,48 @@ impl<'a> SpacePassages<'a> {
         faces: &mut SpaceFaces,
     ) -> Result<SpaceHistory, SpaceContactError> {
         let body = self.contact.body;
-        let positions = self.positions.clone();
+        let positions = self.positions.len();
         let history = SpaceHistory {
-            sifs: Vec::with_capacity(positions.len()),
+            sifs: Vec::with_capacity(positions),
             before: Vec::new(),
-            faces: Vec::with_capacity(positions.len()),
-            positions,
+            faces: Vec::with_capacity(positions),
+            positions: self.positions.clone(),
             steps: 0,
             iterations: 0,
             iterations_max: 0,
             violation: 0.0,
             step_error: 0.0,
         };
-        let factor = LaggedFactor::default();
-        let mut walk = Walk { passages: self, settings, history, factor, is_calm: false };
-        *faces = walk.step(&faces.jumps, faces, &self.constant)?;
-        walk.history.before = body.sifs_of_jumps(&faces.jumps);
-        let last = walk.history.positions.len() - 1;
-        for k in 0..=last {
-            let to = walk.history.positions[k];
-            *faces = match k.checked_sub(1).map(|before| walk.history.positions[before]) {
-                None => walk.step(&faces.jumps, faces, &self.forces_at(to))?,
-                Some(from) => {
-                    // Jumps go on as in the last interval.
-                    let last = walk.history.faces.iter().rev().nth(1).unwrap_or(&*faces);
-                    let guess: Vec<f64> =
-                        faces.jumps.iter().zip(&last.jumps).map(|(new, old)| 2.0 * new - old).collect();
-                    walk.interval(None, &guess, faces, [from, to], 0)?
-                }
-            };
-            walk.history.sifs.push(body.sifs_of_jumps(&faces.jumps));
-            walk.history.faces.push(faces.clone());
-            self.observer.progress(k as f64 / last.max(1) as f64);
+        let mut walk = Walk {
+            passages: self,
+            settings,
+            history,
+            factor: LaggedFactor::default(),
+            earlier: None,
+            last: Rc::new(Moment { position: f64::NAN, faces: faces.clone() }),
+            is_calm: false,
+            level: 0,
+        };
+        let constant = walk.step(&faces.jumps, &faces.jumps, &self.constant)?;
+        walk.history.before = body.sifs_of_jumps(&constant.jumps);
+        let (first, last) = (walk.history.positions[0], walk.history.positions[positions - 1]);
+        let first = Moment {
+            position: first,
+            faces: walk.step(&constant.jumps, &constant.jumps, &self.forces_at(first))?,
+        };
+        walk.go_on(Rc::new(first));
+        while walk.history.sifs.len() < positions {
+            let done = walk.history.sifs.len();
+            match walk.history.positions.get(done + 1) {
+                _ if settings.halvings == 0 => walk.one_step(walk.history.positions[done])?,
+                // Two intervals at once, and a last one alone.
+                Some(&to) => walk.interval(None, to, 0)?,
+                None => walk.interval(None, last, 1)?,
+            }
+            self.observer.progress(walk.history.sifs.len() as f64 / positions as f64);
         }
-        *faces = walk.step(&faces.jumps, faces, &self.constant)?;
+        let jumps = &walk.last.faces.jumps.clone();
+        *faces = walk.step(jumps, jumps, &self.constant)?;
         Ok(walk.history)
     }
 
@@ -201,23 +215,29 @@ struct Walk<'a> {
     settings: &'a SpacePassageSettings,
     history: SpaceHistory,
     factor: LaggedFactor,
-    /// Whether the last halved interval was wrong by little.
+    /// The moment before the last one, if there was a wheel.
+    earlier: Option<Rc<Moment>>,
+    last: Rc<Moment>,
+    /// Whether the last comparison of steps with a step of twice the length was wrong by little.
     is_calm: bool,
+    /// The level that intervals are taken to need at first.
+    level: usize,
 }
 
 impl Walk<'_> {
-    /// The faces under `forces` after `before`, whose jumps are near `guess`.
+    /// The faces under `forces`, whose slip counts from the jumps `origin` and whose jumps are near
+    /// `guess`.
     fn step(
         &mut self,
         guess: &[f64],
-        before: &SpaceFaces,
+        origin: &[f64],
         forces: &[f64],
     ) -> Result<SpaceFaces, SpaceContactError> {
         let SpacePassages { contact, observer, .. } = self.passages;
         if observer.interrupted() {
             return Err(Interrupted.into());
         }
-        let (faces, report) = contact.step_from(guess, &mut self.factor, before, forces)?;
+        let (faces, report) = contact.step_from(guess, &mut self.factor, origin, forces)?;
         let StepReport { iterations, violation } = report;
         let history = &mut self.history;
         history.steps += 1;
@@ -227,66 +247,141 @@ impl Walk<'_> {
         Ok(faces)
     }
 
-    /// The faces at the end of an interval, near the jumps `guess`, by its halves; each is divided
-    /// again until K at its end no longer depends on that. One step is enough where no point
-    /// changes its state and the last halves were calm. `whole`: the faces at its end by one
-    /// step, if they are known.
+    /// The faces at the position `to`, after the moments `earlier` and `last`.
+    fn moment(
+        &mut self,
+        guess: Option<&[f64]>,
+        earlier: Option<&Moment>,
+        last: &Moment,
+        to: f64,
+    ) -> Result<Rc<Moment>, SpaceContactError> {
+        let forces = self.passages.forces_at(to);
+        let origin = slip_origin(earlier, last, to);
+        let faces = match guess {
+            Some(guess) => self.step(guess, &origin, &forces)?,
+            None => self.step(&gone_on(earlier, last, to), &origin, &forces)?,
+        };
+        Ok(Rc::new(Moment { position: to, faces }))
+    }
+
+    /// Goes on to the position `to` in one step.
+    fn one_step(&mut self, to: f64) -> Result<(), SpaceContactError> {
+        let moment = self.moment(None, self.earlier.clone().as_deref(), &Rc::clone(&self.last), to)?;
+        self.go_on(moment);
+        Ok(())
+    }
+
+    /// Accepts a moment: the next step begins there.
+    fn go_on(&mut self, moment: Rc<Moment>) {
+        let history = &mut self.history;
+        if history.positions.get(history.sifs.len()) == Some(&moment.position) {
+            history.sifs.push(self.passages.contact.body.sifs_of_jumps(&moment.faces.jumps));
+            history.faces.push(moment.faces.clone());
+        }
+        let before = std::mem::replace(&mut self.last, moment);
+        self.earlier = (!before.position.is_nan()).then_some(before);
+    }
+
+    /// Goes on to the position `to` in two steps; each is divided again until K at the end no
+    /// longer differs from that of one step of twice the length, which is `whole` if it is known.
+    /// At level 0 they are two intervals between positions, and are not compared where no point
+    /// changes its state and the last comparison was calm.
     fn interval(
         &mut self,
-        whole: Option<SpaceFaces>,
-        guess: &[f64],
-        before: &SpaceFaces,
-        [from, to]: [f64; 2],
+        whole: Option<Rc<Moment>>,
+        to: f64,
         level: usize,
-    ) -> Result<SpaceFaces, SpaceContactError> {
-        let end = self.passages.forces_at(to);
-        if self.settings.halvings == 0 {
-            return self.step(guess, before, &end);
-        }
-        let body = self.passages.contact.body;
-        let middle = 0.5 * (from + to);
-        let is_last = level + 1 >= self.settings.halvings;
-        let whole = match whole.map_or_else(|| self.step(guess, before, &end), Ok) {
-            Err(SpaceContactError::NotConverged { .. }) => None,
-            whole => Some(whole?),
+    ) -> Result<(), SpaceContactError> {
+        let (earlier, last) = (self.earlier.clone(), Rc::clone(&self.last));
+        let between = match level {
+            0 => self.history.positions[self.history.sifs.len()],
+            _ => 0.5 * (last.position + to),
         };
-        let keeps_states = whole.as_ref().filter(|whole| whole.keeps_states_of(before));
-        if let Some(whole) = keeps_states.filter(|_| self.is_calm && level == 0) {
-            return Ok(whole.clone());
+        let is_last = level + 1 >= self.settings.halvings;
+        if whole.is_none() && level < self.level && !is_last {
+            self.interval(None, between, level + 1)?;
+            return self.interval(None, to, level + 1);
         }
-        let between = self.passages.forces_at(middle);
-        let jumps_at_end = whole.as_ref().map_or(&before.jumps, |whole| &whole.jumps);
-        let jumps_between: Vec<f64> =
-            before.jumps.iter().zip(jumps_at_end).map(|(start, end)| 0.5 * (start + end)).collect();
-        let half = self.step(&jumps_between, before, &between);
-        let halves = match &half {
-            Ok(half) => self.step(jumps_at_end, half, &end),
+        let one = match &whole {
+            // Half of the way.
+            Some(whole) => self.moment(
+                Some(&mean(&last.faces.jumps, &whole.faces.jumps)),
+                earlier.as_deref(),
+                &last,
+                between,
+            ),
+            None => self.moment(None, earlier.as_deref(), &last, between),
+        };
+        let guess = whole.as_ref().map(|whole| whole.faces.jumps.clone());
+        let two = match &one {
+            Ok(one) => self.moment(guess.as_deref(), Some(&last), one, to),
             Err(error) => Err(error.clone()),
         };
-        match (&whole, halves) {
-            (_, Err(error @ SpaceContactError::NotConverged { .. })) if is_last => return Err(error),
-            (_, Err(SpaceContactError::NotConverged { .. })) => self.is_calm = false,
-            (_, Err(error)) => return Err(error),
-            (whole, Ok(halves)) => {
-                let error = whole.as_ref().map_or(f64::INFINITY, |whole| {
-                    let (one, two) = (body.sifs_of_jumps(&whole.jumps), body.sifs_of_jumps(&halves.jumps));
-                    one.iter().zip(&two).map(|(a, b)| a.difference(b)).fold(0.0, f64::max)
-                });
-                if level == 0 {
+        match (one, two) {
+            (Ok(one), Ok(two)) => {
+                let keeps = one.faces.keeps_states_of(&last.faces) && two.faces.keeps_states_of(&one.faces);
+                let error = if level == 0 && self.is_calm && keeps {
+                    0.0
+                } else {
+                    let whole = match whole {
+                        Some(whole) => Ok(whole),
+                        None => self.moment(Some(&two.faces.jumps), earlier.as_deref(), &last, to),
+                    };
+                    let error = match whole {
+                        Ok(whole) => self.difference(&whole, &two),
+                        Err(SpaceContactError::NotConverged { .. }) => f64::INFINITY,
+                        Err(error) => return Err(error),
+                    };
                     self.is_calm = error <= CALM * self.settings.tolerance;
-                }
+                    if error <= COARSER * self.settings.tolerance {
+                        self.level = level.saturating_sub(1);
+                    }
+                    error
+                };
                 if error <= self.settings.tolerance || is_last {
                     if error.is_finite() {
                         self.history.step_error = self.history.step_error.max(error);
                     }
-                    return Ok(halves);
+                    self.go_on(one);
+                    self.go_on(two);
+                    return Ok(());
                 }
+                self.level = level + 1;
+                self.interval(Some(one), between, level + 1)?;
             }
+            (Err(error @ SpaceContactError::NotConverged { .. }), _)
+            | (_, Err(error @ SpaceContactError::NotConverged { .. }))
+                if is_last =>
+            {
+                return Err(error);
+            }
+            (Ok(one), Err(SpaceContactError::NotConverged { .. })) => {
+                self.interval(Some(one), between, level + 1)?
+            }
+            (Err(SpaceContactError::NotConverged { .. }), _) => self.interval(None, between, level + 1)?,
+            (_, Err(error)) | (Err(error), _) => return Err(error),
         }
-        let jumps_at_end = jumps_at_end.clone();
-        let half = self.interval(half.ok(), &jumps_between, before, [from, middle], level + 1)?;
-        self.interval(None, &jumps_at_end, &half, [middle, to], level + 1)
+        self.interval(None, to, level + 1)
     }
+
+    /// The largest difference of K at two moments, MPa √mm.
+    fn difference(&self, one: &Moment, other: &Moment) -> f64 {
+        let body = self.passages.contact.body;
+        let sifs = |moment: &Moment| body.sifs_of_jumps(&moment.faces.jumps);
+        sifs(one).iter().zip(&sifs(other)).map(|(a, b)| a.difference(b)).fold(0.0, f64::max)
+    }
+}
+
+fn mean(a: &[f64], b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| 0.5 * (a + b)).collect()
+}
+
+/// Jumps at the position `to` that go on as they did.
+fn gone_on(earlier: Option<&Moment>, last: &Moment, to: f64) -> Vec<f64> {
+    let jumps = last.faces.jumps.clone();
+    let Some(earlier) = earlier else { return jumps };
+    let ratio = ((to - last.position) / (last.position - earlier.position)).min(LONGEST);
+    jumps.iter().zip(&earlier.faces.jumps).map(|(new, old)| new + ratio * (new - old)).collect()
 }
 
 /// The passage of the wheel over the faces `faces`, which are left as after it, with results at the

@@ -6,8 +6,8 @@ use super::passage::{SpaceHistory, SpaceLoad, SpacePassageSettings, SpacePassage
 use crate::contact::StepControl;
 use crate::growth::{Observer, PassageSettings, SolverCounts};
 
-/// How often an interval between two output positions may be halved.
-const HALVINGS: usize = 7;
+/// How often two intervals between output positions may be halved.
+const HALVINGS: usize = 8;
 
 /// Passages until the history repeats.
 #[derive(Debug, Clone, PartialEq)]

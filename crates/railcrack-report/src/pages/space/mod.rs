@@ -209,7 +209,7 @@ fn assumptions(run: &RunFolder, space: &SpaceCase) -> Vec<String> {
             wheel.lateral_friction
         ),
         format!(
-            "Crack faces: unilateral contact with Coulomb friction {} in two directions, slip by backward Euler in load steps until K \
+            "Crack faces: unilateral contact with Coulomb friction {} in two directions, slip by backward differences of second order in load steps until K \
              changes by less than {} of its peak.",
             frictions(&case.crack_friction),
             case.passages.step_tolerance

@@ -4,8 +4,8 @@ use super::{body, stress};
 use crate::common::{Of, close, largest};
 use railcrack::load::Passage;
 use railcrack::space::{
-    EllipticWheel, FrontSif, SpaceContact, SpaceCrack, SpaceHistory, SpaceLoad, SpacePassageSettings,
-    Surroundings, space_passage,
+    EllipticWheel, FrontSif, SpaceContact, SpaceCrack, SpaceFaces, SpaceHistory, SpaceLoad,
+    SpacePassageSettings, SpaceStatus, Surroundings, space_passage,
 };
 use std::f64::consts::PI;
 
@@ -87,23 +87,69 @@ fn passages_are_steps_one_by_one() {
     let history = space_passage(&contact, &load, passage, &settings, &mut contact.virgin()).unwrap();
     assert!(history.violation < 1e-10, "{}", history.violation);
     let scale = peak(&history);
-    let mut faces = contact.virgin();
-    let mut step = |position: f64| {
+    let after = |before: &SpaceFaces, position: f64| {
         let forces = body.nodal_forces(|point| field(position, point));
-        faces = contact.step(&faces, &forces).unwrap().0;
-        body.sifs_of_jumps(&faces.jumps)
+        contact.step(before, &forces).unwrap().0
     };
-    let mut alone = step(passage.from);
-    for (k, sifs) in history.sifs.iter().enumerate() {
-        // Quarters of the interval before the position.
-        for quarter in (1..=4).filter(|_| k > 0) {
-            let (from, to) = (history.positions[k - 1], history.positions[k]);
-            alone = step(from + 0.25 * f64::from(quarter) * (to - from));
-        }
-        for (got, want) in sifs.iter().zip(&alone) {
+    let check = |k: usize, faces: &SpaceFaces| {
+        for (got, want) in history.sifs[k].iter().zip(&body.sifs_of_jumps(&faces.jumps)) {
             close(got.difference(want), 0.0, Of(1e-7, scale), "changes of 1e-9 end the iterations");
         }
+    };
+    let at = &history.positions;
+    let (mut earlier, mut last) = (None, after(&contact.virgin(), at[0]));
+    check(0, &last);
+    for k in 1..at.len() {
+        // Halves of the interval before the position.
+        for position in [0.5 * (at[k - 1] + at[k]), at[k]] {
+            let mut origin = last.clone();
+            if let Some(earlier) = &earlier {
+                second_order(earlier, &mut origin);
+            }
+            earlier = Some(std::mem::replace(&mut last, after(&origin, position)));
+        }
+        check(k, &last);
     }
+}
+
+/// Moves the jumps from which slip counts in a step as long as the one from `earlier` to `last`:
+/// backward differences of slip, and closing points to where they meet.
+fn second_order(earlier: &SpaceFaces, last: &mut SpaceFaces) {
+    for (a, status) in last.status.iter().enumerate() {
+        let rate: [f64; 3] = std::array::from_fn(|c| last.jumps[3 * a + c] - earlier.jumps[3 * a + c]);
+        let share = match status {
+            SpaceStatus::Open if rate[0] < 0.0 => (last.jumps[3 * a] / -rate[0]).min(1.0),
+            SpaceStatus::Slip { .. } if earlier.status[a] != SpaceStatus::Open => 1.0 / 3.0,
+            _ => 0.0,
+        };
+        (1..3).for_each(|c| last.jumps[3 * a + c] += share * rate[c]);
+    }
+}
+
+#[test]
+fn slip_that_turns_is_of_second_order() {
+    // Shear beyond friction whose direction turns by 100° while all faces slip.
+    let crack = SpaceCrack::buried(1.0, 1.0, 1.0, 50.0).unwrap();
+    let body = body(&crack, Surroundings::FullSpace, 2);
+    let contact = SpaceContact { body: &body, friction: &[0.3] };
+    let wheel = |position: f64, _: [f64; 3]| {
+        let (sin, cos) = (1.7 * position).sin_cos();
+        let size = 60.0 + 40.0 * position;
+        stress(1f64.to_degrees(), [-100.0, size * cos, size * sin])
+    };
+    let load = SpaceLoad { wheel: &wheel, bending: None, constant: None };
+    let settings = SpacePassageSettings { tolerance: f64::INFINITY, halvings: 0 };
+    let last = |steps: usize| {
+        let passage = Passage { from: 0.0, to: 1.0, positions: steps + 1 };
+        let history = space_passage(&contact, &load, passage, &settings, &mut contact.virgin()).unwrap();
+        history.sifs[steps].clone()
+    };
+    let fine = last(160);
+    let [rough, better] = [10, 20].map(|steps| {
+        let pairs = last(steps).into_iter().zip(&fine);
+        pairs.map(|(k, fine)| k.difference(fine)).fold(0.0, f64::max)
+    });
+    assert!(better > 0.0 && rough > 3.2 * better, "{rough} {better}: 4 of second order, 2 of first");
 }
 
 fn peak(history: &SpaceHistory) -> f64 {
