@@ -46,6 +46,9 @@ const NUGGETS: [f64; 4] = [1e-8, 1e-5, 1e-3, 3e-2];
 /// Factors by which the length of one input is then changed, and how often.
 const FACTORS: [f64; 2] = [0.5, 2.0];
 const SWEEPS: usize = 2;
+/// Standard deviation of a quantity (a ratio or a logarithm) that is the same at all points but for
+/// round-off: it must not choose the kernel.
+const ROUND_OFF: f64 = 1e-9;
 
 impl Interpolation {
     /// Of `values`, a row for each of `points`; inputs are in standard deviations. None where there
@@ -142,7 +145,7 @@ impl Interpolation {
             let variance: f64 = (0..n).map(|i| (self.values[(i, quantity)] - mean).powi(2)).sum();
             let error: f64 =
                 (0..n).map(|i| (self.weights[(i, quantity)] / self.inverse[(i, i)]).powi(2)).sum();
-            if variance > 0.0 {
+            if variance > n as f64 * ROUND_OFF * ROUND_OFF {
                 sum += error / variance;
             }
         }
@@ -192,6 +195,22 @@ mod tests {
         let (few, many) = (worst(20), worst(60));
         assert!(few[0] < 1e-4 && many[0] < 1e-4, "{few:?}, {many:?}");
         assert!(few[1] < 0.1 && many[1] < 0.1 * few[1], "{few:?}, {many:?}");
+    }
+
+    #[test]
+    fn round_off_does_not_choose_the_kernel() {
+        let points = points(30);
+        let kernel = |constant: &dyn Fn(usize) -> f64| {
+            let value = |i: usize, j: usize| if j < 2 { quantities(&points[i])[j] } else { constant(i) };
+            let fitted = Interpolation::of(&points, &Matrix::from_fn(30, 3, value)).unwrap();
+            (fitted.kernel.lengths, fitted.kernel.nugget)
+        };
+        let exact = kernel(&|_| 1.4);
+        for seed in 1..8 {
+            let noise = |i: usize| 1e-13 * ((i * i * seed) as f64 * 0.618).fract();
+            assert_eq!(kernel(&|i| 1.4 + noise(i)), exact, "{seed}");
+        }
+        assert_ne!(kernel(&|i| 1.4 + ((i * i) as f64 * 0.618).fract()), exact);
     }
 
     #[test]

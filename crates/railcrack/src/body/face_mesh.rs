@@ -52,14 +52,18 @@ impl FaceMesh {
     /// [`FaceMesh::nodal_forces`] of a stress that is known by the index of the sample, from 0.
     #[must_use]
     pub fn nodal_forces_of_samples(&self, stress: impl Fn(usize, Vec2) -> Stress) -> Vec<f64> {
+        // In x and y first: a point has one frame for all of its shares.
         let mut forces = vec![0.0; 2 * self.points.len()];
         for (k, sample) in self.samples.iter().enumerate() {
             let traction = stress(k, sample.point).traction(sample.normal);
             for (point, length) in sample.shares {
-                let tangent = self.points[point].tangent;
-                forces[2 * point] += length * traction.dot(tangent);
-                forces[2 * point + 1] += length * traction.dot(tangent.left());
+                forces[2 * point] += length * traction.x;
+                forces[2 * point + 1] += length * traction.y;
             }
+        }
+        for (force, point) in forces.as_chunks_mut::<2>().0.iter_mut().zip(&self.points) {
+            let sum = Vec2::new(force[0], force[1]);
+            *force = [sum.dot(point.tangent), sum.dot(point.tangent.left())];
         }
         forces
     }

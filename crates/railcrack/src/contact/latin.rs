@@ -232,7 +232,7 @@ impl LatinSteps<'_> {
         let local = &self.solution;
         let gap: Vec<f64> = local.contact.iter().zip(force).map(|(a, b)| a - b).collect();
         let pressed = total(self.problem, &self.solution, load);
-        let total: Vec<f64> = force.iter().zip(&pressed).map(|(a, b)| a + b).collect();
+        let total: Vec<f64> = force.iter().zip(&*pressed).map(|(a, b)| a + b).collect();
         let sif = largest(&mut (0..influence.rows()).map(|i| dot(influence.row(i), &total)));
         self.scale[0] = self.scale[0].max(largest(&mut jump.iter().copied()));
         self.scale[1] = self.scale[1].max(largest(&mut load.iter().copied()));

@@ -8,6 +8,7 @@ mod fluid;
 mod latin;
 mod law;
 mod letting_off;
+mod loads;
 mod newton;
 mod parabola;
 mod pocket_way;

@@ -182,7 +182,7 @@ mod tests {
         let forces = body.stiffness.times(&[3.0, -1.0]);
         let mut faces = FaceResponse::virgin(&problem);
         faces.set_status(0, PointStatus::Open, 0.0);
-        faces.load([forces.clone()]);
+        faces.load(&forces);
         faces.equilibrate().unwrap();
         let step = LoadStep { forces: &forces, reference_slip: &[0.0], outside: &[] };
         Newton::default().prepare(&problem).solve(step, &mut faces).unwrap();

@@ -6,6 +6,7 @@ use super::tableau::FaceRate;
 use super::{FaceProblem, FaceScale, FaceSolution, FluidModel, Pocket, PocketState, PocketStatus};
 use crate::linear::SmallFactor;
 use crate::math::Matrix;
+use std::borrow::Cow;
 
 /// Volume below this share of the one that the pocket has when its faces are free, over which no
 /// pressure acts.
@@ -239,12 +240,16 @@ pub(super) fn violation(problem: &FaceProblem, solution: &FaceSolution, scale: F
 }
 
 /// Nodal forces `load` (N/mm, 2p) with those of the pressures in `solution`.
-pub(super) fn total(problem: &FaceProblem, solution: &FaceSolution, load: &[f64]) -> Vec<f64> {
-    let mut total = load.to_vec();
+pub(super) fn total<'l>(
+    problem: &FaceProblem,
+    solution: &FaceSolution,
+    load: impl Into<Cow<'l, [f64]>>,
+) -> Cow<'l, [f64]> {
+    let mut load = load.into();
     for (pocket, state) in problem.pockets().iter().zip(&solution.fluid) {
-        crate::math::axpy(state.pressure, &pocket.unit, &mut total);
+        crate::math::axpy(state.pressure, &pocket.unit, load.to_mut());
     }
-    total
+    load
 }
 
 impl FaceProblem<'_> {

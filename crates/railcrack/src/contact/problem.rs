@@ -139,7 +139,7 @@ impl<'a> FaceProblem<'a> {
 }
 
 /// The equilibrium and contact state of the faces after a load step.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Default, PartialEq)]
 pub struct FaceSolution {
     /// ⟦w⟧, mm: `[2 j]` slip, `[2 j + 1]` opening of point j.
     pub jump: Vec<f64>,
@@ -149,6 +149,21 @@ pub struct FaceSolution {
     pub status: Vec<PointStatus>,
     /// The fluid of each pocket whose pressure is an unknown.
     pub fluid: Vec<PocketState>,
+}
+
+impl Clone for FaceSolution {
+    fn clone(&self) -> Self {
+        let Self { jump, contact, status, fluid } = self;
+        Self { jump: jump.clone(), contact: contact.clone(), status: status.clone(), fluid: fluid.clone() }
+    }
+
+    /// In the memory of what was there: each load step copies some.
+    fn clone_from(&mut self, source: &Self) {
+        self.jump.clone_from(&source.jump);
+        self.contact.clone_from(&source.contact);
+        self.status.clone_from(&source.status);
+        self.fluid.clone_from(&source.fluid);
+    }
 }
 
 impl FaceSolution {

@@ -66,13 +66,18 @@ impl<'a> FaceResponse<'a> {
         self.tableau.set(2 * point + 1, normal);
     }
 
-    /// Makes `loads` (N/mm, 2p each) those to answer: the first one acts, others are rates.
-    pub(super) fn load(&mut self, loads: impl IntoIterator<Item = Vec<f64>>) {
+    /// Makes `acting` (N/mm, 2p) the load.
+    pub(super) fn load(&mut self, acting: &[f64]) {
+        let units = self.problem.pockets().iter().map(|pocket| &pocket.unit[..]);
+        self.tableau.loads().set(std::iter::once(acting).chain(units));
+    }
+
+    /// Makes `end` (N/mm, 2p) the load, which is `start` with both of `rates`, and these loads 1
+    /// and 2.
+    pub(super) fn load_on(&mut self, start: &[f64], end: &[f64], rates: [&[f64]; 2]) {
+        let units = self.problem.pockets().iter().map(|pocket| &pocket.unit[..]);
         // Unit pressures follow the load that acts.
-        let mut loads = loads.into_iter();
-        let acting = loads.next();
-        let units = self.problem.pockets().iter().map(|pocket| pocket.unit.clone());
-        self.tableau.load(acting.into_iter().chain(units).chain(loads));
+        self.tableau.loads().set_on(start, end, units.chain(rates));
     }
 
     /// Makes `pressures` (MPa) those over the mouths of the pockets.
@@ -110,7 +115,7 @@ impl<'a> FaceResponse<'a> {
 
     /// One more load (N/mm, 2p) to answer as a rate.
     pub(super) fn load_also(&mut self, load: Vec<f64>) {
-        self.tableau.load_also(load);
+        self.tableau.loads().add(load);
     }
 
     /// Jumps and contact forces under the load with the present statuses.

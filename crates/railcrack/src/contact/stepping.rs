@@ -2,7 +2,7 @@
 
 use super::pocket_way::OutsidePressure;
 use super::pressure::{content, total, violation};
-use super::trace::{Accuracy, LetsOff, StepLoad, Stop, Traced, follow};
+use super::trace::{Accuracy, LetsOff, StepLoad, Stop, Trace, follow};
 use super::{
     ContactSolver, FaceProblem, FaceResponse, FaceScale, FaceSolution, LoadStep, NotConverged, PocketState,
     PocketStatus, PointStatus, StepSolver,
@@ -128,6 +128,15 @@ pub struct Stepper<'a> {
     counts: SteppingCounts,
     interrupted: &'a (dyn Fn() -> bool + Sync),
     visited: Option<Visited>,
+    /// Memory of a step.
+    memory: StepMemory,
+}
+
+/// Load and faces on their way through a step.
+#[derive(Default)]
+struct StepMemory {
+    load: StepLoad,
+    trace: Trace,
 }
 
 /// The jumps of some points on the way: at every accepted solution, and wherever a status changes.
@@ -236,6 +245,7 @@ impl<'a> Stepper<'a> {
             counts: SteppingCounts::default(),
             interrupted: &|| false,
             visited: None,
+            memory: StepMemory::default(),
         }
     }
 
@@ -412,15 +422,30 @@ impl<'a> Stepper<'a> {
         &mut self,
         path: &dyn LoadPath,
         target: f64,
-        (end, outside_end): (Vec<f64>, Vec<f64>),
+        (end, outside): (Vec<f64>, Vec<f64>),
         lets_off: LetsOff,
         accepted: &mut dyn FnMut(&FaceSolution, &[f64]),
     ) -> Result<Attempt, NotConverged> {
+        let mut memory = std::mem::take(&mut self.memory);
+        memory.load.lead_through(&self.load, &path.nodal_forces(0.5 * (self.at + target)), end);
+        let result = self.traced_on(&mut memory, path, target, (outside, lets_off), accepted);
+        self.memory = memory;
+        result
+    }
+
+    /// [`Stepper::traced`] along the load in the memory.
+    fn traced_on(
+        &mut self,
+        StepMemory { load, trace }: &mut StepMemory,
+        path: &dyn LoadPath,
+        target: f64,
+        (outside_end, lets_off): (Vec<f64>, LetsOff),
+        accepted: &mut dyn FnMut(&FaceSolution, &[f64]),
+    ) -> Result<Attempt, NotConverged> {
         let along = |share: f64| self.at + share * (target - self.at);
-        let load = StepLoad::through(&self.load, &path.nodal_forces(along(0.5)), end);
         let outside = OutsidePressure::through(&self.outside, &path.over_mouths(along(0.5)), &outside_end);
         let (problem, current) = (self.problem, &self.current);
-        self.faces.load([load.end.clone(), load.first.clone(), load.second.clone()]);
+        self.faces.load_on(&load.start, &load.end, [&load.first, &load.second]);
         self.solver.keep();
         let scale = self.largest.including(&self.current, &load.end);
         let (tolerance, scale_of) = (self.tolerance, &self.scale);
@@ -443,22 +468,19 @@ impl<'a> Stepper<'a> {
             loud: self.loud(),
             lets_off,
         };
-        let traced = follow(self.problem, &mut self.faces, &self.current, scale, accuracy);
-        let Traced { reference_slip, changes } = match traced {
-            Ok(traced) => traced,
+        match follow(self.problem, &mut self.faces, &self.current, scale, accuracy, trace) {
+            Ok(()) => {}
             Err(Stop::Inaccurate { excess }) => return Ok(Attempt::Shorter((0.9 / excess.cbrt()).max(0.2))),
             Err(Stop::Lost { share }) if share > EARLY => return Ok(Attempt::Shorter(BEFORE * share)),
             Err(Stop::Lost { .. }) => return Ok(Attempt::Untraced(UNTRACED)),
             // The step ends where fluid finds its way out.
             Err(Stop::LetsOff { share }) if share > 1.0 - 2.0 * BEYOND => return Ok(Attempt::ThenLetOff),
             Err(Stop::LetsOff { share }) => return Ok(Attempt::Shorter((share * (1.0 + BEYOND)).max(EARLY))),
-        };
-        let before = self.faces.solution().status.clone();
-        let pockets = self.faces.solution().fluid.clone();
-        self.solve(&load.end, &reference_slip, &outside_end)?;
+        }
+        self.solve(&load.end, &trace.reference_slip, &outside_end)?;
         let after = self.faces.solution();
         let astray = |j: usize| {
-            let (traced, solved) = (before[j], after.status[j]);
+            let (traced, solved) = (trace.now.status[j], after.status[j]);
             let holds = traced != solved && solved.is_closed() && traced != PointStatus::Stick;
             let slip = (after.jump[2 * j] - self.current.jump[2 * j]).abs();
             holds && self.problem.friction(j) > 0.0 && slip > self.allowed(j)
@@ -467,18 +489,19 @@ impl<'a> Stepper<'a> {
             return Ok(Attempt::Shorter(0.5));
         }
         let leaks = |state: &PocketState| state.status == PocketStatus::Leaking;
-        let closes = pockets.iter().zip(&after.fluid).any(|(traced, solved)| leaks(traced) != leaks(solved));
+        let closes =
+            trace.now.fluid.iter().zip(&after.fluid).any(|(traced, solved)| leaks(traced) != leaks(solved));
         if closes && lets_off == LetsOff::There {
             return Ok(Attempt::Shorter(0.5));
         }
         let from = self.at;
-        for change in &changes {
+        for change in trace.changes() {
             if let Some(visited) = &mut self.visited {
                 visited.add(from + change.share * (target - from), &change.solution);
             }
-            accepted(&change.solution, &total(self.problem, &change.solution, &load.at(change.share)));
+            accepted(&change.solution, &total(self.problem, &change.solution, load.at(change.share)));
         }
-        Ok(self.accept(target, (load.end, outside_end), accepted))
+        Ok(self.accept(target, (std::mem::take(&mut load.end), outside_end), accepted))
     }
 
     /// A step whose events all count as at its start.
@@ -488,7 +511,7 @@ impl<'a> Stepper<'a> {
         (end, outside): (Vec<f64>, Vec<f64>),
         accepted: &mut dyn FnMut(&FaceSolution, &[f64]),
     ) -> Result<Attempt, NotConverged> {
-        self.faces.load([end.clone()]);
+        self.faces.load(&end);
         let reference_slip: Vec<f64> = self.current.jump.iter().step_by(2).copied().collect();
         self.solver.keep();
         self.solve(&end, &reference_slip, &outside)?;

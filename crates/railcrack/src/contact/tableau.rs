@@ -2,6 +2,7 @@
 
 use super::condition::{Condition, Degenerate};
 use super::differences::Differences;
+use super::loads::{Answer, Loads};
 use super::probe::Probe;
 use crate::linear::{LinearError, SmallFactor, add_product, general_inverse, product};
 use crate::math::{Matrix, add_rows_to_each, axpy};
@@ -33,27 +34,10 @@ pub(super) struct Tableau<'a> {
     held: Vec<f64>,
     of_held: Vec<f64>,
     probe: Probe,
-    loads: Vec<Load>,
-    /// Memory for answers.
-    spare: Vec<Answer>,
+    loads: Loads,
+    /// Components that the basis leaves free.
+    free: Vec<usize>,
     differences: Differences,
-}
-
-/// Nodal forces, and what the basis makes of them.
-struct Load {
-    /// N/mm.
-    forces: Vec<f64>,
-    /// The basis where all that it holds is held at zero; none before that is asked for.
-    answer: Option<Answer>,
-}
-
-/// The basis under some action.
-#[derive(Debug, Default)]
-struct Answer {
-    input: Vec<f64>,
-    output: Vec<f64>,
-    /// Of the inputs where the present conditions differ.
-    changes: Vec<f64>,
 }
 
 /// An action on the faces.
@@ -66,7 +50,7 @@ struct Action {
 }
 
 /// How jumps and contact forces change.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct FaceRate {
     /// mm
     pub jump: Vec<f64>,
@@ -107,20 +91,15 @@ impl<'a> Tableau<'a> {
             held: vec![0.0; n],
             of_held: vec![0.0; n],
             probe: Probe::new(stiffness),
-            loads: Vec::new(),
-            spare: Vec::new(),
+            loads: Loads::default(),
+            free: Vec::new(),
             differences: Differences::default(),
         }
     }
 
-    /// Makes `loads` (N/mm) those to answer.
-    pub(super) fn load(&mut self, loads: impl IntoIterator<Item = Vec<f64>>) {
-        self.loads = loads.into_iter().map(|forces| Load { forces, answer: None }).collect();
-    }
-
-    /// One more load (N/mm) to answer.
-    pub(super) fn load_also(&mut self, forces: Vec<f64>) {
-        self.loads.push(Load { forces, answer: None });
+    /// The loads to answer.
+    pub(super) fn loads(&mut self) -> &mut Loads {
+        &mut self.loads
     }
 
     /// Sets the condition of `component`. Only one that another follows may be coupled, and only to
@@ -172,7 +151,7 @@ impl<'a> Tableau<'a> {
         for (k, rate) in rates.iter_mut().enumerate() {
             let answer = self.answer_to(Action { load: Some(first + k), held: false })?;
             self.write(first + k, false, &answer, (&mut rate.jump, &mut rate.contact));
-            self.spare.push(answer);
+            self.loads.take_back(answer);
         }
         Ok(())
     }
@@ -199,7 +178,7 @@ impl<'a> Tableau<'a> {
             }
         };
         let jumps = components.map(jump);
-        self.spare.push(answer);
+        self.loads.take_back(answer);
         Ok(jumps)
     }
 
@@ -226,7 +205,7 @@ impl<'a> Tableau<'a> {
     /// weights of the probe tells.
     fn fulfils(&mut self, jump: &[f64], contact: &[f64]) -> bool {
         let (mut sum, mut size) = (0.0f64, 0.0f64);
-        let load = &self.loads[0].forces;
+        let load = self.loads.forces(0);
         for (i, (&weight, &of_jump)) in self.probe.weights.iter().zip(&self.probe.of_jumps).enumerate() {
             for term in [of_jump * jump[i], -weight * load[i], -weight * contact[i]] {
                 sum += term;
@@ -237,38 +216,24 @@ impl<'a> Tableau<'a> {
         sum.abs() <= DRIFT * self.probe.size
     }
 
-    /// Lets the basis answer all loads that it has not answered yet, in one pass over it.
-    fn answer(&mut self) {
-        let n = self.now.len();
-        let open: Vec<usize> = (0..self.loads.len()).filter(|&k| self.loads[k].answer.is_none()).collect();
-        if open.is_empty() {
-            return;
-        }
-        let free: Vec<usize> = (0..n).filter(|&i| self.basis[i].held().is_none()).collect();
-        let driven = |&k: &usize| (0..n).map(|i| self.driven_input(&self.loads[k].forces, i)).collect();
-        let inputs: Vec<Vec<f64>> = open.iter().map(driven).collect();
-        let chosen = |input: &Vec<f64>| free.iter().map(|&i| input[i]).collect();
-        let weights: Vec<Vec<f64>> = inputs.iter().map(chosen).collect();
-        let mut outputs = vec![vec![0.0; n]; open.len()];
-        add_rows_to_each(&weights, |m| self.responses.row(free[m]), &mut outputs);
-        for (k, (input, output)) in open.into_iter().zip(inputs.into_iter().zip(outputs)) {
-            self.loads[k].answer = Some(Answer { input, output, changes: Vec::new() });
-        }
-    }
-
     /// Jumps and contact forces under the first load.
     fn equilibrium(&mut self, jump: &mut [f64], contact: &mut [f64]) -> Result<(), Degenerate> {
         self.move_held();
         self.prepare()?;
         let answer = self.answer_to(Action { load: Some(0), held: true })?;
         self.write(0, true, &answer, (jump, contact));
-        self.spare.push(answer);
+        self.loads.take_back(answer);
         Ok(())
     }
 
     /// All that [`Tableau::answer_to`] needs.
     fn prepare(&mut self) -> Result<(), Degenerate> {
-        self.answer();
+        let (basis, unit) = (&self.basis, self.unit);
+        let driven = |forces: &[f64], i: usize| match basis[i] {
+            Condition::Held(_) => 0.0,
+            Condition::Free(coupling) => driven(forces, i, coupling, unit),
+        };
+        self.loads.answer(basis.len(), &self.free, driven, |i| self.responses.row(i));
         self.factor()
     }
 
@@ -321,7 +286,7 @@ impl<'a> Tableau<'a> {
     /// Jumps and contact forces of `answer` to `load`, with what is held in place or at zero.
     fn write(&self, load: usize, held: bool, answer: &Answer, (jump, contact): (&mut [f64], &mut [f64])) {
         let conditions = self.basis.iter().zip(&self.now);
-        let answers = answer.input.iter().zip(&answer.output).zip(&self.loads[load].forces);
+        let answers = answer.input.iter().zip(&answer.output).zip(self.loads.forces(load));
         let results = jump.iter_mut().zip(contact);
         // From the last component on: a coupled one needs the next.
         let (mut force, mut next_contact) = (0.0, 0.0);
@@ -341,20 +306,7 @@ impl<'a> Tableau<'a> {
 
     /// The basis under `action`.
     fn of_basis(&mut self, action: Action) -> Answer {
-        let mut answer = self.spare.pop().unwrap_or_default();
-        match action.load.and_then(|k| self.loads[k].answer.as_ref()) {
-            Some(of_load) => {
-                answer.input.clone_from(&of_load.input);
-                answer.output.clone_from(&of_load.output);
-            }
-            None => {
-                let Answer { input, output, .. } = &mut answer;
-                for values in [input, output] {
-                    values.clear();
-                    values.resize(self.now.len(), 0.0);
-                }
-            }
-        }
+        let mut answer = self.loads.of_basis(action.load, self.now.len());
         if action.held {
             // Where the basis holds nothing, this is zero.
             axpy(1.0, &self.held, &mut answer.input);
@@ -394,7 +346,8 @@ impl<'a> Tableau<'a> {
 
     /// Deficit of `input` and `output` of the basis in the present condition of component `i`.
     fn defect(&self, i: usize, action: Action, input: &[f64], output: &[f64]) -> f64 {
-        let driven = |coupling| action.load.map_or(0.0, |k| self.driven(&self.loads[k].forces, i, coupling));
+        let driven =
+            |coupling| action.load.map_or(0.0, |k| driven(self.loads.forces(k), i, coupling, self.unit));
         let next = || match self.basis[i + 1] {
             Condition::Held(_) => output[i + 1],
             Condition::Free(_) => input[i + 1],
@@ -410,19 +363,6 @@ impl<'a> Tableau<'a> {
         }
     }
 
-    /// The input of component `i` under `load`; zero where the basis holds the jump.
-    fn driven_input(&self, load: &[f64], i: usize) -> f64 {
-        match self.basis[i] {
-            Condition::Held(_) => 0.0,
-            Condition::Free(coupling) => self.driven(load, i, coupling),
-        }
-    }
-
-    /// load_i + c load_{i+1}, in units.
-    fn driven(&self, load: &[f64], i: usize, coupling: f64) -> f64 {
-        (load[i] + times(coupling, || load[i + 1])) / self.unit
-    }
-
     /// Makes the present conditions a basis of their own, from A.
     fn refresh(&mut self) -> Result<(), Degenerate> {
         self.basis.fill(Condition::Held(0.0));
@@ -436,7 +376,9 @@ impl<'a> Tableau<'a> {
     /// next response.
     fn begin_basis(&mut self) {
         self.differences = Differences::default();
-        self.loads.iter_mut().for_each(|load| load.answer = None);
+        self.free.clear();
+        self.free.extend((0..self.basis.len()).filter(|&i| self.basis[i].held().is_none()));
+        self.loads.begin_basis();
         self.held.fill(0.0);
         self.of_held.fill(0.0);
     }
@@ -577,9 +519,7 @@ impl<'a> Tableau<'a> {
             self.held = self.basis.iter().map(|condition| condition.held().unwrap_or(0.0)).collect();
             self.of_held = of_held.output;
         }
-        for (load, answer) in self.loads.iter_mut().zip(answers) {
-            load.answer = Some(answer);
-        }
+        self.loads.take_over(answers);
     }
 }
 
@@ -592,6 +532,11 @@ impl Condition {
             Self::Free(coupling) => (output, input - times(coupling, || next)),
         }
     }
+}
+
+/// load_i + c load_{i+1}, in units.
+fn driven(load: &[f64], i: usize, coupling: f64, unit: f64) -> f64 {
+    (load[i] + times(coupling, || load[i + 1])) / unit
 }
 
 /// A in units of `unit`.

@@ -14,7 +14,7 @@ const LOAD: [f64; N] = [10.0, -20.0, 5.0, 30.0, 3.0, -10.0, 20.0, 7.0];
 /// By how much A w = load + q and the conditions are missed, over the load.
 fn defect(tableau: &mut Tableau, conditions: &[Condition; N], again: bool) -> f64 {
     let (mut jump, mut contact) = ([0.0; N], [0.0; N]);
-    tableau.load([LOAD.to_vec()]);
+    tableau.loads().set([LOAD]);
     let solved = if again {
         tableau.solve_again(&mut jump, &mut contact)
     } else {
@@ -101,7 +101,7 @@ fn conditions_without_a_solution_are_refused_and_others_are_met_afterwards() {
     // A basis with forces for inputs, which what comes after a refusal must not take for jumps.
     tableau.set(1, Free(0.0));
     tableau.change_basis().unwrap();
-    tableau.load([vec![1.0, 2.0, 1.0]]);
+    tableau.loads().set([[1.0, 2.0, 1.0]]);
     tableau.solve(&mut w, &mut q).unwrap();
     tableau.set(1, Held(0.0));
     tableau.set(0, Free(1.0));
@@ -124,7 +124,7 @@ fn rates_are_what_a_load_adds_before_and_after_a_new_base() {
     for step in 0..4 {
         let solution = |tableau: &mut Tableau, load: &[f64]| {
             let (mut jump, mut contact) = ([0.0; N], [0.0; N]);
-            tableau.load([load.to_vec(), added.clone()]);
+            tableau.loads().set([load.to_vec(), added.clone()]);
             tableau.solve(&mut jump, &mut contact).unwrap();
             (jump, contact)
         };
@@ -143,12 +143,12 @@ fn rates_are_what_a_load_adds_before_and_after_a_new_base() {
         tableau.set(2, Held(1e-4 * f64::from(step)));
         if step > 0 {
             tableau.change_basis().unwrap();
-            assert!(tableau.loads.iter().all(|load| load.answer.is_some()));
+            assert!(tableau.loads.are_answered());
             // What was the input of a coupled component is missing at another condition.
             tableau.set(0, Free(-0.2));
             tableau.rates(1, &mut rate).unwrap();
             let [FaceRate { jump, contact }] = rate.clone();
-            tableau.loads[1].answer = None;
+            tableau.loads.begin_basis();
             tableau.rates(1, &mut rate).unwrap();
             let [FaceRate { jump: again, contact: forces }] = &rate;
             for i in 0..N {
@@ -157,6 +157,47 @@ fn rates_are_what_a_load_adds_before_and_after_a_new_base() {
                     "{step}, {i}"
                 );
             }
+        }
+    }
+}
+
+/// Along steps of the load whose ends are answered by sums, with a new basis on the way, a step
+/// that is tried again from the same start, and one from elsewhere.
+#[test]
+fn a_load_at_the_end_of_a_step_is_a_sum() {
+    let stiffness = stiffness();
+    let mut tableau = Tableau::new(&stiffness);
+    for (i, condition) in [(0, Free(0.3)), (4, Free(0.0)), (5, Free(0.0)), (6, Free(-0.5))] {
+        tableau.set(i, condition);
+    }
+    tableau.change_basis().unwrap();
+    let at = |share: f64| -> Vec<f64> { LOAD.iter().map(|load| load * (1.0 + share * share)).collect() };
+    let difference =
+        |to: &[f64], from: &[f64]| -> Vec<f64> { to.iter().zip(from).map(|(a, b)| a - b).collect() };
+    for (step, (from, to)) in
+        [(0.0, 0.1), (0.1, 0.2), (0.2, 0.5), (0.2, 0.3), (0.3, 0.4), (0.9, 1.0)].into_iter().enumerate()
+    {
+        if step == 4 {
+            tableau.set(2, Free(0.1));
+            tableau.change_basis().unwrap();
+        }
+        let (start, end, half) = (at(from), at(to), at(0.5 * (from + to)));
+        let (first, second) = (difference(&half, &start), difference(&end, &half));
+        tableau.loads().set_on(&start, &end, [&first[..], &second[..]].into_iter());
+        assert_eq!(tableau.loads.is_sum(), ![0, 3, 5].contains(&step), "{step}");
+        let (mut jump, mut contact) = ([0.0; N], [0.0; N]);
+        // Without the check that would mend it.
+        tableau.equilibrium(&mut jump, &mut contact).unwrap();
+        let mut fresh = Tableau::new(&stiffness);
+        (0..N).for_each(|i| fresh.set(i, tableau.now[i]));
+        fresh.loads().set([&end]);
+        let (mut exact, mut forces) = ([0.0; N], [0.0; N]);
+        fresh.solve(&mut exact, &mut forces).unwrap();
+        for i in 0..N {
+            assert!(
+                (jump[i] - exact[i]).abs() < 1e-17 && (contact[i] - forces[i]).abs() < 1e-12,
+                "{step}, {i}"
+            );
         }
     }
 }

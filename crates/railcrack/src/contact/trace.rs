@@ -8,6 +8,7 @@ use super::tableau::FaceRate;
 use super::{FaceProblem, FaceResponse, FaceScale, FaceSolution, PointStatus};
 
 /// The load within a step, at share τ of it: start + τ first + τ² second.
+#[derive(Default)]
 pub(super) struct StepLoad {
     /// Nodal forces at its start, N/mm, 2p.
     pub start: Vec<f64>,
@@ -20,14 +21,16 @@ pub(super) struct StepLoad {
 }
 
 impl StepLoad {
-    /// The parabola through the forces at the start, in the middle and at the end.
-    pub(super) fn through(start: &[f64], middle: &[f64], end: Vec<f64>) -> Self {
-        let each = |form: fn(f64, f64, f64) -> f64| -> Vec<f64> {
-            start.iter().zip(middle).zip(&end).map(|((&s, &m), &e)| form(s, m, e)).collect()
+    /// Becomes the parabola through the forces at the start, in the middle and at the end.
+    pub(super) fn lead_through(&mut self, start: &[f64], middle: &[f64], end: Vec<f64>) {
+        let each = |form: fn(f64, f64, f64) -> f64, values: &mut Vec<f64>| {
+            values.clear();
+            values.extend(start.iter().zip(middle).zip(&end).map(|((&s, &m), &e)| form(s, m, e)));
         };
-        let first = each(|s, m, e| 4.0 * m - 3.0 * s - e);
-        let second = each(|s, m, e| 2.0 * (s + e) - 4.0 * m);
-        Self { start: start.to_vec(), end, first, second }
+        each(|s, m, e| 4.0 * m - 3.0 * s - e, &mut self.first);
+        each(|s, m, e| 2.0 * (s + e) - 4.0 * m, &mut self.second);
+        each(|s, _, _| s, &mut self.start);
+        self.end = end;
     }
 
     /// The forces at share `share` of the step.
@@ -37,13 +40,48 @@ impl StepLoad {
     }
 }
 
-/// Events of a step.
-pub(super) struct Traced {
+/// The way of the faces through a step.
+#[derive(Default)]
+pub(super) struct Trace {
     /// The slip (mm, p) from which friction counts at its end.
     pub reference_slip: Vec<f64>,
+    /// The faces at its end, or where they are on their way.
+    pub now: FaceSolution,
+    /// Coefficients of τ and τ².
+    rates: [FaceRate; 2],
+    changes: Vec<Change>,
+    /// How many of them are of this step: the others are memory for further ones.
+    count: usize,
+}
+
+impl Trace {
     /// Where statuses changed: what was rising may fall from there on, so that extremes of K lie
     /// there.
-    pub changes: Vec<Change>,
+    pub(super) fn changes(&self) -> &[Change] {
+        &self.changes[..self.count]
+    }
+
+    fn begin(&mut self, current: &FaceSolution) {
+        self.now.clone_from(current);
+        for rate in &mut self.rates {
+            rate.jump.resize(current.jump.len(), 0.0);
+            rate.contact.resize(current.contact.len(), 0.0);
+        }
+        self.reference_slip.clear();
+        self.reference_slip.extend(current.jump.iter().step_by(2));
+        self.count = 0;
+    }
+
+    fn note_change(&mut self, share: f64) {
+        match self.changes.get_mut(self.count) {
+            Some(change) => {
+                change.share = share;
+                change.solution.clone_from(&self.now);
+            }
+            None => self.changes.push(Change { share, solution: self.now.clone() }),
+        }
+        self.count += 1;
+    }
 }
 
 /// A point touches, opens, begins to slip or ceases to.
@@ -111,11 +149,7 @@ struct Way<'w, 'a> {
     /// Jumps and forces below these are round-off.
     round_off: FaceScale,
     share: f64,
-    now: FaceSolution,
-    /// Coefficients of τ and τ².
-    rates: [FaceRate; 2],
-    reference_slip: Vec<f64>,
-    changes: Vec<Change>,
+    trace: &'w mut Trace,
     /// The fluid, where its pressure is an unknown.
     pockets: PocketWay,
     accuracy: Accuracy<'w>,
@@ -142,15 +176,16 @@ enum StatusChange {
 /// Follows the faces from `current` through a step, of whose load `faces` has the coefficients as
 /// loads 1 and 2. Between two changes of status the response is a parabola like the load, so that
 /// the changes are found one after the other. On return `faces` has the statuses at the end of the
-/// step.
+/// step, and `trace` has the way.
 pub(super) fn follow<'a>(
     problem: &FaceProblem<'a>,
     faces: &mut FaceResponse<'a>,
     current: &FaceSolution,
     scale: FaceScale,
     accuracy: Accuracy<'_>,
-) -> Result<Traced, Stop> {
-    let n = 2 * problem.points();
+    trace: &mut Trace,
+) -> Result<(), Stop> {
+    trace.begin(current);
     // Fluid that is let off at the end of the step stays until then.
     let loud = if accuracy.lets_off == LetsOff::There { accuracy.loud } else { f64::INFINITY };
     let pockets = PocketWay::new(problem, accuracy.outside.clone(), loud);
@@ -159,10 +194,7 @@ pub(super) fn follow<'a>(
         faces,
         round_off: FaceScale { jump: ROUND_OFF * scale.jump, force: ROUND_OFF * scale.force },
         share: 0.0,
-        now: current.clone(),
-        rates: [FaceRate::zero(n), FaceRate::zero(n)],
-        reference_slip: current.jump.iter().step_by(2).copied().collect(),
-        changes: Vec::new(),
+        trace,
         pockets,
         accuracy,
         error_bounds: None,
@@ -171,7 +203,7 @@ pub(super) fn follow<'a>(
     let (mut events, mut at_once) = (0, 0);
     loop {
         let lost = Stop::Lost { share: way.share };
-        way.faces.rates(1, &mut way.rates).map_err(|Degenerate| lost)?;
+        way.faces.rates(1, &mut way.trace.rates).map_err(|Degenerate| lost)?;
         way.press().map_err(|Degenerate| lost)?;
         let Some(event) = way.next_event() else { break };
         at_once = if event.after > MOMENT { 0 } else { at_once + 1 };
@@ -183,11 +215,10 @@ pub(super) fn follow<'a>(
         way.change(event)?;
     }
     way.advance(1.0 - way.share);
-    for (k, state) in way.now.fluid.iter().enumerate() {
+    for (k, state) in way.trace.now.fluid.iter().enumerate() {
         way.faces.set_pocket(k, *state);
     }
-    let Way { reference_slip, changes, .. } = way;
-    Ok(Traced { reference_slip, changes })
+    Ok(())
 }
 
 impl Way<'_, '_> {
@@ -199,22 +230,23 @@ impl Way<'_, '_> {
                 *value += one * first + two * second;
             }
         };
-        let [first, second] = &self.rates;
-        go(&mut self.now.jump, &first.jump, &second.jump);
-        go(&mut self.now.contact, &first.contact, &second.contact);
+        let Trace { now, rates: [first, second], .. } = &mut *self.trace;
+        go(&mut now.jump, &first.jump, &second.jump);
+        go(&mut now.contact, &first.contact, &second.contact);
         self.share += after;
-        if !self.now.fluid.is_empty() {
-            self.pockets.advance(self.problem, &mut self.now, self.share, one, two);
+        if !now.fluid.is_empty() {
+            self.pockets.advance(self.problem, now, self.share, one, two);
         }
     }
 
     /// Adds to the rates of the load what the pressures of the pockets do.
     fn press(&mut self) -> Result<(), Degenerate> {
-        if self.now.fluid.is_empty() {
+        if self.trace.now.fluid.is_empty() {
             return Ok(());
         }
         let units = self.faces.unit_rates()?;
-        self.pockets.press(self.problem, units, &self.now, &mut self.rates, self.share)
+        let Trace { now, rates, .. } = &mut *self.trace;
+        self.pockets.press(self.problem, units, now, rates, self.share)
     }
 
     /// The first change of status within the step.
@@ -228,7 +260,7 @@ impl Way<'_, '_> {
             }
         }
         let scale = PocketWay::scale_of(self.round_off);
-        let pocket = self.pockets.next_event(self.problem, &self.now, scale, self.share, span);
+        let pocket = self.pockets.next_event(self.problem, &self.trace.now, scale, self.share, span);
         let of_pocket = |(after, k, event)| Event { change: StatusChange::Pocket(k, event), after };
         pocket.map(of_pocket).or(next)
     }
@@ -238,12 +270,13 @@ impl Way<'_, '_> {
         use PointStatus::{Open, SlipBackward, SlipForward, Stick};
         let (t, n) = (2 * point, 2 * point + 1);
         let mu = self.problem.friction(point);
-        let [first, second] = &self.rates;
-        let force =
-            |i: usize| Parabola::of(self.now.contact[i], first.contact[i], second.contact[i], self.share);
-        let jump = |i: usize| Parabola::of(self.now.jump[i], first.jump[i], second.jump[i], self.share);
+        let [first, second] = &self.trace.rates;
+        let force = |i: usize| {
+            Parabola::of(self.trace.now.contact[i], first.contact[i], second.contact[i], self.share)
+        };
+        let jump = |i: usize| Parabola::of(self.trace.now.jump[i], first.jump[i], second.jump[i], self.share);
         let FaceScale { jump: small_jump, force: small_force } = self.round_off;
-        let status = self.now.status[point];
+        let status = self.trace.now.status[point];
         if status == Open {
             let after = jump(n).first_fall(small_jump, span)?;
             let (along, closing) = self.speed(point, self.share + after);
@@ -274,7 +307,7 @@ impl Way<'_, '_> {
 
     /// Speed of slip and of closing (mm over the step) of `point` at share `at` of the step.
     fn speed(&self, point: usize, at: f64) -> (f64, f64) {
-        let [first, second] = &self.rates;
+        let [first, second] = &self.trace.rates;
         let speed = |i: usize| first.jump[i] + 2.0 * at * second.jump[i];
         (speed(2 * point), -speed(2 * point + 1))
     }
@@ -285,26 +318,26 @@ impl Way<'_, '_> {
             StatusChange::Point(point, status) => (point, status),
             StatusChange::Pocket(_, PocketEvent::LetsOff) => return Err(Stop::LetsOff { share: self.share }),
             StatusChange::Pocket(k, PocketEvent::Becomes(status)) => {
-                self.changes.push(Change { share: self.share, solution: self.now.clone() });
-                self.now.fluid[k] = PocketWay::changed(self.problem, &self.now, k, status);
+                self.trace.note_change(self.share);
+                self.trace.now.fluid[k] = PocketWay::changed(self.problem, &self.trace.now, k, status);
                 return Ok(());
             }
         };
-        let before = self.now.status[point];
-        let slip = self.now.jump[2 * point];
+        let before = self.trace.now.status[point];
+        let slip = self.trace.now.jump[2 * point];
         let held = before == PointStatus::Open || status == PointStatus::Stick;
         if held && self.problem.friction(point) > 0.0 {
             self.check(point)?;
         }
-        self.changes.push(Change { share: self.share, solution: self.now.clone() });
-        self.reference_slip[point] = slip;
-        self.now.status[point] = status;
+        self.trace.note_change(self.share);
+        self.trace.reference_slip[point] = slip;
+        self.trace.now.status[point] = status;
         self.faces.set_status(point, status, slip);
         let scale = PocketWay::scale_of(self.round_off);
-        for (k, event) in PocketWay::closed_by(self.problem, &self.now, scale, point) {
+        for (k, event) in PocketWay::closed_by(self.problem, &self.trace.now, scale, point) {
             match event {
                 PocketEvent::Becomes(status) => {
-                    self.now.fluid[k] = PocketWay::changed(self.problem, &self.now, k, status);
+                    self.trace.now.fluid[k] = PocketWay::changed(self.problem, &self.trace.now, k, status);
                 }
                 PocketEvent::LetsOff if self.accuracy.lets_off == LetsOff::AtItsEnd => {}
                 PocketEvent::LetsOff => return Err(Stop::LetsOff { share: self.share }),
@@ -320,7 +353,7 @@ impl Way<'_, '_> {
         let (points, compliance) = (&body.faces.points, &body.compliance);
         let mobility = |i: usize| compliance[(i, i)].sqrt();
         // A point that touches earlier or later does so at another slip.
-        let slope = match (self.now.status[point], self.speed(point, self.share)) {
+        let slope = match (self.trace.now.status[point], self.speed(point, self.share)) {
             (PointStatus::Open, (along, closing)) => (along / closing).abs(),
             _ => 0.0,
         };
@@ -338,12 +371,12 @@ impl Way<'_, '_> {
             return Ok(());
         }
         let lost = Stop::Lost { share: self.share };
-        let [slip, opening] = if self.now.fluid.is_empty() {
+        let [slip, opening] = if self.trace.now.fluid.is_empty() {
             self.faces.jump_under(3, point).map_err(|Degenerate| lost)?
         } else {
-            let mut error = FaceRate::zero(self.now.jump.len());
+            let mut error = FaceRate::zero(self.trace.now.jump.len());
             self.faces.rates(3, std::slice::from_mut(&mut error)).map_err(|Degenerate| lost)?;
-            self.pockets.add_error(self.problem, &self.now, &mut error);
+            self.pockets.add_error(self.problem, &self.trace.now, &mut error);
             [error.jump[2 * point], error.jump[2 * point + 1]]
         };
         let excess = (slip.abs() + slope * opening.abs()) / allowed;

@@ -16,13 +16,13 @@ fn followed(
     [start, first, second]: [[f64; 2]; 3],
     missed: [f64; 2],
     allowed: f64,
-) -> (Result<Traced, Stop>, FaceSolution) {
+) -> (Result<Trace, Stop>, FaceSolution) {
     let body = one_point(C, 0.0);
     let problem = FaceProblem::new(&body, &[MU]).unwrap();
     let mut faces = FaceResponse::virgin(&problem);
     faces.set_status(0, current.status[0], current.jump[0]);
-    let end = (0..2).map(|i| start[i] + first[i] + second[i]).collect();
-    faces.load([end, first.to_vec(), second.to_vec()]);
+    let end: Vec<f64> = (0..2).map(|i| start[i] + first[i] + second[i]).collect();
+    faces.load_on(&start, &end, [&first, &second]);
     let outside = OutsidePressure::default();
     let accuracy = Accuracy {
         missed: &|| missed.to_vec(),
@@ -31,9 +31,10 @@ fn followed(
         loud: 0.0,
         lets_off: LetsOff::There,
     };
-    let traced = follow(&problem, &mut faces, current, SCALE, accuracy);
+    let mut trace = Trace::default();
+    let followed = follow(&problem, &mut faces, current, SCALE, accuracy, &mut trace);
     faces.equilibrate().unwrap();
-    (traced, faces.solution().clone())
+    (followed.map(|()| trace), faces.solution().clone())
 }
 
 fn point(jump: [f64; 2], contact: [f64; 2], status: PointStatus) -> FaceSolution {
@@ -53,7 +54,8 @@ fn a_point_that_is_pushed_to_and_fro() {
     let current = point([0.0, 0.0], [0.0, P], Stick);
     let load = [[0.0, -P], [4.0 * L, 0.0], [-4.0 * L, 0.0]];
     let (traced, end) = followed(&current, load, [0.0; 2], 1e-9);
-    let Traced { reference_slip, changes, .. } = traced.ok().unwrap();
+    let trace = traced.ok().unwrap();
+    let (reference_slip, changes) = (&trace.reference_slip, trace.changes());
     // It begins to slip, is held, and slips back.
     assert_eq!(changes.len(), 3);
     let hold = &changes[1];
@@ -76,7 +78,8 @@ fn a_point_that_touches_sticks_or_slips_on() {
     for (along, status) in [(0.4 * P, Stick), (1.2 * P, SlipForward), (-1.2 * P, SlipBackward)] {
         let current = point([0.0, C * P], [0.0, 0.0], Open);
         let (traced, end) = followed(&current, [[0.0, P], [along, -2.0 * P], [0.0; 2]], [0.0; 2], 1e-9);
-        let Traced { reference_slip, changes, .. } = traced.ok().unwrap();
+        let trace = traced.ok().unwrap();
+        let (reference_slip, changes) = (&trace.reference_slip, trace.changes());
         assert_eq!((changes.len(), end.status[0]), (1, status), "{along}");
         assert_near(changes[0].share, 0.5, 1.0);
         assert_near(reference_slip[0], 0.5 * C * along, C * P);
@@ -137,7 +140,8 @@ fn a_way_without_next_change_is_lost_where_it_ends() {
     // The free jumps go from (0, 1/2) to (3, −1/2): too fast along for a point that touches to
     // stick.
     let forces = |jump: [f64; 2]| body.stiffness.times(&jump);
-    faces.load([forces([3.0, -0.5]), forces([3.0, -1.0]), vec![0.0; 2]]);
+    let (start, end) = (forces([0.0, 0.5]), forces([3.0, -0.5]));
+    faces.load_on(&start, &end, [&forces([3.0, -1.0]), &[0.0; 2]]);
     let outside = OutsidePressure::default();
     let accuracy = Accuracy {
         missed: &|| vec![0.0; 2],
@@ -147,7 +151,7 @@ fn a_way_without_next_change_is_lost_where_it_ends() {
         lets_off: LetsOff::There,
     };
     let scale = FaceScale { jump: 1.0, force: 1.0 };
-    let lost = follow(&problem, &mut faces, &current, scale, accuracy).err().unwrap();
+    let lost = follow(&problem, &mut faces, &current, scale, accuracy, &mut Trace::default()).err().unwrap();
     assert!(matches!(lost, Stop::Lost { share } if (share - 0.5).abs() < 1e-6), "{lost:?}");
 }
 

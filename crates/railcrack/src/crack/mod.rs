@@ -7,8 +7,8 @@ mod network;
 mod polyline;
 mod walk;
 
-pub(crate) use distance::point_to_segment;
 pub use distance::segment_distance;
+pub(crate) use distance::{from_nearest, point_to_segment};
 pub use junction::{CrackEnd, CrackTip, EndKind, Junction, JunctionPoint, Passing};
 pub use network::{CrackNetwork, NetworkError};
 pub use polyline::{Crack, CrackError, End};

@@ -1,32 +1,43 @@
 //! Double integrals of the dislocation interaction over pairs of straight pieces.
 
 use crate::body::FacePiece as Piece;
-use crate::crack::{End, Walk, point_to_segment};
+use crate::crack::{End, Walk, from_nearest};
 use crate::math::{Vec2, gauss_legendre};
-use crate::nuclei::{Interaction, collinear_constant, image_interaction, interaction};
+use crate::nuclei::{Interaction, Split, collinear_constant, split_image_interaction, split_interaction};
 
 /// Error of the integral over a pair of pieces, of its size. The flap above a crack at 1° is a
 /// million times more compliant in bending than in shear: with 1e-6 its energy is not positive.
 const ACCURACY: f64 = 1e-8;
 /// The most points of a rule: that of pieces at [`APART`].
 const MOST_POINTS: usize = 8;
+/// Weights that a rule has at most.
+const MOST_CLASSES: usize = MOST_POINTS.div_ceil(2);
 
-/// Gauss rules on [0, 1] by number of points.
-pub(super) struct Rules(Vec<Vec<(f64, f64)>>);
+/// Gauss rules on [0, 1].
+pub(super) struct Rules {
+    by_points: Vec<Vec<(f64, f64)>>,
+    /// The distance of pieces over the longer one from which on each number of points suffices.
+    from: Vec<f64>,
+}
 
 impl Rules {
+    /// The error of a rule of n points is ρ^(−2n), with ρ of the ellipse around the piece that goes
+    /// through a singularity beside it.
     pub(super) fn new() -> Self {
-        Self((0..=MOST_POINTS).map(gauss_legendre).collect())
+        let from = |points: usize| {
+            let rho = ACCURACY.powf(-0.5 / points as f64);
+            0.25 * (rho - 1.0 / rho)
+        };
+        Self {
+            by_points: (0..=MOST_POINTS).map(gauss_legendre).collect(),
+            from: (0..MOST_POINTS).map(from).collect(),
+        }
     }
 
-    /// The rule for pieces at a distance of `ratio` times the longer one. The error is ρ^(−2n),
-    /// with ρ of the ellipse around the piece that goes through a singularity beside it at that
-    /// distance.
+    /// The rule for pieces at a distance of `ratio` times the longer one.
     fn at(&self, ratio: f64) -> &[(f64, f64)] {
-        let across = 2.0 * ratio;
-        let rho = across + (1.0 + across * across).sqrt();
-        let points = (-ACCURACY.ln() / (2.0 * rho.ln())).ceil();
-        &self.0[(points as usize).clamp(2, MOST_POINTS)]
+        let points = (2..MOST_POINTS).find(|&points| ratio >= self.from[points]);
+        &self.by_points[points.unwrap_or(MOST_POINTS)]
     }
 }
 
@@ -40,30 +51,39 @@ pub(super) fn pair_integral(walks: &[Walk], a: &Piece, b: &Piece, rules: &Rules)
         let log = -2.0 * log_integral(walk, a.range, b.range, rules);
         sum[0] += log;
         sum[3] += log;
-        subdivided(walks, (a, b), rules, image_interaction, image_distance, 0, &mut sum);
+        subdivided(walks, (a, b), rules, split_image_interaction, image_distance, 0, &mut sum);
     } else {
-        subdivided(walks, (a, b), rules, interaction, distance, 0, &mut sum);
+        subdivided(walks, (a, b), rules, split_interaction, distance, 0, &mut sum);
     }
     sum
 }
 
 fn distance(a: &Piece, b: &Piece) -> f64 {
     let (p, q) = (midpoint(a), midpoint(b));
-    let reach = 0.5 * ((a.ends.1 - a.ends.0).length() + (b.ends.1 - b.ends.0).length());
-    let centres = (p - q).length();
+    let reach = 0.5 * (length(a) + length(b));
+    let centres = square(p - q).sqrt();
     // Far apart, the bound through the midpoints suffices; close by, the distance between the ends
     // is the sharper bound.
     if centres > 4.0 * reach { centres - reach } else { end_distance(a, b).min(image_distance(a, b)) }
 }
 
 fn end_distance(a: &Piece, b: &Piece) -> f64 {
-    let from = |p: Vec2, piece: &Piece| point_to_segment(p, piece.ends.0, piece.ends.1);
-    from(a.ends.0, b).min(from(a.ends.1, b)).min(from(b.ends.0, a)).min(from(b.ends.1, a))
+    let from = |p: Vec2, piece: &Piece| square(from_nearest(p, piece.ends.0, piece.ends.1));
+    from(a.ends.0, b).min(from(a.ends.1, b)).min(from(b.ends.0, a)).min(from(b.ends.1, a)).sqrt()
 }
 
 fn image_distance(a: &Piece, b: &Piece) -> f64 {
     let mirror = |p: Vec2| Vec2::new(p.x, -p.y);
     end_distance(a, &Piece { ends: (mirror(b.ends.0), mirror(b.ends.1)), ..*b })
+}
+
+/// Chooses rules only: to the last bit ([`Vec2::length`]) takes longer than the integral.
+fn length(a: &Piece) -> f64 {
+    square(a.ends.1 - a.ends.0).sqrt()
+}
+
+fn square(v: Vec2) -> f64 {
+    v.dot(v)
 }
 
 fn midpoint(a: &Piece) -> Vec2 {
@@ -80,12 +100,12 @@ fn subdivided(
     walks: &[Walk],
     (a, b): (&Piece, &Piece),
     rules: &Rules,
-    kernel: fn(Vec2, Vec2) -> Interaction,
-    apart: fn(&Piece, &Piece) -> f64,
+    kernel: impl Fn(Vec2, Vec2) -> Split + Copy,
+    apart: impl Fn(&Piece, &Piece) -> f64 + Copy,
     depth: usize,
     sum: &mut Interaction,
 ) {
-    let (la, lb) = ((a.ends.1 - a.ends.0).length(), (b.ends.1 - b.ends.0).length());
+    let (la, lb) = (length(a), length(b));
     let ratio = apart(a, b) / la.max(lb);
     if ratio < APART && depth < DEPTH {
         let halve = |piece: &Piece| {
@@ -108,17 +128,32 @@ fn subdivided(
         return;
     }
     let rule = rules.at(ratio);
+    let count = rule.len();
     let mut points_b = [(Vec2::default(), 0.0); MOST_POINTS];
     for (slot, (point, weight)) in points_b.iter_mut().zip(samples(&walks[b.crack], b, rule)) {
         *slot = (point, weight);
     }
-    for (z, weight_a) in samples(&walks[a.crack], a, rule) {
-        for &(z0, weight_b) in &points_b[..rule.len()] {
+    // A point has the weight of that on the other side of the middle: the logarithms that have one
+    // weight are that of a product.
+    let class = |i: usize| i.min(count - 1 - i);
+    let mut products = [[1.0; MOST_CLASSES]; MOST_CLASSES];
+    for (i, (z, weight_a)) in samples(&walks[a.crack], a, rule).enumerate() {
+        for (j, &(z0, weight_b)) in points_b[..count].iter().enumerate() {
             let weight = weight_a * weight_b;
-            let e = kernel(z, z0);
+            let Split { rational, of_log } = kernel(z, z0);
             for k in 0..4 {
-                sum[k] += weight * e[k];
+                sum[k] += weight * rational[k];
             }
+            let (one, other) = (class(i), class(j));
+            products[one.max(other)][one.min(other)] *= of_log;
+        }
+    }
+    let area = (a.range.1 - a.range.0) * (b.range.1 - b.range.0);
+    for (i, products) in products[..count.div_ceil(2)].iter().enumerate() {
+        for (j, product) in products[..=i].iter().enumerate() {
+            let log = area * rule[i].1 * rule[j].1 * product.ln();
+            sum[0] += log;
+            sum[3] += log;
         }
     }
 }
@@ -149,8 +184,8 @@ fn log_integral(walk: &Walk, a: (f64, f64), b: (f64, f64), rules: &Rules) -> f64
     let beyond = (turn - b.1, turn - b.0);
     let smooth = |x: f64| if x.abs() < 1e-4 { -x * x / 24.0 } else { (2.0 * (0.5 * x).sin() / x).abs().ln() };
     let mut rest = 0.0;
-    for &(ta, wa) in &rules.0[6] {
-        for &(tb, wb) in &rules.0[6] {
+    for &(ta, wa) in &rules.by_points[6] {
+        for &(tb, wb) in &rules.by_points[6] {
             let g = a.0 + ta * (a.1 - a.0);
             let h = b.0 + tb * (b.1 - b.0);
             // |sin(x/2)| = x/2 · smooth; near x = 2π the factor (2π − x) is split off as well.

@@ -181,7 +181,7 @@ pub(super) fn until_stabilised(
 
 /// Stations of the approach from infinity and of the departure to it, evenly spaced in 1/distance:
 /// the load grows about linearly from station to station.
-const FAR_STATIONS: usize = 16;
+const FAR_STATIONS: usize = 8;
 /// Stations of the ramp of residual stress, and of the wheel's load where it cannot come from far
 /// away.
 const RAMP_STATIONS: usize = 8;

@@ -19,37 +19,54 @@ pub type Interaction = [f64; 4];
 /// costs b′_x Im F − b′_y Re F. (Muskhelishvili 1953, §§ 41, 90–93.)
 #[inline]
 pub fn interaction(z: Vec2, z0: Vec2) -> Interaction {
+    split_interaction(z, z0).whole()
+}
+
+/// An interaction by its logarithm, which stands on the diagonal, and the rest: sums over many
+/// points need the logarithm of one product only.
+#[derive(Debug, Clone, Copy)]
+pub struct Split {
+    /// All but the logarithm.
+    pub rational: Interaction,
+    /// The logarithm is of this.
+    pub of_log: f64,
+}
+
+impl Split {
+    fn whole(self) -> Interaction {
+        let Self { rational: [xx, xy, yx, yy], of_log } = self;
+        let log = of_log.ln();
+        [xx + log, xy, yx, yy + log]
+    }
+}
+
+/// [`interaction`] by its parts; the logarithm is of |z̄−z0|²/|z−z0|².
+#[inline]
+pub fn split_interaction(z: Vec2, z0: Vec2) -> Split {
     let (dx, dy) = (z.x - z0.x, z.y - z0.y);
-    let distance2 = dx * dx + dy * dy;
-    let inverse = 1.0 / distance2;
+    let inverse = 1.0 / (dx * dx + dy * dy);
     // (z − z0)/(z̄ − z̄0): the direction squared.
     let (ex, ey) = ((dx * dx - dy * dy) * inverse, 2.0 * dx * dy * inverse);
-    let mut pair = image_interaction(z, z0);
-    let log = distance2.ln();
-    pair[0] += ex - log;
-    pair[1] += ey;
-    pair[2] += ey;
-    pair[3] += -ex - log;
-    pair
+    let Split { rational: [xx, xy, yx, yy], of_log } = split_image_interaction(z, z0);
+    Split { rational: [xx + ex, xy + ey, yx + ey, yy - ex], of_log: of_log * inverse }
 }
 
 /// Contribution of the free surface to [`interaction`]: all but −log|z−z0|² and (z−z0)/(z̄−z̄0);
-/// smooth at z = z0 below the surface.
+/// smooth at z = z0 below the surface. The logarithm is of |z̄−z0|² in mm².
 #[inline]
-pub fn image_interaction(z: Vec2, z0: Vec2) -> Interaction {
+pub fn split_image_interaction(z: Vec2, z0: Vec2) -> Split {
     // m = z̄ − z0.
     let (mx, my) = (z.x - z0.x, -z.y - z0.y);
     let (dx, dy) = (z.x - z0.x, z.y - z0.y);
     let m2 = mx * mx + my * my;
     let inverse = 1.0 / m2;
-    let log = -m2.ln();
     // 4 y y0 / m² = 4 y y0 m̄² / |m|⁴.
     let scale = 4.0 * z.y * z0.y * inverse * inverse;
-    let (px, py) = (log - scale * (mx * mx - my * my), scale * 2.0 * mx * my);
+    let (px, py) = (-scale * (mx * mx - my * my), scale * 2.0 * mx * my);
     // −(z−z0) m/|m|² − 2 i y m̄/|m|²; (z − z̄0) is the conjugate of m.
     let qx = (-(dx * mx - dy * my) - 2.0 * z.y * my) * inverse;
     let qy = (-(dx * my + dy * mx) - 2.0 * z.y * mx) * inverse;
-    [qx - px, py + qy, qy - py, -(px + qx)]
+    Split { rational: [qx - px, py + qy, qy - py, -(px + qx)], of_log: m2 }
 }
 
 /// −log|z−z0|² and (z−z0)/(z̄−z̄0) when both lie on one straight line of direction `tangent`: the

@@ -7,5 +7,5 @@ mod kernel;
 mod units;
 
 pub(crate) use far::{FarRow, Place, Source};
-pub(crate) use kernel::{Interaction, collinear_constant, image_interaction, interaction};
+pub(crate) use kernel::{Interaction, Split, collinear_constant, split_image_interaction, split_interaction};
 pub(crate) use units::Units;
