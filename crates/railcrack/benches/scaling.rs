@@ -37,8 +37,6 @@ const SPACING: f64 = 3.375;
 const COMPARED: usize = 32;
 /// Of the load steps of both there.
 const COMPARED_STEPS: f64 = 2e-4;
-/// Elements of the faces of a crack in rows of dislocations.
-const ELEMENTS: usize = 28;
 /// Half-width of the contact, and the reach of the passage beyond the row, mm.
 const HALF_WIDTH: f64 = 6.75;
 const BEYOND: f64 = 6.0 * HALF_WIDTH;
@@ -97,7 +95,7 @@ fn measure_groups(point: Point) -> Result<Cost, Box<dyn Error>> {
         let end = RailEnd::HalfPlane { centre: 0.5 * network.rightmost_mouth() };
         Box::new(XfemEngine::new(&network, steel, mesh, end, XfemSettings::default()))
     } else {
-        Box::new(DislocationEngine { steel, resolution: FaceResolution { elements: ELEMENTS } })
+        Box::new(DislocationEngine { steel, resolution: FaceResolution::for_cracks(point.cracks) })
     };
     let passage = |body: &CrackedBody, step_tolerance: f64| -> Result<StabilisedPassage, Box<dyn Error>> {
         let to = network.rightmost_mouth() + BEYOND;

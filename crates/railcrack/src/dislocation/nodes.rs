@@ -54,10 +54,9 @@ struct Place {
 
 /// Nodes in g, ends included: evenly spaced in g, denser at the mouth, at tips, at kinks, where the
 /// jump has a corner singularity, at junctions, and where there is `room` (mm, by point) for short
-/// elements only. A
-/// kink that is not slight lies inside a short element, so that every node has one tangent. Where
-/// there is a core at a point of the crack (`core_at`, by the index of the point), its edge, its
-/// inner edge and the junction on each side are nodes.
+/// elements only. A kink that is not slight lies inside a short element, so that every node has one
+/// tangent. Where there is a core at a point of the crack (`core_at`, by the index of the point),
+/// its edge, its inner edge and the junction on each side are nodes.
 pub(super) fn nodes<'a>(
     walk: &Walk,
     resolution: FaceResolution,

@@ -79,14 +79,13 @@ pub struct SpaceKernel {
 impl SpaceKernel {
     /// For planes that go down at `dips` (radians) in steel of Poisson's ratio `poisson`.
     pub fn new(dips: &[f64], poisson: f64) -> Self {
-        let mut kernel = Self { poisson, tables: Vec::new() };
+        let mut tables: Vec<(f64, Arc<ImageTable>)> = Vec::new();
         for &dip in dips {
-            let table = kernel.image(dip).table;
-            if kernel.tables.iter().all(|(known, _)| *known != dip) {
-                kernel.tables.push((dip, table));
+            if tables.iter().all(|(known, _)| *known != dip) {
+                tables.push((dip, Arc::new(ImageTable::new(dip, poisson))));
             }
         }
-        kernel
+        Self { poisson, tables }
     }
 
     /// The image seen from planes of a dip, computed where it is not one of the given ones.

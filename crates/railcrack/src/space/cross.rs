@@ -13,7 +13,7 @@ use super::cell::Cell;
 use super::grid::Grid;
 use super::nuclei::{Symmetric, image_matrix, kelvin_stress, moment};
 use super::patch::Patch;
-use super::plane::{PlaneFrame, Surroundings};
+use super::plane::{PlaneFrame, Surroundings, along};
 use crate::interruption::{Interrupted, Interruption};
 use crate::math::{Matrix, gauss_legendre};
 use rayon::prelude::*;
@@ -223,7 +223,6 @@ impl<'a> Cross<'a> {
     /// A distance that two discs in the planes of the cracks have at least.
     fn gap(&self, one: &Disc, other: &Disc) -> f64 {
         let [first, second] = [&self.cracks[0], &self.cracks[1]].map(|crack| crack.crack.frame.normal());
-        let along = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
         let between: [f64; 3] = std::array::from_fn(|i| other.centre[i] - one.centre[i]);
         let square = along(between, between);
         let sine = (1.0 - along(first, second).powi(2)).max(0.0).sqrt();

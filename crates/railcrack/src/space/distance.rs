@@ -4,6 +4,7 @@
 //! body, of which the point nearest to zero is found by its supporting points (Gilbert, Johnson &
 //! Keerthi 1988).
 
+use super::plane::along;
 use super::shape::{Extent, SpaceCrack};
 
 type Vector = [f64; 3];
@@ -13,16 +14,16 @@ const STEPS: usize = 500;
 /// Relative error of the distance.
 const TOLERANCE: f64 = 1e-9;
 
-fn along(a: Vector, b: Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
 impl SpaceCrack {
     /// The distance (mm) to another crack; zero where they meet. A front that leaves its ellipse
     /// counts as the smallest ellipse of the same aspect around it.
     pub fn distance(&self, other: &Self) -> f64 {
-        let start: Vector =
-            std::array::from_fn(|i| self.farthest([0.0, 0.0, 1.0])[i] - other.farthest([0.0, 0.0, 1.0])[i]);
+        let reaches = [self.reach(), other.reach()];
+        let corner = |one: Vector, two: Vector| -> Vector {
+            let (one, two) = (self.farthest(one, reaches[0]), other.farthest(two, reaches[1]));
+            std::array::from_fn(|i| one[i] - two[i])
+        };
+        let start = corner([0.0, 0.0, 1.0], [0.0, 0.0, 1.0]);
         let mut corners = vec![start];
         let mut nearest = start;
         let size = self.depth.max(self.half_length).max(other.depth).max(other.half_length);
@@ -31,8 +32,7 @@ impl SpaceCrack {
             if square <= (TOLERANCE * size).powi(2) {
                 return 0.0;
             }
-            let (one, two) = (self.farthest(nearest.map(|v| -v)), other.farthest(nearest));
-            let corner: Vector = std::array::from_fn(|i| one[i] - two[i]);
+            let corner = corner(nearest.map(|v| -v), nearest);
             if square - along(nearest, corner) <= TOLERANCE * square {
                 break;
             }
@@ -47,12 +47,16 @@ impl SpaceCrack {
         along(nearest, nearest).sqrt()
     }
 
-    /// The point that is farthest in a direction: x, lateral, depth.
-    fn farthest(&self, direction: Vector) -> Vector {
+    /// The smallest ellipse around the front over its own.
+    fn reach(&self) -> f64 {
+        (0..360).map(|degree| self.radius_factor(f64::from(degree).to_radians())).fold(1.0, f64::max)
+    }
+
+    /// The point that is farthest in a direction, of the ellipse `reach` times as large: x,
+    /// lateral, depth.
+    fn farthest(&self, direction: Vector, reach: f64) -> Vector {
         let frame = self.frame();
         let [_, ds, dz] = frame.components(direction);
-        let reach =
-            (0..360).map(|degree| self.radius_factor(f64::from(degree).to_radians())).fold(1.0, f64::max);
         let (l, c) = (reach * self.depth, reach * self.half_length);
         let size = (l * ds).hypot(c * dz);
         let on_ellipse = if size > 0.0 { [l * l * ds / size, c * c * dz / size] } else { [0.0; 2] };

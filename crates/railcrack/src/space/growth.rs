@@ -192,7 +192,7 @@ impl SpaceGrowth {
             mode_3_weight: self.problem.mode_3_weight,
             judge: self.judge.as_deref(),
         };
-        let drive = FrontDrive::new(&law, &shapes, &stopped, body.front(), &passage);
+        let drive = FrontDrive::new(&law, &shapes, &stopped, &body, &passage);
         let speeds: Vec<FrontSpeeds> = shapes
             .iter()
             .zip(body.cracks())

@@ -312,9 +312,9 @@ impl Walk<'_> {
             ),
             None => self.moment(None, earlier.as_deref(), &last, between),
         };
-        let guess = whole.as_ref().map(|whole| whole.faces.jumps.clone());
+        let guess = whole.as_ref().map(|whole| &whole.faces.jumps[..]);
         let two = match &one {
-            Ok(one) => self.moment(guess.as_deref(), Some(&last), one, to),
+            Ok(one) => self.moment(guess, Some(&last), one, to),
             Err(error) => Err(error.clone()),
         };
         match (one, two) {

@@ -24,7 +24,8 @@ pub struct PlaneFrame {
     trace: [f64; 3],
 }
 
-fn along(a: [f64; 3], b: [f64; 3]) -> f64 {
+/// The component of a vector along a unit vector; the scalar product.
+pub(super) fn along(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
@@ -68,7 +69,7 @@ impl PlaneFrame {
 
     /// The components of a vector of the rail: normal, dip, trace.
     pub fn components(&self, vector: [f64; 3]) -> [f64; 3] {
-        [along(vector, self.normal), along(vector, self.dip), along(vector, self.trace)]
+        self.directions().map(|direction| along(vector, direction))
     }
 
     /// The components of the traction of a stress on the plane.
@@ -90,7 +91,7 @@ impl PlaneFrame {
     }
 
     fn columns(&self, stress: impl Fn(&super::Symmetric) -> super::Symmetric, poisson: f64) -> [[f64; 3]; 3] {
-        let tractions = [self.normal, self.dip, self.trace].map(|jump| {
+        let tractions = self.directions().map(|jump| {
             let stress = stress(&moment(jump, self.normal, poisson));
             self.traction(&stress)
         });

@@ -1,6 +1,6 @@
 //! Rates along fronts: ranges of K in three modes, and what the direction criterion would like.
 
-use super::body::{FrontPoint, FrontSif};
+use super::body::{FrontPoint, FrontSif, SpaceBody};
 use super::front_motion::counts;
 use super::stabilised::StabilisedSpace;
 use crate::crack::{CrackTip, End};
@@ -30,20 +30,20 @@ pub(super) struct FrontDrive {
 }
 
 impl FrontDrive {
-    /// Of cracks with these `shapes`, some of which have `stopped`.
+    /// Of the cracks of `body` with these `shapes`, some of which have `stopped`.
     pub fn new(
         law: &FrontLaw,
         shapes: &[FrontShape],
         stopped: &[Option<TipStop>],
-        front: &[FrontPoint],
+        body: &SpaceBody,
         passage: &StabilisedSpace,
     ) -> Self {
-        let mut tips: Vec<TipRecord> = Vec::with_capacity(front.len());
-        for (q, point) in front.iter().enumerate() {
-            let before = tips.iter().filter(|tip| tip.tip.crack == point.crack).count();
-            let tip = CrackTip { crack: point.crack, tip: before, end: End::Last };
-            tips.push(law.tip(&shapes[point.crack], tip, point, |sifs| sifs[q], passage));
-        }
+        let of = |(q, point): (usize, &FrontPoint)| {
+            let first = body.cracks()[point.crack].front.start;
+            let tip = CrackTip { crack: point.crack, tip: q - first, end: End::Last };
+            law.tip(&shapes[point.crack], tip, point, |sifs| sifs[q], passage)
+        };
+        let tips: Vec<TipRecord> = body.front().iter().enumerate().map(of).collect();
         let stopped = |tip: &TipRecord| stopped[tip.tip.crack];
         let growing = tips
             .iter()
