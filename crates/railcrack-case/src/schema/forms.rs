@@ -87,16 +87,15 @@ fn required_keys(section: &Section, form: &Form) -> String {
     }
 }
 
-/// Reports a key without the one that goes with it ([`Pair`](super::Pair)).
-pub(super) fn check_pairs(read: &SectionValues, report: &mut Report) {
+/// Reports a key without the one that goes with it ([`Pair`](super::Pair)), of which `is_given`
+/// knows whether it is given.
+pub(super) fn check_pairs(read: &SectionValues, is_given: impl Fn(&str) -> bool, report: &mut Report) {
     for (key, pair) in read.section.keys.iter().filter_map(|key| Some((key, key.pair?))) {
         let default = read.section.key(pair.key).map(|other| other.presence.preset());
         let (Some(other), Some(Preset::Integer(default))) = (read.named(pair.key), default) else { continue };
-        let (missing, there) = match (read.named(key.name), &other.span) {
-            (Some(this), None) => (pair.key, this),
-            (None, _) if !read.has_refused(key) && other.value != Value::Integer(default) => {
-                (key.name, other)
-            }
+        let (missing, there) = match read.named(key.name) {
+            Some(this) if !is_given(pair.key) => (pair.key, this),
+            None if !read.has_refused(key) && other.value != Value::Integer(default) => (key.name, other),
             _ => continue,
         };
         let (missing, needing) = (read.dotted(missing), read.dotted(there.key.name));

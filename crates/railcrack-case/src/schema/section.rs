@@ -208,5 +208,5 @@ fn fill(
             _ => (),
         }
     }
-    check_pairs(read, report);
+    check_pairs(read, |name| given.iter().any(|(key, _)| key.name == name), report);
 }

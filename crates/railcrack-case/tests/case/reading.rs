@@ -155,6 +155,25 @@ fn the_command_line_takes_the_place_of_the_file() {
 }
 
 #[test]
+fn the_command_line_may_say_one_of_two_keys_that_go_together() {
+    let row = "mouth_mm = 0\nlength_mm = 6\nangle_deg = 15\nfriction = 0\n";
+    let text = format!(
+        "[contact]\npeak_pressure_mpa = 845\nhalf_width_mm = 6.75\nfriction = 0\n[[crack]]\n{row}count = 3\nspacing_mm = 20\n"
+    );
+    let cracks = |settings: &[&str]| {
+        let settings = settings.iter().map(|given| (*given).to_owned()).collect();
+        let overrides = Overrides { settings, ..Overrides::default() };
+        let case = Case::parse_with(&text, "case.toml", Path::new(""), &overrides);
+        case.map(|case| case.cracks.cracks().len()).map_err(|errors| errors.to_string())
+    };
+    assert_eq!(cracks(&[]), Ok(3));
+    assert_eq!(cracks(&["crack[1].count=2"]), Ok(2));
+    assert_eq!(cracks(&["crack[1].count=1"]), Ok(1));
+    assert_eq!(cracks(&["crack[1].spacing_mm=10.0"]), Ok(3));
+    assert_eq!(cracks(&["crack[1].count=2", "crack[1].spacing_mm=10.0"]), Ok(2));
+}
+
+#[test]
 fn profile_errors_name_the_line_of_the_profile() {
     let folder = temporary("profiles");
     let case = init_text() + "\n[residual_stress]\nprofile = \"p.csv\"\n";
