@@ -53,9 +53,7 @@ impl Loads {
             if count == self.list.len() {
                 self.list.push(Load::default());
             }
-            let own = &mut self.list[count].forces;
-            own.clear();
-            own.extend_from_slice(forces.as_ref());
+            forces.as_ref().clone_into(&mut self.list[count].forces);
             count += 1;
         }
         self.list.truncate(count);
@@ -135,18 +133,22 @@ impl Loads {
         let mut memory = std::mem::take(&mut self.answering);
         let Answering { loads, weights, outputs } = &mut memory;
         loads.clear();
-        let open = |k: &usize| self.list[*k].answer.is_none() && !(*k == 0 && onward.is_some());
-        loads.extend((0..self.list.len()).filter(open));
-        weights.resize_with(loads.len(), Vec::new);
-        for (weights, &k) in weights.iter_mut().zip(&*loads) {
-            weights.clear();
-            weights.extend(free.iter().map(|&i| driven(&self.list[k].forces, i)));
-        }
-        for (weights, &k) in weights.iter().zip(&*loads) {
+        for k in 0..self.list.len() {
+            if self.list[k].answer.is_some() {
+                continue;
+            }
             let mut answer = self.blank(n);
-            free.iter().zip(weights).for_each(|(&i, value)| answer.input[i] = *value);
-            outputs.push(std::mem::take(&mut answer.output));
+            free.iter().for_each(|&i| answer.input[i] = driven(&self.list[k].forces, i));
+            if k > 0 || onward.is_none() {
+                loads.push(k);
+                outputs.push(std::mem::take(&mut answer.output));
+            }
             self.list[k].answer = Some(answer);
+        }
+        weights.resize_with(loads.len(), Vec::new);
+        for (weights, answer) in weights.iter_mut().zip(loads.iter().map(|&k| &self.list[k].answer)) {
+            weights.clear();
+            weights.extend(answer.iter().flat_map(|answer| free.iter().map(|&i| answer.input[i])));
         }
         add_rows_to_each(weights, |m| row(free[m]), outputs);
         for (&k, output) in loads.iter().zip(outputs.drain(..)) {
@@ -159,10 +161,9 @@ impl Loads {
             for answer in others.iter().filter_map(|&k| self.list[k].answer.as_ref()) {
                 axpy(1.0, &answer.output, &mut output);
             }
-            let mut answer = self.blank(n);
-            free.iter().for_each(|&i| answer.input[i] = driven(&self.list[0].forces, i));
-            answer.output = output;
-            self.list[0].answer = Some(answer);
+            if let Some(answer) = &mut self.list[0].answer {
+                answer.output = output;
+            }
         }
     }
 

@@ -29,7 +29,7 @@ impl StepLoad {
         };
         each(|s, m, e| 4.0 * m - 3.0 * s - e, &mut self.first);
         each(|s, m, e| 2.0 * (s + e) - 4.0 * m, &mut self.second);
-        each(|s, _, _| s, &mut self.start);
+        start.clone_into(&mut self.start);
         self.end = end;
     }
 

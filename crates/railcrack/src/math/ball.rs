@@ -1,5 +1,7 @@
 //! Smallest enclosing balls.
 
+use super::vector::dot3;
+
 /// A ball in three dimensions.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ball {
@@ -81,10 +83,10 @@ fn circumscribed(boundary: &[[f64; 3]]) -> Ball {
     let mut axes: Vec<[f64; 3]> = Vec::with_capacity(3);
     for &point in others {
         let edge = difference(point, origin);
-        let axis = axes.iter().fold(edge, |rest, q| added(rest, *q, -dot(rest, *q) / squared(*q)));
+        let axis = axes.iter().fold(edge, |rest, q| added(rest, *q, -dot3(rest, *q) / squared(*q)));
         let height = squared(axis);
         if height > FLAT * squared(edge) {
-            let missing = 0.5 * squared(edge) - dot(offset, edge);
+            let missing = 0.5 * squared(edge) - dot3(offset, edge);
             offset = added(offset, axis, missing / height);
             axes.push(axis);
         }
@@ -100,12 +102,8 @@ fn added(a: [f64; 3], b: [f64; 3], times: f64) -> [f64; 3] {
     [a[0] + times * b[0], a[1] + times * b[1], a[2] + times * b[2]]
 }
 
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
 fn squared(a: [f64; 3]) -> f64 {
-    dot(a, a)
+    dot3(a, a)
 }
 
 #[cfg(test)]
@@ -162,7 +160,7 @@ mod tests {
             );
             for _ in 0..500 {
                 let direction = [next(), next(), next()];
-                let nearest = on.iter().map(|p| dot(*p, direction)).fold(f64::INFINITY, f64::min);
+                let nearest = on.iter().map(|p| dot3(*p, direction)).fold(f64::INFINITY, f64::min);
                 assert!(nearest <= 1e-9, "round {round}: {nearest:e}");
             }
         }

@@ -29,3 +29,4 @@ pub use range::OutOfRange;
 pub use stress::Stress;
 pub use units::MPA_SQRT_MM;
 pub use vector::Vec2;
+pub(crate) use vector::dot3;

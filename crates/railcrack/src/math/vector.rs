@@ -82,3 +82,8 @@ impl Mul<f64> for Vec2 {
         Self::new(self.x * s, self.y * s)
     }
 }
+
+/// The scalar product in space.
+pub(crate) fn dot3(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}

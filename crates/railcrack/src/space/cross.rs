@@ -13,9 +13,9 @@ use super::cell::Cell;
 use super::grid::Grid;
 use super::nuclei::{Symmetric, image_matrix, kelvin_stress, moment};
 use super::patch::Patch;
-use super::plane::{PlaneFrame, Surroundings, along};
+use super::plane::{PlaneFrame, Surroundings};
 use crate::interruption::{Interrupted, Interruption};
-use crate::math::{Matrix, gauss_legendre};
+use crate::math::{Matrix, dot3, gauss_legendre};
 use rayon::prelude::*;
 
 /// Distance of two patches over the diameter of the larger one, and the points per direction that
@@ -224,10 +224,10 @@ impl<'a> Cross<'a> {
     fn gap(&self, one: &Disc, other: &Disc) -> f64 {
         let [first, second] = [&self.cracks[0], &self.cracks[1]].map(|crack| crack.crack.frame.normal());
         let between: [f64; 3] = std::array::from_fn(|i| other.centre[i] - one.centre[i]);
-        let square = along(between, between);
-        let sine = (1.0 - along(first, second).powi(2)).max(0.0).sqrt();
+        let square = dot3(between, between);
+        let sine = (1.0 - dot3(first, second).powi(2)).max(0.0).sqrt();
         let from = |normal: [f64; 3], turned: &Disc| {
-            let across = along(between, normal);
+            let across = dot3(between, normal);
             let beside = (square - across * across).max(0.0).sqrt() - one.radius - other.radius;
             (across.abs() - sine * turned.radius).max(0.0).hypot(beside.max(0.0))
         };

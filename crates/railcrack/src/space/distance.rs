@@ -4,8 +4,8 @@
 //! body, of which the point nearest to zero is found by its supporting points (Gilbert, Johnson &
 //! Keerthi 1988).
 
-use super::plane::along;
 use super::shape::{Extent, SpaceCrack};
+use crate::math::dot3;
 
 type Vector = [f64; 3];
 
@@ -28,23 +28,23 @@ impl SpaceCrack {
         let mut nearest = start;
         let size = self.depth.max(self.half_length).max(other.depth).max(other.half_length);
         for _ in 0..STEPS {
-            let square = along(nearest, nearest);
+            let square = dot3(nearest, nearest);
             if square <= (TOLERANCE * size).powi(2) {
                 return 0.0;
             }
             let corner = corner(nearest.map(|v| -v), nearest);
-            if square - along(nearest, corner) <= TOLERANCE * square {
+            if square - dot3(nearest, corner) <= TOLERANCE * square {
                 break;
             }
             corners.push(corner);
             let Some((point, kept)) = nearest_of(&corners) else { break };
-            if along(point, point) >= square {
+            if dot3(point, point) >= square {
                 break;
             }
             corners = kept;
             nearest = point;
         }
-        along(nearest, nearest).sqrt()
+        dot3(nearest, nearest).sqrt()
     }
 
     /// The smallest ellipse around the front over its own.
@@ -79,7 +79,7 @@ fn nearest_of(corners: &[Vector]) -> Option<(Vector, Vec<Vector>)> {
             (0..corners.len()).filter(|k| set >> k & 1 == 1).map(|k| corners[k]).collect();
         Some((nearest_of_flat(&chosen)?, chosen))
     });
-    points.reduce(|a, b| if along(b.0, b.0) < along(a.0, a.0) { b } else { a })
+    points.reduce(|a, b| if dot3(b.0, b.0) < dot3(a.0, a.0) { b } else { a })
 }
 
 /// The point nearest to zero of the flat through all of these points, if it lies between them.
@@ -89,7 +89,7 @@ fn nearest_of_flat(corners: &[Vector]) -> Option<Vector> {
     let order = sides.len();
     let mut rows: Vec<Vec<f64>> = sides
         .iter()
-        .map(|a| sides.iter().map(|b| along(*a, *b)).chain([-along(*a, *first)]).collect())
+        .map(|a| sides.iter().map(|b| dot3(*a, *b)).chain([-dot3(*a, *first)]).collect())
         .collect();
     for k in 0..order {
         let pivot = (k..order).max_by(|&a, &b| rows[a][k].abs().total_cmp(&rows[b][k].abs()))?;
@@ -160,7 +160,7 @@ mod tests {
         for p in &first {
             for q in &second {
                 let d: Vector = std::array::from_fn(|i| p[i] - q[i]);
-                least = least.min(along(d, d).sqrt());
+                least = least.min(dot3(d, d).sqrt());
             }
         }
         let got = one.distance(&two);

@@ -6,6 +6,7 @@
 //! the trace are x2, x1 and the lateral axis of docs/conventions.md.
 
 use super::nuclei::{image_stress, kelvin_stress, moment, traction};
+use crate::math::dot3;
 
 /// The solid around a crack.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
@@ -22,11 +23,6 @@ pub struct PlaneFrame {
     normal: [f64; 3],
     dip: [f64; 3],
     trace: [f64; 3],
-}
-
-/// The component of a vector along a unit vector; the scalar product.
-pub(super) fn along(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 impl PlaneFrame {
@@ -69,7 +65,7 @@ impl PlaneFrame {
 
     /// The components of a vector of the rail: normal, dip, trace.
     pub fn components(&self, vector: [f64; 3]) -> [f64; 3] {
-        self.directions().map(|direction| along(vector, direction))
+        self.directions().map(|direction| dot3(vector, direction))
     }
 
     /// The components of the traction of a stress on the plane.

@@ -165,6 +165,11 @@ pub const REQUIREMENTS: &[Requirement] = &[
         "Dislocations: a surface crack in tension has the K of the closed forms.",
     ),
     requirement(
+        "edge_crack_in_tension::mirrored",
+        "",
+        "Dislocations: a mirrored surface crack has the mirrored K.",
+    ),
+    requirement(
         "edge_crack_under_pressure::polynomial_pressure",
         "",
         "Dislocations: a surface crack under the face pressure p (x/l)ⁿ has the published K_I.",
