@@ -11,9 +11,10 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use railcrack::contact::{ContactSolver, FaceProblem, FaceStatus, Latin, Newton};
 use railcrack::field::{HertzWheel, StressField, Wheel};
-use railcrack::growth::{PassageError, PassageSettings, RailLoad, StabilisedPassage, stabilised_passage};
+use railcrack::growth::{PassageError, PassageSettings, StabilisedPassage};
 use railcrack::load::{HertzianContact, Passage};
 use railcrack::math::Vec2;
+use railcrack::plane::{RailLoad, stabilised_passage};
 use std::sync::Arc;
 
 /// The wheel: p0 (MPa), half-width (mm) and friction of Hertzian contact, or a function of points

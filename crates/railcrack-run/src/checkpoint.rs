@@ -16,7 +16,7 @@ use std::path::Path;
 const MAGIC: [u8; 8] = *b"RAILCRCK";
 
 /// Raised whenever the layout of [`Checkpoint`] or of what it holds changes.
-const FORMAT: u32 = 11;
+const FORMAT: u32 = 12;
 
 /// Magic, format, checksum.
 const HEADER: usize = 8 + 4 + 8;

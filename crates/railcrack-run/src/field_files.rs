@@ -50,7 +50,9 @@ pub(crate) fn write_fields(
     record: &StepRecord,
     durability: Durability,
 ) -> Result<Vec<FieldFileEntry>, OutputError> {
-    if record.fields.is_some() || record.front.as_ref().is_some_and(|front| !front.written.is_empty()) {
+    if record.fields.is_some()
+        || record.faces.across.as_ref().is_some_and(|across| !across.written.is_empty())
+    {
         let directory = folder.join(FIELDS_FOLDER);
         fs::create_dir_all(&directory).map_err(OutputError::io("create", &directory))?;
     }

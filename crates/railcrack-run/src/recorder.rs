@@ -211,7 +211,7 @@ impl Recorder {
 
     /// The scale of wheel positions, which the cracks of step 0 give.
     fn scale(&self, record: &StepRecord) -> SifScale {
-        let initial = if self.log.steps.is_empty() { &record.cracks } else { &self.log.now.initial_cracks };
+        let initial = if self.log.steps.is_empty() { record.cracks() } else { &self.log.now.initial_cracks };
         let origin = initial.first().map_or(0.0, |crack| crack.points()[0].x);
         SifScale { origin, half_width: self.info.half_width }
     }

@@ -90,7 +90,7 @@ impl RunLog {
     /// Takes up a finished step with its field files.
     pub(crate) fn add(&mut self, record: &StepRecord, fields: Vec<FieldFileEntry>) {
         if self.steps.is_empty() {
-            self.now.initial_cracks.clone_from(&record.cracks);
+            self.now.initial_cracks = record.cracks().to_vec();
         }
         if record.removed > 0.0 {
             let before = |i: usize| match self.now.paths.get(i) {
@@ -98,10 +98,10 @@ impl RunLog {
                 None => self.now.cracks.get(i).map_or(&[][..], Crack::points),
             };
             let whole = |(i, crack): (usize, &Crack)| whole_path(before(i), crack, record.removed);
-            self.now.paths = record.cracks.iter().enumerate().map(whole).collect();
+            self.now.paths = record.cracks().iter().enumerate().map(whole).collect();
         }
-        self.now.cracks.clone_from(&record.cracks);
-        self.now.junctions.clone_from(&record.junctions);
+        self.now.cracks = record.cracks().to_vec();
+        self.now.junctions = record.junctions().to_vec();
         self.steps.push(StepDigest {
             step: record.step,
             load_cycles: record.load_cycles,

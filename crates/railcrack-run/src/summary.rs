@@ -335,11 +335,11 @@ fn front(steps: &[StepDigest], crack: usize) -> Option<FrontSummary> {
     let (first, last) = (steps.first()?, steps.last()?);
     let axes = |step: &StepDigest| {
         let tip = step.tips.iter().find(|tip| tip.tip.crack == crack)?;
-        Some((tip.length, tip.front?.half_length))
+        Some((tip.length, tip.front()?.half_length))
     };
     let (initial, now) = (axes(first)?, axes(last)?);
     let own = || last.tips.iter().filter(|tip| tip.tip.crack == crack);
-    let lateral = || own().filter_map(|tip| Some(tip.front?.lateral));
+    let lateral = || own().filter_map(|tip| Some(tip.front()?.lateral));
     Some(FrontSummary {
         initial_length_mm: initial.0,
         initial_surface_half_length_mm: initial.1,
@@ -399,7 +399,7 @@ fn tip_summary(tip: &railcrack::growth::TipRecord) -> TipSummary {
         x_mm: tip.x,
         y_mm: tip.y,
         length_mm: tip.length,
-        waiting_mm: tip.deferred.length,
+        waiting_mm: tip.plane().map_or(0.0, |plane| plane.deferred.length),
         rate_mm_per_cycle: tip.rate,
         stop: tip.stop,
     }

@@ -59,6 +59,7 @@ pub mod material;
 pub mod math;
 pub mod mesh;
 mod nuclei;
+pub mod plane;
 pub mod prelude;
 pub mod residual;
 pub mod shakedown;

@@ -18,10 +18,11 @@ use crate::tables::{
 };
 use railcrack::bulk::Boundary;
 use railcrack::crack::CrackNetwork;
-use railcrack::growth::{GrowthSettings, NetworkContact};
+use railcrack::growth::GrowthSettings;
 use railcrack::load::{Passage, Temperature};
 use railcrack::material::IsotropicElastic;
 use railcrack::math::MPA_SQRT_MM;
+use railcrack::plane::NetworkContact;
 use std::path::Path;
 
 /// The case that `sections` describe; none where something is wrong or missing, which `report` then

@@ -21,7 +21,7 @@ pub use carried::{CarriedStress, CarriedStressError, Projection, Release};
 pub use case::{Case, RolledRailError};
 pub use mix::MixedWheel;
 pub use overrides::Overrides;
-pub use prepared::{CaseGrowth, PreparedRun};
+pub use prepared::PreparedRun;
 pub use shared::{RailKey, SharedRail, SharedRailError};
 pub use size::RunSize;
 pub use space_case::SpaceCase;

@@ -4,7 +4,7 @@ use super::case::Case;
 use super::space_case::SpaceCase;
 use crate::tables::{Engine, PlasticSource};
 use railcrack::dislocation;
-use railcrack::growth::NetworkContact;
+use railcrack::plane::NetworkContact;
 use railcrack::residual::PlasticField;
 use railcrack::space::SpaceResolution;
 

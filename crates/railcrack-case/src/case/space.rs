@@ -132,7 +132,7 @@ fn read_shape(
     let shape = FrontShape {
         dip: dip.rem_euclid(2.0 * PI),
         strike,
-        depth: if buried.is_some() { 0.5 * length } else { length },
+        length: if buried.is_some() { 0.5 * length } else { length },
         half_length,
         middle: [top.x - to_surface * dip.cos() + away * (1.0 - ahead), lateral - away * aside],
         buried,
@@ -142,7 +142,7 @@ fn read_shape(
         report.add(section.fault_of_name(name, format!("the engine space has no such crack: {error}")));
         return None;
     }
-    let aspect = half_length / shape.depth;
+    let aspect = half_length / shape.length;
     if !(1.0 / LARGEST_ASPECT..=LARGEST_ASPECT).contains(&aspect) {
         let says = format!(
             "the half axes of the crack are in the ratio {aspect:.3}; the cells of the engine space take 1/{LARGEST_ASPECT} to \

@@ -8,8 +8,8 @@ use clap::Args;
 use railcrack::contact::{FluidModel, StepControl};
 use railcrack::crack::Crack;
 use railcrack::fatigue::{ACCEPTANCE_RANGES, DirectionCriterion, RAIL_STEELS, RateLaw};
-use railcrack::growth::CrackFluid;
 use railcrack::load::{Contact, HertzEllipse};
+use railcrack::plane::CrackFluid;
 use railcrack::shakedown::DepthBounds;
 use railcrack::words::Choice;
 use railcrack_case::{Case, ContactOrigin, Input, MixedWheel, Overrides, PlasticSource};
@@ -204,7 +204,7 @@ fn in_space(case: &Case) -> Vec<Row> {
     let Some(space) = &case.space else { return Vec::new() };
     let mut rows = Vec::new();
     for shape in &space.shapes {
-        let [down, along] = [shape.depth, shape.half_length].map(number);
+        let [down, along] = [shape.length, shape.half_length].map(number);
         rows.push(("half axes", format!("{down} mm down the dip, {along} mm along the surface")));
         rows.push(("dip", format!("{} degrees", number(shape.dip.to_degrees()))));
         rows.push(("strike", format!("{} degrees", number(shape.strike.to_degrees()))));

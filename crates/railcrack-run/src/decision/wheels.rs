@@ -37,7 +37,10 @@ impl WheelSummary {
                 name: wheel.name.clone(),
                 share_of_axles: wheel.share,
                 share_of_growth: if grown > 0.0 { weighted / grown } else { first },
-                turns_in_steps: tips.iter().filter(|tip| tip.turned_by == Some(i)).count(),
+                turns_in_steps: tips
+                    .iter()
+                    .filter(|tip| tip.plane().and_then(|plane| plane.turned_by) == Some(i))
+                    .count(),
             }
         };
         mix.iter().enumerate().map(of).collect()

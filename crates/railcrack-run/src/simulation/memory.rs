@@ -107,7 +107,7 @@ impl RunInMemory {
 
     /// The rows of `sif.csv`.
     pub fn sif_rows(&self) -> impl Iterator<Item = SifRow> {
-        let first = self.steps.first().and_then(|(record, _)| record.cracks.first());
+        let first = self.steps.first().and_then(|(record, _)| record.cracks().first());
         let origin = first.map_or(0.0, |crack| crack.points()[0].x);
         let scale = SifScale { origin, half_width: self.job.info.half_width };
         let half_widths: Vec<f64> = self.job.info.mix.iter().map(|wheel| wheel.half_width).collect();

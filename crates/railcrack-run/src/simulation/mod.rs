@@ -10,7 +10,7 @@ mod rolling;
 mod run;
 mod sweep;
 
-pub use drive::{Ending, StepSource};
+pub use drive::Ending;
 pub use error::RunError;
 pub use job::{Job, Stage, case_files};
 pub use memory::RunInMemory;

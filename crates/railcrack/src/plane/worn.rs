@@ -2,11 +2,8 @@
 
 use super::stops::spent_ligament;
 use crate::crack::{Crack, Junction};
+use crate::growth::least_length;
 use crate::math::Vec2;
-
-/// A crack shorter than this fraction of the longest that it has been is worn away: the steps in
-/// which it is cut are no finer.
-const WORN_AWAY: f64 = 0.05;
 
 /// A crack after the surface above it has been removed.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,7 +36,7 @@ pub(super) fn worn(crack: &Crack, depth: f64, deferred: f64, longest: f64, resol
     if crack.is_surface_breaking() {
         settle_mouth(&mut points, resolution);
     }
-    let least = f64::max(2.0 * resolution, WORN_AWAY * longest);
+    let least = least_length(longest, resolution);
     let left = lifted[deepest].y < -ligament && points.len() > 1;
     let left = left.then(|| Crack::polyline(points).ok()).flatten();
     match left.filter(|left| left.length() + deferred > least) {

@@ -2,11 +2,13 @@
 
 use super::*;
 use crate::crack::{CrackTip, End};
-use crate::growth::fixtures::{SETTINGS, crack, state};
 use crate::growth::{
-    DeferredGrowth, EarlierRates, Grinding, GrowthSettings, Maintenance, RunStop, StepState, StressMoves,
-    TipDrive, TipStop, WornSurface, advance,
+    DeferredGrowth, EarlierRates, Grinding, GrowthSettings, Maintenance, Mover, RunStop, StepStart,
+    StressMoves, TipStop, WornSurface,
 };
+use crate::plane::fixtures::{SETTINGS, at, crack, state};
+use crate::plane::increments::advance;
+use crate::plane::step_state::{StepState, TipDrive};
 
 const ROUNDING: f64 = 1e-13;
 
@@ -106,9 +108,10 @@ fn wear_that_takes_more_than_grows_sets_the_pace() {
     assert!(at_rest.stop.is_none() && at_rest.tips[0].stop.is_none());
     assert!((at_rest.removal - 0.12).abs() < ROUNDING && at_rest.interval.unwrap().cycles == next.cycles);
     // Increments from cycles follow the line through two rates.
-    let before = EarlierRates { rates: vec![(tips[0].tip, 1.2e-6)], cycles: 5e4 };
+    let before =
+        EarlierRates { movers: vec![Mover { crack: 0, index: 0, rate: 1.2e-6, length: 5.0 }], cycles: 5e4 };
     let surface = WornSurface { before: Some(before), longest: vec![5.0], ..WornSurface::default() };
-    let slower = StepState { worn: &surface, ..state(&cracks, &tips, 0.01) };
+    let slower = StepState { at: StepStart { worn: &surface, ..at(0, 0.0) }, ..state(&cracks, &tips, 0.01) };
     let next = advance(&slower, &maintained(2.4e-6, None));
     assert!((next.tips[0].increment - 0.9e-6 * 5e4).abs() < ROUNDING, "{next:?}");
 }
@@ -120,14 +123,14 @@ fn grinding_takes_its_depth_at_its_interval() {
     let first = advance(&state(&cracks, &tips, 0.01), &settings);
     assert!(!first.ground && first.removal == 0.0 && (first.cycles - 2e5).abs() < 1e-8);
     let surface = WornSurface { longest: vec![5.0], ..WornSurface::default() };
-    let second = StepState { load_cycles: 2e5, worn: &surface, ..state(&cracks, &tips, 0.01) };
+    let second = StepState { at: StepStart { worn: &surface, ..at(0, 2e5) }, ..state(&cracks, &tips, 0.01) };
     let second = advance(&second, &settings);
     assert!(second.ground && (second.cycles - 5e4).abs() < 1e-8 && (second.removal - 0.3).abs() < ROUNDING);
     let length = second.cracks[0].length() + second.tips[0].deferred.length;
     assert!((length - (5.0 - 0.5 + 0.05)).abs() < ROUNDING, "{second:?}");
     // The next one counts from there.
     let surface = WornSurface { removed: 0.3, grindings: 1, ..surface };
-    let third = StepState { load_cycles: 2.5e5, worn: &surface, ..state(&cracks, &tips, 0.01) };
+    let third = StepState { at: StepStart { worn: &surface, ..at(0, 2.5e5) }, ..state(&cracks, &tips, 0.01) };
     let third = advance(&third, &settings);
     assert!(!third.ground && third.removal == 0.0);
 }
@@ -152,7 +155,8 @@ fn a_crack_that_is_worn_away_ends_the_run_and_others_go_on_without_it() {
     let stopped = TipDrive { stopped: Some(TipStop::WornAway), ..tips[0] };
     let surface = WornSurface { removed: 3.1, grindings: 1, longest: vec![5.0, 6.0], before: None };
     let later = [stopped, other];
-    let later = StepState { load_cycles: 1e5, worn: &surface, ..state(&next.cracks, &later, 0.01) };
+    let later =
+        StepState { at: StepStart { worn: &surface, ..at(0, 1e5) }, ..state(&next.cracks, &later, 0.01) };
     let last = advance(&later, &deep);
     assert_eq!(last.cracks[0], next.cracks[0], "its stub stays as it is");
 }
@@ -162,8 +166,8 @@ fn a_surface_that_comes_down_to_a_junction_ends_the_run() {
     let cracks = [crack(&[(0.0, 0.0), (2.0, -2.0), (4.0, -4.0)]), crack(&[(6.0, -5.0), (2.0, -2.0)])];
     let junctions = [Junction { joining: crate::crack::CrackEnd { crack: 1, end: End::Last }, onto: 0 }];
     let tips = [drive(1e-6)];
-    let at = StepState { junctions: &junctions, ..state(&cracks, &tips, 0.01) };
+    let joined = StepState { junctions: &junctions, ..state(&cracks, &tips, 0.01) };
     let deep = |depth| maintained(0.0, Some(Grinding { depth, interval: 1e5 }));
-    assert_eq!(advance(&at, &deep(1.5)).stop, None);
-    assert_eq!(advance(&at, &deep(2.5)).stop, Some(RunStop::Detached));
+    assert_eq!(advance(&joined, &deep(1.5)).stop, None);
+    assert_eq!(advance(&joined, &deep(2.5)).stop, Some(RunStop::Detached));
 }

@@ -1,20 +1,20 @@
 //! Increments, load cycles and the longer cracks, from the growth rates of the tips.
 
 use super::coalescence::{Coalescence, coalescences};
-use super::cycles::Interval;
-use super::deferred::{DeferredGrowth, KEEPS_PACE};
 use super::joining::{Outcome, grow, spall};
-use super::pace::Pace;
 use super::step_state::{Step, StepState, TipDrive};
-use super::stops::{breaks, grows, run_stop, spent_ligament, standstill, stop_of_one};
-use super::worn::{Removal, reaches_junction};
-use super::{BreakOut, GrowthSettings, Piece, RunStop, TipStop};
+use super::stops::{grows, spent_ligament, standstill, stop_of_one};
+use super::worn::{Removal, mouth_sine, reaches_junction};
 use crate::crack::{Crack, End, Junction, point_to_segment};
+use crate::growth::{
+    BreakOut, DeferredGrowth, GrowthSettings, Interval, Mover, Moving, Pace, Piece, RunStop, TipStop,
+    WearingCrack, nothing_grows, run_stop,
+};
 use crate::math::Vec2;
 
 /// The advance of one tip.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TipAdvance {
+pub(super) struct TipAdvance {
     /// Increment, mm; 0 for a tip that does not grow and in the last step. Negative for a tip that
     /// joins a crack which lies across what was deferred.
     pub increment: f64,
@@ -26,7 +26,7 @@ pub struct TipAdvance {
 
 /// The transition to the next step.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Advance {
+pub(super) struct PlaneAdvance {
     /// One per tip, in the order given.
     pub tips: Vec<TipAdvance>,
     /// The cracks of the next step.
@@ -79,28 +79,29 @@ pub struct Advance {
 ///
 /// Source: Trollé et al. 2014, eq. 32.
 #[must_use]
-pub fn advance(state: &StepState<'_>, settings: &GrowthSettings) -> Advance {
+pub(super) fn advance(state: &StepState<'_>, settings: &GrowthSettings) -> PlaneAdvance {
     let mut stops: Vec<Option<TipStop>> =
         state.tips.iter().map(|tip| tip.stopped.or_else(|| standstill(tip, settings))).collect();
     let mut break_outs = state.break_outs.to_vec();
     let mut pieces = Vec::new();
     // Every round stops at least one tip, or is the last.
-    let (pace, ways, met, outcome) = loop {
-        let pace = Pace::of(state, settings, &stops);
-        let ways = planned(state, &pace, settings, &stops);
-        let steps: Vec<Option<Step>> = ways.iter().map(|way| way.map(|way| way.step)).collect();
+    let (pace, plans, met, outcome) = loop {
+        let pace = pace(state, settings, &stops);
+        let plans = planned(state, &pace, settings, &stops);
+        let steps: Vec<Option<Step>> = plans.iter().map(|plan| plan.map(|plan| plan.step)).collect();
         let met = coalescences(&steps, state.cracks, state.resolution);
-        let ways = beside_coalescences(state, ways, &met);
+        let plans = beside_coalescences(state, plans, &met);
         let blocked = blocked_steps(state, &steps, &met, pace.removal);
         if blocked.is_empty() {
-            let made: Vec<Option<Step>> = ways.iter().map(|way| way.and_then(Way::made)).collect();
+            let made: Vec<Option<Step>> =
+                plans.iter().map(|plan| plan.and_then(PlannedAdvance::made)).collect();
             match grow(state, &made, &met) {
                 Outcome::Impossible(blamed) => {
                     for i in blamed {
                         stops[i] = Some(TipStop::Coalescence);
                     }
                 }
-                outcome => break (pace, ways, met, outcome),
+                outcome => break (pace, plans, met, outcome),
             }
         }
         for (i, stop) in blocked {
@@ -112,26 +113,31 @@ pub fn advance(state: &StepState<'_>, settings: &GrowthSettings) -> Advance {
             }
         }
     };
-    let (mut ways, mut outcome) = (ways, outcome);
+    let (mut plans, mut outcome) = (plans, outcome);
     let frees =
         pace.removal > 0.0 && reaches_junction(state.cracks, state.junctions, pace.removal, state.resolution);
     if let Outcome::Grown { cracks, .. } = &mut outcome
         && pace.removal > 0.0
         && !frees
     {
-        remove_surface(state, pace.removal, cracks, &mut ways, &mut stops);
+        remove_surface(state, pace.removal, cracks, &mut plans, &mut stops);
     }
-    let stop = run_stop(settings, state)
+    let breaks = |tip: &TipDrive| tip.demand().breaks(settings);
+    let longest = (0..state.cracks.len()).map(|crack| state.length(crack)).fold(0.0, f64::max);
+    let stop = run_stop(settings, &state.at, state.tips.iter().any(breaks), longest)
         .or_else(|| (frees || matches!(outcome, Outcome::Detached(_))).then_some(RunStop::Detached))
-        .or_else(|| nothing_grows(state, &stops));
+        .or_else(|| {
+            let stops: Vec<_> = state.tips.iter().map(|tip| tip.stopped).zip(stops.iter().copied()).collect();
+            nothing_grows(&stops)
+        });
     for (stop, coalescence) in stops.iter_mut().zip(&met) {
         *stop = stop.or(coalescence.map(|_| TipStop::Coalescence));
     }
     if stop == Some(RunStop::Fracture) {
-        let broken = |tip: &TipDrive| breaks(settings, tip).then_some(TipStop::Fracture);
+        let broken = |tip: &TipDrive| breaks(tip).then_some(TipStop::Fracture);
         stops.iter_mut().zip(state.tips).for_each(|(stop, tip)| *stop = broken(tip).or(*stop));
     }
-    let standing = Advance {
+    let standing = PlaneAdvance {
         tips: standing_tips(state, &stops),
         cracks: state.cracks.to_vec(),
         junctions: state.junctions.to_vec(),
@@ -145,11 +151,11 @@ pub fn advance(state: &StepState<'_>, settings: &GrowthSettings) -> Advance {
     };
     match (stop, outcome) {
         (Some(RunStop::Detached), Outcome::Detached(detached)) => {
-            Advance { pieces: [standing.pieces, detached].concat(), ..standing }
+            PlaneAdvance { pieces: [standing.pieces, detached].concat(), ..standing }
         }
         (None, Outcome::Grown { cracks, junctions }) => {
-            let tips = growing_tips(&standing.tips, &ways, &met);
-            Advance {
+            let tips = growing_tips(&standing.tips, &plans, &met);
+            PlaneAdvance {
                 tips,
                 cracks,
                 junctions,
@@ -164,20 +170,38 @@ pub fn advance(state: &StepState<'_>, settings: &GrowthSettings) -> Advance {
     }
 }
 
+/// The pace of the tips that have not stopped, and of the removal of the surface.
+fn pace(state: &StepState<'_>, settings: &GrowthSettings, stops: &[Option<TipStop>]) -> Pace {
+    let all: Vec<Mover> = state.tips.iter().map(|tip| state.mover(tip)).collect();
+    let left = || state.tips.iter().zip(&all).zip(stops).filter(|(_, stop)| stop.is_none());
+    let growing = left().filter(|((tip, _), _)| grows(tip, settings)).map(|((_, mover), _)| *mover);
+    let wearing = (0..state.cracks.len()).filter(|&crack| !state.is_worn_away(crack)).map(|crack| {
+        let mouth_sine = mouth_sine(&state.cracks[crack]).unwrap_or(1.0);
+        WearingCrack { mouth_sine, longest: state.longest(crack) }
+    });
+    let moving = Moving {
+        all: &all,
+        growing: &growing.collect::<Vec<_>>(),
+        some_are_left: left().next().is_some(),
+        wearing: &wearing.collect::<Vec<_>>(),
+    };
+    Pace::of(&moving, &state.at, settings)
+}
+
 /// Takes `removal` (mm) off the surface of `cracks`: tips of cracks that are worn away, or that the
 /// surface has come down to, stop.
 fn remove_surface(
     state: &StepState<'_>,
     removal: f64,
     cracks: &mut Vec<Crack>,
-    ways: &mut [Option<Way>],
+    plans: &mut [Option<PlannedAdvance>],
     stops: &mut [Option<TipStop>],
 ) {
     let count = cracks.len();
     let mut left_out = vec![0.0; count];
-    for (tip, way) in state.tips.iter().zip(ways.iter()) {
-        left_out[tip.tip.crack] += match way {
-            Some(way) if way.deferred => way.growth.length,
+    for (tip, plan) in state.tips.iter().zip(plans.iter()) {
+        left_out[tip.tip.crack] += match plan {
+            Some(plan) if plan.deferred => plan.growth.length,
             Some(_) => 0.0,
             None => tip.deferred.length,
         };
@@ -191,7 +215,7 @@ fn remove_surface(
         let broken_out = if tip.tip.end == End::First { first } else { last };
         if removed.away[tip.tip.crack] {
             stops[i] = Some(TipStop::WornAway);
-            ways[i] = None;
+            plans[i] = None;
         } else if broken_out && stops[i].is_none() {
             stops[i] = Some(TipStop::BreakOut);
         }
@@ -212,19 +236,20 @@ fn standing_tips(state: &StepState<'_>, stops: &[Option<TipStop>]) -> Vec<TipAdv
 /// The tips when increments are made, from those without.
 fn growing_tips(
     standing: &[TipAdvance],
-    ways: &[Option<Way>],
+    plans: &[Option<PlannedAdvance>],
     met: &[Option<Coalescence>],
 ) -> Vec<TipAdvance> {
-    let growing = |(tip, (way, coalescence)): (&TipAdvance, (&Option<Way>, &Option<Coalescence>))| {
-        let Some(way) = way else { return *tip };
-        let increment = match coalescence {
-            Some(coalescence) => (coalescence.at - way.step.from).length() - tip.deferred.length,
-            None => way.increment,
+    let growing =
+        |(tip, (plan, coalescence)): (&TipAdvance, (&Option<PlannedAdvance>, &Option<Coalescence>))| {
+            let Some(plan) = plan else { return *tip };
+            let increment = match coalescence {
+                Some(coalescence) => (coalescence.at - plan.step.from).length() - tip.deferred.length,
+                None => plan.increment,
+            };
+            let deferred = if plan.deferred { plan.growth } else { DeferredGrowth::default() };
+            TipAdvance { increment, deferred, stop: tip.stop }
         };
-        let deferred = if way.deferred { way.growth } else { DeferredGrowth::default() };
-        TipAdvance { increment, deferred, stop: tip.stop }
-    };
-    standing.iter().zip(ways.iter().zip(met)).map(growing).collect()
+    standing.iter().zip(plans.iter().zip(met)).map(growing).collect()
 }
 
 /// The steps that cannot be made, with the reason: they break out before they meet a crack, or
@@ -262,7 +287,7 @@ fn way_out(step: &Step) -> Vec2 {
 
 /// The planned advance of a tip that grows.
 #[derive(Debug, Clone, Copy)]
-struct Way {
+struct PlannedAdvance {
     /// Its own increment, mm.
     increment: f64,
     /// All growth that is not in its crack yet, the increment included.
@@ -273,62 +298,54 @@ struct Way {
     deferred: bool,
 }
 
-impl Way {
+impl PlannedAdvance {
     fn made(self) -> Option<Step> {
         (!self.deferred).then_some(self.step)
     }
 }
 
-/// The way of every tip that grows.
+/// The plan of every tip that grows.
 fn planned(
     state: &StepState<'_>,
     pace: &Pace,
     settings: &GrowthSettings,
     stops: &[Option<TipStop>],
-) -> Vec<Option<Way>> {
-    let way_of = |drive: &TipDrive| {
+) -> Vec<Option<PlannedAdvance>> {
+    let plan_of = |drive: &TipDrive| {
         let crack = &state.cracks[drive.tip.crack];
         let (from, ahead) = (crack.tip(drive.tip.end), crack.ahead(drive.tip.end));
-        let increment = pace.increment(drive);
+        let increment = pace.increment(&state.mover(drive));
         let growth = drive.deferred.and(increment, Vec2::unit(ahead.angle() + drive.kink?));
         let to = from + growth.direction * growth.length;
         let length = state.length(drive.tip.crack);
-        let keeps_pace = increment >= KEEPS_PACE * pace.share * length;
+        let keeps_pace = increment >= DeferredGrowth::KEEPS_PACE * pace.share * length;
         let deferred = !keeps_pace && growth.length < settings.increment * length;
         let step = Step { tip: drive.tip, from, to, deferred: growth.share_of(drive.deferred) };
-        Some(Way { increment, growth, step, deferred })
+        Some(PlannedAdvance { increment, growth, step, deferred })
     };
     state
         .tips
         .iter()
         .zip(stops)
-        .map(|(drive, stop)| if stop.is_some() || !grows(drive, settings) { None } else { way_of(drive) })
+        .map(|(drive, stop)| if stop.is_some() || !grows(drive, settings) { None } else { plan_of(drive) })
         .collect()
 }
 
-/// The ways beside `met`: a tip that joins a crack is not deferred, nor is one whose way another
+/// The plans beside `met`: a tip that joins a crack is not deferred, nor is one whose plan another
 /// tip ends on.
 fn beside_coalescences(
     state: &StepState<'_>,
-    ways: Vec<Option<Way>>,
+    plans: Vec<Option<PlannedAdvance>>,
     met: &[Option<Coalescence>],
-) -> Vec<Option<Way>> {
+) -> Vec<Option<PlannedAdvance>> {
     let ends_on = |coalescence: &Coalescence, Step { tip, from, to, .. }: Step| {
         coalescence.onto == tip.crack && point_to_segment(coalescence.at, from, to) < state.resolution
     };
-    let beside = |way: Way, own: &Option<Coalescence>| {
-        let is_met = own.is_some() || met.iter().flatten().any(|coalescence| ends_on(coalescence, way.step));
-        Way { deferred: way.deferred && !is_met, ..way }
+    let beside = |plan: PlannedAdvance, own: &Option<Coalescence>| {
+        let is_met = own.is_some() || met.iter().flatten().any(|coalescence| ends_on(coalescence, plan.step));
+        PlannedAdvance { deferred: plan.deferred && !is_met, ..plan }
     };
-    ways.into_iter().zip(met).map(|(way, own)| way.map(|way| beside(way, own))).collect()
-}
-
-/// The end of a run in which every tip has stopped, with the reason of the last one that did.
-fn nothing_grows(state: &StepState<'_>, stops: &[Option<TipStop>]) -> Option<RunStop> {
-    let all: Vec<TipStop> = stops.iter().copied().collect::<Option<_>>()?;
-    let of_this_step =
-        state.tips.iter().zip(&all).filter(|(tip, _)| tip.stopped.is_none()).map(|(_, s)| *s).next_back();
-    of_this_step.or(all.last().copied()).map(RunStop::NoTipGrows)
+    plans.into_iter().zip(met).map(|(plan, own)| plan.map(|plan| beside(plan, own))).collect()
 }
 
 #[cfg(test)]

@@ -1,24 +1,24 @@
 //! Passages of the wheel over many cracks, group by group, in sweeps until they agree.
 
 use super::exchange::{Exchange, History};
-use super::face_load::{FaceLoad, Part};
+use super::face_load::{FaceLoad, LoadPhase};
 use super::groups::{Group, groups};
-use super::mix::Beside;
 use super::passage::{
-    Pass, Rolling, distances, edge_stations, far_stations, places, ramp_stations, until_stabilised,
+    Pass, Rolling, distances, edge_stations, far_stations, memory, places, ramp_stations, stabilised,
 };
-use super::positions::output_positions;
+use super::rail_load::RailLoad;
 use super::stations::{stations, weights};
 use super::tip_sifs::TipSifs;
 use super::track::{Track, every_other};
-use super::{
-    GroupsError, Observer, PassageError, PassageRecord, PassageSettings, RailLoad, StabilisedPassage,
-};
 use crate::body::BlockStiffness;
 use crate::contact::{
     ContactSolver, FaceHistory, FaceProblem, FaceState, NotConverged, Stepper, SteppingCounts, SteppingError,
 };
 use crate::fracture::{Sif, SifHistory};
+use crate::growth::{
+    GroupsError, Observer, PassageError, PassageRecord, PassageSettings, StabilisedPassage, WithoutProgress,
+    output_positions, until_repeated,
+};
 use crate::linear::LinearError;
 use crate::math::Matrix;
 use rayon::prelude::*;
@@ -54,7 +54,7 @@ pub(super) fn passages_by_groups(
         let edges: Vec<f64> = edge_stations(&mouths(k), load.wheel.edges(), half_width).collect();
         stations(&xc, &edges, group.extent, half_width)
     };
-    let mut row = Row {
+    let mut row = GroupRow {
         blocks,
         load,
         solver,
@@ -76,10 +76,10 @@ pub(super) fn passages_by_groups(
     if load.residual.is_some() {
         row.settle(Leg::Residual, observer)?;
     }
-    let passed = until_stabilised(settings, problem, |number, _| row.pass(number, problem, observer))?;
+    let passed = until_repeated(settings, memory(problem), |number, _| row.pass(number, problem, observer))?;
     let [hand_over, far] = row.handed_over()?;
     let error = GroupsError { sweeps: row.error, hand_over, far };
-    Ok(passed.record(row.counts, row.edge_steps, problem, Some(error)))
+    Ok(stabilised(passed, row.counts, row.edge_steps, problem, Some(error)))
 }
 
 fn unsolvable(_: LinearError) -> PassageError {
@@ -103,8 +103,8 @@ struct GroupState {
     tips: TipSifs,
 }
 
-/// A group on its way through a leg: results of its own unit.
-struct Run {
+/// Results of a group over a leg, for its own unit.
+struct LegOfGroup {
     history: History,
     /// K of its tips at its stations, or at the end.
     sifs: Vec<Vec<Sif>>,
@@ -122,7 +122,7 @@ struct Run {
 /// among its members, whose jumps are those of the sweep before, in groups of their own. That is a
 /// waveform relaxation by overlapping blocks (Schwarz): what a sweep leaves of the error is the
 /// coupling beyond the members of a group.
-struct Row<'a> {
+struct GroupRow<'a> {
     blocks: &'a BlockStiffness,
     load: RailLoad<'a>,
     solver: &'a dyn ContactSolver,
@@ -148,7 +148,7 @@ struct Row<'a> {
     edge_steps: usize,
 }
 
-impl Row<'_> {
+impl GroupRow<'_> {
     fn virgin(&self) -> Result<Vec<GroupState>, PassageError> {
         let state = |(group, (_, stations)): (&Group, &(Vec<f64>, Vec<f64>))| {
             let problem = problem(group)?;
@@ -160,11 +160,11 @@ impl Row<'_> {
     }
 
     /// The parts of `leg` with their coordinates, over the cracks those of `over`.
-    fn parts(&self, leg: Leg, over: &[f64]) -> Vec<(Part, Vec<f64>)> {
+    fn parts(&self, leg: Leg, over: &[f64]) -> Vec<(LoadPhase, Vec<f64>)> {
         let from_zero =
             |stations: &mut dyn Iterator<Item = f64>| std::iter::once(0.0).chain(stations).collect();
         if leg == Leg::Residual {
-            return vec![(Part::Ramp, from_zero(&mut ramp_stations()))];
+            return vec![(LoadPhase::Ramp, from_zero(&mut ramp_stations()))];
         }
         let (first, last) = (self.xc[0], self.xc[self.xc.len() - 1]);
         let travel = (last - first).signum();
@@ -172,14 +172,14 @@ impl Row<'_> {
         let mut departure: Vec<f64> = from_zero(&mut far_stations(near_last));
         departure.reverse();
         vec![
-            (Part::approach(first, travel, near_first), from_zero(&mut far_stations(near_first))),
-            (Part::Over, over.to_vec()),
-            (Part::departure(last, travel, near_last), departure),
+            (LoadPhase::approach(first, travel, near_first), from_zero(&mut far_stations(near_first))),
+            (LoadPhase::Over, over.to_vec()),
+            (LoadPhase::departure(last, travel, near_last), departure),
         ]
     }
 
     /// Sweeps over `leg` until K of all tips is within the tolerance.
-    fn settle(&mut self, leg: Leg, observer: &dyn Observer) -> Result<Vec<Run>, PassageError> {
+    fn settle(&mut self, leg: Leg, observer: &dyn Observer) -> Result<Vec<LegOfGroup>, PassageError> {
         let repeats = self.histories.len() == self.groups.len() && matches!(leg, Leg::Passage(2..));
         if !repeats {
             self.histories = (0..self.groups.len()).map(|k| self.at_rest(k, leg)).collect();
@@ -211,7 +211,7 @@ impl Row<'_> {
     }
 
     /// The largest change of K since the last sweep, over its peak.
-    fn change(&mut self, runs: &[Run]) -> f64 {
+    fn change(&mut self, runs: &[LegOfGroup]) -> f64 {
         let mut largest = 0.0f64;
         for (k, (run, group)) in runs.iter().zip(&self.groups).enumerate() {
             for (i, ((tip, _), sifs)) in group.own_tips.iter().zip(&run.sifs).enumerate() {
@@ -237,7 +237,7 @@ impl Row<'_> {
         let own = self.groups[k].own_points.clone();
         let jumps = &self.states[k].faces.solution.jump[2 * own.start..2 * own.end];
         let parts = self.parts(leg, &self.stations[k].1);
-        let constant = |(part, at): (Part, Vec<f64>)| {
+        let constant = |(part, at): (LoadPhase, Vec<f64>)| {
             let values = Matrix::from_fn(at.len(), jumps.len(), |_, i| jumps[i]);
             (part, Track::new(at, values))
         };
@@ -306,7 +306,7 @@ impl Row<'_> {
         &mut self,
         (leg, number): (Leg, usize),
         observer: &dyn Observer,
-    ) -> Result<Vec<Run>, PassageError> {
+    ) -> Result<Vec<LegOfGroup>, PassageError> {
         let nodes = |k: usize| -> Vec<Vec<f64>> {
             self.parts(leg, &self.stations[k].0).into_iter().map(|(_, at)| at).collect()
         };
@@ -322,9 +322,9 @@ impl Row<'_> {
             observer.progress(1.0 - left * (1.0 - 0.5 * share));
             run
         };
-        let runs: Vec<Run> =
+        let runs: Vec<LegOfGroup> =
             (0..self.groups.len()).into_par_iter().map(run).collect::<Result<_, PassageError>>()?;
-        for Run { counts, edge_steps, .. } in &runs {
+        for LegOfGroup { counts, edge_steps, .. } in &runs {
             self.counts.substeps += counts.substeps;
             self.counts.solves += counts.solves;
             self.counts.iterations += counts.iterations;
@@ -335,7 +335,13 @@ impl Row<'_> {
     }
 
     /// Group `k` through `leg` under the wheel and `forces`.
-    fn run(&self, leg: Leg, k: usize, forces: History, observer: &dyn Observer) -> Result<Run, PassageError> {
+    fn run(
+        &self,
+        leg: Leg,
+        k: usize,
+        forces: History,
+        observer: &dyn Observer,
+    ) -> Result<LegOfGroup, PassageError> {
         let group = &self.groups[k];
         let GroupState { faces, mut tips } = self.states[k].clone();
         let problem = problem(group)?;
@@ -357,7 +363,7 @@ impl Row<'_> {
                 sifs.extend(group.own_tips.iter().map(|&(_, tip)| vec![ends[tip]]));
             }
             Leg::Passage(number) => {
-                let pass = wheel.pass(number, None, &mut tips, &Beside(observer))?;
+                let pass = wheel.pass(number, None, &mut tips, &WithoutProgress(observer))?;
                 sifs.extend(group.own_tips.iter().map(|&(_, tip)| pass.record.sifs[tip].clone()));
                 histories.extend(group.own_tips.iter().map(|&(_, tip)| pass.histories[tip].clone()));
                 states.extend(pass.states.iter().map(|faces| faces[own.clone()].to_vec()));
@@ -370,7 +376,7 @@ impl Row<'_> {
         let history = parts.into_iter().map(|(part, _)| part).zip(tracks).collect();
         let (counts, edge_steps) = (wheel.stepper.counts(), wheel.edge_steps);
         let end = GroupState { faces: wheel.stepper.history(), tips };
-        Ok(Run { history, sifs, faces: states, histories, end, counts, edge_steps })
+        Ok(LegOfGroup { history, sifs, faces: states, histories, end, counts, edge_steps })
     }
 
     /// Passage `number` of the row.

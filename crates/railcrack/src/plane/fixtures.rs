@@ -1,7 +1,8 @@
 //! Fixtures of the tests of growth steps.
 
-use super::{GrowthSettings, StepState, TipDrive, WornSurface};
+use super::step_state::{StepState, TipDrive};
 use crate::crack::Crack;
+use crate::growth::{GrowthSettings, StepStart, WornSurface};
 use crate::math::{RailBox, Vec2};
 
 pub(super) const SETTINGS: GrowthSettings = GrowthSettings::REFERENCE;
@@ -12,17 +13,20 @@ pub(super) fn crack(points: &[(f64, f64)]) -> Crack {
     Crack::polyline(points.iter().map(|&(x, y)| Vec2::new(x, y)).collect()).unwrap()
 }
 
+/// Where a run stands at `step` after `load_cycles`, whose surface is as at the beginning.
+pub(super) fn at(step: usize, load_cycles: f64) -> StepStart<'static> {
+    StepStart { step, load_cycles, worn: &UNWORN }
+}
+
 /// The first step of `cracks` that have joined nowhere, in the rail of the paper, for an engine
 /// that resolves `resolution` (mm).
 pub(super) fn state<'a>(cracks: &'a [Crack], tips: &'a [TipDrive], resolution: f64) -> StepState<'a> {
     StepState {
-        step: 0,
+        at: at(0, 0.0),
         cracks,
         junctions: &[],
         break_outs: &[],
         tips,
-        load_cycles: 0.0,
-        worn: &UNWORN,
         rail: RailBox::default(),
         resolution,
     }

@@ -1,6 +1,6 @@
 //! Forces that cracks exert on those that are followed apart from them.
 
-use super::face_load::Part;
+use super::face_load::LoadPhase;
 use super::groups::Group;
 use super::track::Track;
 use crate::body::BlockStiffness;
@@ -9,7 +9,7 @@ use crate::math::Matrix;
 use rayon::prelude::*;
 
 /// The jumps of the faces of a unit (mm) on each part of the way.
-pub(super) type History = Vec<(Part, Track)>;
+pub(super) type History = Vec<(LoadPhase, Track)>;
 
 /// The jumps of all units on their way through a leg, and the forces of those that are far away.
 pub(super) struct Exchange<'a> {
@@ -35,7 +35,7 @@ impl<'a> Exchange<'a> {
             .par_iter()
             .zip(&blocks.far.moments)
             .map(|(history, moments)| {
-                let amplitude = |(part, track): &(Part, Track)| {
+                let amplitude = |(part, track): &(LoadPhase, Track)| {
                     Ok((*part, Track::new(track.at().to_vec(), product(track.values(), moments)?)))
                 };
                 history.iter().map(amplitude).collect()
@@ -92,7 +92,7 @@ fn far_forces(
 ) -> Result<History, LinearError> {
     let moments = &blocks.far.moments[k];
     let outwards = moments.transposed();
-    let on_part = |(i, (part, _)): (usize, &(Part, Track))| {
+    let on_part = |(i, (part, _)): (usize, &(LoadPhase, Track))| {
         let mut sum = Matrix::zeros(nodes[i].len(), moments.columns());
         for (l, between) in &blocks.far.between[k] {
             add_product(-1.0, &amplitudes[*l][i].1.resampled(&nodes[i]), &between.transposed(), &mut sum)?;

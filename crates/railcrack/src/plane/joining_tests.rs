@@ -3,7 +3,7 @@
 use super::*;
 use crate::crack::{CrackEnd, CrackNetwork, CrackTip, End, segment_distance};
 use crate::growth::PieceKind;
-use crate::growth::fixtures::{self, SETTINGS, crack};
+use crate::plane::fixtures::{self, SETTINGS, crack};
 use proptest::prelude::*;
 use proptest::test_runner::{RngAlgorithm, TestRng, TestRunner};
 
@@ -29,10 +29,10 @@ fn ahead(crack: usize, rate: f64) -> TipDrive {
 }
 
 fn state<'a>(cracks: &'a [Crack], tips: &'a [TipDrive]) -> StepState<'a> {
-    StepState { step: 3, ..fixtures::state(cracks, tips, RESOLUTION) }
+    StepState { at: fixtures::at(3, 0.0), ..fixtures::state(cracks, tips, RESOLUTION) }
 }
 
-fn next(cracks: &[Crack], tips: &[TipDrive]) -> Advance {
+fn next(cracks: &[Crack], tips: &[TipDrive]) -> PlaneAdvance {
     let next = advance(&state(cracks, tips), &SETTINGS);
     CrackNetwork::joined(next.cracks.clone(), next.junctions.clone()).unwrap();
     next

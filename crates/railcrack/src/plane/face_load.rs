@@ -1,6 +1,6 @@
 //! The load on the faces through residual stress, approach, passage and departure.
 
-use super::RailLoad;
+use super::rail_load::RailLoad;
 use super::track::Track;
 use crate::contact::{FaceProblem, FluidModel, FluidState, LoadPath, Pocket};
 use crate::field::{EndField, EndsError, StressesUnderWheel, Wheel};
@@ -20,12 +20,12 @@ pub(super) struct FaceLoad<'a> {
     /// without such fluid.
     cap: Option<f64>,
     /// The forces of other cracks.
-    others: Vec<(Part, Track)>,
+    others: Vec<(LoadPhase, Track)>,
 }
 
 /// One part of the history, and what its path coordinate is.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Part {
+pub(super) enum LoadPhase {
     /// Share of the residual stress, 0 to 1; no wheel.
     Ramp,
     /// 1 / (distance of the wheel in mm from `origin` towards `side`, ±1); 0 is infinitely far.
@@ -44,7 +44,7 @@ pub(super) enum Part {
     Over,
 }
 
-impl Part {
+impl LoadPhase {
     /// The approach from infinity to `first` (mm), up to `near` (mm) from the faces.
     pub fn approach(first: f64, travel: f64, near: f64) -> Self {
         Self::Far { origin: first + travel * near, side: -travel }
@@ -107,12 +107,12 @@ impl<'a> FaceLoad<'a> {
 
     /// The same with the forces (N/mm, 2p) that `others` exert, those of cracks that are not part
     /// of the problem.
-    pub(super) fn with_others(self, others: Vec<(Part, Track)>) -> Self {
+    pub(super) fn with_others(self, others: Vec<(LoadPhase, Track)>) -> Self {
         Self { others, ..self }
     }
 
     /// The load along `part`.
-    pub(super) fn along(&self, part: Part) -> PartLoad<'_> {
+    pub(super) fn along(&self, part: LoadPhase) -> PartLoad<'_> {
         let others = self.others.iter().find(|(own, _)| *own == part).map(|(_, track)| track);
         PartLoad { load: self, part, others }
     }
@@ -122,7 +122,7 @@ impl<'a> FaceLoad<'a> {
     pub(super) fn expected_slip(&self, xc: &[f64]) -> Vec<f64> {
         let mut slips = vec![0.0f64; self.problem.points()];
         for &x in xc.iter().step_by((xc.len() / EXPECTED_FROM).max(1)) {
-            let forces = self.along(Part::Over).nodal_forces(x);
+            let forces = self.along(LoadPhase::Over).nodal_forces(x);
             let jump = self.problem.body().compliance.times(&forces);
             for (slip, jump) in slips.iter_mut().zip(jump.chunks_exact(2)) {
                 *slip = slip.max(jump[0].abs());
@@ -138,7 +138,7 @@ const EXPECTED_FROM: usize = 30;
 /// [`FaceLoad`] as a path.
 pub(super) struct PartLoad<'a> {
     load: &'a FaceLoad<'a>,
-    part: Part,
+    part: LoadPhase,
     others: Option<&'a Track>,
 }
 
@@ -149,11 +149,11 @@ impl LoadPath for PartLoad<'_> {
             return Vec::new();
         }
         match self.part {
-            Part::Ramp => self.load.over_mouths(0.0, 0.0),
-            Part::Far { .. } if at == 0.0 => self.load.over_mouths(0.0, 0.0),
-            Part::Far { origin, side } => self.load.over_mouths(origin + side / at, 1.0),
-            Part::Load { xc } => self.load.over_mouths(xc, at),
-            Part::Over => self.load.over_mouths(at, 1.0),
+            LoadPhase::Ramp => self.load.over_mouths(0.0, 0.0),
+            LoadPhase::Far { .. } if at == 0.0 => self.load.over_mouths(0.0, 0.0),
+            LoadPhase::Far { origin, side } => self.load.over_mouths(origin + side / at, 1.0),
+            LoadPhase::Load { xc } => self.load.over_mouths(xc, at),
+            LoadPhase::Over => self.load.over_mouths(at, 1.0),
         }
     }
 
@@ -170,11 +170,11 @@ impl PartLoad<'_> {
     fn of_wheel(&self, at: f64) -> Vec<f64> {
         let FaceLoad { problem, wheel, ends, points, residual, .. } = self.load;
         let (xc, share) = match self.part {
-            Part::Ramp => return residual.iter().map(|f| f * at).collect(),
-            Part::Far { .. } if at == 0.0 => return residual.clone(),
-            Part::Far { origin, side } => (origin + side / at, 1.0),
-            Part::Load { xc } => (xc, at),
-            Part::Over => (at, 1.0),
+            LoadPhase::Ramp => return residual.iter().map(|f| f * at).collect(),
+            LoadPhase::Far { .. } if at == 0.0 => return residual.clone(),
+            LoadPhase::Far { origin, side } => (origin + side / at, 1.0),
+            LoadPhase::Load { xc } => (xc, at),
+            LoadPhase::Over => (at, 1.0),
         };
         let mut stresses = wheel.stresses(points, xc);
         if let Some(ends) = ends {

@@ -1,93 +1,18 @@
 //! Passages of the wheel over fixed cracks: residual stress, then passages until the history
 //! repeats.
 
-use super::face_load::{FaceLoad, Part};
-use super::positions::output_positions;
+use super::face_load::{FaceLoad, LoadPhase};
+use super::rail_load::RailLoad;
 use super::tip_sifs::{TipMark, TipSifs};
-use super::{FaceRecord, Observer, PassageRecord, PassageSettings, RailLoad, SolverCounts};
 use crate::contact::{
     ContactSolver, FaceProblem, FaceSolution, FaceState, FluidModel, FluidState, Pocket, StepControl,
     Stepper, SteppingCounts, SteppingError,
 };
-use crate::field::EndsError;
 use crate::fracture::SifHistory;
-use crate::math::OutOfRange;
-use thiserror::Error;
-
-/// The stabilised passage and those before it.
-#[derive(Debug, Clone, PartialEq)]
-pub struct StabilisedPassage {
-    /// All passages, the stabilised one last.
-    pub passages: Vec<PassageRecord>,
-    /// Histories of the stabilised passage per tip: all accepted substeps,
-    /// every change of contact status and both unloaded ends.
-    pub histories: Vec<SifHistory>,
-    /// The faces at the output positions of the stabilised passage.
-    pub faces: FaceRecord,
-    /// Effort of all passages.
-    pub counts: SolverCounts,
-    /// Change of K between the last two passages relative to its peak; none after a single passage.
-    pub last_change: Option<f64>,
-    /// Of a passage by groups of cracks, the estimated error of K.
-    pub coupling: Option<GroupsError>,
-}
-
-/// Parts of the error of K at any tip that is estimated for cracks in groups, over its peak.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct GroupsError {
-    /// Of sweeps that end.
-    pub sweeps: f64,
-    /// Of jumps that are linear between the places at which they are handed over, as if faces were
-    /// free: more than it is.
-    pub hand_over: f64,
-    /// Of the expansion of the forces between cracks that are far apart, likewise.
-    pub far: f64,
-}
-
-impl GroupsError {
-    /// All of it.
-    #[must_use]
-    pub fn total(&self) -> f64 {
-        self.sweeps + self.hand_over + self.far
-    }
-}
-
-impl StabilisedPassage {
-    /// The tip with the lowest K_I, and that over the largest |K| of all tips. Faces do not
-    /// overlap, so that a negative one is the error of the engine at a closed tip.
-    #[must_use]
-    pub fn lowest_opening(&self) -> Option<(usize, f64)> {
-        let peak = self.histories.iter().map(SifHistory::peak).fold(0.0, f64::max);
-        let lowest = |history: &SifHistory| history.samples.iter().map(|k| k.ki).fold(0.0, f64::min);
-        let tips = self.histories.iter().map(|history| lowest(history) / peak).enumerate();
-        tips.filter(|_| peak > 0.0).min_by(|a, b| a.1.total_cmp(&b.1))
-    }
-}
-
-/// A passage that could not be computed.
-#[derive(Debug, Error)]
-#[non_exhaustive]
-pub enum PassageError {
-    /// Settings under which nothing can be computed.
-    #[error(transparent)]
-    Settings(#[from] OutOfRange),
-    /// The ends of the rail.
-    #[error(transparent)]
-    Ends(#[from] EndsError),
-    /// Contact did not converge.
-    #[error("passage {passage}, {phase}: {source}")]
-    NotConverged {
-        /// Passage, from 1; 0 while residual stress is applied.
-        passage: usize,
-        /// Which part of it.
-        phase: &'static str,
-        /// Where on its path and how.
-        source: SteppingError,
-    },
-    /// The observer asked to stop.
-    #[error("interrupted")]
-    Interrupted,
-}
+use crate::growth::{
+    FaceRecord, GroupsError, Memory, Observer, PassageError, PassageRecord, PassageSettings, Repeated,
+    Repeats, SolverCounts, StabilisedPassage, output_positions, until_repeated,
+};
 
 /// [`super::stabilised_passage`] of all faces together, under a load that is known there.
 pub(super) fn passages_of_all(
@@ -111,71 +36,58 @@ pub(super) fn passages_of_all(
         wheel.residual_stress(&mut tips)?;
     }
     wheel.seal_buried();
-    let passed = until_stabilised(settings, problem, |number, before| {
+    let passed = until_repeated(settings, memory(problem), |number, before| {
         wheel.pass(number, before, &mut tips, observer)
     })?;
-    Ok(passed.record(wheel.stepper.counts(), wheel.edge_steps, problem, None))
+    Ok(stabilised(passed, wheel.stepper.counts(), wheel.edge_steps, problem, None))
 }
 
-/// Passages up to the last one.
-pub(super) struct Passed {
-    records: Vec<PassageRecord>,
-    last: Pass,
-    /// Change of K from the last but one passage to the last.
-    change: Option<f64>,
-}
-
-impl Passed {
-    /// With the `effort` that they took beside `edge_steps`, and the error of groups.
-    pub fn record(
-        self,
-        effort: SteppingCounts,
-        edge_steps: usize,
-        problem: &FaceProblem,
-        coupling: Option<GroupsError>,
-    ) -> StabilisedPassage {
-        let points = problem.body().faces.points.clone();
-        StabilisedPassage {
-            counts: SolverCounts {
-                passages: self.records.len(),
-                substeps: effort.substeps + edge_steps,
-                solves: effort.solves,
-                iterations: effort.iterations,
-                iterations_max: effort.iterations_max,
-                complementarity_max: effort.violation_max,
-            },
-            passages: self.records,
-            histories: self.last.histories,
-            faces: FaceRecord { points, states: self.last.states, across: None },
-            last_change: self.change,
-            coupling,
-        }
+/// The stabilised passage of `passed`, with the `effort` that it took without `edge_steps`, and the
+/// error of groups.
+pub(super) fn stabilised(
+    passed: Repeated<Pass>,
+    effort: SteppingCounts,
+    edge_steps: usize,
+    problem: &FaceProblem,
+    coupling: Option<GroupsError>,
+) -> StabilisedPassage {
+    let points = problem.body().faces.points.clone();
+    StabilisedPassage {
+        counts: SolverCounts {
+            passages: passed.records.len(),
+            substeps: effort.substeps + edge_steps,
+            solves: effort.solves,
+            iterations: effort.iterations,
+            iterations_max: effort.iterations_max,
+            complementarity_max: effort.violation_max,
+        },
+        passages: passed.records,
+        histories: passed.last.histories,
+        faces: FaceRecord { points, states: passed.last.states, across: None },
+        last_change: passed.change,
+        coupling,
+        delta_kiii: Vec::new(),
     }
 }
 
-/// Computes passages by `pass`, which takes their number from 1 and the one before, until they
-/// repeat, or as many as `settings` allow; one only without friction.
-pub(super) fn until_stabilised(
-    settings: &PassageSettings,
-    problem: &FaceProblem,
-    mut pass: impl FnMut(usize, Option<&Pass>) -> Result<Pass, PassageError>,
-) -> Result<Passed, PassageError> {
-    let mut records: Vec<PassageRecord> = Vec::new();
-    let mut before: Option<Pass> = None;
-    loop {
-        let last = pass(records.len() + 1, before.as_ref())?;
-        let mut change = records.last().map(|before| change(before, &last.record));
-        records.push(last.record.clone());
-        let mut repeats = change.is_some_and(|change| change <= settings.passage_tolerance);
-        if last.joins && !repeats && records.len() < settings.max_passages {
-            // It ends like the one before it, so the next one begins and goes like this one.
-            records.push(last.record.clone());
-            (change, repeats) = (Some(0.0), true);
-        }
-        if repeats || records.len() >= settings.max_passages || !problem.has_friction() {
-            return Ok(Passed { records, last, change });
-        }
-        before = Some(last);
+/// Whether the faces of `problem` remember a passage.
+pub(super) fn memory(problem: &FaceProblem) -> Memory {
+    if problem.has_friction() { Memory::Friction } else { Memory::None }
+}
+
+impl Repeats for Pass {
+    type Record = PassageRecord;
+
+    fn record(&self) -> PassageRecord {
+        self.record.clone()
+    }
+
+    fn change_from(&self, before: &PassageRecord) -> f64 {
+        change(before, &self.record)
+    }
+
+    fn joins(&self) -> bool {
+        self.joins
     }
 }
 
@@ -289,7 +201,7 @@ impl<'a> Rolling<'a> {
     pub fn residual_stress(&mut self, tips: &mut TipSifs) -> Result<(), PassageError> {
         let problem = self.problem;
         let mut take = |solution: &FaceSolution, forces: &[f64]| tips.follow(problem, solution, forces);
-        self.follow(Part::Ramp, 0.0, ramp_stations(), &mut take).map_err(failure(0, "residual stress"))
+        self.follow(LoadPhase::Ramp, 0.0, ramp_stations(), &mut take).map_err(failure(0, "residual stress"))
     }
 
     /// One passage, approach and departure included. `number` counts from 1.
@@ -311,11 +223,11 @@ impl<'a> Rolling<'a> {
         let bounded = problem.body().ends.is_some();
         let ramp = |k: usize| k as f64 / RAMP_STATIONS as f64;
         let arrived = if bounded {
-            self.follow(Part::Load { xc: first }, 0.0, (1..=RAMP_STATIONS).map(ramp), &mut |s, f| {
+            self.follow(LoadPhase::Load { xc: first }, 0.0, (1..=RAMP_STATIONS).map(ramp), &mut |s, f| {
                 tips.follow(problem, s, f)
             })
         } else {
-            let approach = Part::approach(first, travel, self.near[0]);
+            let approach = LoadPhase::approach(first, travel, self.near[0]);
             self.follow(approach, 0.0, far_stations(self.near[0]), &mut |s, f| tips.follow(problem, s, f))
         };
         arrived.map_err(failure(number, "approach"))?;
@@ -332,7 +244,7 @@ impl<'a> Rolling<'a> {
         self.stepper.begin(first);
         self.cover(first, travel, tips).map_err(failure(number, "passage"))?;
         for (i, &x) in self.xc.iter().enumerate() {
-            let over = self.face_load.along(Part::Over);
+            let over = self.face_load.along(LoadPhase::Over);
             let last = if i == 0 { x } else { self.xc[i - 1] };
             for station in self.edges_between(last, x).chain([x]) {
                 self.edge_steps += usize::from(station != x);
@@ -359,11 +271,11 @@ impl<'a> Rolling<'a> {
 
         self.uncover(tips).map_err(failure(number, "departure"))?;
         let left = if bounded {
-            self.follow(Part::Load { xc: last }, 1.0, (0..RAMP_STATIONS).rev().map(ramp), &mut |s, f| {
+            self.follow(LoadPhase::Load { xc: last }, 1.0, (0..RAMP_STATIONS).rev().map(ramp), &mut |s, f| {
                 tips.follow(problem, s, f)
             })
         } else {
-            let departure = Part::departure(last, travel, self.near[1]);
+            let departure = LoadPhase::departure(last, travel, self.near[1]);
             let mut back = far_stations(self.near[1]).rev();
             let start = back.next().unwrap_or(0.0);
             self.follow(departure, start, back.chain([0.0]), &mut |s, f| tips.follow(problem, s, f))
@@ -455,7 +367,7 @@ impl<'a> Rolling<'a> {
     /// Follows `part` from `start` through `stations`.
     fn follow(
         &mut self,
-        part: Part,
+        part: LoadPhase,
         start: f64,
         stations: impl Iterator<Item = f64>,
         sample: &mut dyn FnMut(&FaceSolution, &[f64]),
@@ -520,7 +432,7 @@ fn failure(passage: usize, phase: &'static str) -> impl Fn(SteppingError) -> Pas
 }
 
 /// The largest change of K at any tip and position, relative to the largest |K| of both passages.
-pub(super) fn change(before: &PassageRecord, after: &PassageRecord) -> f64 {
+fn change(before: &PassageRecord, after: &PassageRecord) -> f64 {
     let pairs = before.sifs.iter().flatten().zip(after.sifs.iter().flatten());
     let (mut difference, mut peak) = (0.0f64, 0.0f64);
     for (a, b) in pairs {
@@ -530,26 +442,4 @@ pub(super) fn change(before: &PassageRecord, after: &PassageRecord) -> f64 {
         }
     }
     if difference == 0.0 { 0.0 } else { difference / peak }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::fracture::Sif;
-
-    #[test]
-    fn the_lowest_opening_is_relative_to_the_largest_k() {
-        let history = |ki: f64, kii: f64| SifHistory { samples: vec![Sif::default(), Sif { ki, kii }] };
-        let mut passage = StabilisedPassage {
-            passages: Vec::new(),
-            histories: vec![history(10.0, -500.0), history(-20.0, 30.0)],
-            faces: FaceRecord { points: Vec::new(), states: Vec::new(), across: None },
-            counts: SolverCounts::default(),
-            last_change: None,
-            coupling: None,
-        };
-        assert_eq!(passage.lowest_opening(), Some((1, -0.04)));
-        passage.histories = vec![history(0.0, 0.0)];
-        assert_eq!(passage.lowest_opening(), None, "unloaded");
-    }
 }

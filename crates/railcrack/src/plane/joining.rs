@@ -1,10 +1,10 @@
 //! The cracks of the next step: longer by the increments, with new junctions.
 
-use super::BreakOut;
 use super::coalescence::Coalescence;
-use super::pieces::{CrackGraph, Piece, PieceKind};
+use super::pieces::CrackGraph;
 use super::step_state::{Step, StepState};
 use crate::crack::{Crack, CrackEnd, CrackNetwork, End, Junction, point_to_segment};
+use crate::growth::{BreakOut, Piece, PieceKind};
 use crate::math::Vec2;
 
 /// Outcome of the increments of a step.
@@ -172,7 +172,7 @@ fn detached(
     }
     let outline = |(crack, from, to)| {
         let outline = graph.close(from, to)?;
-        Some(Piece::new(PieceKind::Detached, state.step, crack, outline))
+        Some(Piece::new(PieceKind::Detached, state.at.step, crack, outline))
     };
     closing.into_iter().filter_map(outline).collect()
 }
@@ -190,5 +190,5 @@ pub(super) fn spall(state: &StepState<'_>, before: &[BreakOut], new: BreakOut) -
     }
     let from = state.cracks[new.tip.crack].tip(new.tip.end);
     let outline = graph.close(from, new.surface)?;
-    Some(Piece::new(PieceKind::Spall, state.step, new.tip.crack, outline))
+    Some(Piece::new(PieceKind::Spall, state.at.step, new.tip.crack, outline))
 }

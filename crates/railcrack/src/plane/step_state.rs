@@ -1,13 +1,12 @@
 //! The state of the cracks at the start of a step, and the increments that they would make.
 
-use super::{BreakOut, DeferredGrowth, TipStop, WornSurface};
 use crate::crack::{Crack, CrackTip, Junction};
-use crate::fatigue::RUNAWAY;
+use crate::growth::{BreakOut, DeferredGrowth, Mover, StepStart, TipDemand, TipStop};
 use crate::math::{RailBox, Vec2};
 
 /// Direction and rate of growth of one tip, with its state.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TipDrive {
+pub(super) struct TipDrive {
     /// Which tip.
     pub tip: CrackTip,
     /// The chosen kink, radians, counter-clockwise; none for a tip that does not load.
@@ -23,17 +22,18 @@ pub struct TipDrive {
 }
 
 impl TipDrive {
-    /// Whether the growth law has no finite rate for it.
-    pub(super) fn runs_away(&self) -> bool {
-        self.rate >= RUNAWAY
+    /// Its demand, as far as stops depend on it.
+    pub fn demand(&self) -> TipDemand {
+        let Self { rate, largest_k1, stopped, .. } = *self;
+        TipDemand { rate, largest_k1, stopped }
     }
 }
 
 /// The state of a run at the start of a step.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct StepState<'a> {
-    /// Step number, from 0.
-    pub step: usize,
+#[derive(Debug, Clone, Copy)]
+pub(super) struct StepState<'a> {
+    /// Where the run stands.
+    pub at: StepStart<'a>,
     /// The cracks.
     pub cracks: &'a [Crack],
     /// Where they have joined each other.
@@ -42,10 +42,6 @@ pub struct StepState<'a> {
     pub break_outs: &'a [BreakOut],
     /// All their tips.
     pub tips: &'a [TipDrive],
-    /// Load cycles so far.
-    pub load_cycles: f64,
-    /// The running surface as wear and grinding have left it.
-    pub worn: &'a WornSurface,
     /// The rail.
     pub rail: RailBox,
     /// The length that the engine resolves, mm: its element size.
@@ -58,12 +54,16 @@ impl StepState<'_> {
         let own = self.tips.iter().filter(|tip| tip.tip.crack == crack);
         self.cracks[crack].length() + own.map(|tip| tip.deferred.length).sum::<f64>()
     }
-}
 
-impl StepState<'_> {
     /// The longest that crack `crack` (from 0) has been, mm.
     pub(super) fn longest(&self, crack: usize) -> f64 {
-        self.worn.longest.get(crack).copied().unwrap_or(0.0).max(self.length(crack))
+        self.at.worn.longest_of(crack, self.length(crack))
+    }
+
+    /// What moves at `tip`.
+    pub(super) fn mover(&self, tip: &TipDrive) -> Mover {
+        let CrackTip { crack, tip: index, .. } = tip.tip;
+        Mover { crack, index, rate: tip.rate, length: self.length(crack) }
     }
 
     /// Whether nothing of crack `crack` (from 0) is left.
@@ -81,6 +81,6 @@ pub(super) struct Step {
     pub from: Vec2,
     /// Where it would be.
     pub to: Vec2,
-    /// The share of the way that it has made in earlier steps.
+    /// The share of it that was made in earlier steps.
     pub deferred: f64,
 }

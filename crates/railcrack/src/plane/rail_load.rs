@@ -1,7 +1,7 @@
 //! The load of the uncracked rail.
 
-use super::PassageSettings;
 use crate::field::{EndField, EndsError, RailEnds, StressField, Wheel};
+use crate::growth::PassageSettings;
 use crate::load::Passage;
 use std::sync::Arc;
 
@@ -15,7 +15,7 @@ pub struct RailLoad<'a> {
 }
 
 impl RailLoad<'_> {
-    /// The field that the ends of a `rail` add to that of the wheel on its way.
+    /// The field that the ends of a `rail` add to that of the wheel during its passage.
     ///
     /// Errors: the wheel leaves the rail, or comes too close to an end.
     pub(super) fn at_ends(

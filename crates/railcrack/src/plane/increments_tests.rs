@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::crack::{CrackTip, End};
-use crate::growth::fixtures::{self, SETTINGS, crack as polyline};
+use crate::plane::fixtures::{self, SETTINGS, crack as polyline};
 use crate::words::Choice;
 
 /// Round-off of a few operations.
@@ -129,19 +129,19 @@ fn tip_at_the_end_of_the_rail_stops() {
 fn run_ends_on_steps_length_and_exactly_on_its_cycles() {
     let cracks = [slanted(0.0, 6.0, 30.0)];
     let tips = [drive(0, 0.0, 1e-6)];
-    let at = StepState { step: 25, ..state(&cracks, &tips) };
-    let last = advance(&at, &SETTINGS);
+    let step = StepState { at: fixtures::at(25, 0.0), ..state(&cracks, &tips) };
+    let last = advance(&step, &SETTINGS);
     assert_eq!((last.stop, last.tips[0].increment, last.cycles), (Some(RunStop::StepsDone), 0.0, 0.0));
     let critical = GrowthSettings { critical_length: Some(6.0), ..SETTINGS };
-    assert_eq!(advance(&at, &critical).stop, Some(RunStop::CriticalLength));
+    assert_eq!(advance(&step, &critical).stop, Some(RunStop::CriticalLength));
 
     // 0.24 mm take 240 000 cycles; 100 000 are left.
     let limited = GrowthSettings { stop_after_cycles: Some(350e3), ..SETTINGS };
-    let before = StepState { load_cycles: 250e3, ..state(&cracks, &tips) };
+    let before = StepState { at: fixtures::at(0, 250e3), ..state(&cracks, &tips) };
     let shortened = advance(&before, &limited);
     assert_eq!((shortened.cycles, shortened.stop), (100e3, None));
     assert!((shortened.tips[0].increment - 0.1).abs() < ROUNDING);
-    let after = StepState { load_cycles: 350e3, cracks: &shortened.cracks, ..before };
+    let after = StepState { at: fixtures::at(0, 350e3), cracks: &shortened.cracks, ..before };
     assert_eq!(advance(&after, &limited).stop, Some(RunStop::Cycles));
 }
 

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::crack::{CrackTip, End};
-use crate::growth::fixtures::{self, crack};
+use crate::plane::fixtures::{self, crack};
 
 const SETTINGS: GrowthSettings = GrowthSettings { steps: 1000, arrest_rate: 1e-12, ..fixtures::SETTINGS };
 /// Length that the engine resolves, mm.
@@ -32,7 +32,7 @@ impl Run {
     }
 
     /// One step in which crack i kinks by `kinks[i]` (radians) and grows at `rates[i]`.
-    fn grow(&mut self, kinks: [f64; 2], rates: [f64; 2]) -> Advance {
+    fn grow(&mut self, kinks: [f64; 2], rates: [f64; 2]) -> PlaneAdvance {
         let drive = |crack: usize| TipDrive {
             largest_k1: 0.0,
             tip: CrackTip { crack, tip: 0, end: End::Last },
@@ -43,8 +43,7 @@ impl Run {
         };
         let tips = [drive(0), drive(1)];
         let state = StepState {
-            step: self.step,
-            load_cycles: self.cycles,
+            at: fixtures::at(self.step, self.cycles),
             ..fixtures::state(&self.cracks, &tips, RESOLUTION)
         };
         let next = advance(&state, &self.settings);
@@ -86,7 +85,10 @@ fn a_slow_tip_grows_by_its_rate() {
         for segment in points.windows(2).map(|p| (p[1] - p[0]).length()) {
             // Towards the end the faster ones keep pace. The crack is at least as long as at the
             // beginning.
-            assert!(segment > KEEPS_PACE * SETTINGS.increment * 2.0 - ROUNDING, "{ratio}: {segment}");
+            assert!(
+                segment > DeferredGrowth::KEEPS_PACE * SETTINGS.increment * 2.0 - ROUNDING,
+                "{ratio}: {segment}"
+            );
         }
     }
 }
@@ -176,10 +178,10 @@ fn slow(crack: usize, kink: f64, rate: f64, deferred: DeferredGrowth) -> TipDriv
 
 /// The step of `cracks`; the last one is far from the others and sets the pace with 1e-6 mm per
 /// cycle.
-fn next(mut cracks: Vec<Crack>, mut tips: Vec<TipDrive>) -> Advance {
+fn next(mut cracks: Vec<Crack>, mut tips: Vec<TipDrive>) -> PlaneAdvance {
     tips.push(slow(cracks.len(), 0.0, 1e-6, DeferredGrowth::default()));
     cracks.push(crack(&[(100.0, 0.0), (100.0, -6.0)]));
-    let state = StepState { step: 3, ..fixtures::state(&cracks, &tips, RESOLUTION) };
+    let state = StepState { at: fixtures::at(3, 0.0), ..fixtures::state(&cracks, &tips, RESOLUTION) };
     advance(&state, &SETTINGS)
 }
 

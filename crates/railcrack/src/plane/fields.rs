@@ -1,46 +1,12 @@
 //! Stress and displacement around the cracks at some wheel positions: those of the uncracked rail
 //! and that of the cracked body together.
 
-use super::face_load::{FaceLoad, Part};
-use super::{RailLoad, StabilisedPassage};
+use super::face_load::{FaceLoad, LoadPhase};
+use super::rail_load::RailLoad;
 use crate::body::{BodyError, Face, FacePoint, FieldGrid, FieldLoad};
 use crate::contact::{FaceState, LoadPath};
-use crate::math::{Stress, Vec2};
-use std::num::NonZeroUsize;
-
-/// Where and when fields are wanted.
-#[derive(Debug, Clone, PartialEq)]
-pub struct FieldSettings {
-    /// Wheel positions x_c, mm: of each, the nearest output position of the stabilised passage is
-    /// taken.
-    pub positions: Vec<f64>,
-    /// Every how many steps, step 0 the first.
-    pub every: NonZeroUsize,
-}
-
-/// The fields of one step.
-#[derive(Debug, Clone, PartialEq)]
-pub struct FieldRecord {
-    /// Where they are known.
-    pub grid: FieldGrid,
-    /// One per wheel position, in the order of travel.
-    pub snapshots: Vec<FieldSnapshot>,
-}
-
-/// The field with the wheel at one position.
-#[derive(Debug, Clone, PartialEq)]
-pub struct FieldSnapshot {
-    /// Output position of the stabilised passage, from 0.
-    pub position: usize,
-    /// x_c, mm.
-    pub xc: f64,
-    /// Displacement at each point of the grid, mm. Residual stress has none.
-    pub displacement: Vec<Vec2>,
-    /// Stress at each point of the grid, MPa.
-    pub stress: Vec<Stress>,
-    /// At the points of the crack faces, what the opposite face exerts, MPa; zero elsewhere.
-    pub traction: Vec<Vec2>,
-}
+use crate::growth::{FieldRecord, FieldSettings, FieldSnapshot, StabilisedPassage};
+use crate::math::Vec2;
 
 /// The fields at `positions` (mm) in the stabilised `passage`; none where the engine has none.
 ///
@@ -59,7 +25,7 @@ pub(super) fn record_fields(
     let forces: Vec<Vec<f64>> = chosen
         .iter()
         .map(|&i| {
-            let removed = face_load.along(Part::Over).nodal_forces(xc[i]);
+            let removed = face_load.along(LoadPhase::Over).nodal_forces(xc[i]);
             let states = faces.iter().zip(&passage.faces.states[i]);
             let contact = states.flat_map(|(point, s)| [-s.s12 * point.weight, -s.s22 * point.weight]);
             let mut forces: Vec<f64> =

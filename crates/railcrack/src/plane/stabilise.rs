@@ -2,9 +2,10 @@
 
 use super::face_load::FaceLoad;
 use super::passage::passages_of_all;
+use super::rail_load::RailLoad;
 use super::sweeps::passages_by_groups;
-use super::{Observer, PassageError, PassageSettings, RailLoad, StabilisedPassage};
 use crate::contact::{ContactSolver, FaceProblem};
+use crate::growth::{Observer, PassageError, PassageSettings, StabilisedPassage};
 
 /// The stabilised passage over fixed cracks. Residual stress is ramped up on virgin faces; then the
 /// wheel passes until the histories of K of two consecutive passages agree. Faces without friction

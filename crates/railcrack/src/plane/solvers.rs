@@ -1,13 +1,12 @@
-//! The passages of one step by the contact solvers, those of several wheels side by side.
+//! The passages of one wheel by the contact solvers.
 
 use super::face_load::FaceLoad;
-use super::mix::Beside;
+use super::rail_load::RailLoad;
 use super::stabilise::passages_under;
-use super::{
-    GrowthError, Observer, PassageError, PassageSettings, RailLoad, StabilisedPassage, Warning, WarningKind,
-};
 use crate::contact::ContactSolver;
-use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
+use crate::growth::{
+    GrowthError, Observer, PassageError, PassageSettings, StabilisedPassage, Warning, WarningKind,
+};
 
 /// The solvers of a step.
 #[derive(Clone, Copy)]
@@ -49,30 +48,5 @@ impl Solvers<'_> {
             PassageError::Interrupted => GrowthError::Interrupted { step },
             source => GrowthError::Passage { step, source },
         })
-    }
-
-    /// The passages of every wheel of a mix on the same body: wheels know nothing of each other.
-    pub fn side_by_side(
-        &self,
-        face_loads: &[&FaceLoad],
-        loads: &[Load],
-        observer: &dyn Observer,
-        warnings: &mut Vec<Warning>,
-    ) -> Result<Vec<StabilisedPassage>, GrowthError> {
-        let beside = Beside(observer);
-        let of_wheel = |(wheel, (face_load, load)): (usize, (&&FaceLoad, &Load))| {
-            let mut warnings = Vec::new();
-            let observer = if wheel == 0 { observer } else { &beside };
-            let passage = self.stabilise(face_load, *load, observer, &mut warnings);
-            let named = |w: Warning| Warning { text: format!("wheel {}, {}", wheel + 1, w.text), ..w };
-            (passage, warnings.into_iter().map(named).collect::<Vec<_>>())
-        };
-        let all: Vec<_> = face_loads.par_iter().zip(loads).enumerate().map(of_wheel).collect();
-        let mut passages = Vec::with_capacity(all.len());
-        for (passage, told) in all {
-            warnings.extend(told);
-            passages.push(passage?);
-        }
-        Ok(passages)
     }
 }
