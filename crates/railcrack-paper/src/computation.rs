@@ -7,7 +7,7 @@ use super::telling::{Earlier, Telling};
 use super::{CaseRun, Effort};
 use railcrack::growth::Observer;
 use railcrack_case::Case;
-use railcrack_run::queue::{NextRun, RunQueue, WaitingRun};
+use railcrack_run::simulation::{NextRun, RunQueue, WaitingRun};
 use std::path::Path;
 use std::sync::{Arc, OnceLock};
 use std::time::Instant;

@@ -13,7 +13,7 @@ use railcrack::load::{Contact, HertzEllipse};
 use railcrack::shakedown::DepthBounds;
 use railcrack::words::Choice;
 use railcrack_case::{Case, ContactOrigin, Input, MixedWheel, Overrides, PlasticSource};
-use railcrack_run::budget::{Budget, Needs, mb};
+use railcrack_run::machine::{Budget, Needs, mb};
 use railcrack_run::simulation::plastic_stress_left_out;
 use serde_json::{Map, Value, json};
 use std::path::{Path, PathBuf};

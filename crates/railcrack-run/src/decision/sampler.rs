@@ -3,7 +3,7 @@
 use super::inspection::{CriticalBy, Place, detectable};
 use super::path::GrowthPath;
 use super::walk::{SampledRates, SampledShares, Walk};
-use crate::run_info::MixInfo;
+use crate::log::MixInfo;
 use railcrack::growth::MOST_WHEELS;
 use railcrack_case::{Inspection, MaintenancePlan, Scatter};
 use rand_pcg::Pcg64Mcg;

@@ -1,7 +1,7 @@
 //! The way of a sampled crack along the computed path.
 
 use super::path::{GrowthPath, PathPoint};
-use crate::run_info::MixInfo;
+use crate::log::MixInfo;
 use railcrack::growth::MOST_WHEELS;
 
 /// ΔK_eq (MPa√m) about which the exponent of the law scatters: there the rate keeps its scatter.

@@ -2,7 +2,9 @@
 
 use super::error::RunError;
 use super::observer::RunObserver;
-use crate::{OutputError, Recorder, Summary};
+use super::recorder::Recorder;
+use crate::error::OutputError;
+use crate::summary::Summary;
 use railcrack::growth::{Growth, GrowthError, GrowthState, Observer, StepRecord};
 use railcrack_case::CaseGrowth;
 use std::sync::mpsc::{SyncSender, sync_channel};

@@ -4,7 +4,7 @@ use super::run::StudyRun;
 use crate::chart::{Chart, ChartArea, ChartAxis, ChartScale, Curve, CurveColour, CurveLook, CurveWidth};
 use crate::figures::sif::Mode;
 use crate::figures::{cycles, sif};
-use railcrack_run::representative::{RepresentativeTip, cycles_to};
+use railcrack_run::run_folder::{RepresentativeTip, cycles_to};
 
 /// Shares of the runs below each curve, with their names.
 const SHARES: [(f64, &str); 5] =

@@ -9,7 +9,7 @@ use railcrack::contact::FluidModel;
 use railcrack::growth::{CrackFluid, PressureProfile, RunStop, TipStop};
 use railcrack::words::Choice;
 use railcrack_run::csv::TipRow;
-use railcrack_run::histories::History;
+use railcrack_run::run_folder::History;
 use serde_json::{Value, json};
 use std::ops::Range;
 

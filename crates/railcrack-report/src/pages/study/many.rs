@@ -6,7 +6,7 @@ use crate::page::Block;
 use crate::sensitivity::{Estimate, first_order, rank_correlation};
 use crate::shown::Deflated;
 use railcrack::words::Choice;
-use railcrack_run::representative::{RepresentativeTip, cycles_to};
+use railcrack_run::run_folder::{RepresentativeTip, cycles_to};
 use railcrack_run::study::StudyPlan;
 use serde_json::{Value, json};
 

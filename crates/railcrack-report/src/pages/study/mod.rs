@@ -10,7 +10,7 @@ pub(crate) use many::MANY;
 
 use crate::figures::{Plot, StudyRun, Styles};
 use crate::page::{Block, Page, Section};
-use railcrack_run::population::Population;
+use railcrack_run::study::Population;
 use railcrack_run::study::StudyPlan;
 
 /// Runs up to which the table stands above the charts.
