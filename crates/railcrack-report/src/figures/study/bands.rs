@@ -6,6 +6,9 @@ use crate::figures::sif::Mode;
 use crate::figures::{cycles, sif};
 use railcrack_run::run_folder::{RepresentativeTip, cycles_to};
 
+/// Runs above which a study is drawn as bands, and its page is that of many runs.
+pub(crate) const MANY: usize = 50;
+
 /// Shares of the runs below each curve, with their names.
 const SHARES: [(f64, &str); 5] =
     [(0.05, "5 % of the runs"), (0.25, "25 %"), (0.5, "median"), (0.75, "75 %"), (0.95, "95 %")];

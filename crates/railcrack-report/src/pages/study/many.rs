@@ -10,9 +10,6 @@ use railcrack_run::run_folder::{RepresentativeTip, cycles_to};
 use railcrack_run::study::StudyPlan;
 use serde_json::{Value, json};
 
-/// Runs above which the page is this one.
-pub(crate) const MANY: usize = 50;
-
 /// A column of the table, and a choice of what is drawn.
 struct Column {
     /// Its name: a key, or a column of `summary.csv`.

@@ -1,8 +1,9 @@
 //! `railcrack calibrate --parameter`: a number on which the path depends, by runs with several
 //! values of it.
 
-use super::calibrate::{CalibrateArguments, deepest, from_output, plot, write};
-use super::run::{is_same_file, listen};
+use super::arguments::CalibrateArguments;
+use super::results::{deepest, from_output, plot, write};
+use crate::commands::run::{is_same_file, listen};
 use crate::display::Verbosity;
 use crate::exit::{Exit, Failure};
 use crate::input::default_folder;
@@ -25,15 +26,6 @@ const FIRST: usize = 5;
 const ADDED: usize = 6;
 /// A fit that is as near to a value as this share of the range is settled.
 const SETTLED: f64 = 2e-3;
-
-/// A range on the command line: `LOW,HIGH`.
-pub(super) fn range(given: &str) -> Result<(f64, f64), String> {
-    let ends: Option<Vec<f64>> = given.split(',').map(|end| end.trim().parse().ok()).collect();
-    match ends.as_deref() {
-        Some(&[low, high]) if low < high && low.is_finite() && high.is_finite() => Ok((low, high)),
-        _ => Err("must be two numbers LOW,HIGH, the first one smaller".to_owned()),
-    }
-}
 
 /// Fits the number `key` of the case, writes the folder and prints the result.
 pub(super) fn calibrate_parameter(
@@ -249,14 +241,5 @@ mod tests {
         assert_eq!(value_of(toml, "crack[2].friction"), Some(0.5));
         assert_eq!(value_of(toml, "crack[3].friction"), None);
         assert_eq!(value_of("[wheel.contact]\nfriction = 1\n", "wheel[1].contact.friction"), Some(1.0));
-    }
-
-    #[test]
-    fn ranges() {
-        assert_eq!(range("0.1, 0.5"), Ok((0.1, 0.5)));
-        assert_eq!(range("-1,2"), Ok((-1.0, 2.0)));
-        for wrong in ["0.5", "2,1", "1,1", "a,b", "1,2,3", "1,inf"] {
-            assert!(range(wrong).is_err(), "{wrong}");
-        }
     }
 }
