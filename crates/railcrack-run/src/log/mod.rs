@@ -1,4 +1,4 @@
-//! What a run knows of itself: facts of its case, its finished steps, its residual stress.
+//! Log of a run: facts of its case, its finished steps, its residual stress.
 
 mod info;
 mod residual;

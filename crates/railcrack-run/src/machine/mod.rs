@@ -1,4 +1,4 @@
-//! What the machine has: memory and disk, and what a run needs of them.
+//! Memory and disk: those of the machine, and a run's need of them.
 
 mod budget;
 mod memory;

@@ -1,4 +1,4 @@
-//! What is shown of results as they come in: plots and pages, made by someone above this crate, and
+//! Presentation of results as they come in: plots and pages, made by someone above this crate, and
 //! the files of a study, made of its runs.
 
 mod interface;

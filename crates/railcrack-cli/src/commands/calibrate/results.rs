@@ -1,5 +1,5 @@
-//! What both kinds of calibration show: the rows of the deepest tip, measured and computed sizes over
-//! traffic.
+//! Results of both kinds of calibration: the rows of the deepest tip, measured and computed sizes
+//! over traffic.
 
 use crate::exit::Failure;
 use railcrack_report::{Chart, ChartAxis, ChartSheet, Curve, CurveDots, CurveLook};

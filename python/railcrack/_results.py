@@ -1,47 +1,36 @@
-"""Runs."""
+"""Results of a run: tables, histories, fields, report."""
 
 from __future__ import annotations
 
-import io
 import json
 import os
 import shutil
 import tempfile
-import zipfile
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _railcrack, errors
+from . import _railcrack
+from ._errors import BadInput, FolderError
+from ._grid import FieldGrid
+from ._html import facts
 from ._table import Table
 
-if TYPE_CHECKING:
-    from ._case import Case
-    from ._grid import FieldGrid
-    from ._plot import RunPlots
 
+class RunResults:
+    """Results of a run: of a `railcrack.Run`, which knows its case too.
 
-class Run:
-    """A run: what `Case.run` computed, or the run folder of the command (`Run.open`).
-
-    The tables are those of the run folder, with the same columns (docs/file-formats.md). A run can
-    be pickled: it then takes its run folder with it, without plots and report.
+    The tables are those of the run folder, with the same columns (docs/file-formats.md).
     """
 
-    def __init__(self, core: _railcrack.Run, *, in_memory: bool, case: Case | None = None, folder: Path | None = None) -> None:
+    def __init__(self, core: _railcrack.Run, *, in_memory: bool, folder: Path | None = None) -> None:
         self._core = core
         self._is_in_memory = in_memory
-        self._case = case
         self._folder = folder
         self._keeps: object = None
-
-    @classmethod
-    def open(cls, folder: str | os.PathLike[str]) -> Run:
-        """The run in `folder`."""
-        return cls(_railcrack.Run.open(Path(folder)), in_memory=False, folder=Path(folder))
 
     @cached_property
     def sif(self) -> Table:
@@ -66,7 +55,7 @@ class Run:
 
     def _table(self, name: str) -> Table:
         if not self.has(name):
-            raise errors.FolderError(
+            raise FolderError(
                 f"{self._folder} has no {name}.csv: [output] of its case leaves it out; "
                 f'run.case.with_(output={{"{name}": "all"}}).run() computes it'
             )
@@ -103,22 +92,11 @@ class Run:
         """Warnings, in order."""
         return [w["text"] if isinstance(w, dict) else str(w) for w in self.summary["warnings"]]
 
-    @property
-    def case(self) -> Case:
-        """The case."""
-        from ._case import Case
-
-        if self._case is None:
-            if self._folder is None:
-                raise errors.FolderError("the run has no case")
-            self._case = Case.read(self._folder / "case.toml")
-        return self._case
-
     def cracks(self, step: int | None = None) -> list[NDArray[np.float64]]:
         """Each crack: shape (points, 2), x and y in mm; at the start of `step` 0, or of the last
         step (None)."""
         if step not in (None, 0):
-            raise errors.BadInput(f"step = {step}: must be 0, or None for the last one")
+            raise BadInput(f"step = {step}: must be 0, or None for the last one")
         key = "points_mm" if step is None else "initial_points_mm"
         return [np.array(crack[key]) for crack in self.summary["cracks"]]
 
@@ -127,7 +105,7 @@ class Run:
         (positions, 3), x_c/a, K_I and K_II (MPa√m)."""
         rows = self.sif.where(step=step, crack=crack, tip=tip)
         if rows.rows == 0:
-            raise errors.BadInput(f"no K of step {step}, crack {crack}, tip {tip}")
+            raise BadInput(f"no K of step {step}, crack {crack}, tip {tip}")
         last = rows.where(passage=rows["passage"].max())
         return np.column_stack([last[c] for c in ("xc_over_a", "ki_mpa_sqrt_m", "kii_mpa_sqrt_m")])
 
@@ -140,7 +118,7 @@ class Run:
             self._core.save(folder, replace, report)
         elif self._folder is not None:
             if folder.exists() and any(folder.iterdir()) and not replace:
-                raise errors.FolderError(f"{folder} is not empty; replace=True overwrites it")
+                raise FolderError(f"{folder} is not empty; replace=True overwrites it")
             shutil.copytree(self._folder, folder, dirs_exist_ok=True)
         return folder
 
@@ -178,10 +156,8 @@ class Run:
 
     def field_grid(self, step: int = 0, xc_over_a: float = 0.0, *, threads: int | None = None) -> FieldGrid:
         """As `fields`, always a `FieldGrid`."""
-        from ._grid import FieldGrid
-
         if not 0 <= step <= self.steps:
-            raise errors.BadInput(f"step = {step}: must be from 0 to {self.steps}")
+            raise BadInput(f"step = {step}: must be from 0 to {self.steps}")
         path = self._stored_field(step, xc_over_a)
         if path is not None:
             return FieldGrid(_railcrack.Run.read_grid(path))
@@ -189,7 +165,7 @@ class Run:
         if grid is None:
             stored = sorted({(s, p) for s, p, _ in self._core.stored_fields()})
             have = ", ".join(f"step {s} position {p}" for s, p in stored) or "none"
-            raise errors.BadInput(
+            raise BadInput(
                 f"no field of step {step} at x_c/a = {xc_over_a}: the engines xfem and space compute fields, and a run folder "
                 f"has those that [output] asks for ({have})"
             )
@@ -203,30 +179,7 @@ class Run:
         position = int(np.argmin(np.abs(history[:, 0] - xc_over_a))) + 1
         return stored.get(position)
 
-    @property
-    def plot(self) -> RunPlots:
-        """Plots by matplotlib: `run.plot.sif()`, `.paths()`, `.length()`, `.faces()`."""
-        from ._plot import RunPlots
-
-        return RunPlots(self)
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        with tempfile.TemporaryDirectory(prefix="railcrack-") as scratch:
-            folder = self.save(Path(scratch) / "run", report=False) if self._is_in_memory else self._folder
-            packed = io.BytesIO()
-            with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED, compresslevel=1) as archive:
-                for file in sorted(Path(folder or "").rglob("*")):
-                    if file.is_file() and file.name != "report.html" and "plots" not in file.parts:
-                        archive.write(file, file.relative_to(folder or ""))
-        return _unpacked, (packed.getvalue(),)
-
-    def __repr__(self) -> str:
-        where = "in memory" if self._is_in_memory else str(self._folder)
-        return f"<railcrack.Run {self.title!r}: {self.steps} steps, {self.stop or 'can go on'}, {where}>"
-
     def _repr_html_(self) -> str:
-        from ._html import facts
-
         last = self.growth.where(step=self.growth["step"].max()) if self.growth.rows else None
         rows: list[tuple[str, Any]] = [("engine", self.summary["engine"]), ("increments", self.steps), ("stop", self.stop or "")]
         rows.append(("load cycles", f"{self.summary['load_cycles']:.6g}"))
@@ -236,13 +189,3 @@ class Run:
             rows.append((f"crack {tip['crack']} tip {tip['tip']}", what))
         rows.extend(("warning", text) for text in self.warnings)
         return facts(self.title, rows)
-
-
-def _unpacked(packed: bytes) -> Run:
-    """A run from its packed folder, which lasts as long as the run."""
-    folder = tempfile.TemporaryDirectory(prefix="railcrack-")
-    with zipfile.ZipFile(io.BytesIO(packed)) as archive:
-        archive.extractall(folder.name)
-    run = Run.open(folder.name)
-    run._keeps = folder
-    return run
