@@ -19,8 +19,8 @@ pub(crate) struct ShownHistories {
 }
 
 impl OfSteps for ShownHistories {
-    type Part = Vec<History>;
-    type Row = SifRow;
+    type OfStep = Vec<History>;
+    type TableRow = SifRow;
 
     fn keeps(&self, step: usize) -> bool {
         self.steps.is_kept(step)
