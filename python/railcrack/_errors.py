@@ -1,13 +1,12 @@
-"""Exceptions that carry no results. They are seen as those of `railcrack.errors`, which has them all."""
+"""Exceptions without results. Users find them, with all others, in `railcrack.errors`."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import Any
 
-
 PUBLIC = "railcrack.errors"
-"""The module in which users find the exceptions, and pickles do."""
+"""The module in which users and pickles find the exceptions."""
 
 
 class RailcrackError(Exception):

@@ -11,8 +11,7 @@ use super::faults;
 /// Without tests, nothing fails but what the system refuses.
 #[cfg(not(test))]
 mod faults {
-    use super::Path;
-    use super::Result;
+    use super::{Path, Result};
 
     pub(super) fn at(_: &Path, content: &[u8]) -> (usize, Result<()>) {
         (content.len(), Ok(()))
