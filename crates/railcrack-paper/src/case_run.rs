@@ -1,6 +1,6 @@
 //! Results of one run for figures and statements.
 
-use super::error::PaperError;
+use crate::error::PaperError;
 use railcrack::contact::FaceStatus;
 use railcrack::crack::Crack;
 use railcrack::growth::{GrowthError, Observer, StepRecord, TipStop, Warning};

@@ -1,7 +1,7 @@
 //! Cracked bodies: two matrices at the face points.
 
 use crate::background::{Watch, compute};
-use crate::case::Case;
+use crate::case::CaseCore;
 use crate::errors::{bad_input, not_converged};
 use crate::grid::matrix;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2};
@@ -18,8 +18,8 @@ use railcrack_case::Engine;
 use std::sync::Arc;
 
 /// A cracked body, whose matrices are arrays of numpy.
-#[pyclass(module = "railcrack._railcrack", frozen)]
-pub struct Body {
+#[pyclass(module = "railcrack._railcrack", name = "Body", frozen)]
+pub struct BodyCore {
     pub(crate) steel: IsotropicElastic,
     pub(crate) faces: FaceMesh,
     tips: Vec<CrackTip>,
@@ -32,7 +32,7 @@ pub struct Body {
     remarks: Vec<String>,
 }
 
-impl Body {
+impl BodyCore {
     fn new(py: Python<'_>, body: CrackedBody, steel: IsotropicElastic) -> PyResult<Self> {
         let array = |matrix_: Matrix| -> PyResult<Py<PyArray2<f64>>> {
             let columns = matrix_.columns();
@@ -76,7 +76,7 @@ impl Body {
 }
 
 #[pymethods]
-impl Body {
+impl BodyCore {
     #[getter]
     fn compliance(&self, py: Python<'_>) -> Py<PyArray2<f64>> {
         self.compliance.clone_ref(py)
@@ -162,7 +162,7 @@ pub fn xfem_body(
     poisson: f64,
     element_size: Option<f64>,
     threads: Option<usize>,
-) -> PyResult<Body> {
+) -> PyResult<BodyCore> {
     let network = network(py, cracks)?;
     let sizes = match element_size {
         Some(size) if size > 0.0 && size.is_finite() => vec![size; network.cracks().len()],
@@ -187,7 +187,7 @@ pub fn dislocation_body(
     poisson: f64,
     elements: Option<usize>,
     threads: Option<usize>,
-) -> PyResult<Body> {
+) -> PyResult<BodyCore> {
     let network = network(py, cracks)?;
     let resolution = match elements {
         Some(elements) if elements >= 4 => FaceResolution { elements },
@@ -200,7 +200,7 @@ pub fn dislocation_body(
 
 /// The body of the cracks of `case` at their start, by its engine.
 #[pyfunction]
-pub fn case_body(py: Python<'_>, case: &Case, threads: Option<usize>) -> PyResult<Body> {
+pub fn case_body(py: Python<'_>, case: &CaseCore, threads: Option<usize>) -> PyResult<BodyCore> {
     let case = &case.case;
     match case.engine {
         Engine::Xfem => made(py, case.xfem_engine(), &case.cracks, case.steel, threads),
@@ -236,7 +236,7 @@ fn made(
     network: &CrackNetwork,
     steel: IsotropicElastic,
     threads: Option<usize>,
-) -> PyResult<Body> {
+) -> PyResult<BodyCore> {
     let (watch, told) = Watch::new();
     let (network, observer) = (network.clone(), Arc::clone(&watch));
     let over = compute(py, threads, (watch, told), None, move || {
@@ -244,7 +244,7 @@ fn made(
         engine.body_unless(Interruption::when(&asked), &network)
     })?;
     match (over.result, over.signal) {
-        (Ok(body), _) => Body::new(py, body, steel),
+        (Ok(body), _) => BodyCore::new(py, body, steel),
         (Err(_), Some(signal)) => Err(signal),
         (Err(error), None) => Err(not_converged(py, error)),
     }

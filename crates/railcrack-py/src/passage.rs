@@ -1,7 +1,7 @@
 //! The stabilised passage of a wheel over fixed cracks.
 
 use crate::background::{Watch, compute};
-use crate::body::Body;
+use crate::body::BodyCore;
 use crate::errors::{bad_input, not_converged};
 use crate::grid::matrix;
 use crate::judge::history_array;
@@ -37,7 +37,7 @@ type Settings = (f64, f64, usize, usize, f64, f64);
 #[expect(clippy::too_many_arguments, reason = "named in the package")]
 pub fn passage<'py>(
     py: Python<'py>,
-    body: &Body,
+    body: &BodyCore,
     load: Load,
     friction: Vec<f64>,
     residual: Option<Py<PyAny>>,

@@ -1,9 +1,9 @@
 //! A page: the first screen, then sections of text, tables and charts, all in one file.
 
-use super::chart::Chart;
-use super::choices::Choices;
-use super::html::{escaped, inlined, json_for_script, still, typeset, typeset_in_parts};
-use super::table::Table;
+use crate::chart::Chart;
+use crate::choices::Choices;
+use crate::html::{escaped, inlined, json_for_script, still, typeset, typeset_in_parts};
+use crate::table::Table;
 use railcrack_run::VERSION;
 use serde_json::Value;
 use std::fmt::Write;

@@ -1,8 +1,8 @@
 //! Encodings of the numbers of an array in a file.
 
-use super::base64;
-use super::error::Fault;
-use super::numbers::{ByteOrder, NumberType};
+use crate::base64;
+use crate::error::Fault;
+use crate::numbers::{ByteOrder, NumberType};
 use miniz_oxide::inflate::decompress_to_vec_zlib_with_limit;
 use std::borrow::Cow;
 

@@ -1,7 +1,7 @@
 //! Collections of grids in time (`.pvd`).
 
-use super::VtuError;
-use super::write::{escaped, put};
+use crate::error::VtuError;
+use crate::write::{escaped, put};
 use railcrack::mesh::GridError;
 use std::path::Path;
 

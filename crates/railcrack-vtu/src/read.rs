@@ -1,10 +1,9 @@
 //! Reader of `.vtu` files.
 
-use super::VtuError;
-use super::cell_type::shape_of;
-use super::error::Fault;
-use super::numbers::{ByteOrder, NumberType};
-use super::payload::{Compression, Encoding, Payload, index};
+use crate::cell_type::shape_of;
+use crate::error::{Fault, VtuError};
+use crate::numbers::{ByteOrder, NumberType};
+use crate::payload::{Compression, Encoding, Payload, index};
 use railcrack::math::Vec2;
 use railcrack::mesh::{Array, CellBlock, GridError, UnstructuredGrid};
 use roxmltree::{Document, Node};

@@ -1,8 +1,8 @@
 //! Writer of `.vtu` files.
 
-use super::VtuError;
-use super::base64;
-use super::cell_type::vtk_type;
+use crate::base64;
+use crate::cell_type::vtk_type;
+use crate::error::VtuError;
 use miniz_oxide::deflate::compress_to_vec_zlib;
 use railcrack::mesh::{Array, GridError, SYMMETRIC_TENSOR, UnstructuredGrid};
 use std::fs;

@@ -1,7 +1,7 @@
 //! Values of the command line that take the place of the file's.
 
 use super::setting::setting;
-use crate::schema::{Override, Raw, Report, Row, Section};
+use crate::schema::{KeyRow, Override, Raw, Report, Section};
 use crate::tables::{ENGINE, GROWTH, SOLVER, SOLVER_CONTACT, STEPS};
 
 /// Values that take the place of those in the case file, checked as those are.
@@ -42,6 +42,6 @@ impl Overrides {
     }
 }
 
-fn of<T>(section: &Section, row: Row<T>, shown: String, value: Raw) -> Override {
+fn of<T>(section: &Section, row: KeyRow<T>, shown: String, value: Raw) -> Override {
     Override { section: section.name, key: row.key.name, number: None, shown, value }
 }

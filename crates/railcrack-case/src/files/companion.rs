@@ -1,6 +1,6 @@
 //! Files that a case names, and how they are kept beside a stored case.
 
-use crate::schema::{Kind, Row};
+use crate::schema::{KeyRow, Kind};
 use railcrack::fatigue::{RateTable, Toughness};
 use railcrack::field::DepthProfile;
 use railcrack::load::TableContact;
@@ -48,7 +48,7 @@ impl<T> PartialEq for CaseFile<T> {
 
 impl<T> CaseFile<T> {
     /// The file that `row` names `given`.
-    pub(super) fn new(row: Row<String>, given: String, text: String, content: T) -> Self {
+    pub(super) fn new(row: KeyRow<String>, given: String, text: String, content: T) -> Self {
         let kept_as = match row.key.kind {
             Kind::Path { kept_as } => kept_as,
             _ => row.key.name,

@@ -3,7 +3,7 @@
 use super::columns::Columns;
 use super::companion::{ContactFile, RELATIVE};
 use super::contact_mat::{is_contact_output, strip};
-use crate::schema::{Fault, Report, Row, SectionValues, Source, read_text};
+use crate::schema::{Fault, KeyRow, Report, SectionValues, Source, read_text};
 use railcrack::load::{ContactRow, ContactTableError, TableContact, Travel};
 use std::path::Path;
 
@@ -29,7 +29,7 @@ pub(crate) struct ContactReading {
 /// cannot be read, which `report` then says.
 pub(crate) fn read_contact_table(
     section: &SectionValues,
-    row: Row<String>,
+    row: KeyRow<String>,
     reading: ContactReading,
     folder: &Path,
     report: &mut Report,

@@ -1,7 +1,7 @@
 //! Stress profiles in CSV files.
 
 use super::companion::{ProfileFile, RELATIVE};
-use crate::schema::{Fault, Report, Row, SectionValues, Source, nearest, read_text};
+use crate::schema::{Fault, KeyRow, Report, SectionValues, Source, nearest, read_text};
 use railcrack::field::{DepthProfile, ProfileError};
 use std::ops::Range;
 use std::path::Path;
@@ -26,7 +26,7 @@ const LARGEST: f64 = 1e4;
 /// cannot be read, which `report` then says.
 pub(crate) fn read_profile(
     section: &SectionValues,
-    row: Row<String>,
+    row: KeyRow<String>,
     folder: &Path,
     report: &mut Report,
 ) -> Option<ProfileFile> {

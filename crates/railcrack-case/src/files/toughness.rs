@@ -2,7 +2,7 @@
 
 use super::columns::Columns;
 use super::companion::{RELATIVE, ToughnessFile};
-use crate::schema::{Fault, Report, Row, SectionValues, Source, read_text};
+use crate::schema::{Fault, KeyRow, Report, SectionValues, Source, read_text};
 use railcrack::fatigue::{Toughness, ToughnessError};
 use std::path::Path;
 
@@ -16,7 +16,7 @@ const COLUMNS: Columns = Columns {
 /// cannot be read, which `report` then says.
 pub(crate) fn read_toughness(
     section: &SectionValues,
-    row: Row<String>,
+    row: KeyRow<String>,
     folder: &Path,
     report: &mut Report,
 ) -> Option<ToughnessFile> {

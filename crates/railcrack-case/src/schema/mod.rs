@@ -38,7 +38,7 @@ pub(crate) use json_schema::{file_schema, section_schema};
 pub(crate) use markdown::page;
 pub(crate) use reading::{Chosen, Defaults, Override, Reading};
 pub(crate) use row::{
-    Row, choice, closed, file, given, groups, integer, number, numbers, points, positive, section, switch,
+    KeyRow, choice, closed, file, given, groups, integer, number, numbers, points, positive, section, switch,
     text, within,
 };
 pub(crate) use section::read_section;

@@ -2,7 +2,7 @@
 
 use super::declaration::{Key, Kind, OnlyWith, Section};
 use super::error::Fault;
-use super::row::Row;
+use super::row::KeyRow;
 use super::value::{FromValue, Value};
 use std::fmt::Display;
 use std::ops::Range;
@@ -41,7 +41,7 @@ impl Sections {
     }
 
     /// Gives `value` to a key that has none.
-    pub fn settle<T>(&mut self, section: &Section, row: Row<T>, value: Value) {
+    pub fn settle<T>(&mut self, section: &Section, row: KeyRow<T>, value: Value) {
         let Some(key) = section.key(row.key.name) else { return };
         for read in self.0.iter_mut().filter(|read| read.section.name == section.name) {
             if read.entry(row).is_none() {
@@ -83,12 +83,12 @@ impl Entry {
 
 impl SectionValues {
     /// The value of a key; none where it is not given and has no default.
-    pub fn get<T: FromValue>(&self, row: Row<T>) -> Option<T> {
+    pub fn get<T: FromValue>(&self, row: KeyRow<T>) -> Option<T> {
         T::from_value(&self.entry(row)?.value)
     }
 
     /// The value of a key with its places.
-    pub fn entry<T>(&self, row: Row<T>) -> Option<&Entry> {
+    pub fn entry<T>(&self, row: KeyRow<T>) -> Option<&Entry> {
         self.named(row.key.name)
     }
 
@@ -97,7 +97,7 @@ impl SectionValues {
     }
 
     /// Whether the file gives this key a value.
-    pub fn is_given<T>(&self, row: Row<T>) -> bool {
+    pub fn is_given<T>(&self, row: KeyRow<T>) -> bool {
         self.is_given_name(row.key.name)
     }
 
@@ -107,7 +107,7 @@ impl SectionValues {
     }
 
     /// Whether a key was given a value that was not accepted: nothing more can be said about it.
-    pub fn is_refused<T>(&self, row: Row<T>) -> bool {
+    pub fn is_refused<T>(&self, row: KeyRow<T>) -> bool {
         self.has_refused(&row.key)
     }
 
@@ -116,7 +116,7 @@ impl SectionValues {
     }
 
     /// Where a key stands, or the section where it does not.
-    pub fn span_of<T>(&self, row: Row<T>) -> Range<usize> {
+    pub fn span_of<T>(&self, row: KeyRow<T>) -> Range<usize> {
         self.entry(row).and_then(|e| e.span.clone()).unwrap_or(self.span.clone())
     }
 
@@ -126,7 +126,7 @@ impl SectionValues {
     }
 
     /// A fault of the value of a key.
-    pub fn fault<T>(&self, row: Row<T>, says: impl Display) -> Fault {
+    pub fn fault<T>(&self, row: KeyRow<T>, says: impl Display) -> Fault {
         self.fault_of_name(row.key.name, says)
     }
 

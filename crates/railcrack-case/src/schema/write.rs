@@ -1,7 +1,7 @@
 //! Declared files as text: the first file of a user, and a file as it was read.
 
 use super::declaration::{FileSchema, Key, Kind, Presence, Preset, Section, SectionPresence, available};
-use super::row::Row;
+use super::row::KeyRow;
 use super::sections::Sections;
 use super::value::{Value, toml_value};
 
@@ -17,7 +17,7 @@ impl Written {
     }
 
     /// Puts `value` in place of that of a key.
-    pub fn replace<T>(&mut self, section: &Section, row: Row<T>, value: &Value) {
+    pub fn replace<T>(&mut self, section: &Section, row: KeyRow<T>, value: &Value) {
         for (_, values) in self.0.iter_mut().filter(|(header, _)| *header == section.header()) {
             for (_, old) in values.iter_mut().filter(|(key, _)| *key == row.key.name) {
                 *old = value.clone();

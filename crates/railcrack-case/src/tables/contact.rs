@@ -2,7 +2,7 @@
 
 use crate::files::{ContactFile, ContactReading, read_contact_table};
 use crate::schema::{
-    Choice, Kind, NumberRange, RangeEnd, Report, Row, SectionValues, Word, choice, closed, file, number,
+    Choice, KeyRow, Kind, NumberRange, RangeEnd, Report, SectionValues, Word, choice, closed, file, number,
     positive, read_by_word, section, within,
 };
 use railcrack::load::{CarterContact, Contact, HertzEllipse, HertzianContact, Travel, WheelOnRail};
@@ -335,7 +335,7 @@ fn read_ellipse(
 }
 
 /// Why a value that follows from others is not one that could have been given.
-fn out_of_range(row: Row<f64>, value: f64) -> Option<String> {
+fn out_of_range(row: KeyRow<f64>, value: f64) -> Option<String> {
     match row.key.kind {
         Kind::Number { range, .. } if !range.contains(value) => {
             Some(format!("gives {} = {value:.4}, which must be in {range}", row.key.name))

@@ -7,7 +7,7 @@ use super::growth::{
 };
 use super::law_names::{EquivalentName, LawName};
 use crate::files::{RatesFile, read_rates};
-use crate::schema::{Report, Row, SectionValues};
+use crate::schema::{KeyRow, Report, SectionValues};
 use railcrack::fatigue::{
     Bold, EquivalentRange, Forman, GrowthLaw, Nasgro, Paris, ParisThreshold, RailSteel, RateLaw, Walker,
 };
@@ -38,7 +38,7 @@ pub(super) fn read_law(section: &SectionValues, folder: &Path, report: &mut Repo
         let help = "leave `mode_2_weight` out, or choose another law";
         report.add(section.fault(MODE_2_WEIGHT, says).help(help));
     }
-    let get = |row: Row<f64>| section.get(row);
+    let get = |row: KeyRow<f64>| section.get(row);
     let threshold = || get(THRESHOLD);
     let mut rates = None;
     let rate = match name {

@@ -11,7 +11,7 @@ use railcrack::words::Choice;
 use railcrack_case::Overrides;
 use railcrack_report::Pages;
 use railcrack_run::Summary;
-use railcrack_run::budget::{Budget, Needs};
+use railcrack_run::machine::{Budget, Needs};
 use railcrack_run::simulation::{Ending, Finished, RunEntry, RunError, Simulation};
 use serde_json::{Value, json};
 use std::num::NonZeroUsize;

@@ -1,7 +1,7 @@
 //! Calibration of the coefficient of the growth law, in closed form.
 
-use crate::OutputError;
 use crate::csv::TipRow;
+use crate::error::OutputError;
 use thiserror::Error;
 
 /// The measured quantity.

@@ -1,6 +1,6 @@
 //! Depth of one tip over traffic.
 
-use crate::run_log::StepDigest;
+use crate::log::StepDigest;
 use railcrack::growth::{RunStop, TipStop, WheelShares};
 
 /// A tip at the start of a growth step.

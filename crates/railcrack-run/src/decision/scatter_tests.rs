@@ -1,8 +1,8 @@
 //! Samples against closed forms.
 
-use super::super::path::PathPoint;
 use super::*;
-use crate::run_info::MixInfo;
+use crate::decision::PathPoint;
+use crate::log::MixInfo;
 use railcrack::growth::StressMoves;
 use railcrack_case::{Inspection, MaintenancePlan};
 

@@ -1,8 +1,7 @@
 //! Share of each wheel of a mix in the growth.
 
 use super::path::GrowthPath;
-use crate::run_info::MixInfo;
-use crate::run_log::StepDigest;
+use crate::log::{MixInfo, StepDigest};
 use serde::{Deserialize, Serialize};
 
 /// A wheel of a mix over the whole run.

@@ -1,7 +1,7 @@
 //! `shakedown.json`.
 
 use super::results::ShakedownResults;
-use crate::VERSION;
+use crate::disk::VERSION;
 use railcrack::fatigue::DepthValue;
 use railcrack::load::Contact;
 use railcrack::math::Stress;
@@ -17,10 +17,10 @@ pub struct ShakedownSummary {
     /// Heading of the case.
     pub title: String,
     /// The stabilised state.
-    #[serde(with = "crate::words")]
+    #[serde(with = "crate::disk::words")]
     pub state: RailState,
     /// The way to it.
-    #[serde(with = "crate::words")]
+    #[serde(with = "crate::disk::words")]
     pub method: Method,
     /// Passages until the residual stress repeated; 1 for the direct method.
     pub passes: usize,
@@ -215,7 +215,7 @@ pub struct AdmissibilitySummary {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct MethodComparison {
     /// The state by passages.
-    #[serde(with = "crate::words")]
+    #[serde(with = "crate::disk::words")]
     pub state: RailState,
     /// Passages that it took.
     pub passes: usize,

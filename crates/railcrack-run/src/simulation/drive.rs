@@ -2,7 +2,9 @@
 
 use super::error::RunError;
 use super::observer::RunObserver;
-use crate::{OutputError, Recorder, Summary};
+use super::recorder::Recorder;
+use crate::error::OutputError;
+use crate::summary::Summary;
 use railcrack::growth::{GrowthError, GrowthState, Observer, StepRecord, StepSource};
 use std::sync::mpsc::{SyncSender, sync_channel};
 

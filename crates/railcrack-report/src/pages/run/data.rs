@@ -10,7 +10,7 @@ use railcrack::growth::{RunStop, TipStop};
 use railcrack::plane::{CrackFluid, PressureProfile};
 use railcrack::words::Choice;
 use railcrack_run::csv::TipRow;
-use railcrack_run::histories::History;
+use railcrack_run::run_folder::History;
 use serde_json::{Value, json};
 use std::ops::Range;
 
