@@ -222,6 +222,29 @@ fn only_the_command_prints() {
     assert_none(&crates().into_iter().flat_map(of_crate).collect::<Vec<_>>());
 }
 
+/// The pages and sources below a path, or the one that it is.
+fn texts(path: &Path) -> Vec<PathBuf> {
+    if !path.is_dir() {
+        return vec![path.to_path_buf()];
+    }
+    let entries = std::fs::read_dir(path).unwrap().map(|entry| entry.unwrap().path());
+    let is_text = |path: &PathBuf| {
+        path.is_dir() || path.extension().is_some_and(|ending| ending == "md" || ending == "rs")
+    };
+    let mut found: Vec<PathBuf> = entries.filter(is_text).flat_map(|path| texts(&path)).collect();
+    found.sort();
+    found
+}
+
+#[test]
+fn prose_is_free_of_crutches() {
+    let mut faults = Vec::new();
+    for path in prose::PLAIN.iter().flat_map(|path| texts(&workspace().join(path))) {
+        faults.extend(prose::crutches(&path, &std::fs::read_to_string(&path).unwrap()));
+    }
+    assert_none(&faults);
+}
+
 #[test]
 fn prose_is_narrow_and_doc_comments_name_their_subject() {
     let mut faults = Vec::new();
@@ -229,7 +252,8 @@ fn prose_is_narrow_and_doc_comments_name_their_subject() {
         faults.extend(prose::faults_of_source(&path, &std::fs::read_to_string(&path).unwrap()));
     }
     let docs = workspace().join("docs");
-    let folders = [workspace(), docs.clone(), docs.join("how-to"), docs.join("decisions")];
+    let folders =
+        [workspace(), docs.clone(), docs.join("how-to"), docs.join("decisions"), docs.join("python")];
     for entry in folders.iter().flat_map(|folder| std::fs::read_dir(folder).unwrap()) {
         let path = entry.unwrap().path();
         if path.extension().is_some_and(|ending| ending == "md") {
