@@ -50,7 +50,8 @@
 
     function drawLegend() {
       if (!data.legend) return;
-      // Cracks of one run share a name; what the dashes say, the switches say where curves have any.
+      // Cracks of one run share a name; what the dashes say, the switches say where curves have
+      // any.
       /** @param {(typeof curves)[number]} curve */
       const key = ({ name, stroke, look, note }) => `${name} ${stroke} ${note ? "" : look}`;
       const named = new Map(shown.filter((curve) => curve.name).map((curve) => [key(curve), curve]));
@@ -240,7 +241,10 @@
           .selectAll("g[aria-label=line]:not(.area)")
           .style("opacity", (_, i) => (has && lines[i]?.name !== name ? 0.25 : 1));
       },
-      /** Draws rings around points that something else on the page points to. @param {typeof marked} points */
+      /**
+       * Draws rings around points that something else on the page points to.
+       * @param {typeof marked} points
+       */
       mark(points) {
         marked = points;
         drawMarks();

@@ -73,7 +73,10 @@ railcrack.viewer("neighbourhood", "The fields", "ParaView shows the files in fie
   const state = { choice: last, field: await fieldOf(last), magnification: 0 };
   state.magnification = usual(state.field);
 
-  /** The magnification that moves points by about a fiftieth of the picture. @param {Field} field */
+  /**
+   * The magnification that moves points by about a fiftieth of the picture.
+   * @param {Field} field
+   */
   function usual({ x, dx, dy }) {
     const [left, right] = ends(x);
     const most = d3.max(dx, (u, i) => Math.hypot(u, dy[i])) || 1;
@@ -81,7 +84,8 @@ railcrack.viewer("neighbourhood", "The fields", "ParaView shows the files in fie
   }
 
   /**
-   * The picture of the cells, `perMm` pixels to a mm, within the domains x and y (depth). Colours end at `most`.
+   * The picture of the cells, `perMm` pixels to a mm, within the domains x and y (depth). Colours
+   * end at `most`.
    * @param {{ x: Pair, y: Pair, perUnit: number }} fit
    * @param {number} magnified
    * @param {number} most

@@ -1,5 +1,5 @@
-// What the scripts of a page share: theme, numbers in words, packed numbers, axes and legends, figures as files,
-// sliders, the controls of a passage.
+// What the scripts of a page share: theme, numbers in words, packed numbers, axes and legends,
+// figures as files, sliders, the controls of a passage.
 "use strict";
 
 const railcrack = (() => {
@@ -38,7 +38,10 @@ const railcrack = (() => {
   /** A tick of a logarithmic axis: 14, 4.5e−5. @param {number} value */
   const short = (value) => minus((value >= 1e-2 && value < 1e4 ? fourDigits : d3.format(".2~e"))(value));
 
-  /** `text` without its marks of indices and powers: for places that take plain text only. @param {string} text */
+  /**
+   * `text` without its marks of indices and powers: for places that take plain text only.
+   * @param {string} text
+   */
   const plain = (text) => text.replace(/[_^]\{([^}]*)\}/g, "$1");
 
   /** Smallest and largest of `values`; of none, undefined. @param {Iterable<number>} values */
@@ -127,7 +130,8 @@ const railcrack = (() => {
       const wanted = mark === "_" ? 0.3 : mark === "^" ? -0.4 : 0;
       const span = document.createElementNS("http://www.w3.org/2000/svg", "tspan");
       span.textContent = content;
-      // The shift counts in the size of the surrounding letters, so it is taken back by the next part.
+      // The shift counts in the size of the surrounding letters, so it is taken back by the next
+      // part.
       span.setAttribute("dy", `${((wanted - shift) * 12).toFixed(2)}`);
       if (mark) span.setAttribute("font-size", "75%");
       shift = wanted;
@@ -160,7 +164,8 @@ const railcrack = (() => {
   const singles = async (text) => new Float32Array((await unpack(text)).buffer);
 
   /**
-   * Whole numbers in rows of `row`: differences from one to the next, first low bytes, then high ones.
+   * Whole numbers in rows of `row`: differences from one to the next, first low bytes, then high
+   * ones.
    * @param {Packed} text
    * @param {number} [row]
    */
@@ -196,7 +201,10 @@ const railcrack = (() => {
   /** The box of values under the pointer. */
   const TIP = { fill: "var(--ground)", fontSize: 12 };
 
-  /** `count` colours of a quantity from nothing (light) to its largest value (dark). @param {number} count */
+  /**
+   * `count` colours of a quantity from nothing (light) to its largest value (dark).
+   * @param {number} count
+   */
   const shades = (count) => d3.range(count).map((i) => d3.interpolateViridis(1 - i / (count - 1)));
 
   // Ordered colours: viridis without its lightest part on white, without its darkest on black.
@@ -291,8 +299,8 @@ const railcrack = (() => {
   const linear = (title, domain) => ({ ...scale({ title, scale: "linear" }), ...(domain ? { domain } : {}) });
 
   /**
-   * Ticks of a logarithmic axis: powers of ten, over less than four decades also 2 and 5 times these; over less
-   * than a factor of 10, round numbers.
+   * Ticks of a logarithmic axis: powers of ten, over less than four decades also 2 and 5 times
+   * these; over less than a factor of 10, round numbers.
    * @param {number} low
    * @param {number} high
    */
@@ -308,8 +316,8 @@ const railcrack = (() => {
   const isPowerOfTen = (value) => Number.isInteger(+Math.log10(value).toFixed(9));
 
   /**
-   * Grid and axis of a logarithmic scale over data from `low` to `high`; the usual ones leave out labels by a rule
-   * of their own.
+   * Grid and axis of a logarithmic scale over data from `low` to `high`; the usual ones leave out
+   * labels by a rule of their own.
    * @param {"x" | "y"} name
    * @param {string} title
    * @param {Pair} range
@@ -330,7 +338,8 @@ const railcrack = (() => {
   }
 
   /**
-   * What an axis covers: `values`, widened where they are one and the same, so that it has more than one tick.
+   * What an axis covers: `values`, widened where they are one and the same, so that it has more
+   * than one tick.
    * @param {number[]} values
    * @param {boolean} [isLog]
    * @returns {Pair}
@@ -344,7 +353,11 @@ const railcrack = (() => {
     return [low - half, high + half];
   }
 
-  /** What `values` span, with some air at both ends. @param {Iterable<number>} values @returns {Pair} */
+  /**
+   * What `values` span, with some air at both ends.
+   * @param {Iterable<number>} values
+   * @returns {Pair}
+   */
   function aired(values) {
     const [low, high] = ends(values);
     const air = 0.06 * (high - low || 1);
@@ -352,8 +365,9 @@ const railcrack = (() => {
   }
 
   /**
-   * Domains with one scale both ways on `inside` pixels of width, the height that they take and the pixels of a
-   * unit. The height is at most `most`, for which x is widened, and at least `least`, for which y is.
+   * Domains with one scale both ways on `inside` pixels of width, the height that they take and the
+   * pixels of a unit. The height is at most `most`, for which x is widened, and at least `least`,
+   * for which y is.
    * @param {Pair} x
    * @param {Pair} y
    * @param {number} inside
@@ -453,7 +467,8 @@ const railcrack = (() => {
     new ResizeObserver(look).observe(place);
   }
 
-  // On paper, figures are drawn for its width: scaled down from the screen, their letters would be too small.
+  // On paper, figures are drawn for its width: scaled down from the screen, their letters would be
+  // too small.
   addEventListener("beforeprint", () => {
     document.documentElement.dataset.paper = "true";
     for (const look of drawn) look();
@@ -497,8 +512,8 @@ const railcrack = (() => {
   }
 
   /**
-   * Builds a part of the page within the element `id`, which is ready when `build` is through. Where it fails, a
-   * note says so; `name` and `advice` are its words.
+   * Builds a part of the page within the element `id`, which is ready when `build` is through.
+   * Where it fails, a note says so; `name` and `advice` are its words.
    * @param {string} id
    * @param {string} name
    * @param {string} advice
@@ -523,7 +538,8 @@ const railcrack = (() => {
   // ---- Controls ---------------------------------------------------------------------------------
 
   /**
-   * The slider called `id`, of whole numbers from 0 to `last`; `moved` is given what the reader sets.
+   * The slider called `id`, of whole numbers from 0 to `last`; `moved` is given what the reader
+   * sets.
    * @param {string} id
    * @param {number} last
    * @param {(value: number) => void} moved
@@ -558,8 +574,8 @@ const railcrack = (() => {
   const PLAYED_IN = 8000;
 
   /**
-   * The controls of a passage: sliders for growth step and wheel position, a button that plays the passage, and
-   * the arrow keys. They read `state`, and ask `moveTo` for what the reader wants.
+   * The controls of a passage: sliders for growth step and wheel position, a button that plays the
+   * passage, and the arrow keys. They read `state`, and ask `moveTo` for what the reader wants.
    * @param {object} passage
    * @param {number} passage.steps
    * @param {number} passage.positions
@@ -606,10 +622,14 @@ const railcrack = (() => {
       playing = requestAnimationFrame(next);
     });
 
-    /** Whether an arrow key is for the explorer: no control wants it, and the explorer is in view. @param {KeyboardEvent} event */
+    /**
+     * Whether an arrow key is for the explorer: no control wants it, and the explorer is in view.
+     * @param {KeyboardEvent} event
+     */
     const isOwnKey = ({ target, key, ctrlKey, altKey, metaKey }) => {
       if (ctrlKey || altKey || metaKey || !(target instanceof Element)) return false;
-      // The browser moves a slider itself; up and down change the step from the slider of the wheel, too.
+      // The browser moves a slider itself; up and down change the step from the slider of the
+      // wheel, too.
       const isControl = target.closest("input, select, textarea, summary, pre, a, button");
       if (isControl && !(target.id === "wheel" && /^Arrow(Up|Down)$/.test(key))) return false;
       const { top, bottom } = place.getBoundingClientRect();
@@ -646,8 +666,8 @@ const railcrack = (() => {
   }
 
   /**
-   * Puts buttons into the `headings` of a table; `ordered` is told the column by which the reader wants the rows,
-   * and whether the largest comes first.
+   * Puts buttons into the `headings` of a table; `ordered` is told the column by which the reader
+   * wants the rows, and whether the largest comes first.
    * @param {Iterable<HTMLElement>} headings
    * @param {(column: number, down: boolean) => void} ordered
    */
@@ -667,8 +687,8 @@ const railcrack = (() => {
   }
 
   /**
-   * The order of two values of a column: words after numbers, and what is missing (empty, not a number) last,
-   * whichever comes first.
+   * The order of two values of a column: words after numbers, and what is missing (empty, not a
+   * number) last, whichever comes first.
    * @param {number | string} one
    * @param {number | string} other
    * @param {boolean} down
@@ -728,7 +748,10 @@ const railcrack = (() => {
     },
   };
 
-  /** Brings out the curves called `name` on all charts that have several; none: all alike. @param {string} [name] */
+  /**
+   * Brings out the curves called `name` on all charts that have several; none: all alike.
+   * @param {string} [name]
+   */
   function bringOut(name) {
     if (!document.getElementById("choices")) return;
     for (const chart of charts.values()) chart.emphasise(name);
@@ -738,7 +761,10 @@ const railcrack = (() => {
 
   // ---- Figures as files -------------------------------------------------------------------------
 
-  /** The SVG of a figure as a file of its own: colours resolved, on white. @param {HTMLElement} figure */
+  /**
+   * The SVG of a figure as a file of its own: colours resolved, on white.
+   * @param {HTMLElement} figure
+   */
   function file(figure) {
     const svg = figure.querySelector(".drawing svg");
     if (!(svg instanceof SVGSVGElement)) throw new Error(`${figure.id} is not drawn`);

@@ -1,4 +1,5 @@
-// The map of a row of cracks: each at its place along the rail, in the colour of a quantity; one of them is chosen.
+// The map of a row of cracks: each at its place along the rail, in the colour of a quantity; one of
+// them is chosen.
 "use strict";
 
 railcrack.viewer("row-map", "The map", "plots/row.svg has a picture", async () => {
@@ -174,7 +175,10 @@ railcrack.viewer("row-map", "The map", "plots/row.svg has a picture", async () =
   /** The crack at a point of the drawing. @type {(x: number, y: number) => number | null} */
   let hit = () => null;
 
-  /** Times that depth is drawn larger than length: round, and as large as fits. @param {number} perMm */
+  /**
+   * Times that depth is drawn larger than length: round, and as large as fits.
+   * @param {number} perMm
+   */
   function exaggeration(perMm) {
     const times = 130 / (deepest * perMm);
     return [20, 15, 10, 8, 6, 5, 4, 3, 2, 1].find((round) => round <= times) ?? Math.max(0.05, times);
@@ -193,7 +197,10 @@ railcrack.viewer("row-map", "The map", "plots/row.svg has a picture", async () =
    * @property {d3.Selection<SVGGElement, undefined, null, undefined>} group
    */
 
-  /** Where a crack is on the map. @typedef {{ i: number, line: number, x: number, y: number }} Target */
+  /**
+   * Where a crack is on the map.
+   * @typedef {{ i: number, line: number, x: number, y: number }} Target
+   */
 
   /** @param {number} width */
   function draw(width) {
@@ -313,7 +320,13 @@ railcrack.viewer("row-map", "The map", "plots/row.svg has a picture", async () =
     }
   }
 
-  /** The path of a crack. @param {Line} here @param {Group} mark @param {number} i @returns {Target} */
+  /**
+   * The path of a crack.
+   * @param {Line} here
+   * @param {Group} mark
+   * @param {number} i
+   * @returns {Target}
+   */
   function drawPath({ number, x, y }, mark, i) {
     const path = line(state.step, i).map(([px, py]) => /** @type {Pair} */ ([x(px), y(py)]));
     const isChosen = i === crack.now - 1;

@@ -42,7 +42,10 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
   }
   const histories = await Promise.all(steps.map((step) => Promise.all(step.tips.map(decodeHistory))));
 
-  /** Faces of a crack: values by face point and stored position. @typedef {Awaited<ReturnType<typeof decodeFaces>>} Faces */
+  /**
+   * Faces of a crack: values by face point and stored position.
+   * @typedef {Awaited<ReturnType<typeof decodeFaces>>} Faces
+   */
 
   /** @param {FacesData} faces */
   async function decodeFaces(faces) {
@@ -158,7 +161,10 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
 
   // ---- Fluid ------------------------------------------------------------------------------------
 
-  /** Pressure and volume of the fluid in a crack at the chosen step and position; null of a dry one. @param {number} crack */
+  /**
+   * Pressure and volume of the fluid in a crack at the chosen step and position; null of a dry one.
+   * @param {number} crack
+   */
   function fluidOf(crack) {
     const tip = steps[state.step].tips.findIndex((tip) => tip.crack === crack);
     const fluid = histories[state.step][tip]?.fluid;
@@ -187,7 +193,11 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
   /** @param {Pair[]} points */
   const lengthOf = (points) => d3.sum(d3.pairs(points), ([p, q]) => Math.hypot(q[0] - p[0], q[1] - p[1]));
 
-  /** Points with their depths in the place of their heights. @param {Pair[]} points @returns {Pair[]} */
+  /**
+   * Points with their depths in the place of their heights.
+   * @param {Pair[]} points
+   * @returns {Pair[]}
+   */
   const depths = (points) => points.map(([x, y]) => [x, -y]);
 
   /**
@@ -243,7 +253,10 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
   ];
   const wholeView = viewOf(everyPoint, 1.4 * a);
 
-  /** What the picture of the cracks shows, at one scale both ways: of a row, the surroundings of the chosen crack. */
+  /**
+   * What the picture of the cracks shows, at one scale both ways: of a row, the surroundings of the
+   * chosen crack.
+   */
   function sceneView() {
     const view = data.windows ? viewOf(wholePathOf(state.crack), 2.2 * a) : wholeView;
     const inside = figures.scene.width - SCENE_MARGIN.left - SCENE_MARGIN.right;
@@ -260,7 +273,10 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     return !isRow || (right >= x[0] && left <= x[1]);
   }
 
-  /** What a step encloses is there at the start of the next one; of the last step, at its end. @param {{ step: number }} thing */
+  /**
+   * What a step encloses is there at the start of the next one; of the last step, at its end.
+   * @param {{ step: number }} thing
+   */
   const isThere = ({ step }) => steps[state.step].step >= step || steps[state.step].step === data.last_step;
 
   function drawScene() {
@@ -359,7 +375,10 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     ];
   }
 
-  /** The fluid in a crack: the stronger its colour, the higher its pressure. @param {number} crack */
+  /**
+   * The fluid in a crack: the stronger its colour, the higher its pressure.
+   * @param {number} crack
+   */
   function fluidMarks(crack) {
     const share = shareOfPressure(fluidOf(crack));
     if (!(share > 0)) return [];
@@ -380,7 +399,10 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     });
   }
 
-  /** The pressure of the wheel with the direction of its shear, or where the wheel is. @param {View} view */
+  /**
+   * The pressure of the wheel with the direction of its shear, or where the wheel is.
+   * @param {View} view
+   */
   function wheelMarks(view) {
     const { x, load } = view;
     const xc = contactCentre();
@@ -401,7 +423,12 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     ];
   }
 
-  /** Where the wheel is, at an edge of the picture. @param {string} text @param {View} view @param {"start" | "end"} edge */
+  /**
+   * Where the wheel is, at an edge of the picture.
+   * @param {string} text
+   * @param {View} view
+   * @param {"start" | "end"} edge
+   */
   const farWheel = (text, { x, load }, edge) =>
     Plot.text([text], {
       x: edge === "start" ? x[0] : x[1],
@@ -522,7 +549,10 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
   const largest = Math.max(...[...kExtents.ki, ...kExtents.kii].map(Math.abs));
   if (kExtents.ki[1] - kExtents.ki[0] < 0.1 * largest) kExtents.ki = [-0.01 * largest, 0.1 * largest];
 
-  /** The charts, with the curves on which rings say where the wheel is. @type {Partial<Record<Mode, { svg: Plotted, curves: KCurve[] }>>} */
+  /**
+   * The charts, with the curves on which rings say where the wheel is.
+   * @type {Partial<Record<Mode, { svg: Plotted, curves: KCurve[] }>>}
+   */
   const kCharts = {};
 
   /** @param {Mode} mode */
@@ -568,7 +598,10 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     markK(mode);
   }
 
-  /** Of several tips the colours are explained once, and a kept step by its dashes. @param {KCurve[]} curves */
+  /**
+   * Of several tips the colours are explained once, and a kept step by its dashes.
+   * @param {KCurve[]} curves
+   */
   function kLegend(curves) {
     if (first.tips.length === 1) return curves.map(({ name, colour, isKept }) => entry(name, colour, isKept));
     const tips = curves
@@ -586,7 +619,10 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
   /** @param {string} name @param {string} colour @param {boolean} isKept */
   const entry = (name, colour, isKept) => ({ name, colour, dashes: isKept ? "6 4" : null });
 
-  /** Puts the wheel on a K chart: a line, and a ring on each curve of this step. @param {Mode} mode */
+  /**
+   * Puts the wheel on a K chart: a line, and a ring on each curve of this step.
+   * @param {Mode} mode
+   */
   function markK(mode) {
     const chart = kCharts[mode];
     if (!chart) return;
@@ -622,7 +658,11 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     return (value / decade >= 5 ? 5 : value / decade >= 2 ? 2 : 1) * decade;
   }
 
-  /** The jump at the face points and both ends of a crack, at the wheel position. @param {Faces} faces @param {Pair[]} points */
+  /**
+   * The jump at the face points and both ends of a crack, at the wheel position.
+   * @param {Faces} faces
+   * @param {Pair[]} points
+   */
   function stationsOf(faces, points) {
     const column = faceColumn(faces, state.position);
     const stations = Array.from(faces.s, (s, i) => {
@@ -649,7 +689,10 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
     // One magnification for the whole passage, so that its pictures compare.
     const most = d3.max(faces.opening, (opening, i) => Math.hypot(opening, faces.slip[i])) || 0;
     const magnified = most > 0 ? roundDown((0.07 * length) / most) : 1;
-    /** The + face moves by half the jump, the − face by as much the other way. @param {1 | -1} side */
+    /**
+     * The + face moves by half the jump, the − face by as much the other way.
+     * @param {1 | -1} side
+     */
     const face = (side) =>
       stations.map(({ s, slip, opening }) => {
         const { at, t, n } = frameAt(points, s);
@@ -824,7 +867,12 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
 
   const faceValue = element("face-value");
 
-  /** The state of a face point. @param {Faces} faces @param {number} position @param {number} point */
+  /**
+   * The state of a face point.
+   * @param {Faces} faces
+   * @param {number} position
+   * @param {number} point
+   */
   function faceText(faces, position, point) {
     const at = point * faces.row + faceColumn(faces, position);
     return (

@@ -1,5 +1,5 @@
-// The explorer of cracks in space: the fronts of the cracks, with sliders for growth step, wheel position and point
-// of the front.
+// The explorer of cracks in space: the fronts of the cracks, with sliders for growth step, wheel
+// position and point of the front.
 "use strict";
 
 railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", async () => {
@@ -36,7 +36,10 @@ railcrack.viewer("explorer", "The explorer", "the folder plots/ has pictures", a
   /** K at the points of the front of the chosen crack. */
   const histories = (step = state.step) => all[step][state.crack];
 
-  /** Chooses a crack: its deepest point, and the position at which K is largest there. @param {number} crack */
+  /**
+   * Chooses a crack: its deepest point, and the position at which K is largest there.
+   * @param {number} crack
+   */
   function choose(crack) {
     state.crack = crack;
     state.point = d3.minIndex(front(0), (point) => Math.abs(point.phi - 90));

@@ -1,4 +1,5 @@
-// A study of many runs: two keys against each other, what results depend on, a table, one run on demand.
+// A study of many runs: two keys against each other, what results depend on, a table, one run on
+// demand.
 "use strict";
 
 railcrack.viewer("study-table", "The runs", "summary.csv has them", async () => {
@@ -6,7 +7,10 @@ railcrack.viewer("study-table", "The runs", "summary.csv has them", async () => 
     railcrack;
   const data = /** @type {StudyData} */ (railcrack.pageData("study-data"));
 
-  /** A column with its values, also as text. @typedef {Awaited<ReturnType<typeof unpacked>>} Column */
+  /**
+   * A column with its values, also as text.
+   * @typedef {Awaited<ReturnType<typeof unpacked>>} Column
+   */
 
   /** @param {ColumnData} column */
   async function unpacked(column) {
@@ -62,7 +66,11 @@ railcrack.viewer("study-table", "The runs", "summary.csv has them", async () => 
   const MARGIN = { left: 74, right: 20, top: 22, bottom: 44 };
   const LABEL = /** @type {const} */ ({ labelAnchor: "center", labelArrow: "none" });
 
-  /** @param {Column} column @param {number[]} there @returns {import("@observablehq/plot").ScaleOptions} */
+  /**
+   * @param {Column} column
+   * @param {number[]} there
+   * @returns {import("@observablehq/plot").ScaleOptions}
+   */
   const axis = (column, there) => ({
     label: column.plainTitle,
     ...LABEL,
@@ -105,8 +113,8 @@ railcrack.viewer("study-table", "The runs", "summary.csv has them", async () => 
   const MOST = 1500;
 
   /**
-   * A number in [0, 1) for run `i`, the same on every page. Low bits of the number of a sample say where it lies:
-   * every fourth one leaves out half of a key.
+   * A number in [0, 1) for run `i`, the same on every page. Low bits of the number of a sample say
+   * where it lies: every fourth one leaves out half of a key.
    * @param {number} i
    */
   function chance(i) {
@@ -318,7 +326,10 @@ railcrack.viewer("study-table", "The runs", "summary.csv has them", async () => 
     "!=": (a, b) => a !== b,
   };
 
-  /** Whether a run meets a condition such as `stop = arrest`; none where it cannot be read. @param {string} text */
+  /**
+   * Whether a run meets a condition such as `stop = arrest`; none where it cannot be read.
+   * @param {string} text
+   */
   function condition(text) {
     const [, name, sign, value] = /^\s*(.+?)\s*(<=|>=|!=|<|>|=)\s*(.+?)\s*$/.exec(text) ?? [];
     const column = name && (named.get(name) ?? columns.find((other) => other.name.endsWith(name)));
