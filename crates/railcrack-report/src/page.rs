@@ -12,6 +12,7 @@ const STYLE: &str = include_str!("assets/page.css");
 const D3: &str = include_str!("assets/vendor/d3.min.js");
 const PLOT: &str = include_str!("assets/vendor/plot.min.js");
 const KIT: &str = include_str!("assets/kit.js");
+const CHARTS: &str = include_str!("assets/charts.js");
 const CHOICES: &str = include_str!("assets/choices.js");
 
 /// A key figure.
@@ -166,7 +167,7 @@ impl Page {
             page.push_str("</section>\n");
         }
         page.push_str("</main>\n<footer>Drawn with d3 and Observable Plot, which this file contains (ISC licence).</footer>\n");
-        for script in [D3, PLOT, KIT].into_iter().chain(scripts) {
+        for script in [D3, PLOT, KIT, CHARTS].into_iter().chain(scripts) {
             let _ = writeln!(page, "<script>\n{script}</script>");
         }
         page.push_str("</body>\n</html>\n");
