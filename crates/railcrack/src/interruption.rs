@@ -22,12 +22,12 @@ impl<'a> Interruption<'a> {
     }
 
     /// Whether to give up.
-    pub fn asked(self) -> bool {
+    pub(crate) fn asked(self) -> bool {
         self.0.is_some_and(|asked| asked())
     }
 
     /// Errors: to be given up.
-    pub fn check(self) -> Result<(), Interrupted> {
+    pub(crate) fn check(self) -> Result<(), Interrupted> {
         if self.asked() { Err(Interrupted) } else { Ok(()) }
     }
 }

@@ -74,7 +74,7 @@ fn meshio_reads_what_we_write() {
     // Of cell data, meshio makes an array for each block.
     let mut begin = 0;
     for (i, block) in grid.cells.iter().enumerate() {
-        let cells = begin..begin + block.len();
+        let cells = begin..begin + block.cell_count();
         for array in &grid.cell_data {
             assert_eq!(read["cell_data"][&array.name][i], as_meshio(array, cells.clone()), "{}", array.name);
         }

@@ -9,7 +9,7 @@ use railcrack_vtu::{Snapshot, VtuError, read_vtu, write_pvd, write_vtu};
 fn every_shape_and_every_bit_comes_back() {
     let path = scratch("round-trip").join("grid.vtu");
     let grid = grid_of_every_shape();
-    assert_eq!((grid.cell_count(), grid.cells[2].len()), (12, 2));
+    assert_eq!((grid.cell_count(), grid.cells[2].cell_count()), (12, 2));
     write_vtu(&path, &grid).unwrap();
     assert_eq!(read_vtu(&path).unwrap(), grid);
     // The bits and not only the values.

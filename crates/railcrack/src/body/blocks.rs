@@ -32,12 +32,12 @@ pub struct TipGain {
 
 impl TipGain {
     /// K_I = `gain` × opening, K_II = `gain` × slip at `point`, that next to the tip.
-    pub fn at(point: usize, gain: f64) -> Self {
+    pub(crate) fn at(point: usize, gain: f64) -> Self {
         Self { points: vec![(point, [[0.0, gain], [gain, 0.0]])] }
     }
 
     /// S of tips with these `gains` for faces of C = `compliance`, mm^(−1/2).
-    pub fn sif_influence(gains: &[Self], compliance: &Matrix) -> Matrix {
+    pub(crate) fn sif_influence(gains: &[Self], compliance: &Matrix) -> Matrix {
         let mut influence = Matrix::zeros(2 * gains.len(), compliance.columns());
         for (tip, Self { points }) in gains.iter().enumerate() {
             for (point, gains) in points {
@@ -71,7 +71,7 @@ pub struct FarStiffness {
 
 /// Some of the units of a row, as a body of their own.
 #[derive(Debug, Clone)]
-pub struct RowPart {
+pub(crate) struct RowPart {
     /// The faces: points, and cracks counted from 0 among those of the part.
     pub faces: FaceMesh,
     /// The tips, their cracks counted likewise.
@@ -90,18 +90,18 @@ pub struct RowPart {
 
 impl BlockStiffness {
     /// Number of components of unit `k`.
-    pub fn components(&self, k: usize) -> usize {
+    pub(crate) fn components(&self, k: usize) -> usize {
         2 * self.units[k].len()
     }
 
     /// A between unit `k` and unit `l`, where they are near to each other.
-    pub fn near_block(&self, k: usize, l: usize) -> Option<&Matrix> {
+    pub(crate) fn near_block(&self, k: usize, l: usize) -> Option<&Matrix> {
         self.near[k].iter().find(|(other, _)| *other == l).map(|(_, block)| block)
     }
 
     /// The units `members`, all near to each other, of the row with these `faces` and `tips`; what
     /// is not near is left out.
-    pub fn part(&self, faces: &FaceMesh, tips: &[CrackTip], members: &[usize]) -> RowPart {
+    pub(crate) fn part(&self, faces: &FaceMesh, tips: &[CrackTip], members: &[usize]) -> RowPart {
         let points: Vec<usize> = members.iter().flat_map(|&k| self.units[k].iter().copied()).collect();
         let mut place = vec![None; faces.points.len()];
         points.iter().enumerate().for_each(|(own, &all)| place[all] = Some(own));

@@ -82,7 +82,7 @@ impl CrackedBody {
     }
 
     /// The body of A by groups of neighbours (`blocks`) in a half-plane.
-    pub fn by_groups(faces: FaceMesh, tips: Vec<CrackTip>, blocks: BlockStiffness) -> Self {
+    pub(crate) fn by_groups(faces: FaceMesh, tips: Vec<CrackTip>, blocks: BlockStiffness) -> Self {
         let none = || Matrix::zeros(0, 0);
         let dofs = 2 * faces.points.len();
         Self { blocks: Some(Arc::new(blocks)), dofs, ..Self::new(faces, tips, [none(), none(), none()]) }

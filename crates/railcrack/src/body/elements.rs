@@ -6,7 +6,7 @@ use crate::math::{Vec2, gauss_legendre};
 
 /// A straight part of an element: between two nodes or kinks.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FacePiece {
+pub(crate) struct FacePiece {
     /// Index of its crack in the network, from 0.
     pub crack: usize,
     /// Index of the straight segment of the crack, from 0.
@@ -20,7 +20,7 @@ pub struct FacePiece {
 /// A part of the faces between two neighbouring nodes; `ends` are its face points, none at a tip.
 /// Jumps are linear in g on it.
 #[derive(Debug, Clone)]
-pub struct FaceElement {
+pub(crate) struct FaceElement {
     /// Index of its crack in the network, from 0.
     pub crack: usize,
     /// Range of the parameter g of its crack's [`Walk`].
@@ -34,7 +34,7 @@ pub struct FaceElement {
 /// The elements of all cracks and their face points: every node but the tips. `nodes` are the
 /// values of g, ends included, for each walk; a value that is there twice is a vertex at which the
 /// jump may change abruptly, with a face point on each side.
-pub fn discretise(walks: &[Walk], nodes: &[Vec<f64>]) -> (Vec<FaceElement>, FaceMesh) {
+pub(crate) fn discretise(walks: &[Walk], nodes: &[Vec<f64>]) -> (Vec<FaceElement>, FaceMesh) {
     let mut elements = Vec::new();
     let mut faces = FaceMesh::default();
     for (crack, (walk, nodes)) in walks.iter().zip(nodes).enumerate() {

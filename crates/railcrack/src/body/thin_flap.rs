@@ -8,7 +8,7 @@ const THIN: f64 = 0.026;
 
 /// Remarks on the cracks of `network` below such flaps, of an engine whose K is known to
 /// `per_cent` of the peak at 1° and which resolves them after `remedy`.
-pub fn thin_flaps(network: &CrackNetwork, per_cent: u32, remedy: &str) -> Vec<String> {
+pub(crate) fn thin_flaps(network: &CrackNetwork, per_cent: u32, remedy: &str) -> Vec<String> {
     let cracks = network.cracks().iter().enumerate();
     let thin = cracks.filter(|(_, c)| c.is_surface_breaking() && c.depth() < THIN * c.length());
     let remark = |(i, crack): (usize, &Crack)| {

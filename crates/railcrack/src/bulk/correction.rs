@@ -21,8 +21,9 @@ use std::sync::Arc;
 pub struct BlockCorrection {
     rail: Arc<BulkRail>,
     range: RangeInclusive<f64>,
-    positions: Vec<f64>,
-    /// Position by position, node by node.
+    /// Wheel positions for which the correction was solved, mm.
+    pub(super) positions: Vec<f64>,
+    /// mm, position by position, node by node.
     displacements: Vec<Vec<Vec2>>,
 }
 
@@ -82,15 +83,10 @@ impl BlockCorrection {
         Ok(Self { rail: Arc::clone(rail), range, positions, displacements })
     }
 
-    /// Wheel positions for which the correction was solved, mm.
-    pub fn positions(&self) -> &[f64] {
-        &self.positions
-    }
-
     /// The displacements (mm, node by node) of the correction for the wheel at `xc` (mm).
     ///
     /// Errors: a position outside of the range.
-    pub fn displacements(&self, xc: f64) -> Result<Vec<Vec2>, BulkError> {
+    pub(crate) fn displacements(&self, xc: f64) -> Result<Vec<Vec2>, BulkError> {
         let weights = weights(&self.positions, &self.range, xc)?;
         let mut sum = vec![Vec2::default(); self.rail.mesh().node_count()];
         for (weight, displacements) in weights.into_iter().zip(&self.displacements) {
@@ -205,17 +201,9 @@ impl CorrectionAtPoints {
     }
 
     /// The wheel at the position of the range that is nearest to `xc` (mm).
-    pub fn wheel_nearest(&self, xc: f64) -> WheelAt<'_> {
+    pub(crate) fn wheel_nearest(&self, xc: f64) -> WheelAt<'_> {
         let inside = xc.clamp(*self.range.start(), *self.range.end());
         WheelAt { points: self, weights: chebyshev::weights(&self.positions, inside) }
-    }
-
-    /// The stress (MPa) of the correction at point `k` (from 0) for the wheel at `xc` (mm):
-    /// [`WheelAt::stress`] for one point.
-    ///
-    /// Errors: a position outside of the range.
-    pub fn stress(&self, k: usize, xc: f64) -> Result<Stress, BulkError> {
-        Ok(self.wheel_at(xc)?.stress(k))
     }
 }
 

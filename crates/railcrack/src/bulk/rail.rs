@@ -128,7 +128,7 @@ impl BulkRail {
     }
 
     /// [`BulkRail::new`], given up on an `interruption`.
-    pub fn new_unless(
+    pub(crate) fn new_unless(
         interruption: Interruption<'_>,
         mesh: QuadMesh,
         steel: &IsotropicElastic,
@@ -142,7 +142,7 @@ impl BulkRail {
     /// [`BulkRail::new`] without the factor.
     ///
     /// Errors: a top that is not at y = 0.
-    pub fn unfactored(
+    pub(crate) fn unfactored(
         mesh: QuadMesh,
         steel: &IsotropicElastic,
         boundary: Boundary,
@@ -187,7 +187,7 @@ impl BulkRail {
     }
 
     /// The boundary of the mesh.
-    pub fn boundary(&self) -> Boundary {
+    pub(crate) fn boundary(&self) -> Boundary {
         self.boundary
     }
 
@@ -225,7 +225,7 @@ impl BulkRail {
 
     /// Merges the displacements (mm) of the free unknowns with those of the `held` ones, node by
     /// node.
-    pub fn at_nodes(&self, free: &[f64], held: impl Fn(Vec2) -> Vec2) -> Vec<Vec2> {
+    pub(crate) fn at_nodes(&self, free: &[f64], held: impl Fn(Vec2) -> Vec2) -> Vec<Vec2> {
         let node = |(node, [x, y]): (usize, &[Option<usize>; 2])| match (x, y) {
             (Some(x), Some(y)) => Vec2::new(free[*x], free[*y]),
             _ => {

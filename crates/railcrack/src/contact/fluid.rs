@@ -1,7 +1,5 @@
 //! Fluid in the cracks: its model, and the pockets of the faces that it fills.
 
-use crate::math::OutOfRange;
-
 /// How the pressure of the fluid follows from the wheel.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum FluidModel {
@@ -20,16 +18,7 @@ pub enum FluidModel {
     },
 }
 
-impl FluidModel {
-    /// Refuses a cap and a modulus that are not positive.
-    pub fn check(&self) -> Result<(), OutOfRange> {
-        let (quantity, value) = match self {
-            Self::Mouth { cap } => ("largest fluid pressure (MPa)", *cap),
-            Self::Trapped { bulk_modulus, .. } => ("bulk modulus of the fluid (MPa)", *bulk_modulus),
-        };
-        OutOfRange::unless(value > 0.0, quantity, value, "positive")
-    }
-}
+impl FluidModel {}
 
 /// The mouth of a pocket.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -111,5 +100,5 @@ pub struct PocketState {
 
 impl PocketState {
     /// A pocket whose mouth is free.
-    pub const FREE: Self = Self { status: PocketStatus::Vented, pressure: 0.0, content: 0.0 };
+    pub(crate) const FREE: Self = Self { status: PocketStatus::Vented, pressure: 0.0, content: 0.0 };
 }

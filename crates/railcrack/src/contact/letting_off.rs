@@ -40,7 +40,7 @@ impl Stepper<'_> {
     /// `accepted` as in [`Stepper::advance`].
     ///
     /// Errors: as [`Stepper::advance`].
-    pub fn release(
+    pub(crate) fn release(
         &mut self,
         k: usize,
         accepted: &mut dyn FnMut(&FaceSolution, &[f64]),

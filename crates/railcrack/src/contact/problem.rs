@@ -21,7 +21,7 @@ pub enum PointStatus {
 
 impl PointStatus {
     /// Whether the faces touch.
-    pub fn is_closed(self) -> bool {
+    pub(crate) fn is_closed(self) -> bool {
         self != Self::Open
     }
 
@@ -39,7 +39,7 @@ impl PointStatus {
     }
 
     /// The direction of slip: +1, −1, or 0 without slip.
-    pub fn direction(self) -> f64 {
+    pub(crate) fn direction(self) -> f64 {
         match self {
             Self::SlipForward => 1.0,
             Self::SlipBackward => -1.0,
@@ -109,7 +109,7 @@ impl<'a> FaceProblem<'a> {
     }
 
     /// The fluid in the cracks, if any.
-    pub fn fluid(&self) -> Option<&FaceFluid> {
+    pub(crate) fn fluid(&self) -> Option<&FaceFluid> {
         self.fluid.as_ref()
     }
 
@@ -129,7 +129,7 @@ impl<'a> FaceProblem<'a> {
     }
 
     /// Whether any face point has friction: only then does the history matter.
-    pub fn has_friction(&self) -> bool {
+    pub(crate) fn has_friction(&self) -> bool {
         self.friction.iter().any(|&mu| mu > 0.0)
     }
 
@@ -168,7 +168,7 @@ impl Clone for FaceSolution {
 
 impl FaceSolution {
     /// Unloaded virgin faces that just touch, dry.
-    pub fn virgin(points: usize) -> Self {
+    pub(crate) fn virgin(points: usize) -> Self {
         Self {
             jump: vec![0.0; 2 * points],
             contact: vec![0.0; 2 * points],
@@ -215,7 +215,7 @@ impl FaceSolution {
     /// The largest violation of the contact conditions: negative opening relative to `scale.jump`;
     /// tension, shear beyond friction, or force across an opening relative to `scale.force`.
     #[must_use]
-    pub fn violation(&self, problem: &FaceProblem, scale: FaceScale) -> f64 {
+    pub(crate) fn violation(&self, problem: &FaceProblem, scale: FaceScale) -> f64 {
         (0..problem.points()).fold(0.0f64, |worst, j| {
             let (tangential, normal) =
                 (self.contact[2 * j] / scale.force, self.contact[2 * j + 1] / scale.force);
@@ -231,7 +231,7 @@ pub(super) const ROUND_OFF: f64 = 1e-11;
 
 /// Scale of jumps and forces on the faces: the largest values so far.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FaceScale {
+pub(crate) struct FaceScale {
     /// Jump, mm.
     pub jump: f64,
     /// Nodal force, N/mm.
@@ -240,10 +240,10 @@ pub struct FaceScale {
 
 impl FaceScale {
     /// Nothing seen yet.
-    pub const NONE: Self = Self { jump: f64::MIN_POSITIVE, force: f64::MIN_POSITIVE };
+    pub(crate) const NONE: Self = Self { jump: f64::MIN_POSITIVE, force: f64::MIN_POSITIVE };
 
     /// This scale or the largest values of `solution` and `load`, whichever is larger.
-    pub fn including(self, solution: &FaceSolution, load: &[f64]) -> Self {
+    pub(crate) fn including(self, solution: &FaceSolution, load: &[f64]) -> Self {
         let largest = |values: &[f64], so_far: f64| values.iter().fold(so_far, |m, v| m.max(v.abs()));
         let force = largest(load, largest(&solution.contact, self.force));
         Self { jump: largest(&solution.jump, self.jump), force }

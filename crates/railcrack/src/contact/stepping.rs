@@ -158,7 +158,7 @@ impl Visited {
 
 /// State that faces carry from one part of their path to another.
 #[derive(Debug, Clone, PartialEq)]
-pub struct FaceHistory {
+pub(crate) struct FaceHistory {
     /// The accepted solution.
     pub solution: FaceSolution,
     /// Slip or opening of each point that counts as large, mm.
@@ -171,7 +171,7 @@ pub struct FaceHistory {
 
 impl FaceHistory {
     /// Virgin faces of `points` points without load; `expected` as in [`Stepper::new`].
-    pub fn virgin(points: usize, expected: &[f64]) -> Self {
+    pub(crate) fn virgin(points: usize, expected: &[f64]) -> Self {
         Self {
             solution: FaceSolution::virgin(points),
             scale: expected.iter().map(|slip| EXPECTED_SHARE * slip.abs()).collect(),
@@ -250,7 +250,7 @@ impl<'a> Stepper<'a> {
     }
 
     /// Faces that go on from `history`.
-    pub fn from_history(
+    pub(crate) fn from_history(
         problem: &'a FaceProblem<'a>,
         solver: &dyn ContactSolver,
         tolerance: f64,
@@ -266,7 +266,7 @@ impl<'a> Stepper<'a> {
     }
 
     /// All that is to be known to go on from here.
-    pub fn history(&self) -> FaceHistory {
+    pub(crate) fn history(&self) -> FaceHistory {
         FaceHistory {
             solution: self.current.clone(),
             scale: self.scale.clone(),
@@ -276,24 +276,24 @@ impl<'a> Stepper<'a> {
     }
 
     /// The same with another control of the steps.
-    pub fn with_control(self, control: StepControl) -> Self {
+    pub(crate) fn with_control(self, control: StepControl) -> Self {
         Self { control, ..self }
     }
 
     /// The same, given up as soon as `interrupted` says so: it is asked before each step.
-    pub fn with_interruption(self, interrupted: &'a (dyn Fn() -> bool + Sync)) -> Self {
+    pub(crate) fn with_interruption(self, interrupted: &'a (dyn Fn() -> bool + Sync)) -> Self {
         Self { interrupted, ..self }
     }
 
     /// The same, to keep the jumps of `points` on the way.
-    pub fn with_visits(self, points: Range<usize>) -> Self {
+    pub(crate) fn with_visits(self, points: Range<usize>) -> Self {
         Self { visited: Some(Visited { points, paths: Vec::new() }), ..self }
     }
 
     /// The jumps (mm) of the points of [`Stepper::with_visits`] along each path since, with their
     /// coordinates: from its beginning on, at every accepted solution and wherever a status
     /// changes.
-    pub fn take_visits(&mut self) -> Vec<Vec<(f64, Vec<f64>)>> {
+    pub(crate) fn take_visits(&mut self) -> Vec<Vec<(f64, Vec<f64>)>> {
         self.visited.as_mut().map_or(Vec::new(), |visited| std::mem::take(&mut visited.paths))
     }
 
@@ -304,7 +304,7 @@ impl<'a> Stepper<'a> {
 
     /// Whether the current solution is `other`, as far as what comes after it can tell: the same
     /// statuses, and jumps that differ by less than a thousandth of the error that a step may make.
-    pub fn is_like(&self, other: &FaceSolution) -> bool {
+    pub(crate) fn is_like(&self, other: &FaceSolution) -> bool {
         let near = |i: usize| (self.current.jump[i] - other.jump[i]).abs() <= ALIKE * self.allowed(i / 2);
         let filled = |(one, other): (&PocketState, &PocketState)| {
             let near = (one.content - other.content).abs() <= ALIKE * self.tolerance * other.content.abs();

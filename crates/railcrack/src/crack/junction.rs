@@ -27,14 +27,14 @@ pub struct CrackTip {
 
 impl CrackTip {
     /// The end of the crack that it is.
-    pub fn crack_end(self) -> CrackEnd {
+    pub(crate) fn crack_end(self) -> CrackEnd {
         CrackEnd { crack: self.crack, end: self.end }
     }
 }
 
 /// Kinds of crack ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum EndKind {
+pub(crate) enum EndKind {
     /// It ends in the steel: a singular stress ahead, and it may grow.
     Tip,
     /// It breaks the running surface.
@@ -43,8 +43,8 @@ pub enum EndKind {
     Junction,
 }
 
-/// An end of a crack that lies on another crack: at a vertex of that one, bit for bit, so that the
-/// junction stays where it is whatever grows later. [`Crack::with_vertex`] makes the vertex.
+/// An end of a crack that lies on another crack. It coincides with a vertex of the receiving crack,
+/// bit for bit, so that later growth of either crack does not move the junction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Junction {
     /// The end that lies on the other crack.
@@ -55,7 +55,7 @@ pub struct Junction {
 
 /// A point at which cracks of a network meet.
 #[derive(Debug, Clone, PartialEq)]
-pub struct JunctionPoint {
+pub(crate) struct JunctionPoint {
     /// Where, mm.
     pub position: Vec2,
     /// The ends that lie there, in order of crack and end. No other end does.
@@ -66,7 +66,7 @@ pub struct JunctionPoint {
 
 /// A crack at a junction that is not at one of its ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Passing {
+pub(crate) struct Passing {
     /// Index of the crack, from 0.
     pub crack: usize,
     /// Index of the junction among its points, from 0; segment `vertex` − 1 ends there and segment
@@ -84,26 +84,13 @@ impl JunctionPoint {
     }
 
     /// Whether `crack` is at this point.
-    pub fn holds(&self, crack: usize) -> bool {
+    pub(crate) fn holds(&self, crack: usize) -> bool {
         self.ends.iter().any(|end| end.crack == crack)
             || self.through.is_some_and(|passing| passing.crack == crack)
     }
 }
 
 impl Crack {
-    /// This crack with one more vertex, at `point` (mm) on segment `segment` (from 0): unchanged
-    /// where one of the ends of the segment is there already, bit for bit. Errors as
-    /// [`Crack::polyline`].
-    pub fn with_vertex(&self, segment: usize, point: Vec2) -> Result<Self, super::CrackError> {
-        let (from, to) = self.segment(segment);
-        if from == point || to == point {
-            return Ok(self.clone());
-        }
-        let mut points = self.points().to_vec();
-        points.insert(segment + 1, point);
-        Self::polyline(points)
-    }
-
     /// Index of the vertex at `point`, bit for bit; none where there is none.
     pub fn vertex_at(&self, point: Vec2) -> Option<usize> {
         self.points().iter().position(|&p| p == point)

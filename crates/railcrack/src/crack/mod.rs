@@ -9,7 +9,8 @@ mod walk;
 
 pub use distance::segment_distance;
 pub(crate) use distance::{from_nearest, point_to_segment};
-pub use junction::{CrackEnd, CrackTip, EndKind, Junction, JunctionPoint, Passing};
+pub use junction::{CrackEnd, CrackTip, Junction};
+pub(crate) use junction::{EndKind, JunctionPoint, Passing};
 pub use network::{CrackNetwork, NetworkError};
 pub use polyline::{Crack, CrackError, End};
 pub use walk::Walk;

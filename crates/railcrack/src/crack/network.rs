@@ -113,12 +113,12 @@ impl CrackNetwork {
     }
 
     /// The points at which cracks meet, in order of the first junction there.
-    pub fn junction_points(&self) -> &[JunctionPoint] {
+    pub(crate) fn junction_points(&self) -> &[JunctionPoint] {
         &self.points
     }
 
     /// The kind of `end`.
-    pub fn end_kind(&self, end: CrackEnd) -> EndKind {
+    pub(crate) fn end_kind(&self, end: CrackEnd) -> EndKind {
         if end.end == End::First && self.cracks[end.crack].is_surface_breaking() {
             EndKind::Mouth
         } else if self.points.iter().any(|point| point.ends.contains(&end)) {
@@ -129,7 +129,7 @@ impl CrackNetwork {
     }
 
     /// The ends of crack `crack` (from 0) that are tips, first before last.
-    pub fn tips_of(&self, crack: usize) -> Vec<End> {
+    pub(crate) fn tips_of(&self, crack: usize) -> Vec<End> {
         let is_tip = |end: &End| self.end_kind(CrackEnd { crack, end: *end }) == EndKind::Tip;
         [End::First, End::Last].into_iter().filter(is_tip).collect()
     }
@@ -144,7 +144,7 @@ impl CrackNetwork {
     }
 
     /// The walk along each crack, with the square-root parameter at its tips.
-    pub fn walks(&self) -> Vec<Walk> {
+    pub(crate) fn walks(&self) -> Vec<Walk> {
         self.cracks
             .iter()
             .enumerate()

@@ -13,7 +13,7 @@ fn junction(crack: usize, end: End, onto: usize) -> Junction {
 
 /// A buried crack with a vertex at (0.3, −5).
 fn receiving() -> Crack {
-    crack(&[(-3.0, -5.0), (2.0, -5.0)]).with_vertex(0, Vec2::new(0.3, -5.0)).unwrap()
+    crack(&[(-3.0, -5.0), (0.3, -5.0), (2.0, -5.0)])
 }
 
 #[test]

@@ -37,7 +37,7 @@ impl Walk {
     }
 
     /// The walk along `crack`, whose tips are `tips`.
-    pub fn with_tips(crack: &Crack, tips: &[End]) -> Self {
+    pub(crate) fn with_tips(crack: &Crack, tips: &[End]) -> Self {
         let points = crack.points().to_vec();
         let lengths: Vec<f64> = points.windows(2).map(|p| (p[1] - p[0]).length()).collect();
         let tangents = points.windows(2).map(|p| (p[1] - p[0]).normalised()).collect();
@@ -60,12 +60,12 @@ impl Walk {
     }
 
     /// Whether the first point is a mouth.
-    pub fn is_surface_breaking(&self) -> bool {
+    pub(crate) fn is_surface_breaking(&self) -> bool {
         self.surface_breaking
     }
 
     /// Whether `end` is a tip.
-    pub fn has_tip(&self, end: End) -> bool {
+    pub(crate) fn has_tip(&self, end: End) -> bool {
         match end {
             End::First => matches!(self.tips, Tips::First | Tips::Both),
             End::Last => matches!(self.tips, Tips::Last | Tips::Both),
@@ -73,17 +73,17 @@ impl Walk {
     }
 
     /// The first point, mm.
-    pub fn first_point(&self) -> Vec2 {
+    pub(crate) fn first_point(&self) -> Vec2 {
         self.points[0]
     }
 
     /// The last point, mm.
-    pub fn last_point(&self) -> Vec2 {
+    pub(crate) fn last_point(&self) -> Vec2 {
         self.points[self.points.len() - 1]
     }
 
     /// Length, mm.
-    pub fn length(&self) -> f64 {
+    pub(crate) fn length(&self) -> f64 {
         self.from_last[0]
     }
 
@@ -98,12 +98,12 @@ impl Walk {
     }
 
     /// dg/d√r at a tip.
-    pub fn root_slope(&self) -> f64 {
+    pub(crate) fn root_slope(&self) -> f64 {
         if self.tips == Tips::Both { 2.0 / self.length().sqrt() } else { 1.0 }
     }
 
     /// Arc length (mm) from the first point.
-    pub fn s(&self, g: f64) -> f64 {
+    pub(crate) fn s(&self, g: f64) -> f64 {
         match self.tips {
             Tips::None => g,
             Tips::First => g * g,
@@ -113,7 +113,7 @@ impl Walk {
     }
 
     /// ds/dg, not negative.
-    pub fn ds(&self, g: f64) -> f64 {
+    pub(crate) fn ds(&self, g: f64) -> f64 {
         match self.tips {
             Tips::None => 1.0,
             Tips::First => 2.0 * g,
@@ -133,12 +133,12 @@ impl Walk {
     }
 
     /// Unit vector along segment `segment`.
-    pub fn tangent(&self, segment: usize) -> Vec2 {
+    pub(crate) fn tangent(&self, segment: usize) -> Vec2 {
         self.tangents[segment]
     }
 
     /// The parameter at the start of each segment, and at the end of the last.
-    pub fn vertices(&self) -> Vec<f64> {
+    pub(crate) fn vertices(&self) -> Vec<f64> {
         let (start, end) = self.range();
         let n = self.points.len();
         (0..n)
@@ -152,7 +152,7 @@ impl Walk {
     }
 
     /// The point at `g`, which lies on `segment`.
-    pub fn position(&self, segment: usize, g: f64) -> Vec2 {
+    pub(crate) fn position(&self, segment: usize, g: f64) -> Vec2 {
         let tangent = self.tangents[segment];
         let ahead = |s: f64| self.points[segment] + tangent * (s - self.from_first[segment]);
         let back = |r: f64| self.points[segment + 1] - tangent * (r - self.from_last[segment + 1]);
@@ -164,22 +164,22 @@ impl Walk {
     }
 
     /// The segment on which g lies.
-    pub fn segment_at(&self, g: f64, vertices: &[f64]) -> usize {
+    pub(crate) fn segment_at(&self, g: f64, vertices: &[f64]) -> usize {
         vertices[1..vertices.len() - 1].partition_point(|&v| v < g)
     }
 
     /// Number of straight segments.
-    pub fn segments(&self) -> usize {
+    pub(crate) fn segments(&self) -> usize {
         self.tangents.len()
     }
 
     /// Arc length (mm) from the first point to point `i` of the crack.
-    pub fn from_first(&self, i: usize) -> f64 {
+    pub(crate) fn from_first(&self, i: usize) -> f64 {
         self.from_first[i]
     }
 
     /// The angle (radians, 0 to π) by which the walk turns at point `i`, not an end.
-    pub fn turn(&self, i: usize) -> f64 {
+    pub(crate) fn turn(&self, i: usize) -> f64 {
         let (before, after) = (self.tangents[i - 1], self.tangents[i]);
         let angle = before.cross(after).asin().abs();
         if before.dot(after) < 0.0 { std::f64::consts::PI - angle } else { angle }

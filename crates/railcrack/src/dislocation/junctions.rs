@@ -60,12 +60,12 @@ pub(super) struct Core {
 
 impl Core {
     /// Arc length from the junction to where the jumps begin to change, mm.
-    pub fn inner(&self) -> f64 {
+    pub(crate) fn inner(&self) -> f64 {
         INNER * self.radius
     }
 
     /// Whether this core lies on `crack` at its point `vertex`.
-    pub fn is_at(&self, crack: usize, vertex: usize) -> bool {
+    pub(crate) fn is_at(&self, crack: usize, vertex: usize) -> bool {
         self.arms.iter().any(|arm| arm.crack == crack && arm.vertex == vertex)
     }
 }
@@ -116,13 +116,13 @@ pub(super) struct Ties {
 
 impl Ties {
     /// The face points that node `node` follows, with their factors.
-    pub fn of(&self, node: usize) -> &[(usize, f64)] {
+    pub(crate) fn of(&self, node: usize) -> &[(usize, f64)] {
         &self.follows[node]
     }
 
     /// The ties of `cores` between the nodes of `elements`, which are the points of `faces`; and
     /// the points that remain free, which take over the tractions of the others.
-    pub fn new(
+    pub(crate) fn new(
         cores: &[Core],
         walks: &[Walk],
         elements: &[FaceElement],

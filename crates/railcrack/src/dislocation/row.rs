@@ -26,7 +26,7 @@ impl Row<'_> {
     /// A crack by crack, without what the tips need.
     ///
     /// Errors: an interruption.
-    pub fn stiffness(&self, interruption: Interruption<'_>) -> Result<BlockStiffness, Interrupted> {
+    pub(crate) fn stiffness(&self, interruption: Interruption<'_>) -> Result<BlockStiffness, Interrupted> {
         let units = Units::new(self.network, self.walks);
         let unit_of = units.of_cracks();
         let count = units.cracks.len();

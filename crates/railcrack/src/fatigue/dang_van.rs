@@ -31,7 +31,7 @@ impl DangVan {
     /// max over time of τ + a p_h on a cycle of stresses `path` (MPa, in any order, residual stress
     /// included); s* is the centre of the smallest ball (Frobenius norm) around the deviators. None
     /// for an empty path.
-    pub fn value(&self, path: &[Stress]) -> Option<DangVanValue> {
+    pub(crate) fn value(&self, path: &[Stress]) -> Option<DangVanValue> {
         let deviators: Vec<[f64; 3]> = path.iter().map(|stress| stress.deviator()).collect();
         let centre = smallest_ball(&deviators).centre;
         let at = |(time, (stress, deviator)): (usize, (&Stress, &[f64; 3]))| {

@@ -26,7 +26,7 @@ impl EquivalentRange {
 
     /// ΔK_eq of the ranges `delta_ki` and `delta_kii`; all MPa √mm.
     #[must_use]
-    pub fn of(&self, delta_ki: f64, delta_kii: f64) -> f64 {
+    pub(crate) fn of(&self, delta_ki: f64, delta_kii: f64) -> f64 {
         match *self {
             Self::HourlierPineau { mode_2_weight } => {
                 (delta_ki * delta_ki + mode_2_weight * delta_kii * delta_kii).sqrt()
@@ -48,7 +48,7 @@ impl EquivalentRange {
     /// * Richard, Fulland & Sander 2005: ΔK_I/2 + ½ √(ΔK_I² + 4 (1.155 ΔK_II)² + 4 ΔK_III²).
     /// * Bold, Brown & Allen give none: that of ΔK_I and ΔK_II.
     #[must_use]
-    pub fn of_three(
+    pub(crate) fn of_three(
         &self,
         [delta_ki, delta_kii, delta_kiii]: [f64; 3],
         poisson: f64,
@@ -78,17 +78,6 @@ impl EquivalentRange {
             Self::Tanaka => "dK^4 = dKI^4 + 8 dKII^4".to_owned(),
             Self::Richard => "dK = dKI/2 + sqrt(dKI^2 + 4 (1.155 dKII)^2)/2".to_owned(),
             Self::Bold => "dK^2 = dKI^2 + [(614/507) dKII^3.21]^(2/3.74)".to_owned(),
-        }
-    }
-
-    /// The name in case files.
-    #[must_use]
-    pub fn name(&self) -> &'static str {
-        match self {
-            Self::HourlierPineau { .. } => "hourlier-pineau",
-            Self::Tanaka => "tanaka",
-            Self::Richard => "richard",
-            Self::Bold => "bold",
         }
     }
 }

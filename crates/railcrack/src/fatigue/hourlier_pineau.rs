@@ -50,7 +50,7 @@ pub struct SecondaryMaximum {
 
 /// The history of a tip under one wheel of a mix.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct WheelHistory<'a> {
+pub(crate) struct WheelHistory<'a> {
     /// Share of the axles.
     pub share: f64,
     /// K through the stabilised passage of this wheel.
@@ -86,7 +86,7 @@ impl HourlierPineau {
     ///
     /// A single wheel is [`HourlierPineau::kink`].
     #[must_use]
-    pub fn kink_of_mix(&self, wheels: &[WheelHistory]) -> Option<Kink> {
+    pub(crate) fn kink_of_mix(&self, wheels: &[WheelHistory]) -> Option<Kink> {
         let samples = || wheels.iter().flat_map(|wheel| &wheel.history.samples);
         if !samples().all(|k| k.ki.is_finite() && k.kii.is_finite()) {
             return None;

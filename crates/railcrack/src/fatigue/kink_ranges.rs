@@ -14,7 +14,7 @@ pub(super) struct KinkRanges {
 }
 
 impl KinkRanges {
-    pub fn of(extremes: &[Sif], angle: f64) -> Self {
+    pub(crate) fn of(extremes: &[Sif], angle: f64) -> Self {
         let functions = KinkFunctions::at(angle);
         let (mut k1_low, mut k1_top) = (f64::INFINITY, f64::NEG_INFINITY);
         let (mut k2_low, mut k2_high) = (f64::INFINITY, f64::NEG_INFINITY);
@@ -35,12 +35,12 @@ impl KinkRanges {
     }
 
     /// With negative k1 clipped at zero.
-    pub fn clipped(&self) -> LoadRange {
+    pub(crate) fn clipped(&self) -> LoadRange {
         LoadRange::new(self.delta_k1, self.delta_k2, self.k1_max)
     }
 
     /// With negative k1 counted.
-    pub fn unclipped(&self) -> LoadRange {
+    pub(crate) fn unclipped(&self) -> LoadRange {
         LoadRange { delta_ki: self.delta_k1_unclipped, ..self.clipped() }
     }
 }

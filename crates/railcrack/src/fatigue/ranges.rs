@@ -29,7 +29,7 @@ impl SifRanges {
 
     /// The range under which a growth law is taken, with its ratio R of K_I.
     #[must_use]
-    pub fn load(&self) -> LoadRange {
+    pub(crate) fn load(&self) -> LoadRange {
         LoadRange::new(self.delta_ki, self.delta_kii, self.ki_max)
     }
 }

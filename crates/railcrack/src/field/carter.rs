@@ -58,11 +58,6 @@ impl CarterWheel {
             edges: contact.edges(),
         })
     }
-
-    /// The contact.
-    pub fn contact(&self) -> &CarterContact {
-        &self.contact
-    }
 }
 
 impl StuckShear {

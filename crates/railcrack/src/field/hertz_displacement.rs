@@ -17,7 +17,7 @@ use crate::math::Vec2;
 /// load moves a half-plane without bound, like the logarithm of the distance; the rigid motion is
 /// that of I without a constant, which has no rotation far away.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct HertzDisplacement {
+pub(crate) struct HertzDisplacement {
     per_half_width: f64,
     friction: f64,
     /// κ = 3 − 4ν.
@@ -28,7 +28,7 @@ pub struct HertzDisplacement {
 
 impl HertzDisplacement {
     /// The displacement under `contact` in a rail of `steel`.
-    pub fn new(contact: &HertzianContact, steel: &IsotropicElastic) -> Self {
+    pub(crate) fn new(contact: &HertzianContact, steel: &IsotropicElastic) -> Self {
         Self {
             per_half_width: 1.0 / contact.half_width,
             friction: contact.friction,
@@ -39,7 +39,7 @@ impl HertzDisplacement {
 
     /// The displacement (mm) of `point` (mm) for a contact centred at `xc` (mm). A point above the
     /// surface is taken as on it.
-    pub fn displacement(&self, point: Vec2, xc: f64) -> Vec2 {
+    pub(crate) fn displacement(&self, point: Vec2, xc: f64) -> Vec2 {
         let x = (point.x - xc) * self.per_half_width;
         let y = (point.y * self.per_half_width).min(0.0);
         let root = Root::of(x, y);

@@ -101,7 +101,7 @@ pub(super) fn side_by_side(field: &impl Lanes, points: &[Vec2], xc: f64) -> Vec<
 
 impl HertzField {
     /// [`HertzField::stress`] at many points (mm), the same bits.
-    pub fn stresses(&self, points: &[Vec2], xc: f64) -> Vec<Stress> {
+    pub(crate) fn stresses(&self, points: &[Vec2], xc: f64) -> Vec<Stress> {
         side_by_side(self, points, xc)
     }
 }

@@ -16,7 +16,7 @@ mod wheels;
 pub use bending::BendingWheel;
 pub use carter::CarterWheel;
 pub use depth_profile::{DepthProfile, ProfileError};
-pub use hertz_displacement::HertzDisplacement;
+pub(crate) use hertz_displacement::HertzDisplacement;
 pub use hertz_half_plane::HertzField;
 pub use table::TableWheel;
 pub use wheel::{EndField, EndsError, HertzWheel, RailEnds, StressesUnderWheel, Wheel};

@@ -149,7 +149,8 @@ impl TablePotential {
         sum
     }
 
-    /// The transforms at x + i y, y ≤ 0, node by node.
+    /// The transforms at x + i y, y ≤ 0, node by node: the reference of the tests.
+    #[cfg(test)]
     pub(super) fn directly(&self, x: f64, y: f64) -> Transforms {
         let mut sum = Transforms::default();
         self.nodes.iter().for_each(|node| node.add(x, y, &mut sum));

@@ -8,7 +8,7 @@ use pulp::{Arch, Simd, WithSimd};
 /// by a further unknown costs as much as a solution, and the last unknowns are removed at no cost.
 /// For matrices whose leading blocks are well conditioned.
 #[derive(Debug, Clone, Default)]
-pub struct BorderedFactor {
+pub(crate) struct BorderedFactor {
     lower: Triangle,
     upper: Triangle,
     /// The diagonal of U.
@@ -39,12 +39,12 @@ const SINGULAR: f64 = 1e-10;
 
 impl BorderedFactor {
     /// Number of unknowns.
-    pub fn order(&self) -> usize {
+    pub(crate) fn order(&self) -> usize {
         self.pivots.len()
     }
 
     /// Removes all unknowns but the first `order`.
-    pub fn truncate(&mut self, order: usize) {
+    pub(crate) fn truncate(&mut self, order: usize) {
         self.pivots.truncate(order);
         for triangle in [&mut self.lower, &mut self.upper] {
             triangle.entries.truncate(Triangle::start(self.pivots.len()));
@@ -56,7 +56,7 @@ impl BorderedFactor {
     ///
     /// Errors, which leave the factor as it was: another length; a pivot below 1e-10 of the largest
     /// of the new entries.
-    pub fn push(&mut self, row: &[f64], column: &[f64], diagonal: f64) -> Result<(), LinearError> {
+    pub(crate) fn push(&mut self, row: &[f64], column: &[f64], diagonal: f64) -> Result<(), LinearError> {
         let order = self.order();
         for (quantity, given) in [
             ("entries of a row left of the diagonal", row.len()),
@@ -81,7 +81,7 @@ impl BorderedFactor {
     /// Solves A x = b in place: `right` is b and becomes x.
     ///
     /// Errors: another length.
-    pub fn solve(&self, right: &mut [f64]) -> Result<(), LinearError> {
+    pub(crate) fn solve(&self, right: &mut [f64]) -> Result<(), LinearError> {
         if right.len() != self.order() {
             let quantity = "entries of a right-hand side";
             return Err(LinearError::WrongLength { quantity, given: right.len(), expected: self.order() });

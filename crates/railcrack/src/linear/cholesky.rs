@@ -25,7 +25,7 @@ impl SparseCholesky {
     }
 
     /// [`SparseCholesky::analyse`], given up on an `interruption`.
-    pub fn analyse_unless(
+    pub(crate) fn analyse_unless(
         interruption: Interruption<'_>,
         matrix: &impl ElementSum,
         order: Vec<usize>,
@@ -45,7 +45,7 @@ impl SparseCholesky {
     }
 
     /// [`SparseCholesky::factor`], given up on an `interruption`.
-    pub fn factor_unless(
+    pub(crate) fn factor_unless(
         &self,
         interruption: Interruption<'_>,
         matrix: &impl ElementSum,

@@ -95,7 +95,7 @@ pub(super) fn eliminate(
 /// that neighbouring rows share are skipped.
 ///
 /// Errors: an interruption.
-pub fn products_of_rows(rows: &Matrix, interruption: Interruption<'_>) -> Result<Matrix, Interrupted> {
+pub(crate) fn products_of_rows(rows: &Matrix, interruption: Interruption<'_>) -> Result<Matrix, Interrupted> {
     let (count, length) = (rows.rows(), rows.columns());
     let all = MatRef::from_row_major_slice(rows.entries(), count, length);
     let mut products = Matrix::zeros(count, count);
@@ -144,7 +144,7 @@ pub fn product(a: &Matrix, b: &Matrix) -> Result<Matrix, LinearError> {
 /// sum += factor A B.
 ///
 /// Errors: shapes that do not fit.
-pub fn add_product(factor: f64, a: &Matrix, b: &Matrix, sum: &mut Matrix) -> Result<(), LinearError> {
+pub(crate) fn add_product(factor: f64, a: &Matrix, b: &Matrix, sum: &mut Matrix) -> Result<(), LinearError> {
     let (rows, inner, columns) = (a.rows(), a.columns(), b.columns());
     for (quantity, given, expected) in [
         ("rows of the second factor of a product", b.rows(), inner),
@@ -170,7 +170,7 @@ pub fn add_product(factor: f64, a: &Matrix, b: &Matrix, sum: &mut Matrix) -> Res
 /// partial pivoting. Below some dozens of unknowns a call of the blocked factorisation costs more
 /// than this.
 #[derive(Debug, Clone)]
-pub struct SmallFactor {
+pub(crate) struct SmallFactor {
     /// U on and above the diagonal, L below, whose diagonal is one.
     entries: Matrix,
     /// The row with which row k was interchanged before its elimination.
@@ -181,7 +181,7 @@ impl SmallFactor {
     /// Factors `matrix`.
     ///
     /// Errors: a matrix that is not square; a pivot below 1e-12 of the largest entry.
-    pub fn new(mut matrix: Matrix) -> Result<Self, LinearError> {
+    pub(crate) fn new(mut matrix: Matrix) -> Result<Self, LinearError> {
         let order = matrix.rows();
         if matrix.columns() != order {
             let quantity = "columns of a matrix to factor";
@@ -215,7 +215,7 @@ impl SmallFactor {
     /// Solves A x = b in place: `right` is b and becomes x.
     ///
     /// Errors: another length.
-    pub fn solve(&self, right: &mut [f64]) -> Result<(), LinearError> {
+    pub(crate) fn solve(&self, right: &mut [f64]) -> Result<(), LinearError> {
         let order = self.entries.rows();
         if right.len() != order {
             let quantity = "entries of a right-hand side";
@@ -271,7 +271,10 @@ pub fn spd_inverse(matrix: &Matrix) -> Result<Matrix, LinearError> {
 }
 
 /// [`spd_inverse`], given up on an `interruption`.
-pub fn spd_inverse_unless(interruption: Interruption<'_>, matrix: &Matrix) -> Result<Matrix, LinearError> {
+pub(crate) fn spd_inverse_unless(
+    interruption: Interruption<'_>,
+    matrix: &Matrix,
+) -> Result<Matrix, LinearError> {
     let order = matrix.rows();
     let mut factor = matrix.clone();
     eliminate(factor.entries_mut(), order, order, interruption)

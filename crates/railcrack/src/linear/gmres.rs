@@ -4,7 +4,7 @@ use crate::math::{axpy, dot};
 
 /// The combination of directions that solves a linear system best.
 #[derive(Debug, Clone, PartialEq)]
-pub struct LeastResidual {
+pub(crate) struct LeastResidual {
     /// The factor of each direction.
     pub factors: Vec<f64>,
     /// Residual over the size of the right-hand side.
@@ -18,7 +18,7 @@ pub struct LeastResidual {
 /// `product`: A times a direction; the caller keeps the direction, or what it stands for.
 ///
 /// Errors: those of `product`.
-pub fn least_residual<E>(
+pub(crate) fn least_residual<E>(
     right: &[f64],
     tolerance: f64,
     most: usize,

@@ -13,7 +13,7 @@ use rayon::prelude::*;
 /// The triangular factors of a square matrix, by Gaussian elimination with partial pivoting in
 /// panels of columns. The bits do not depend on the number of threads.
 #[derive(Debug, Clone)]
-pub struct LargeFactor {
+pub(crate) struct LargeFactor {
     /// Row j is column j of the factors: U on and above the diagonal, L below, whose diagonal is
     /// one.
     columns: Matrix,
@@ -31,7 +31,7 @@ impl LargeFactor {
     /// Factors the matrix of which row j of `columns` is column j.
     ///
     /// Errors: a matrix that is not square; a pivot below 1e-12 of the largest entry.
-    pub fn of_columns(mut columns: Matrix) -> Result<Self, LinearError> {
+    pub(crate) fn of_columns(mut columns: Matrix) -> Result<Self, LinearError> {
         let order = columns.rows();
         if columns.columns() != order {
             let quantity = "columns of a matrix to factor";
@@ -78,14 +78,14 @@ impl LargeFactor {
     }
 
     /// Number of unknowns.
-    pub fn order(&self) -> usize {
+    pub(crate) fn order(&self) -> usize {
         self.rows.len()
     }
 
     /// A⁻¹ b.
     ///
     /// Errors: another length.
-    pub fn solve(&self, right: &[f64]) -> Result<Vec<f64>, LinearError> {
+    pub(crate) fn solve(&self, right: &[f64]) -> Result<Vec<f64>, LinearError> {
         let order = self.order();
         if right.len() != order {
             let quantity = "entries of a right-hand side";

@@ -22,8 +22,9 @@ mod sweep;
 
 pub(crate) use bordered::BorderedFactor;
 pub use cholesky::{SparseCholesky, SparseFactor};
+pub(crate) use dense::spd_inverse_unless;
 pub(crate) use dense::{SmallFactor, add_product, products_of_rows};
-pub use dense::{general_inverse, product, spd_inverse, spd_inverse_unless};
+pub use dense::{general_inverse, product, spd_inverse};
 pub use elements::ElementSum;
 pub use error::LinearError;
 pub(crate) use gmres::least_residual;

@@ -31,11 +31,11 @@ pub struct ReachedPanel {
 }
 
 /// Number of columns solved side by side.
-pub const PANEL_COLUMNS: usize = LANES;
+pub(crate) const PANEL_COLUMNS: usize = LANES;
 
 impl ReachedPanel {
     /// Number of columns.
-    pub fn columns(&self) -> usize {
+    pub(crate) fn columns(&self) -> usize {
         self.columns
     }
 
@@ -50,11 +50,6 @@ impl ReachedPanel {
     /// The supernodes that its columns reach.
     pub(super) fn supernodes(&self) -> &[u32] {
         &self.supernodes
-    }
-
-    /// Number of stored rows.
-    pub fn rows(&self) -> usize {
-        self.rows.len()
     }
 }
 
@@ -124,7 +119,7 @@ impl SparseFactor {
     /// entries of the right-hand sides to the root of the elimination tree.
     ///
     /// Errors: another length; an unknown that does not exist.
-    pub fn solve_for(
+    pub(crate) fn solve_for(
         &self,
         wanted: impl IntoIterator<Item = usize>,
         columns: &mut [f64],

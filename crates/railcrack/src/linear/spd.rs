@@ -16,7 +16,7 @@ use std::sync::Arc;
 /// It is made in blocks of rows from the first on. A row of L depends only on the rows of K up to
 /// its own, so that a matrix with the same leading rows takes over their blocks, which are shared.
 #[derive(Debug, Clone, Default)]
-pub struct SpdFactor {
+pub(crate) struct SpdFactor {
     order: usize,
     blocks: Vec<Arc<Block>>,
 }
@@ -41,7 +41,7 @@ impl SpdFactor {
     ///
     /// Errors: a matrix that is not positive definite (the unknown is named).
     #[cfg(test)]
-    pub fn new(order: usize, fill: impl Fn(usize, &mut [f64]) + Sync) -> Result<Self, LinearError> {
+    pub(crate) fn new(order: usize, fill: impl Fn(usize, &mut [f64]) + Sync) -> Result<Self, LinearError> {
         Self::default().changed(0, order, Interruption::NEVER, fill)
     }
 
@@ -49,7 +49,7 @@ impl SpdFactor {
     /// are those of a factorisation from scratch.
     ///
     /// Errors: a matrix that is not positive definite; an interruption.
-    pub fn changed(
+    pub(crate) fn changed(
         mut self,
         unchanged: usize,
         order: usize,
@@ -72,7 +72,7 @@ impl SpdFactor {
 
     /// Number of rows that [`SpdFactor::changed`] takes over from this factor, without asking for
     /// them, if those before `unchanged` are the same.
-    pub fn kept(&self, unchanged: usize) -> usize {
+    pub(crate) fn kept(&self, unchanged: usize) -> usize {
         unchanged.min(self.order) / BLOCK * BLOCK
     }
 
@@ -127,7 +127,7 @@ impl SpdFactor {
     /// K⁻¹ Bᵀ. The leading zeros that neighbouring rows share are skipped.
     ///
     /// Errors: rows of another length; an interruption.
-    pub fn half_solve_rows(
+    pub(crate) fn half_solve_rows(
         &self,
         mut right: Matrix,
         interruption: Interruption<'_>,
@@ -149,7 +149,7 @@ impl SpdFactor {
     /// L⁻ᵀ `half`, in place: K⁻¹ b from L⁻¹ b.
     ///
     /// Errors: another length.
-    pub fn back_solve(&self, half: &mut [f64]) -> Result<(), LinearError> {
+    pub(crate) fn back_solve(&self, half: &mut [f64]) -> Result<(), LinearError> {
         self.expect_length(half.len())?;
         let mut rest = MatMut::from_column_major_slice_mut(half, self.order, 1);
         for block in self.blocks.iter().rev() {

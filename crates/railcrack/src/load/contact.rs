@@ -60,15 +60,6 @@ impl Contact {
         }
     }
 
-    /// Q′ = ∫ q du, N/mm along +x on the rail.
-    pub fn shear_load(&self) -> f64 {
-        match self {
-            Self::Hertz(contact) => contact.friction * contact.line_load(),
-            Self::Carter(contact) => contact.shear_load(),
-            Self::Table(contact) => contact.shear_load(),
-        }
-    }
-
     /// Q′/P′, positive where the wheel drags the rail along +x.
     pub fn adhesion(&self) -> f64 {
         match self {
@@ -79,7 +70,7 @@ impl Contact {
     }
 
     /// The middle of the contact, mm from x_c: a table need not lie evenly about it.
-    pub fn middle(&self) -> f64 {
+    pub(crate) fn middle(&self) -> f64 {
         match self {
             Self::Table(contact) => contact.middle(),
             _ => 0.0,
@@ -153,7 +144,6 @@ mod tests {
             // The chords of an ellipse enclose less: (step)^(3/2).
             assert!((contact.line_load() / hertz.line_load() - 1.0).abs() < 2e-5, "{contact:?}");
             assert!((contact.adhesion() + 0.15).abs() < 1e-12);
-            assert!((contact.shear_load() / contact.line_load() + 0.15).abs() < 1e-12);
             assert!(contact.check().is_ok());
         }
         assert_eq!(all.iter().filter_map(Contact::sliding).count(), 1);

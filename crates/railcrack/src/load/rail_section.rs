@@ -87,12 +87,6 @@ impl NamedSection {
         SECTIONS.iter().find(|section| same(section.name) || section.aliases.iter().any(|alias| same(alias)))
     }
 
-    /// All names, aliases last.
-    pub fn names() -> impl Iterator<Item = &'static str> {
-        let aliases = SECTIONS.iter().flat_map(|section| section.aliases);
-        SECTIONS.iter().map(|section| section.name).chain(aliases.copied())
-    }
-
     /// Its data for bending.
     pub fn section(&self) -> RailSection {
         RailSection {
@@ -123,6 +117,5 @@ mod tests {
     fn known_by_old_and_new_names() {
         assert_eq!(NamedSection::of("uic 60"), NamedSection::of("60E1"));
         assert!(NamedSection::of("60E1").is_some() && NamedSection::of("61E1").is_none());
-        assert_eq!(NamedSection::names().next(), Some("60E1"));
     }
 }

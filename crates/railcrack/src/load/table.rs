@@ -105,7 +105,7 @@ impl TableContact {
     }
 
     /// The middle of the table, mm from x_c.
-    pub fn middle(&self) -> f64 {
+    pub(crate) fn middle(&self) -> f64 {
         0.5 * (self.rows[self.rows.len() - 1].u + self.rows[0].u)
     }
 
@@ -120,7 +120,7 @@ impl TableContact {
     }
 
     /// ∫ q du, N/mm along +x on the rail.
-    pub fn shear_load(&self) -> f64 {
+    pub(crate) fn shear_load(&self) -> f64 {
         self.integral(|row| row.shear)
     }
 
@@ -133,7 +133,7 @@ impl TableContact {
 
     /// Ends of the patches, where the traction begins or ceases: abscissae from x_c, increasing,
     /// mm.
-    pub fn edges(&self) -> Vec<f64> {
+    pub(crate) fn edges(&self) -> Vec<f64> {
         let loaded = |row: &ContactRow| row.pressure != 0.0 || row.shear != 0.0;
         let rows = &self.rows;
         let edge = |i: &usize| {

@@ -4,7 +4,7 @@ use super::vector::dot3;
 
 /// A ball in three dimensions.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Ball {
+pub(crate) struct Ball {
     /// Centre.
     pub centre: [f64; 3],
     /// Radius.
@@ -27,7 +27,7 @@ const PIVOTS: usize = 1000;
 ///
 /// Source: Welzl 1991, Smallest enclosing disks; Gärtner 1999, Fast and robust smallest enclosing
 /// balls (pivoting).
-pub fn smallest_ball(points: &[[f64; 3]]) -> Ball {
+pub(crate) fn smallest_ball(points: &[[f64; 3]]) -> Ball {
     let Some(&first) = points.first() else { return Ball { centre: [0.0; 3], radius: 0.0 } };
     let mut pivots = vec![first];
     let mut ball = Ball { centre: first, radius: 0.0 };

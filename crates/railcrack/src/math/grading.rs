@@ -3,7 +3,7 @@
 /// Interior points that divide [a, b] into equal integrals of `density` (elements per length),
 /// their number its rounded integral: a graded mesh whose element size is 1/density or slightly
 /// less.
-pub fn quantiles(a: f64, b: f64, density: impl Fn(f64) -> f64) -> Vec<f64> {
+pub(crate) fn quantiles(a: f64, b: f64, density: impl Fn(f64) -> f64) -> Vec<f64> {
     const CELLS: usize = 400;
     let step = (b - a) / CELLS as f64;
     let mut sums = vec![0.0];

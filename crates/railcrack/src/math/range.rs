@@ -16,17 +16,17 @@ pub struct OutOfRange {
 
 impl OutOfRange {
     /// Refuses a `value` that is not positive and finite.
-    pub fn unless_positive(quantity: &'static str, value: f64) -> Result<(), Self> {
+    pub(crate) fn unless_positive(quantity: &'static str, value: f64) -> Result<(), Self> {
         Self::unless(value > 0.0 && value.is_finite(), quantity, value, "positive and finite")
     }
 
     /// Refuses a `value` that is not finite.
-    pub fn unless_finite(quantity: &'static str, value: f64) -> Result<(), Self> {
+    pub(crate) fn unless_finite(quantity: &'static str, value: f64) -> Result<(), Self> {
         Self::unless(value.is_finite(), quantity, value, "finite")
     }
 
     /// Refuses `value` unless it is `fine`.
-    pub fn unless(
+    pub(crate) fn unless(
         fine: bool,
         quantity: &'static str,
         value: f64,

@@ -57,13 +57,8 @@ pub struct CellBlock {
 
 impl CellBlock {
     /// Number of cells.
-    pub fn len(&self) -> usize {
+    pub fn cell_count(&self) -> usize {
         self.connectivity.len() / self.shape.nodes().max(1)
-    }
-
-    /// Whether there is no cell.
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
     }
 
     /// The points of each cell.
@@ -90,7 +85,7 @@ pub struct UnstructuredGrid {
 impl UnstructuredGrid {
     /// Number of cells in all blocks.
     pub fn cell_count(&self) -> usize {
-        self.cells.iter().map(CellBlock::len).sum()
+        self.cells.iter().map(CellBlock::cell_count).sum()
     }
 
     /// The point data called `name`.

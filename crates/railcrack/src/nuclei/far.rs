@@ -43,7 +43,7 @@ pub(crate) struct FarRow<'a> {
 
 impl FarRow<'_> {
     /// A between all units that are not near to each other.
-    pub fn stiffness(&self) -> FarStiffness {
+    pub(crate) fn stiffness(&self) -> FarStiffness {
         let count = self.units.cracks.len();
         let moments = (0..count).into_par_iter().map(|k| self.moments(k)).collect();
         let of_crack = |&crack: &usize| self.units.extents[crack].nodes();

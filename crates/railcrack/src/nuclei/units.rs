@@ -22,7 +22,7 @@ pub(super) struct Extent {
 
 impl Extent {
     /// Number of its Chebyshev points.
-    pub const NODES: usize = ALONG * DOWN;
+    pub(crate) const NODES: usize = ALONG * DOWN;
 
     fn of(walk: &Walk) -> Self {
         let points = (0..walk.segments()).map(|i| walk.position(i, walk.vertices()[i]));
@@ -47,7 +47,7 @@ impl Extent {
     }
 
     /// Chebyshev points, of which [`Extent::weights`] are the weights of a point.
-    pub fn nodes(&self) -> Vec<Vec2> {
+    pub(crate) fn nodes(&self) -> Vec<Vec2> {
         let [xs, ys] = self.lines();
         xs.iter().flat_map(|&x| ys.iter().map(move |&y| Vec2::new(x, y))).collect()
     }
@@ -58,7 +58,7 @@ impl Extent {
         [chebyshev::points(&xs, ALONG), chebyshev::points(&ys, DOWN)]
     }
 
-    pub fn weights(&self, point: Vec2) -> Vec<f64> {
+    pub(crate) fn weights(&self, point: Vec2) -> Vec<f64> {
         let [xs, ys] = self.lines();
         let (along, down) = (chebyshev::weights(&xs, point.x), chebyshev::weights(&ys, point.y));
         along.iter().flat_map(|a| down.iter().map(move |d| a * d)).collect()
@@ -75,13 +75,13 @@ pub(crate) struct Units {
 
 impl Units {
     /// Those of `network`, whose cracks `walks` follow.
-    pub fn new(network: &CrackNetwork, walks: &[Walk]) -> Self {
+    pub(crate) fn new(network: &CrackNetwork, walks: &[Walk]) -> Self {
         let extents: Vec<Extent> = walks.iter().map(Extent::of).collect();
         Self { cracks: units(network, &extents), extents }
     }
 
     /// The unit of each crack.
-    pub fn of_cracks(&self) -> Vec<usize> {
+    pub(crate) fn of_cracks(&self) -> Vec<usize> {
         let mut unit_of = vec![0; self.extents.len()];
         for (k, cracks) in self.cracks.iter().enumerate() {
             cracks.iter().for_each(|&crack| unit_of[crack] = k);
@@ -90,7 +90,7 @@ impl Units {
     }
 
     /// Whether units `k` and `l` are near to each other.
-    pub fn are_near(&self, k: usize, l: usize) -> bool {
+    pub(crate) fn are_near(&self, k: usize, l: usize) -> bool {
         let near = |&one: &usize| {
             self.cracks[l].iter().any(|&other| !self.extents[one].is_apart(&self.extents[other]))
         };
@@ -98,7 +98,7 @@ impl Units {
     }
 
     /// Ends of unit `k` along the rail, mm.
-    pub fn span(&self, k: usize) -> (f64, f64) {
+    pub(crate) fn span(&self, k: usize) -> (f64, f64) {
         let low = self.cracks[k].iter().map(|&c| self.extents[c].low.x).fold(f64::INFINITY, f64::min);
         (low, self.cracks[k].iter().map(|&c| self.extents[c].high.x).fold(f64::NEG_INFINITY, f64::max))
     }

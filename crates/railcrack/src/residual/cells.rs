@@ -42,7 +42,7 @@ impl CellMesh {
     /// Cells of `points`; nodes must be numbers of points.
     ///
     /// Errors: no cell; a cell that is folded or has no area.
-    pub fn new(points: Vec<Vec2>, cells: Vec<PlaneCell>) -> Result<Self, PlasticFieldError> {
+    pub(crate) fn new(points: Vec<Vec2>, cells: Vec<PlaneCell>) -> Result<Self, PlasticFieldError> {
         if cells.is_empty() {
             return Err(PlasticFieldError::NoCells);
         }
@@ -61,12 +61,12 @@ impl CellMesh {
     }
 
     /// Smallest and largest coordinates.
-    pub fn extent(&self) -> (Vec2, Vec2) {
+    pub(crate) fn extent(&self) -> (Vec2, Vec2) {
         (self.buckets.lower, self.buckets.upper)
     }
 
     /// The cell that contains `point` and the shape functions there; none outside.
-    pub fn locate(&self, point: Vec2) -> Option<(usize, Shapes)> {
+    pub(crate) fn locate(&self, point: Vec2) -> Option<(usize, Shapes)> {
         self.buckets.near(point).iter().find_map(|&cell| {
             let at = self.reference(cell, point)?;
             Some((cell, self.cells[cell].shape.functions(at)))
@@ -74,7 +74,7 @@ impl CellMesh {
     }
 
     /// Integration points of a cell: the shape functions there and the weight, mm².
-    pub fn quadrature(&self, cell: usize) -> impl Iterator<Item = (Shapes, f64)> {
+    pub(crate) fn quadrature(&self, cell: usize) -> impl Iterator<Item = (Shapes, f64)> {
         let shape = self.cells[cell].shape;
         shape.rule().into_iter().map(move |(at, weight)| {
             (shape.functions(at), weight * self.jacobian(cell, at).determinant().abs())
@@ -82,7 +82,7 @@ impl CellMesh {
     }
 
     /// The centroid of a cell, mm, where linear fields equal their mean.
-    pub fn centroid(&self, cell: usize) -> Vec2 {
+    pub(crate) fn centroid(&self, cell: usize) -> Vec2 {
         let nodes = &self.cells[cell].nodes;
         let (mut sum, mut area) = (Vec2::default(), 0.0);
         for (shapes, weight) in self.quadrature(cell) {

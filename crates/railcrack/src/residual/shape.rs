@@ -6,7 +6,7 @@ use crate::mesh::{CORNERS, shape_functions};
 /// A plane cell: corners in order, then the midpoints of the sides, the first between the first and
 /// the second corner, then the centre.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum PlaneShape {
+pub(crate) enum PlaneShape {
     /// 3 corners.
     Triangle,
     /// 4 corners.

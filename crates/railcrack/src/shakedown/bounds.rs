@@ -53,7 +53,7 @@ const PATH_END: f64 = 3.0;
 ///
 /// Source of the condition: von Mises; values in Johnson, Contact Mechanics, 4.4 and 7.1 (by
 /// Tresca).
-pub fn first_yield_ratio(friction: f64, poisson: f64) -> FirstYield {
+pub(crate) fn first_yield_ratio(friction: f64, poisson: f64) -> FirstYield {
     let field = unit_contact(friction, poisson);
     first_yield(&|x, depth| field.stress(Vec2::new(x, -depth), 0.0))
 }

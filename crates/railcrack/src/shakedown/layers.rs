@@ -38,22 +38,22 @@ impl Layers {
     }
 
     /// Number of layers.
-    pub fn count(&self) -> usize {
+    pub(crate) fn count(&self) -> usize {
         self.interfaces.len() - 1
     }
 
     /// Depth of the upper face of layer `i`, mm.
-    pub fn top(&self, i: usize) -> f64 {
+    pub(crate) fn top(&self, i: usize) -> f64 {
         self.interfaces[i]
     }
 
     /// Thickness of layer `i`, mm.
-    pub fn thickness(&self, i: usize) -> f64 {
+    pub(crate) fn thickness(&self, i: usize) -> f64 {
         self.interfaces[i + 1] - self.interfaces[i]
     }
 
     /// Depths of the midplanes of the layers, mm.
-    pub fn middles(&self) -> Vec<f64> {
+    pub(crate) fn middles(&self) -> Vec<f64> {
         self.interfaces.windows(2).map(|w| 0.5 * (w[0] + w[1])).collect()
     }
 

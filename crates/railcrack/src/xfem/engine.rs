@@ -187,7 +187,7 @@ impl XfemEngine {
     }
 
     /// [`XfemEngine::background`], given up on an `interruption`.
-    pub fn background_unless(
+    pub(crate) fn background_unless(
         &mut self,
         interruption: Interruption<'_>,
         network: &CrackNetwork,

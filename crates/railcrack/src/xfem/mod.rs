@@ -32,7 +32,6 @@ pub use columns::ColumnStore;
 pub use engine::{RailEnd, XfemEngine};
 pub use error::XfemError;
 pub use settings::{EnrichmentRadius, XfemSettings};
-pub use sif::SifDomain;
 pub use size::XfemSize;
 pub use window::{Layers, MOST_MESH_UNKNOWNS, MeshSettings, Window, default_element_sizes};
 

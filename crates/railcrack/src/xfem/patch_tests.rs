@@ -52,7 +52,7 @@ pub(super) struct Dense {
 }
 
 impl Dense {
-    pub fn new(mesh: &QuadMesh, network: &CrackNetwork) -> Self {
+    pub(crate) fn new(mesh: &QuadMesh, network: &CrackNetwork) -> Self {
         let parts = Discretisation::new(mesh, network, &XfemSettings::default()).unwrap();
         let elasticity = Elasticity::new(steel());
         let border =
@@ -102,7 +102,7 @@ impl Dense {
     }
 
     /// K of displacements without tractions on the faces.
-    pub fn sifs(&self, u: &[f64]) -> [f64; 2] {
+    pub(crate) fn sifs(&self, u: &[f64]) -> [f64; 2] {
         self.functionals().map(|functional| {
             let standard: f64 = functional.standard.iter().map(|&(i, v)| v * u[i]).sum();
             standard + functional.enriched.iter().map(|&(i, v)| v * u[self.standard + i]).sum::<f64>()
@@ -110,7 +110,7 @@ impl Dense {
     }
 
     /// The solution under `forces` with the `held` unknowns at zero.
-    pub fn solve(&self, forces: &[f64], held: impl Fn(usize) -> bool) -> Vec<f64> {
+    pub(crate) fn solve(&self, forces: &[f64], held: impl Fn(usize) -> bool) -> Vec<f64> {
         let n = forces.len();
         // Functions without stiffness, or linearly dependent on the others, are suppressed.
         let scale: Vec<f64> =

@@ -65,7 +65,7 @@ fn home(parts: &[Range<usize>], count: usize, k: usize, l: usize) -> usize {
 
 impl MeshedRow<'_> {
     /// The body, A crack by crack.
-    pub fn body(&self, interruption: Interruption<'_>) -> Result<CrackedBody, XfemError> {
+    pub(crate) fn body(&self, interruption: Interruption<'_>) -> Result<CrackedBody, XfemError> {
         let started = Instant::now();
         let walks = self.network.walks();
         let units = Units::new(self.network, &walks);
@@ -96,7 +96,7 @@ impl MeshedRow<'_> {
 
     /// Size of all parts together; entries of the factors of two of them, which are in memory
     /// together on two threads.
-    pub fn size(&self) -> Result<XfemSize, XfemError> {
+    pub(crate) fn size(&self) -> Result<XfemSize, XfemError> {
         let units = Units::new(self.network, &self.network.walks());
         let parts = parts(&units);
         let whole = self.window.mesh_lines(self.extent)?;

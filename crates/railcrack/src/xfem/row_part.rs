@@ -49,7 +49,7 @@ pub(super) struct Taken {
 
 impl PartOfRow {
     /// The units `own` of `network`.
-    pub fn new(network: &CrackNetwork, units: &Units, own: Range<usize>) -> Self {
+    pub(crate) fn new(network: &CrackNetwork, units: &Units, own: Range<usize>) -> Self {
         let mut cracks: Vec<usize> = units.cracks[own.clone()].concat();
         cracks.sort_unstable();
         let number = |crack: usize| cracks.binary_search(&crack).ok();
@@ -69,17 +69,17 @@ impl PartOfRow {
     }
 
     /// The number in the row of crack `crack`, from 0.
-    pub fn number(&self, crack: usize) -> usize {
+    pub(crate) fn number(&self, crack: usize) -> usize {
         self.cracks[crack]
     }
 
     /// The unit in the row of crack `crack`.
-    pub fn unit(&self, crack: usize) -> usize {
+    pub(crate) fn unit(&self, crack: usize) -> usize {
         self.unit_of[crack]
     }
 
     /// An `error` with the number of a crack in the row.
-    pub fn in_row(&self, error: XfemError) -> XfemError {
+    pub(crate) fn in_row(&self, error: XfemError) -> XfemError {
         match error {
             XfemError::OutsideMesh { crack, covered, length } => {
                 XfemError::OutsideMesh { crack: self.cracks[crack - 1] + 1, covered, length }
@@ -90,7 +90,7 @@ impl PartOfRow {
 
     /// The units and pairs of the `body` of this part that are `at_home` in it, with its `elements`
     /// and the `remarks` on its tips.
-    pub fn taken(
+    pub(crate) fn taken(
         &self,
         body: &CrackedBody,
         elements: &[FaceElement],
@@ -167,7 +167,7 @@ impl PartOfRow {
 
 impl UnitOfPart {
     /// The dislocations of this unit of `network`, whose cracks `walks` follow.
-    pub fn sources(&self, network: &CrackNetwork, walks: &[Walk]) -> Vec<Source<'_>> {
+    pub(crate) fn sources(&self, network: &CrackNetwork, walks: &[Walk]) -> Vec<Source<'_>> {
         let mut sources = Vec::new();
         for element in &self.elements {
             let ends = element.ends.iter().zip([-1.0, 1.0]);

@@ -162,12 +162,12 @@ impl Window {
     }
 
     /// This window with elements that also resolve `layers`.
-    pub fn resolving(self, layers: Layers) -> Self {
+    pub(crate) fn resolving(self, layers: Layers) -> Self {
         Self { layers: Some(layers), ..self }
     }
 
     /// This window enlarged by half its size on every side.
-    pub fn enlarged(&self) -> Self {
+    pub(crate) fn enlarged(&self) -> Self {
         let size = self.upper - self.lower;
         Self {
             lower: self.lower - size * 0.5,
@@ -177,12 +177,12 @@ impl Window {
     }
 
     /// Whether all tips of `network` lie well inside.
-    pub fn holds(&self, network: &CrackNetwork) -> bool {
+    pub(crate) fn holds(&self, network: &CrackNetwork) -> bool {
         network.tips().into_iter().all(|tip| self.holds_point(network.cracks()[tip.crack].tip(tip.end)))
     }
 
     /// Whether a tip of `network` has left the window with the last segment of its crack.
-    pub fn was_left_by(&self, network: &CrackNetwork) -> bool {
+    pub(crate) fn was_left_by(&self, network: &CrackNetwork) -> bool {
         network.tips().into_iter().any(|CrackTip { crack, end, .. }| {
             let crack = &network.cracks()[crack];
             let points = crack.points();
@@ -204,7 +204,7 @@ impl Window {
 
     /// Distance (mm) that quadratic elements resolve at the tips of `network`: half of the smallest
     /// element there.
-    pub fn resolution(&self, network: &CrackNetwork) -> f64 {
+    pub(crate) fn resolution(&self, network: &CrackNetwork) -> f64 {
         let tips = network.tips().into_iter().map(|tip| network.cracks()[tip.crack].tip(tip.end));
         0.5 * tips.map(|tip| self.size_x(tip.x).max(self.size_y(tip.y))).fold(f64::INFINITY, f64::min)
     }
@@ -252,7 +252,7 @@ impl Window {
 
     /// Displacement unknowns of the mesh of `extent`, computed without making it; infinite where
     /// no number holds them.
-    pub fn mesh_unknowns(&self, extent: RailBox) -> f64 {
+    pub(crate) fn mesh_unknowns(&self, extent: RailBox) -> f64 {
         let (x, y) = self.gradings(extent);
         mesh_unknowns(&x, &y)
     }
