@@ -13,7 +13,7 @@ pub struct FacePoint {
     pub s: f64,
     /// Where, mm.
     pub position: Vec2,
-    /// x1, along the walk; x2 is x1 turned by +90°.
+    /// x1, along the curve; x2 is x1 turned by +90°.
     pub tangent: Vec2,
     /// Length of face that the point stands for: nodal force / weight = traction, mm.
     pub weight: f64,
@@ -34,7 +34,7 @@ pub struct FaceSample {
 /// The face points and the quadrature between them.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct FaceMesh {
-    /// The face points, crack by crack along the walk.
+    /// The face points, crack by crack along the curve.
     pub points: Vec<FacePoint>,
     /// The quadrature points.
     pub samples: Vec<FaceSample>,

@@ -26,7 +26,7 @@ pub struct FieldGrid {
 pub struct FieldLine {
     /// Which face.
     pub face: Face,
-    /// Points at its ends, along the walk.
+    /// Points at its ends, along the curve.
     pub ends: [usize; 2],
     /// At each end, face points of the body with the shares of their tractions that make the
     /// traction there.

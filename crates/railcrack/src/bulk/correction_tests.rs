@@ -19,9 +19,9 @@ fn rolling() -> HertzWheel {
     HertzWheel::new(&CONTACT, &steel()).unwrap()
 }
 
-struct Under(f64);
+struct HertzUnder(f64);
 
-impl ElasticField for Under {
+impl ElasticField for HertzUnder {
     fn stress(&self, point: Vec2) -> Stress {
         HertzField::new(&CONTACT, steel().poisson()).stress(point, self.0)
     }
@@ -54,7 +54,7 @@ fn the_clamped_bottom_carries_the_wheel() {
     for xc in [-60.0, 0.0, 140.0] {
         let rail = BulkRail::new(block(12), &steel(), CLAMPED).unwrap();
         let mesh = rail.mesh();
-        let field = Under(xc);
+        let field = HertzUnder(xc);
         let displacements = rail.cancel(&[&field]).unwrap().remove(0);
         let rule = gauss_legendre(8);
         let stiffness = RectangleStiffness::new(&steel());
@@ -98,7 +98,7 @@ fn cuts_through_the_block_are_in_equilibrium_and_free_sides_without_traction_in_
         let total = |points: &[Vec2]| -> Vec<Stress> {
             let there = correction.at(points).unwrap();
             let stress =
-                |(k, &p): (usize, &Vec2)| Under(xc).stress(p) + there.wheel_at(xc).unwrap().stress(k);
+                |(k, &p): (usize, &Vec2)| HertzUnder(xc).stress(p) + there.wheel_at(xc).unwrap().stress(k);
             points.iter().enumerate().map(stress).collect()
         };
         let through = total(&cut).iter().zip(&rule).fold(Vec2::default(), |sum, (stress, (_, weight))| {
@@ -137,7 +137,7 @@ fn interpolated_positions_are_as_accurate_as_solved_ones() {
             let (mut error, mut size) = (0.0_f64, 0.0_f64);
             for i in 0..=12 {
                 let xc = range.start() + (range.end() - range.start()) * f64::from(i) / 12.0;
-                let solved = rail.cancel(&[&Under(xc)]).unwrap().remove(0);
+                let solved = rail.cancel(&[&HertzUnder(xc)]).unwrap().remove(0);
                 let between = correction.displacements(xc).unwrap();
                 for (k, want) in stresses.stress(&solved).into_iter().enumerate() {
                     size = size.max(largest(want));
@@ -158,7 +158,7 @@ fn interpolated_positions_are_as_accurate_as_solved_ones() {
 /// Spacing of lines: `fine` within `window` of `middle`, growing outwards by `ratio` up to
 /// `coarsest` (all mm).
 #[derive(Clone, Copy)]
-struct Grading {
+struct LineSpacing {
     middle: f64,
     window: f64,
     fine: f64,
@@ -166,7 +166,7 @@ struct Grading {
     coarsest: f64,
 }
 
-impl Grading {
+impl LineSpacing {
     fn lines(self, from: f64, to: f64) -> Vec<f64> {
         let outwards = |end: f64| {
             let (mut at, mut step, mut lines) = (0.0, self.fine, Vec::new());
@@ -202,7 +202,8 @@ fn agrees_with_a_full_solution_of_the_block() {
     const TOLERANCE: f64 = 2e-4;
     let xc = 27.0;
     let a = CONTACT.half_width;
-    let grading = Grading { middle: xc, window: 12.0, fine: a / 9.0, ratio: 1.3, coarsest: f64::INFINITY };
+    let grading =
+        LineSpacing { middle: xc, window: 12.0, fine: a / 9.0, ratio: 1.3, coarsest: f64::INFINITY };
     let mesh = grading.block();
     let coarse = block(24);
     let points: Vec<Vec2> =
@@ -244,7 +245,8 @@ fn agrees_with_a_full_solution_of_the_block() {
         for (k, (&point, want)) in points.iter().zip(want).enumerate() {
             let correction = there.wheel_at(xc).unwrap().stress(k);
             moved = moved.max(largest(correction));
-            worst = worst.max(largest(Under(xc).stress(point) + correction - want) / CONTACT.peak_pressure);
+            worst =
+                worst.max(largest(HertzUnder(xc).stress(point) + correction - want) / CONTACT.peak_pressure);
         }
         println!("{boundary:?}: corrections up to {moved:.1} MPa, difference / p0 {worst:.1e}");
         assert!(worst < TOLERANCE, "{boundary:?}: {worst:e}");
@@ -262,7 +264,7 @@ fn coarse_elements_suffice_away_from_the_cracks() {
     let points: Vec<Vec2> = (0..=8).map(|i| Vec2::new(0.7, -0.7) * f64::from(i)).collect();
     for boundary in blocks() {
         let stresses = [15.0, 7.5, 3.75].map(|coarsest| {
-            let grading = Grading { middle: 0.0, window: 6.0, fine: 0.5, ratio: 1.25, coarsest };
+            let grading = LineSpacing { middle: 0.0, window: 6.0, fine: 0.5, ratio: 1.25, coarsest };
             let rail = BulkRail::new(grading.block(), &steel(), boundary).unwrap();
             let there = BlockCorrection::new(&Arc::new(rail.clone()), &rolling(), -40.5..=40.5)
                 .unwrap()

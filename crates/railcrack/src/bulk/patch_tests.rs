@@ -98,9 +98,9 @@ fn quadratic_fields_are_cancelled_exactly() {
 }
 
 /// The half-plane under a wheel beside the block.
-struct Beside(f64);
+struct HertzOutside(f64);
 
-impl ElasticField for Beside {
+impl ElasticField for HertzOutside {
     fn stress(&self, point: Vec2) -> Stress {
         HertzField::new(&CONTACT, steel().poisson()).stress(point, self.0)
     }
@@ -116,7 +116,7 @@ impl ElasticField for Beside {
 
 #[test]
 fn a_wheel_beside_the_block_is_cancelled_with_the_order_of_the_elements() {
-    let field = Beside(230.0);
+    let field = HertzOutside(230.0);
     let points = some_points();
     let size = points.iter().fold(0.0, |size: f64, &p| size.max(largest(field.stress(p))));
     for boundary in boundaries() {

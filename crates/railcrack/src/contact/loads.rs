@@ -4,7 +4,7 @@ use crate::math::{add_rows_to_each, axpy};
 
 /// Nodal forces, and what the basis makes of them where all that it holds is held at zero.
 #[derive(Default)]
-struct Load {
+struct AnsweredLoad {
     /// N/mm.
     forces: Vec<f64>,
     /// None before it is asked for.
@@ -23,7 +23,7 @@ pub(super) struct Answer {
 /// The loads to be answered.
 #[derive(Default)]
 pub(super) struct Loads {
-    list: Vec<Load>,
+    list: Vec<AnsweredLoad>,
     onward: Option<Onward>,
     /// Memory.
     spare: Vec<Answer>,
@@ -51,7 +51,7 @@ impl Loads {
         let mut count = 0;
         for forces in loads {
             if count == self.list.len() {
-                self.list.push(Load::default());
+                self.list.push(AnsweredLoad::default());
             }
             forces.as_ref().clone_into(&mut self.list[count].forces);
             count += 1;
@@ -77,7 +77,7 @@ impl Loads {
 
     /// One more load (N/mm).
     pub(super) fn add(&mut self, forces: Vec<f64>) {
-        self.list.push(Load { forces, answer: None });
+        self.list.push(AnsweredLoad { forces, answer: None });
     }
 
     /// How many.

@@ -11,7 +11,7 @@ mod letting_off;
 mod loads;
 mod newton;
 mod parabola;
-mod pocket_way;
+mod pocket_trace;
 mod pressure;
 mod probe;
 mod problem;

@@ -1,6 +1,6 @@
 //! Adaptive load steps: friction depends on the order of events.
 
-use super::pocket_way::OutsidePressure;
+use super::pocket_trace::OutsidePressure;
 use super::pressure::{content, total, violation};
 use super::trace::{Accuracy, LetsOff, StepLoad, Stop, Trace, follow};
 use super::{

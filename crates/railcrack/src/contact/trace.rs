@@ -2,7 +2,7 @@
 
 use super::condition::Degenerate;
 use super::parabola::Parabola;
-use super::pocket_way::{OutsidePressure, PocketEvent, PocketWay};
+use super::pocket_trace::{OutsidePressure, PocketEvent, PocketTrace};
 use super::problem::ROUND_OFF;
 use super::tableau::FaceRate;
 use super::{FaceProblem, FaceResponse, FaceScale, FaceSolution, PointStatus};
@@ -49,7 +49,7 @@ pub(super) struct Trace {
     pub now: FaceSolution,
     /// Coefficients of τ and τ².
     rates: [FaceRate; 2],
-    changes: Vec<Change>,
+    changes: Vec<Transition>,
     /// How many of them are of this step: the others are memory for further ones.
     count: usize,
 }
@@ -57,7 +57,7 @@ pub(super) struct Trace {
 impl Trace {
     /// Where statuses changed: what was rising may fall from there on, so that extremes of K lie
     /// there.
-    pub(super) fn changes(&self) -> &[Change] {
+    pub(super) fn changes(&self) -> &[Transition] {
         &self.changes[..self.count]
     }
 
@@ -78,14 +78,14 @@ impl Trace {
                 change.share = share;
                 change.solution.clone_from(&self.now);
             }
-            None => self.changes.push(Change { share, solution: self.now.clone() }),
+            None => self.changes.push(Transition { share, solution: self.now.clone() }),
         }
         self.count += 1;
     }
 }
 
 /// A point touches, opens, begins to slip or ceases to.
-pub(super) struct Change {
+pub(super) struct Transition {
     /// When, as share of the step.
     pub share: f64,
     /// The faces then.
@@ -143,7 +143,7 @@ const MOST_PER_POINT: usize = 4;
 const MOMENT: f64 = 1e-12;
 
 /// The faces followed through a step.
-struct Way<'w, 'a> {
+struct TracedStep<'w, 'a> {
     problem: &'w FaceProblem<'a>,
     faces: &'w mut FaceResponse<'a>,
     /// Jumps and forces below these are round-off.
@@ -151,7 +151,7 @@ struct Way<'w, 'a> {
     share: f64,
     trace: &'w mut Trace,
     /// The fluid, where its pressure is an unknown.
-    pockets: PocketWay,
+    pockets: PocketTrace,
     accuracy: Accuracy<'w>,
     /// By crack, a bound of the error of slip that what the parabola misses means, over √C_jj of
     /// the point: by Cauchy and Schwarz |C_jk| ≤ √(C_jj C_kk). None before it is asked for; `faces`
@@ -161,7 +161,7 @@ struct Way<'w, 'a> {
 
 /// The next change of status.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Event {
+struct TimedChange {
     change: StatusChange,
     /// Share of the step from now on.
     after: f64,
@@ -188,8 +188,8 @@ pub(super) fn follow<'a>(
     trace.begin(current);
     // Fluid that is let off at the end of the step stays until then.
     let loud = if accuracy.lets_off == LetsOff::There { accuracy.loud } else { f64::INFINITY };
-    let pockets = PocketWay::new(problem, accuracy.outside.clone(), loud);
-    let mut way = Way {
+    let pockets = PocketTrace::new(problem, accuracy.outside.clone(), loud);
+    let mut way = TracedStep {
         problem,
         faces,
         round_off: FaceScale { jump: ROUND_OFF * scale.jump, force: ROUND_OFF * scale.force },
@@ -221,7 +221,7 @@ pub(super) fn follow<'a>(
     Ok(())
 }
 
-impl Way<'_, '_> {
+impl TracedStep<'_, '_> {
     /// Goes on by `after` of the step.
     fn advance(&mut self, after: f64) {
         let (one, two) = (after, after * (2.0 * self.share + after));
@@ -250,18 +250,18 @@ impl Way<'_, '_> {
     }
 
     /// The first change of status within the step.
-    fn next_event(&self) -> Option<Event> {
-        let mut next: Option<Event> = None;
+    fn next_event(&self) -> Option<TimedChange> {
+        let mut next: Option<TimedChange> = None;
         let mut span = 1.0 - self.share;
         for point in 0..self.problem.points() {
             if let Some((after, status)) = self.event_of(point, span) {
                 span = after;
-                next = Some(Event { change: StatusChange::Point(point, status), after });
+                next = Some(TimedChange { change: StatusChange::Point(point, status), after });
             }
         }
-        let scale = PocketWay::scale_of(self.round_off);
+        let scale = PocketTrace::scale_of(self.round_off);
         let pocket = self.pockets.next_event(self.problem, &self.trace.now, scale, self.share, span);
-        let of_pocket = |(after, k, event)| Event { change: StatusChange::Pocket(k, event), after };
+        let of_pocket = |(after, k, event)| TimedChange { change: StatusChange::Pocket(k, event), after };
         pocket.map(of_pocket).or(next)
     }
 
@@ -313,13 +313,13 @@ impl Way<'_, '_> {
     }
 
     /// Gives the point or the pocket of `event` its new status.
-    fn change(&mut self, event: Event) -> Result<(), Stop> {
+    fn change(&mut self, event: TimedChange) -> Result<(), Stop> {
         let (point, status) = match event.change {
             StatusChange::Point(point, status) => (point, status),
             StatusChange::Pocket(_, PocketEvent::LetsOff) => return Err(Stop::LetsOff { share: self.share }),
             StatusChange::Pocket(k, PocketEvent::Becomes(status)) => {
                 self.trace.note_change(self.share);
-                self.trace.now.fluid[k] = PocketWay::changed(self.problem, &self.trace.now, k, status);
+                self.trace.now.fluid[k] = PocketTrace::changed(self.problem, &self.trace.now, k, status);
                 return Ok(());
             }
         };
@@ -333,11 +333,11 @@ impl Way<'_, '_> {
         self.trace.reference_slip[point] = slip;
         self.trace.now.status[point] = status;
         self.faces.set_status(point, status, slip);
-        let scale = PocketWay::scale_of(self.round_off);
-        for (k, event) in PocketWay::closed_by(self.problem, &self.trace.now, scale, point) {
+        let scale = PocketTrace::scale_of(self.round_off);
+        for (k, event) in PocketTrace::closed_by(self.problem, &self.trace.now, scale, point) {
             match event {
                 PocketEvent::Becomes(status) => {
-                    self.trace.now.fluid[k] = PocketWay::changed(self.problem, &self.trace.now, k, status);
+                    self.trace.now.fluid[k] = PocketTrace::changed(self.problem, &self.trace.now, k, status);
                 }
                 PocketEvent::LetsOff if self.accuracy.lets_off == LetsOff::AtItsEnd => {}
                 PocketEvent::LetsOff => return Err(Stop::LetsOff { share: self.share }),

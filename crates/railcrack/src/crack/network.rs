@@ -1,7 +1,7 @@
 //! Networks of cracks in one rail.
 
 use super::intersection::intersect_elsewhere;
-use super::{Crack, CrackEnd, CrackTip, End, EndKind, Junction, JunctionPoint, Passing, Walk};
+use super::{Crack, CrackCurve, CrackEnd, CrackTip, End, EndKind, Junction, JunctionPoint, Passing};
 use thiserror::Error;
 
 /// Cracks that cannot stand side by side.
@@ -143,12 +143,12 @@ impl CrackNetwork {
         ends.filter(|tip| self.end_kind(tip.crack_end()) == EndKind::Tip).collect()
     }
 
-    /// The walk along each crack, with the square-root parameter at its tips.
-    pub(crate) fn walks(&self) -> Vec<Walk> {
+    /// The curve of each crack, with the square-root parameter at its tips.
+    pub(crate) fn curves(&self) -> Vec<CrackCurve> {
         self.cracks
             .iter()
             .enumerate()
-            .map(|(crack, one)| Walk::with_tips(one, &self.tips_of(crack)))
+            .map(|(crack, one)| CrackCurve::with_tips(one, &self.tips_of(crack)))
             .collect()
     }
 
@@ -238,7 +238,7 @@ fn junction_points(cracks: &[Crack], junctions: &[Junction]) -> Vec<JunctionPoin
         } else if vertex == receiving.segment_count() {
             point.ends.push(CrackEnd { crack, end: End::Last });
         } else {
-            let s = Walk::new(receiving).from_first(vertex);
+            let s = CrackCurve::new(receiving).from_first(vertex);
             point.through = Some(Passing { crack, vertex, s });
         }
     }

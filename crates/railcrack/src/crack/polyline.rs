@@ -84,7 +84,7 @@ impl Choice for End {
 /// A crack: points from the mouth (y = 0) to the tip, or between two tips when the first point is
 /// buried.
 ///
-/// Its frame: x1 walks from the first point to the last, x2 is x1 turned by +90°, the + face is on
+/// Its frame: x1 points from the first point to the last, x2 is x1 turned by +90°, the + face is on
 /// the x2 side.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Crack {
@@ -131,8 +131,8 @@ impl Crack {
                 let (a, b) = crack.segment(i);
                 let (c, d) = crack.segment(j);
                 let meet = if j == i + 1 {
-                    // Consecutive segments share b = c: they overlap when the walk turns straight
-                    // back.
+                    // Consecutive segments share b = c: they overlap where the polyline turns
+                    // straight back.
                     (b - a).cross(d - c) == 0.0 && (b - a).dot(d - c) < 0.0
                 } else {
                     segments_touch(a, b, c, d)
@@ -189,7 +189,7 @@ impl Crack {
         }
     }
 
-    /// Total length along the walk, mm.
+    /// Length of the polyline, mm.
     pub fn length(&self) -> f64 {
         self.points.windows(2).map(|p| (p[1] - p[0]).length()).sum()
     }

@@ -1,9 +1,9 @@
 //! Elastic energy of jumps that are linear in g between the nodes.
 
-use super::integrals::{Rules, pair_integral};
+use super::integrals::{PairRules, pair_integral};
 use super::junctions::Ties;
 use crate::body::{FaceElement, FaceMesh};
-use crate::crack::Walk;
+use crate::crack::CrackCurve;
 use crate::interruption::{Interrupted, Interruption};
 use crate::math::Matrix;
 use crate::nuclei::Interaction;
@@ -18,17 +18,17 @@ use rayon::prelude::*;
 ///
 /// Errors: an interruption.
 pub(super) fn stiffness(
-    walks: &[Walk],
+    curves: &[CrackCurve],
     elements: &[FaceElement],
     ties: &Ties,
     faces: &FaceMesh,
     modulus: f64,
     interruption: Interruption<'_>,
 ) -> Result<Matrix, Interrupted> {
-    let rules = Rules::new();
+    let rules = PairRules::new();
     let row = |i: usize| -> Result<Vec<Interaction>, Interrupted> {
         interruption.check()?;
-        Ok((0..=i).map(|j| element_integral(walks, &elements[i], &elements[j], &rules)).collect())
+        Ok((0..=i).map(|j| element_integral(curves, &elements[i], &elements[j], &rules)).collect())
     };
     let blocks = (0..elements.len()).into_par_iter().map(row).collect::<Result<Vec<_>, Interrupted>>()?;
     let points = faces.points.len();
@@ -48,15 +48,15 @@ pub(super) fn stiffness(
 }
 
 pub(super) fn element_integral(
-    walks: &[Walk],
+    curves: &[CrackCurve],
     a: &FaceElement,
     b: &FaceElement,
-    rules: &Rules,
+    rules: &PairRules,
 ) -> Interaction {
     let mut sum = [0.0; 4];
     for piece in &a.pieces {
         for other in &b.pieces {
-            let pair = pair_integral(walks, piece, other, rules);
+            let pair = pair_integral(curves, piece, other, rules);
             for k in 0..4 {
                 sum[k] += pair[k];
             }

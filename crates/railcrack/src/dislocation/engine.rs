@@ -3,12 +3,12 @@
 use super::assembly::stiffness;
 use super::junctions::{Core, Ties, cores};
 use super::nodes::{self, FaceResolution};
-use super::row::Row;
+use super::row::CrackRow;
 use crate::body::{
     BlockStiffness, BodyEngine, BodyError, CrackedBody, FaceElement, FaceMesh, TipGain, discretise,
     thin_flaps,
 };
-use crate::crack::{CrackNetwork, CrackTip, End, Walk};
+use crate::crack::{CrackCurve, CrackNetwork, CrackTip, End};
 use crate::interruption::{Interrupted, Interruption};
 use crate::linear::{LinearError, spd_inverse_unless};
 use crate::material::IsotropicElastic;
@@ -57,12 +57,12 @@ fn cracked_body_unless(
     steel: &IsotropicElastic,
     resolution: FaceResolution,
 ) -> Result<CrackedBody, DislocationError> {
-    let Discretised { walks, elements, ties, faces } = discretised(network, resolution, interruption)?;
+    let Discretised { curves, elements, ties, faces } = discretised(network, resolution, interruption)?;
     let modulus = steel.plane_strain_modulus();
-    let stiffness = stiffness(&walks, &elements, &ties, &faces, modulus, interruption)?;
+    let stiffness = stiffness(&curves, &elements, &ties, &faces, modulus, interruption)?;
     let compliance = spd_inverse_unless(interruption, &stiffness)?;
     let tips = network.tips();
-    let gains: Vec<TipGain> = tip_gains(&tips, &walks, &elements, &ties, modulus);
+    let gains: Vec<TipGain> = tip_gains(&tips, &curves, &elements, &ties, modulus);
     let sif_influence = TipGain::sif_influence(&gains, &compliance);
     let body = CrackedBody::new(faces, tips, [compliance, stiffness, sif_influence]);
     Ok(CrackedBody { remarks: remarks(network), ..body })
@@ -75,19 +75,19 @@ fn body_by_groups(
     steel: &IsotropicElastic,
     resolution: FaceResolution,
 ) -> Result<CrackedBody, DislocationError> {
-    let Discretised { walks, elements, ties, faces } = discretised(network, resolution, interruption)?;
+    let Discretised { curves, elements, ties, faces } = discretised(network, resolution, interruption)?;
     let modulus = steel.plane_strain_modulus();
-    let row = Row { network, walks: &walks, elements: &elements, ties: &ties, faces: &faces, modulus };
+    let row = CrackRow { network, curves: &curves, elements: &elements, ties: &ties, faces: &faces, modulus };
     let blocks = row.stiffness(interruption)?;
     let tips = network.tips();
-    let gains = tip_gains(&tips, &walks, &elements, &ties, modulus);
+    let gains = tip_gains(&tips, &curves, &elements, &ties, modulus);
     let body = CrackedBody::by_groups(faces, tips, BlockStiffness { tips: gains, ..blocks });
     Ok(CrackedBody { remarks: remarks(network), ..body })
 }
 
 /// Elements of the faces, and how their nodes follow the face points.
 struct Discretised {
-    walks: Vec<Walk>,
+    curves: Vec<CrackCurve>,
     elements: Vec<FaceElement>,
     ties: Ties,
     faces: FaceMesh,
@@ -98,12 +98,12 @@ fn discretised(
     resolution: FaceResolution,
     interruption: Interruption<'_>,
 ) -> Result<Discretised, Interrupted> {
-    let walks = network.walks();
-    let cores = cores(network, &walks, |crack, g| nodes::regular_element(&walks[crack], resolution, g));
-    let nodes = nodes(network, &walks, &cores, resolution, interruption)?;
-    let (elements, all) = discretise(&walks, &nodes);
-    let (ties, faces) = Ties::new(&cores, &walks, &elements, &all);
-    Ok(Discretised { walks, elements, ties, faces })
+    let curves = network.curves();
+    let cores = cores(network, &curves, |crack, g| nodes::regular_element(&curves[crack], resolution, g));
+    let nodes = nodes(network, &curves, &cores, resolution, interruption)?;
+    let (elements, all) = discretise(&curves, &nodes);
+    let (ties, faces) = Ties::new(&cores, &curves, &elements, &all);
+    Ok(Discretised { curves, elements, ties, faces })
 }
 
 /// At 2° and 3°, K is 0.5 % off.
@@ -114,7 +114,7 @@ fn remarks(network: &CrackNetwork) -> Vec<String> {
 /// How K of each tip follows from the jump next to it.
 fn tip_gains(
     tips: &[CrackTip],
-    walks: &[Walk],
+    curves: &[CrackCurve],
     elements: &[FaceElement],
     ties: &Ties,
     modulus: f64,
@@ -129,7 +129,7 @@ fn tip_gains(
         .expect("a crack has at least four elements");
         let point = ties.of(node)[0].0;
         // ⟦w⟧ = W √r / √r_1 on the tip element, and ⟦w⟧ = (8 K / E′) √(r / 2π).
-        let root = walks[tip.crack].root_slope() / (element.range.1 - element.range.0);
+        let root = curves[tip.crack].root_slope() / (element.range.1 - element.range.0);
         TipGain::at(point, modulus * std::f64::consts::TAU.sqrt() / 8.0 * root)
     };
     tips.iter().map(gain).collect()
@@ -137,9 +137,9 @@ fn tip_gains(
 
 /// Number of face points of `network` at `resolution`.
 pub fn face_points(network: &CrackNetwork, resolution: FaceResolution) -> usize {
-    let walks = network.walks();
-    let cores = cores(network, &walks, |crack, g| nodes::regular_element(&walks[crack], resolution, g));
-    let nodes = nodes(network, &walks, &cores, resolution, Interruption::NEVER).unwrap_or_default();
+    let curves = network.curves();
+    let cores = cores(network, &curves, |crack, g| nodes::regular_element(&curves[crack], resolution, g));
+    let nodes = nodes(network, &curves, &cores, resolution, Interruption::NEVER).unwrap_or_default();
     let nodes = nodes.iter().map(Vec::len).sum::<usize>();
     let following: usize = cores.iter().map(|core| 2 * core.arms.len()).sum();
     nodes - network.tips().len() - following
@@ -147,19 +147,19 @@ pub fn face_points(network: &CrackNetwork, resolution: FaceResolution) -> usize 
 
 fn nodes(
     network: &CrackNetwork,
-    walks: &[Walk],
+    curves: &[CrackCurve],
     cores: &[Core],
     resolution: FaceResolution,
     interruption: Interruption<'_>,
 ) -> Result<Vec<Vec<f64>>, Interrupted> {
     let tips: Vec<(usize, Vec2)> =
         network.tips().iter().map(|tip| (tip.crack, network.cracks()[tip.crack].tip(tip.end))).collect();
-    let of_walk = |(i, walk): (usize, &Walk)| {
+    let of_walk = |(i, curve): (usize, &CrackCurve)| {
         interruption.check()?;
         let core_at = |vertex| cores.iter().find(|core| core.is_at(i, vertex));
-        Ok(nodes::nodes(walk, resolution, core_at, |point| room(network, &tips, i, point)))
+        Ok(nodes::nodes(curve, resolution, core_at, |point| room(network, &tips, i, point)))
     };
-    walks.iter().enumerate().map(of_walk).collect()
+    curves.iter().enumerate().map(of_walk).collect()
 }
 
 /// Largest length of an element over the distance to a tip of another crack, whose singular stress

@@ -64,7 +64,7 @@ pub(crate) const SECONDARY_DISTANCE: f64 = 15.0 * std::f64::consts::PI / 180.0;
 const TIE: f64 = 1e-9;
 
 /// The corners of the histories under each wheel, with the shares of the axles.
-type Loads = [(f64, Vec<Sif>)];
+type CornersByWheel = [(f64, Vec<Sif>)];
 
 impl HourlierPineau {
     /// The kink for one passage of `history`. None where nothing drives a kink: no samples, all
@@ -131,7 +131,7 @@ impl HourlierPineau {
         })
     }
 
-    fn maxima(&self, loads: &Loads, quantity: Quantity) -> Vec<Maximum> {
+    fn maxima(&self, loads: &CornersByWheel, quantity: Quantity) -> Vec<Maximum> {
         if self.criterion == DirectionCriterion::Coplanar {
             return vec![Maximum { angle: 0.0, value: self.value(loads, Quantity::Drive, 0.0) }];
         }
@@ -140,7 +140,7 @@ impl HourlierPineau {
 
     /// The criterion at `angle`. Under one wheel the rate is represented by ΔK_eq, with which it
     /// grows: no threshold flattens the search.
-    fn value(&self, loads: &Loads, quantity: Quantity, angle: f64) -> f64 {
+    fn value(&self, loads: &CornersByWheel, quantity: Quantity, angle: f64) -> f64 {
         let sum = |of: &dyn Fn(&[Sif]) -> f64| match loads {
             [(_, only)] => of(only),
             _ => loads.iter().map(|(share, extremes)| share * of(extremes)).sum(),

@@ -42,7 +42,7 @@ type Coefficients = [[f64; 4]; TERMS];
 
 /// A square of the half-plane below the table.
 #[derive(Debug, Clone, Copy)]
-struct Cell {
+struct SeriesCell {
     x: f64,
     y: f64,
     half: f64,
@@ -65,7 +65,7 @@ struct Cell {
 #[derive(Debug, Clone)]
 pub(super) struct TablePotential {
     nodes: Vec<Node>,
-    cells: Vec<Cell>,
+    cells: Vec<SeriesCell>,
     series: Vec<Coefficients>,
     /// ∫ p t^k dt, ∫ q t^k dt.
     moments: [[f64; 2]; MOMENTS],
@@ -86,14 +86,14 @@ impl TablePotential {
             (0..rows.len()).map(node).filter(|node| node.p_jump != 0.0 || node.q_jump != 0.0).collect();
         let mut potential = Self { nodes, cells: Vec::new(), series: Vec::new(), moments: moments(rows) };
         let near = (0, potential.nodes.len());
-        potential.cells.push(Cell { x: 0.0, y: -FAR, half: FAR, parts: 0, series: 0, near });
+        potential.cells.push(SeriesCell { x: 0.0, y: -FAR, half: FAR, parts: 0, series: 0, near });
         potential.divide(0, [[0.0; 4]; TERMS], near, 0);
         potential
     }
 
     /// Makes cell `i`, of the series of its nodes but `near`, which its parent had too close.
     fn divide(&mut self, i: usize, mut series: Coefficients, near: (usize, usize), level: u32) {
-        let Cell { x, y, half, .. } = self.cells[i];
+        let SeriesCell { x, y, half, .. } = self.cells[i];
         let reach = std::f64::consts::SQRT_2 * half / RATIO;
         let beside = reach * reach - y * y;
         let within = if beside > 0.0 { beside.sqrt() } else { 0.0 };
@@ -120,7 +120,7 @@ impl TablePotential {
         let sides = [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)];
         for (sx, sy) in sides {
             let (x, y) = (x + sx * quarter, y + sy * quarter);
-            self.cells.push(Cell { x, y, half: quarter, parts: 0, series: 0, near: own });
+            self.cells.push(SeriesCell { x, y, half: quarter, parts: 0, series: 0, near: own });
         }
         for (k, (sx, sy)) in sides.into_iter().enumerate() {
             self.divide(first + k, shifted(&series, 0.5 * sx, 0.5 * sy), own, level + 1);

@@ -69,7 +69,7 @@ impl BorderedFactor {
         let largest = row.iter().chain(column).fold(diagonal.abs(), |m, v| m.max(v.abs()));
         self.lower.entries.extend(row);
         self.upper.entries.extend(column);
-        let pivot = diagonal - Arch::new().dispatch(Border(self));
+        let pivot = diagonal - Arch::new().dispatch(BorderElimination(self));
         if pivot.is_nan() || pivot.abs() <= SINGULAR * largest {
             self.truncate(order);
             return Err(LinearError::Singular { order: order + 1 });
@@ -92,9 +92,9 @@ impl BorderedFactor {
 }
 
 /// Replaces the lines of the matrix beyond the last pivot by those of its factors; their product.
-struct Border<'a>(&'a mut BorderedFactor);
+struct BorderElimination<'a>(&'a mut BorderedFactor);
 
-impl WithSimd for Border<'_> {
+impl WithSimd for BorderElimination<'_> {
     type Output = f64;
 
     #[inline(always)]

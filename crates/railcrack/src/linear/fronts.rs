@@ -28,8 +28,8 @@ pub(super) fn eliminated(
     let fronts = Fronts { structure, matrix, elements, children: children(structure), interruption };
     let mut tiles = vec![[0.0; ROWS]; structure.supernodes.iter().map(Supernode::tiles).sum()];
     let (branches, trunk) = branches(structure);
-    let mut places = Places::new(structure, &mut tiles);
-    let branches: Vec<Vec<Place>> = branches.iter().map(|branch| places.take(branch)).collect();
+    let mut places = TileStorage::new(structure, &mut tiles);
+    let branches: Vec<Vec<SupernodeTiles>> = branches.iter().map(|branch| places.take(branch)).collect();
     let results: Vec<(Option<Failure>, Remainders)> =
         branches.into_par_iter().map(|branch| fronts.branch(branch, Remainders::new())).collect();
     let (failures, left): (Vec<Option<Failure>>, Vec<Remainders>) = results.into_iter().unzip();
@@ -44,12 +44,12 @@ pub(super) fn eliminated(
 }
 
 /// A supernode, and the storage of its tiles.
-type Place<'a> = (usize, &'a mut [Tile]);
+type SupernodeTiles<'a> = (usize, &'a mut [Tile]);
 
 /// The storage that is still to be handed out.
-struct Places<'a>(Vec<Option<&'a mut [Tile]>>);
+struct TileStorage<'a>(Vec<Option<&'a mut [Tile]>>);
 
-impl<'a> Places<'a> {
+impl<'a> TileStorage<'a> {
     fn new(structure: &Structure, mut tiles: &'a mut [Tile]) -> Self {
         let place = |node: &Supernode| {
             let (own, rest) = std::mem::take(&mut tiles).split_at_mut(node.tiles());
@@ -60,7 +60,7 @@ impl<'a> Places<'a> {
     }
 
     /// The storage of `supernodes`, each of which is handed out once.
-    fn take(&mut self, supernodes: &[usize]) -> Vec<Place<'a>> {
+    fn take(&mut self, supernodes: &[usize]) -> Vec<SupernodeTiles<'a>> {
         supernodes.iter().map(|&s| (s, self.0[s].take().unwrap_or_default())).collect()
     }
 }
@@ -176,7 +176,7 @@ struct Fronts<'a, M> {
 impl<M: ElementSum> Fronts<'_, M> {
     /// Eliminates supernodes, given the Schur complements of previous ones, by supernode; returns
     /// those that remain for others.
-    fn branch(&self, places: Vec<Place>, mut left: Remainders) -> (Option<Failure>, Remainders) {
+    fn branch(&self, places: Vec<SupernodeTiles>, mut left: Remainders) -> (Option<Failure>, Remainders) {
         let mut front = Vec::new();
         for (s, place) in places {
             let node = self.structure.supernodes[s];

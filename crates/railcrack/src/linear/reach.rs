@@ -3,7 +3,7 @@
 
 use super::LinearError;
 use super::cholesky::SparseFactor;
-use super::lanes::{LANES, Row};
+use super::lanes::{LANES, LaneRow};
 use super::sweep::Panel;
 use crate::interruption::Interruption;
 use rayon::prelude::*;
@@ -27,7 +27,7 @@ pub struct ReachedPanel {
     supernodes: Vec<u32>,
     /// The first row of each; one more at the end.
     starts: Vec<u32>,
-    rows: Vec<Row>,
+    rows: Vec<LaneRow>,
 }
 
 /// Number of columns solved side by side.
@@ -40,7 +40,7 @@ impl ReachedPanel {
     }
 
     /// The rows of a supernode; none where no column reaches it.
-    pub(super) fn rows_of(&self, supernode: u32) -> &[Row] {
+    pub(super) fn rows_of(&self, supernode: u32) -> &[LaneRow] {
         match self.supernodes.binary_search(&supernode) {
             Ok(k) => &self.rows[self.starts[k] as usize..self.starts[k + 1] as usize],
             Err(_) => &[],

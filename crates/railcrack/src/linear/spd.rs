@@ -18,12 +18,12 @@ use std::sync::Arc;
 #[derive(Debug, Clone, Default)]
 pub(crate) struct SpdFactor {
     order: usize,
-    blocks: Vec<Arc<Block>>,
+    blocks: Vec<Arc<FactorRows>>,
 }
 
 /// Some rows of L.
 #[derive(Debug)]
-struct Block {
+struct FactorRows {
     start: usize,
     /// (start + w) × w: the rows are stored side by side, as products with them read them; the
     /// entries above the diagonal are meaningless.
@@ -105,7 +105,7 @@ impl SpdFactor {
 
     /// The block of L at `start` from its `rows` of the matrix, to which the first `applied` blocks
     /// are applied, or the place among them of a pivot that is not positive.
-    fn block(&self, start: usize, applied: usize, mut rows: Matrix) -> Result<Block, usize> {
+    fn block(&self, start: usize, applied: usize, mut rows: Matrix) -> Result<FactorRows, usize> {
         let (width, stride) = (rows.rows(), rows.columns());
         rows.entries_mut().par_chunks_mut(TOGETHER * stride).for_each(|rows| {
             forward(&self.blocks[applied..], rows, stride, 0);
@@ -120,7 +120,7 @@ impl SpdFactor {
             matmul(columns.get_mut(from.., ..), Accum::Add, left.get(from.., ..), across, -1.0, Par::Seq);
         });
         factor_in_place(own)?;
-        Ok(Block { start, rows: rows.transposed() })
+        Ok(FactorRows { start, rows: rows.transposed() })
     }
 
     /// L⁻¹ Bᵀ as rows, one for each row of `right` (r × order), so that their scalar products are B
@@ -172,7 +172,7 @@ impl SpdFactor {
 /// Forward substitution, L⁻¹ b, of right-hand sides as rows of `stride` entries, of which those
 /// before `first` are zero, for the unknowns of `blocks`. All previous blocks are applied already,
 /// or multiply zeros only.
-fn forward(blocks: &[Arc<Block>], rows: &mut [f64], stride: usize, first: usize) {
+fn forward(blocks: &[Arc<FactorRows>], rows: &mut [f64], stride: usize, first: usize) {
     let mut all = MatMut::from_row_major_slice_mut(rows, rows.len() / stride, stride);
     for block in blocks {
         let (solved, right) = all.rb_mut().split_at_col_mut(block.start);
@@ -183,7 +183,7 @@ fn forward(blocks: &[Arc<Block>], rows: &mut [f64], stride: usize, first: usize)
     }
 }
 
-impl Block {
+impl FactorRows {
     fn width(&self) -> usize {
         self.rows.columns()
     }

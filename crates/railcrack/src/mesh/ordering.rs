@@ -4,7 +4,7 @@ use super::QuadMesh;
 use std::ops::RangeInclusive;
 
 /// Lattice columns and rows of a part of the mesh.
-struct Part {
+struct LatticeBlock {
     columns: RangeInclusive<usize>,
     rows: RangeInclusive<usize>,
 }
@@ -22,23 +22,29 @@ impl QuadMesh {
     /// Every node occurs once (George, SIAM J. Numer. Anal. 10, 1973).
     pub fn nested_dissection(&self) -> Vec<usize> {
         let mut order = Vec::with_capacity(self.node_count());
-        self.dissect(Part { columns: 0..=2 * self.columns(), rows: 0..=2 * self.rows() }, &mut order);
+        self.dissect(LatticeBlock { columns: 0..=2 * self.columns(), rows: 0..=2 * self.rows() }, &mut order);
         order
     }
 
-    fn dissect(&self, part: Part, order: &mut Vec<usize>) {
-        let Part { columns, rows } = part;
+    fn dissect(&self, part: LatticeBlock, order: &mut Vec<usize>) {
+        let LatticeBlock { columns, rows } = part;
         let wide = line_inside(&columns);
         let high = line_inside(&rows);
         match (wide, high) {
             (Some(line), other) if other.is_none() || elements(&columns) >= elements(&rows) => {
-                self.dissect(Part { columns: *columns.start()..=line - 1, rows: rows.clone() }, order);
-                self.dissect(Part { columns: line + 1..=*columns.end(), rows: rows.clone() }, order);
+                self.dissect(
+                    LatticeBlock { columns: *columns.start()..=line - 1, rows: rows.clone() },
+                    order,
+                );
+                self.dissect(LatticeBlock { columns: line + 1..=*columns.end(), rows: rows.clone() }, order);
                 self.collect(line..=line, rows, order);
             }
             (_, Some(line)) => {
-                self.dissect(Part { columns: columns.clone(), rows: *rows.start()..=line - 1 }, order);
-                self.dissect(Part { columns: columns.clone(), rows: line + 1..=*rows.end() }, order);
+                self.dissect(
+                    LatticeBlock { columns: columns.clone(), rows: *rows.start()..=line - 1 },
+                    order,
+                );
+                self.dissect(LatticeBlock { columns: columns.clone(), rows: line + 1..=*rows.end() }, order);
                 self.collect(columns, line..=line, order);
             }
             (_, None) => self.collect(columns, rows, order),

@@ -1,9 +1,9 @@
 //! A between cracks that are far apart, by an interpolation of the interaction of dislocations.
 
 use super::kernel::interaction;
-use super::units::{Extent, Units};
+use super::units::{SourceBox, Units};
 use crate::body::{FaceElement, FaceMesh, FarStiffness};
-use crate::crack::Walk;
+use crate::crack::CrackCurve;
 use crate::linear::product;
 use crate::math::{Matrix, Vec2, gauss_legendre};
 use rayon::prelude::*;
@@ -15,14 +15,14 @@ const FEW_POINTS: usize = 2;
 
 /// Dislocations that follow the jumps at face points.
 pub(crate) struct Source<'a> {
-    pub place: Place<'a>,
+    pub place: SourceSite<'a>,
     /// Their Burgers vector over the jumps at these points, which are counted within the unit.
     pub follows: Vec<(usize, f64)>,
 }
 
 /// Where dislocations are.
-pub(crate) enum Place<'a> {
-    /// Those on an element: the jump changes evenly in the parameter of the walk.
+pub(crate) enum SourceSite<'a> {
+    /// Dislocations on an element, over which the jump is linear in the parameter of the curve.
     Element(&'a FaceElement),
     /// One at a point (mm) of a crack.
     Point { crack: usize, at: Vec2 },
@@ -31,7 +31,7 @@ pub(crate) enum Place<'a> {
 /// A row of cracks and the dislocations on them.
 pub(crate) struct FarRow<'a> {
     pub units: &'a Units,
-    pub walks: &'a [Walk],
+    pub curves: &'a [CrackCurve],
     pub faces: &'a FaceMesh,
     /// The face points of each unit.
     pub points: &'a [Vec<usize>],
@@ -102,14 +102,14 @@ impl FarRow<'_> {
         for Source { place, follows } in &self.sources[k] {
             let mut at: Vec<(Vec2, f64)> = Vec::new();
             match *place {
-                Place::Point { at: point, .. } => at.push((point, 1.0)),
-                Place::Element(element) => {
+                SourceSite::Point { at: point, .. } => at.push((point, 1.0)),
+                SourceSite::Element(element) => {
                     let range = element.range.1 - element.range.0;
                     for piece in &element.pieces {
                         let (start, width) = (piece.range.0, piece.range.1 - piece.range.0);
                         at.extend(rule.iter().map(|&(t, w)| {
                             let g = start + t * width;
-                            (self.walks[piece.crack].position(piece.segment, g), w * width / range)
+                            (self.curves[piece.crack].position(piece.segment, g), w * width / range)
                         }));
                     }
                 }
@@ -123,7 +123,7 @@ impl FarRow<'_> {
 
     fn moments(&self, k: usize) -> Matrix {
         let (cracks, points) = (&self.units.cracks[k], &self.points[k]);
-        let rank = 2 * Extent::NODES;
+        let rank = 2 * SourceBox::NODES;
         let rule = gauss_legendre(POINTS);
         let mut moments = Matrix::zeros(2 * points.len(), rank * cracks.len());
         for Source { place, follows } in &self.sources[k] {
@@ -146,15 +146,15 @@ impl FarRow<'_> {
 
     /// The crack of dislocations, and the weights of its box's Chebyshev points: for an element
     /// ∫ L_q(z(g)) dg over its range.
-    fn weights(&self, place: &Place<'_>, rule: &[(f64, f64)]) -> (usize, Vec<f64>) {
+    fn weights(&self, place: &SourceSite<'_>, rule: &[(f64, f64)]) -> (usize, Vec<f64>) {
         match *place {
-            Place::Point { crack, at } => (crack, self.units.extents[crack].weights(at)),
-            Place::Element(element) => {
-                let mut sum = vec![0.0; Extent::NODES];
+            SourceSite::Point { crack, at } => (crack, self.units.extents[crack].weights(at)),
+            SourceSite::Element(element) => {
+                let mut sum = vec![0.0; SourceBox::NODES];
                 for piece in &element.pieces {
                     let (start, width) = (piece.range.0, piece.range.1 - piece.range.0);
                     for &(t, w) in rule {
-                        let point = self.walks[piece.crack].position(piece.segment, start + t * width);
+                        let point = self.curves[piece.crack].position(piece.segment, start + t * width);
                         let weights = self.units.extents[element.crack].weights(point);
                         sum.iter_mut().zip(weights).for_each(|(sum, l)| *sum += w * width * l);
                     }

@@ -6,6 +6,6 @@ mod far;
 mod kernel;
 mod units;
 
-pub(crate) use far::{FarRow, Place, Source};
+pub(crate) use far::{FarRow, Source, SourceSite};
 pub(crate) use kernel::{Interaction, Split, collinear_constant, split_image_interaction, split_interaction};
 pub(crate) use units::Units;

@@ -1,6 +1,6 @@
 //! The cracks of a row, unit by unit.
 
-use crate::crack::{CrackNetwork, Walk};
+use crate::crack::{CrackCurve, CrackNetwork};
 use crate::math::{Vec2, chebyshev};
 
 /// Cracks are near to each other up to this distance along the rail, over the larger of their
@@ -15,18 +15,18 @@ const FLAT: f64 = 1e-9;
 
 /// The box around a crack.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Extent {
+pub(super) struct SourceBox {
     low: Vec2,
     high: Vec2,
 }
 
-impl Extent {
+impl SourceBox {
     /// Number of its Chebyshev points.
     pub(crate) const NODES: usize = ALONG * DOWN;
 
-    fn of(walk: &Walk) -> Self {
-        let points = (0..walk.segments()).map(|i| walk.position(i, walk.vertices()[i]));
-        let all = points.chain([walk.last_point()]);
+    fn of(curve: &CrackCurve) -> Self {
+        let points = (0..curve.segments()).map(|i| curve.position(i, curve.vertices()[i]));
+        let all = points.chain([curve.last_point()]);
         let none = Self {
             low: Vec2::new(f64::INFINITY, f64::INFINITY),
             high: Vec2::new(f64::NEG_INFINITY, f64::NEG_INFINITY),
@@ -46,7 +46,7 @@ impl Extent {
         gap >= GAP * self.size().max(other.size())
     }
 
-    /// Chebyshev points, of which [`Extent::weights`] are the weights of a point.
+    /// Chebyshev points, of which [`SourceBox::weights`] are the weights of a point.
     pub(crate) fn nodes(&self) -> Vec<Vec2> {
         let [xs, ys] = self.lines();
         xs.iter().flat_map(|&x| ys.iter().map(move |&y| Vec2::new(x, y))).collect()
@@ -70,13 +70,13 @@ impl Extent {
 pub(crate) struct Units {
     /// The cracks of each unit, in order.
     pub cracks: Vec<Vec<usize>>,
-    pub(super) extents: Vec<Extent>,
+    pub(super) extents: Vec<SourceBox>,
 }
 
 impl Units {
-    /// Those of `network`, whose cracks `walks` follow.
-    pub(crate) fn new(network: &CrackNetwork, walks: &[Walk]) -> Self {
-        let extents: Vec<Extent> = walks.iter().map(Extent::of).collect();
+    /// The units of `network`, whose cracks have the `curves`.
+    pub(crate) fn new(network: &CrackNetwork, curves: &[CrackCurve]) -> Self {
+        let extents: Vec<SourceBox> = curves.iter().map(SourceBox::of).collect();
         Self { cracks: units(network, &extents), extents }
     }
 
@@ -104,7 +104,7 @@ impl Units {
     }
 }
 
-fn units(network: &CrackNetwork, extents: &[Extent]) -> Vec<Vec<usize>> {
+fn units(network: &CrackNetwork, extents: &[SourceBox]) -> Vec<Vec<usize>> {
     let mut units: Vec<Vec<usize>> = (0..extents.len()).map(|crack| vec![crack]).collect();
     for point in network.junction_points() {
         let through = point.through.iter().map(|passing| passing.crack);

@@ -2,7 +2,7 @@
 
 use super::eigenstress::Columns;
 use super::error::ShakedownError;
-use super::grid::Grid;
+use super::grid::RailGrid;
 use super::rail::{RolledRail, Travel};
 use super::state::{Admissibility, Cycle};
 use super::steady::{SteadyPassage, SteadyProblem, first_column};
@@ -11,7 +11,7 @@ use crate::material::IsotropicElastic;
 use crate::math::Stress;
 
 /// Zero strain or stress on all columns of `grid`.
-pub(super) fn zeros(grid: &Grid) -> Columns {
+pub(super) fn zeros(grid: &RailGrid) -> Columns {
     let size = grid.columns * grid.layers.count();
     [vec![0.0; size], vec![0.0; size], vec![0.0; size]]
 }
@@ -38,7 +38,7 @@ pub(super) fn mirror(travel: Travel) -> f64 {
 /// Stress and strain of `passage`, and their admissibility. Errors: a contact that is none.
 pub(super) fn of(
     rail: &RolledRail,
-    grid: &Grid,
+    grid: &RailGrid,
     problem: &mut SteadyProblem,
     passage: &SteadyPassage,
 ) -> Result<(Cycle, Admissibility), ShakedownError> {

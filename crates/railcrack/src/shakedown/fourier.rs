@@ -66,7 +66,7 @@ impl Fourier {
             let Signals { re, im, spare_re, spare_im } = &mut *signals;
             for part in 0..rest / radix {
                 let root = |power: usize| self.roots[power * part * stride];
-                let from = Part { re, im, block: stride * lanes, part, parts: rest / radix };
+                let from = ButterflyInput { re, im, block: stride * lanes, part, parts: rest / radix };
                 let first = part * radix * stride * lanes;
                 let to = (first, spare_re.as_mut_slice(), spare_im.as_mut_slice());
                 if radix == 4 {
@@ -83,7 +83,7 @@ impl Fourier {
 }
 
 /// The input of a butterfly: blocks `part`, `part + parts`, `part + 2 parts`, ….
-struct Part<'a> {
+struct ButterflyInput<'a> {
     re: &'a [f64],
     im: &'a [f64],
     block: usize,
@@ -91,7 +91,7 @@ struct Part<'a> {
     parts: usize,
 }
 
-impl<'a> Part<'a> {
+impl<'a> ButterflyInput<'a> {
     #[inline(always)]
     fn leg(&self, leg: usize) -> (&'a [f64], &'a [f64]) {
         let from = (self.part + leg * self.parts) * self.block;
@@ -100,11 +100,11 @@ impl<'a> Part<'a> {
 }
 
 /// Offset of the first block that a butterfly writes, and the arrays.
-type Target<'a> = (usize, &'a mut [f64], &'a mut [f64]);
+type ButterflyOutput<'a> = (usize, &'a mut [f64], &'a mut [f64]);
 
 struct Four<'a> {
-    from: Part<'a>,
-    to: Target<'a>,
+    from: ButterflyInput<'a>,
+    to: ButterflyOutput<'a>,
     roots: [(f64, f64); 3],
 }
 
@@ -140,8 +140,8 @@ impl WithSimd for Four<'_> {
 }
 
 struct Two<'a> {
-    from: Part<'a>,
-    to: Target<'a>,
+    from: ButterflyInput<'a>,
+    to: ButterflyOutput<'a>,
 }
 
 impl WithSimd for Two<'_> {

@@ -23,7 +23,7 @@ impl Default for Resolution {
 
 /// Columns and layers of one computation.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Grid {
+pub(super) struct RailGrid {
     /// A power of two.
     pub columns: usize,
     /// mm.
@@ -51,7 +51,7 @@ const COARSER_BEYOND: f64 = 4.0;
 /// Half-widths on each side of the contact in which flow is admitted and the extrapolation acts.
 pub(super) const WINDOW: f64 = 3.0;
 
-impl Grid {
+impl RailGrid {
     /// The grid for `rail`: even layers down to where its elastic passage yields and somewhat
     /// deeper.
     pub(super) fn of(rail: &RolledRail, resolution: Resolution) -> Result<Self, ShakedownError> {

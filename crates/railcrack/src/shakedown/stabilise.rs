@@ -4,7 +4,7 @@ use super::bounds::{ShakedownLimit, utilisation};
 use super::cycle;
 use super::eigenstress::{Columns, Eigenstress};
 use super::error::ShakedownError;
-use super::grid::{Grid, Resolution, WINDOW};
+use super::grid::{RailGrid, Resolution, WINDOW};
 use super::rail::RolledRail;
 use super::state::{DepthRange, LayerState, Method, PassRecord, RailState, StabilisedRail};
 use super::steady::{SteadyPassage, SteadyProblem, Upstream, first_column};
@@ -85,14 +85,14 @@ pub fn stabilise_unless(
     mut watch: impl FnMut(&PassRecord),
 ) -> Result<StabilisedRail, ShakedownError> {
     check_rail(rail)?;
-    let mut grid = Grid::of(rail, settings.resolution)?;
+    let mut grid = RailGrid::of(rail, settings.resolution)?;
     for _ in 0..EXTENSIONS {
-        let mut run = Run::new(rail, settings, &grid)?;
+        let mut run = PassIteration::new(rail, settings, &grid)?;
         let flown = run.all_passes(interruption, &mut watch)?;
         if flown <= grid.fine_depth {
             return run.finish();
         }
-        grid = Grid::down_to(rail, settings.resolution, 1.25 * flown);
+        grid = RailGrid::down_to(rail, settings.resolution, 1.25 * flown);
     }
     Err(ShakedownError::Bottomless { depth: grid.fine_depth })
 }
@@ -101,7 +101,7 @@ pub fn stabilise_unless(
 ///
 /// Errors: a load, contact or initial residual stress outside of the range of the model.
 pub fn check_rail(rail: &RolledRail) -> Result<(), ShakedownError> {
-    Grid::check_load(rail)?;
+    RailGrid::check_load(rail)?;
     let contact = &rail.contact;
     OutOfRange::unless_positive("peak pressure (MPa)", contact.peak_pressure())?;
     OutOfRange::unless_positive("half width (mm)", contact.half_width())?;
@@ -120,10 +120,10 @@ pub fn check_rail(rail: &RolledRail) -> Result<(), ShakedownError> {
 }
 
 /// The computation on one grid.
-struct Run<'a> {
+struct PassIteration<'a> {
     rail: &'a RolledRail,
     settings: &'a Stabilisation,
-    grid: &'a Grid,
+    grid: &'a RailGrid,
     problem: SteadyProblem,
     /// Plastic strain of the last two passages.
     last: Option<SteadyPassage>,
@@ -133,11 +133,11 @@ struct Run<'a> {
     stabilised: bool,
 }
 
-impl<'a> Run<'a> {
+impl<'a> PassIteration<'a> {
     fn new(
         rail: &'a RolledRail,
         settings: &'a Stabilisation,
-        grid: &'a Grid,
+        grid: &'a RailGrid,
     ) -> Result<Self, ShakedownError> {
         let field = rail.forward_field()?;
         let layers = grid.layers.middles();

@@ -207,15 +207,15 @@ mod tests {
     use crate::math::RailBox;
     use crate::xfem::body::Discretisation;
     use crate::xfem::space::Enrichment;
-    use crate::xfem::{MeshSettings, Window, XfemSettings};
+    use crate::xfem::{MeshSettings, RefinedRegion, XfemSettings};
 
     #[test]
     fn an_advancing_tip_changes_no_bit_behind_it() {
         let short = Crack::surface_breaking(0.0, 6.0, 0.3).unwrap();
         let long = short.extended(End::Last, 0.7, -0.05).unwrap();
         let [short, long] = [short, long].map(CrackNetwork::from);
-        let window = Window::new(&short, MeshSettings { element_size: 0.25, expected_growth: 1.5 });
-        let mesh = window.mesh(RailBox { width: 1800.0, depth: 900.0, centre: 0.0 }).unwrap();
+        let refined = RefinedRegion::new(&short, MeshSettings { element_size: 0.25, expected_growth: 1.5 });
+        let mesh = refined.mesh(RailBox { width: 1800.0, depth: 900.0, centre: 0.0 }).unwrap();
         let elasticity = Elasticity::new(IsotropicElastic::new(210e3, 0.3).unwrap());
         let of = |network: &CrackNetwork| {
             let parts = Discretisation::new(&mesh, network, &XfemSettings::default()).unwrap();

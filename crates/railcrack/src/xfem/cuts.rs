@@ -1,6 +1,6 @@
 //! Elements cut by the cracks, and their cells.
 
-use super::arrangement::{Arrangement, Border, CutLine};
+use super::arrangement::{Arrangement, CutLine, EdgeLine};
 use super::path::{CutPath, STRAIGHT, TipPath};
 use crate::crack::{CrackNetwork, CrackTip};
 use crate::math::{Orientation, Vec2, orientation};
@@ -65,7 +65,7 @@ pub(super) struct CellPlace {
 pub(super) struct CrackPiece {
     pub crack: usize,
     pub segment: usize,
-    /// Ends along the walk, mm.
+    /// Ends along the curve, mm.
     pub ends: (Vec2, Vec2),
     /// Arc length at the ends, mm.
     pub s: (f64, f64),
@@ -91,7 +91,7 @@ pub(super) struct Cuts {
     pub poles: Vec<TipPath>,
     /// Elements that contain a part of a crack or a tip, and those that were asked for.
     pub elements: BTreeMap<usize, CutElement>,
-    /// All pieces, crack by crack along the walk.
+    /// All pieces, crack by crack along the curve.
     pub pieces: Vec<CrackPiece>,
     /// Keyed by the element below or left of the side, and that side (Top or Right).
     side_cracks: BTreeMap<(usize, Edge), Vec<SideCrack>>,
@@ -195,7 +195,7 @@ impl Cuts {
         }
         let arrangement = Arrangement::new(&element, &lines);
         CutElement::new(element, arrangement, |border, a, b| {
-            let Border::Line(line) = border else { return None };
+            let EdgeLine::Line(line) = border else { return None };
             owners[line].iter().find_map(|&(crack, segment)| {
                 let (from, to) = self.paths[crack].segment(segment);
                 let along = to - from;
@@ -354,7 +354,7 @@ impl CutElement {
     fn new(
         element: Element,
         arrangement: Arrangement,
-        crack: impl Fn(Border, Vec2, Vec2) -> Option<(usize, usize, bool)>,
+        crack: impl Fn(EdgeLine, Vec2, Vec2) -> Option<(usize, usize, bool)>,
     ) -> Self {
         let cells = arrangement.cells.len();
         let mut region: Vec<usize> = (0..cells).collect();
@@ -362,10 +362,10 @@ impl CutElement {
         let mut cracks = Vec::new();
         let mut inner: BTreeMap<(usize, usize), usize> = BTreeMap::new();
         for (i, cell) in arrangement.cells.iter().enumerate() {
-            for (k, &border) in cell.borders.iter().enumerate() {
+            for (k, &border) in cell.edge_lines.iter().enumerate() {
                 let (a, b) = (cell.vertices[k], cell.vertices[(k + 1) % cell.vertices.len()]);
                 let ends = (arrangement.vertices[a], arrangement.vertices[b]);
-                if let Border::Side(side) = border {
+                if let EdgeLine::Side(side) = border {
                     let (from, to) = (along_side(side, ends.0), along_side(side, ends.1));
                     sides.push(SidePiece { side, from: from.min(to), to: from.max(to), cell: i });
                     continue;

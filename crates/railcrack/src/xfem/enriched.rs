@@ -16,7 +16,7 @@ pub(super) struct EnrichedStiffness<'a> {
 }
 
 /// An element of the sum.
-enum Part<'a> {
+enum Summand<'a> {
     /// An element of the mesh.
     Mesh(usize),
     /// A cell: the contribution of its enriched functions.
@@ -31,11 +31,13 @@ impl<'a> EnrichedStiffness<'a> {
         Self { rail, mesh: rail.stiffness(), border, added }
     }
 
-    fn part(&self, element: usize) -> Part<'a> {
+    fn part(&self, element: usize) -> Summand<'a> {
         let cells = &self.border.cells;
         match element.checked_sub(self.mesh.count()) {
-            None => Part::Mesh(element),
-            Some(other) => cells.get(other).map_or_else(|| Part::Added(other - cells.len()), Part::Cell),
+            None => Summand::Mesh(element),
+            Some(other) => {
+                cells.get(other).map_or_else(|| Summand::Added(other - cells.len()), Summand::Cell)
+            }
         }
     }
 }
@@ -53,21 +55,21 @@ impl ElementSum for EnrichedStiffness<'_> {
         let free = |unknown: usize| self.rail.unknowns(unknown / 2)[unknown % 2];
         let enriched = |unknown: usize| Some(self.mesh.order() + unknown);
         match self.part(element) {
-            Part::Mesh(element) => self.mesh.unknowns(element),
-            Part::Cell(cell) => {
+            Summand::Mesh(element) => self.mesh.unknowns(element),
+            Summand::Cell(cell) => {
                 let standard = cell.targets.iter().filter_map(|target| target.standard.map(free));
                 standard
                     .chain(cell.targets.iter().filter_map(|target| target.enriched.map(enriched)))
                     .collect()
             }
-            Part::Added(unknown) => vec![enriched(unknown)],
+            Summand::Added(unknown) => vec![enriched(unknown)],
         }
     }
 
     fn matrix(&self, element: usize) -> Matrix {
         match self.part(element) {
-            Part::Mesh(element) => self.mesh.matrix(element),
-            Part::Cell(cell) => {
+            Summand::Mesh(element) => self.mesh.matrix(element),
+            Summand::Cell(cell) => {
                 let mut functions: Vec<usize> = cell.functions(|target| target.standard).collect();
                 let standard = functions.len();
                 functions.extend(cell.functions(|target| target.enriched));
@@ -75,7 +77,7 @@ impl ElementSum for EnrichedStiffness<'_> {
                 let entry = |i, j| if i < standard { 0.0 } else { cell.entry(functions[i], functions[j]) };
                 Matrix::from_fn(functions.len(), functions.len(), entry)
             }
-            Part::Added(unknown) => Matrix::from_fn(1, 1, |_, _| self.added[unknown]),
+            Summand::Added(unknown) => Matrix::from_fn(1, 1, |_, _| self.added[unknown]),
         }
     }
 }

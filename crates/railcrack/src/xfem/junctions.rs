@@ -6,7 +6,7 @@
 //! values at its other end: no part of the tractions is lost or counted twice.
 
 use crate::body::{FaceElement, FaceMesh};
-use crate::crack::{CrackNetwork, End, Walk};
+use crate::crack::{CrackCurve, CrackNetwork, End};
 
 /// The points of `crack` at which other cracks meet it, by index, in order.
 pub(super) fn junctions_on(network: &CrackNetwork, crack: usize) -> Vec<usize> {
@@ -30,14 +30,14 @@ pub(super) fn junctions_on(network: &CrackNetwork, crack: usize) -> Vec<usize> {
 /// Removes the face points at junctions and adds their share to the next one of the same arm.
 /// `joined` are the points of each crack at which others meet it.
 pub(super) fn leave_junctions(
-    walks: &[Walk],
+    curves: &[CrackCurve],
     joined: &[Vec<usize>],
     elements: &mut [FaceElement],
     faces: &mut FaceMesh,
 ) {
     let mut heir: Vec<usize> = (0..faces.points.len()).collect();
     for element in elements.iter_mut() {
-        let vertices = walks[element.crack].vertices();
+        let vertices = curves[element.crack].vertices();
         let at = joined[element.crack].iter().map(|&point| vertices[point]);
         let ends = [element.range.0, element.range.1];
         for g in at {

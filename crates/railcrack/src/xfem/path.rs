@@ -81,7 +81,7 @@ impl CutPath {
 pub(super) struct TipPath {
     pub crack: usize,
     pub end: End,
-    /// The crack walked towards the tip.
+    /// The crack, traversed towards the tip.
     points: Vec<Vec2>,
     pub ahead: Vec2,
 }

@@ -3,13 +3,13 @@
 use super::body::{Discretisation, Reduced, of_some_cracks, of_thin_flaps};
 use super::columns::ColumnStore;
 use super::error::XfemError;
+use super::refined_region::{OUTER_GRADING, RefinedRegion};
 use super::row_part::{PartOfRow, Taken, UnitOfPart};
 use super::settings::XfemSettings;
 use super::size::{XfemSize, factor_entries};
-use super::window::{OUTER_GRADING, Window};
 use crate::body::{BlockStiffness, BodyTimes, CrackedBody, FaceMesh, FaceSample, TipGain};
 use crate::bulk::{Boundary, BulkRail};
-use crate::crack::{CrackNetwork, Walk};
+use crate::crack::{CrackCurve, CrackNetwork};
 use crate::interruption::Interruption;
 use crate::material::IsotropicElastic;
 use crate::math::{Matrix, RailBox};
@@ -26,11 +26,11 @@ const UNITS: usize = 10;
 /// Length of the fine mesh beside a part, over its largest unit.
 const BESIDE: f64 = 0.3;
 
-/// A row of cracks in the half-plane and the mesh that is fine in `window`.
+/// A row of cracks in the half-plane and the mesh that is fine in the region `refined`.
 pub(super) struct MeshedRow<'a> {
     pub network: &'a CrackNetwork,
     pub steel: &'a IsotropicElastic,
-    pub window: &'a Window,
+    pub refined: &'a RefinedRegion,
     pub extent: RailBox,
     pub settings: XfemSettings,
 }
@@ -67,10 +67,10 @@ impl MeshedRow<'_> {
     /// The body, A crack by crack.
     pub(crate) fn body(&self, interruption: Interruption<'_>) -> Result<CrackedBody, XfemError> {
         let started = Instant::now();
-        let walks = self.network.walks();
-        let units = Units::new(self.network, &walks);
+        let curves = self.network.curves();
+        let units = Units::new(self.network, &curves);
         let parts = parts(&units);
-        let whole = self.window.mesh_lines(self.extent)?;
+        let whole = self.refined.mesh_lines(self.extent)?;
         let taken = |i: usize| self.taken(&units, &parts, i, &whole, interruption);
         // Meshes and factors of as many parts as there are threads are in memory together.
         let mut all: Vec<Taken> = Vec::new();
@@ -80,7 +80,7 @@ impl MeshedRow<'_> {
             all.extend(some);
         }
         let made = started.elapsed().as_secs_f64();
-        let mut body = self.assembled(&walks, &units, all);
+        let mut body = self.assembled(&curves, &units, all);
         // Of parts that were made side by side.
         let BodyTimes { mesh_s, enrichment_s, border_s, sif_s, condensation_s } = body.times;
         let share = made / (mesh_s + enrichment_s + border_s + sif_s + condensation_s);
@@ -97,9 +97,9 @@ impl MeshedRow<'_> {
     /// Size of all parts together; entries of the factors of two of them, which are in memory
     /// together on two threads.
     pub(crate) fn size(&self) -> Result<XfemSize, XfemError> {
-        let units = Units::new(self.network, &self.network.walks());
+        let units = Units::new(self.network, &self.network.curves());
         let parts = parts(&units);
-        let whole = self.window.mesh_lines(self.extent)?;
+        let whole = self.refined.mesh_lines(self.extent)?;
         let mut size = XfemSize::default();
         for (i, own) in parts.iter().enumerate() {
             let mesh = self.mesh_of(&units, own, &whole)?;
@@ -163,7 +163,7 @@ impl MeshedRow<'_> {
         Ok(part.taken(&body, inside.interface.elements(), &remarks, &at_home)?)
     }
 
-    fn assembled(&self, walks: &[Walk], units: &Units, all: Vec<Taken>) -> CrackedBody {
+    fn assembled(&self, curves: &[CrackCurve], units: &Units, all: Vec<Taken>) -> CrackedBody {
         let count = units.cracks.len();
         let tips = self.network.tips();
         let mut near: Vec<Vec<(usize, Matrix)>> = vec![Vec::new(); count];
@@ -217,9 +217,9 @@ impl MeshedRow<'_> {
             remarks.extend(own.remarks.iter().cloned());
         }
         let dislocations: Vec<Vec<Source<'_>>> =
-            of_units.iter().map(|unit| unit.sources(self.network, walks)).collect();
+            of_units.iter().map(|unit| unit.sources(self.network, curves)).collect();
         let modulus = self.steel.plane_strain_modulus();
-        let far = FarRow { units, walks, faces: &faces, points: &points, sources: &dislocations, modulus }
+        let far = FarRow { units, curves, faces: &faces, points: &points, sources: &dislocations, modulus }
             .stiffness();
         let extents = (0..count).map(|k| units.span(k)).collect();
         let blocks = BlockStiffness { units: points, extents, near, far, tips: gains };

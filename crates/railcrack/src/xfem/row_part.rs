@@ -3,10 +3,10 @@
 use super::error::XfemError;
 use super::junctions::junctions_on;
 use crate::body::{BodyTimes, CrackedBody, FaceElement, FacePoint, FaceSample};
-use crate::crack::{CrackEnd, CrackNetwork, CrackTip, Junction, Walk};
+use crate::crack::{CrackCurve, CrackEnd, CrackNetwork, CrackTip, Junction};
 use crate::linear::{LinearError, product};
 use crate::math::Matrix;
-use crate::nuclei::{Place, Source, Units};
+use crate::nuclei::{Source, SourceSite, Units};
 use std::ops::Range;
 
 /// Some units of a row, as a network of their own.
@@ -166,25 +166,25 @@ impl PartOfRow {
 }
 
 impl UnitOfPart {
-    /// The dislocations of this unit of `network`, whose cracks `walks` follow.
-    pub(crate) fn sources(&self, network: &CrackNetwork, walks: &[Walk]) -> Vec<Source<'_>> {
+    /// The dislocations of this unit of `network`, whose cracks have the `curves`.
+    pub(crate) fn sources(&self, network: &CrackNetwork, curves: &[CrackCurve]) -> Vec<Source<'_>> {
         let mut sources = Vec::new();
         for element in &self.elements {
             let ends = element.ends.iter().zip([-1.0, 1.0]);
             let follows: Vec<(usize, f64)> =
                 ends.clone().filter_map(|(end, sign)| Some(((*end)?, sign))).collect();
-            sources.push(Source { place: Place::Element(element), follows });
+            sources.push(Source { place: SourceSite::Element(element), follows });
             // Where an arm of a junction ends its jump does, too.
             let crack = element.crack;
-            let walk = &walks[crack];
-            let vertices = walk.vertices();
+            let curve = &curves[crack];
+            let vertices = curve.vertices();
             for vertex in junctions_on(network, crack) {
                 let g = vertices[vertex];
                 for ((end, sign), range) in ends.clone().zip([element.range.0, element.range.1]) {
                     if let (true, Some(point)) = (range == g, *end) {
                         let at = network.cracks()[crack].points()[vertex];
                         sources.push(Source {
-                            place: Place::Point { crack, at },
+                            place: SourceSite::Point { crack, at },
                             follows: vec![(point, -sign)],
                         });
                     }

@@ -213,15 +213,16 @@ mod tests {
     use super::*;
     use crate::crack::{Crack, CrackNetwork};
     use crate::math::RailBox;
-    use crate::xfem::window::{MeshSettings, Window};
+    use crate::xfem::refined_region::{MeshSettings, RefinedRegion};
 
     #[test]
     fn supports_cut_in_two_have_one_other_part() {
         for degrees in [75.0f64, 60.0, 30.0, 15.0] {
             let network: CrackNetwork =
                 Crack::surface_breaking(0.0, 6.0, degrees.to_radians()).unwrap().into();
-            let window = Window::new(&network, MeshSettings { element_size: 0.2, expected_growth: 2.67 });
-            let mesh = window.mesh(RailBox { width: 6000.0, depth: 3000.0, centre: 0.0 }).unwrap();
+            let refined =
+                RefinedRegion::new(&network, MeshSettings { element_size: 0.2, expected_growth: 2.67 });
+            let mesh = refined.mesh(RailBox { width: 6000.0, depth: 3000.0, centre: 0.0 }).unwrap();
             let mut cuts = Cuts::new(&mesh, &network);
             let held: Vec<usize> =
                 cuts.elements.iter().filter(|(_, c)| c.regions > 1).map(|(e, _)| *e).collect();

@@ -31,7 +31,7 @@ impl OutsidePressure {
 }
 
 /// The pockets on their way through a step.
-pub(super) struct PocketWay {
+pub(super) struct PocketTrace {
     /// The pressure over their mouths.
     outside: OutsidePressure,
     units: Vec<FaceRate>,
@@ -55,7 +55,7 @@ pub(super) enum PocketEvent {
 /// Multiple of round-off within which two pressures are one.
 const ALIKE: f64 = 100.0;
 
-impl PocketWay {
+impl PocketTrace {
     pub(super) fn new(problem: &FaceProblem, outside: OutsidePressure, loud: f64) -> Self {
         let m = problem.pockets().len();
         Self { outside, units: Vec::new(), pressures: vec![[0.0; 2]; m], volumes: vec![[0.0; 2]; m], loud }

@@ -1,4 +1,4 @@
-//! The fine window of the mesh, and its grading.
+//! The refined region of the mesh, and its grading.
 
 use crate::crack::{Crack, CrackNetwork, CrackTip, End};
 use crate::math::{RailBox, Vec2};
@@ -9,7 +9,7 @@ use crate::mesh::{MeshError, QuadMesh};
 pub struct MeshSettings {
     /// Size of the elements at the initial cracks, mm.
     pub element_size: f64,
-    /// Final over initial length of the cracks for which the window makes room.
+    /// Final over initial length of the cracks for which the refined region makes room.
     pub expected_growth: f64,
 }
 
@@ -78,7 +78,7 @@ fn goes_on(pair: &[Vec2]) -> bool {
 
 /// Layers of the rail that elements must resolve along its whole length: those with plastic stress.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Layers {
+pub struct ResolvedLayers {
     /// Depth of the lowest layer, mm.
     pub depth: f64,
     /// Largest height of the elements down to there, mm.
@@ -88,14 +88,14 @@ pub struct Layers {
 /// The fine part of the mesh, around the cracks and where they are expected to grow. Elements grow
 /// in it with the distance from each initial crack, as cracks that get there have become longer.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Window {
+pub struct RefinedRegion {
     /// Lower left corner, mm.
     pub lower: Vec2,
     /// Upper right corner, mm.
     pub upper: Vec2,
     /// The initial cracks.
     cracks: Vec<Resolved>,
-    layers: Option<Layers>,
+    layers: Option<ResolvedLayers>,
 }
 
 /// An initial crack and the size of its elements.
@@ -116,26 +116,27 @@ struct Resolved {
 const MOUTH_ELEMENT: f64 = 1.0 / 300.0;
 /// Growth of elements away from a mouth: length per distance.
 const MOUTH_GRADING: f64 = 0.35;
-/// Growth of elements outside of the window: length per distance. Quadratic elements follow the
-/// decay of the field there.
+/// Growth of elements outside of the refined region: length per distance. Quadratic elements follow
+/// the decay of the field there.
 pub(super) const OUTER_GRADING: f64 = 0.4;
-/// Angle (radians) of the branch for which the window makes room: kinks at ±70.5° maximise the
-/// opening of a shear crack.
+/// Angle (radians) of the branch for which the refined region makes room: kinks at ±70.5° maximise
+/// the opening of a shear crack.
 const BRANCH: f64 = 1.25;
-/// Margin of the window around the cracks, in elements.
+/// Margin of the refined region around the cracks, in elements.
 const MARGIN: f64 = 5.0;
-/// Least number of elements between a tip and the edge of the window.
+/// Least number of elements between a tip and the edge of the refined region.
 const CLEARANCE: f64 = 3.0;
 
-impl Window {
-    /// The window of `network` with room for its growth, with elements of one size at all cracks.
+impl RefinedRegion {
+    /// The refined region of `network` with room for its growth, with elements of one size at all
+    /// cracks.
     pub fn new(network: &CrackNetwork, settings: MeshSettings) -> Self {
         let sizes = vec![settings.element_size; network.cracks().len()];
         Self::with_sizes(network, &sizes, settings.expected_growth)
     }
 
-    /// [`Window::new`] with elements of `sizes[i]` (mm) at crack i: grid lines are as close as
-    /// required by the crack whose box is nearest relative to its element size.
+    /// [`RefinedRegion::new`] with elements of `sizes[i]` (mm) at crack i: grid lines are as close
+    /// as required by the crack whose box is nearest relative to its element size.
     pub fn with_sizes(network: &CrackNetwork, sizes: &[f64], expected_growth: f64) -> Self {
         let resolved = |(crack, &element_size): (&Crack, &f64)| Resolved {
             element_size,
@@ -161,12 +162,12 @@ impl Window {
         Self { lower, upper: Vec2::new(upper.x, upper.y.min(0.0)), cracks, layers: None }
     }
 
-    /// This window with elements that also resolve `layers`.
-    pub(crate) fn resolving(self, layers: Layers) -> Self {
+    /// This refined region with elements that also resolve `layers`.
+    pub(crate) fn resolving(self, layers: ResolvedLayers) -> Self {
         Self { layers: Some(layers), ..self }
     }
 
-    /// This window enlarged by half its size on every side.
+    /// This refined region enlarged by half its size on every side.
     pub(crate) fn enlarged(&self) -> Self {
         let size = self.upper - self.lower;
         Self {
@@ -181,7 +182,7 @@ impl Window {
         network.tips().into_iter().all(|tip| self.holds_point(network.cracks()[tip.crack].tip(tip.end)))
     }
 
-    /// Whether a tip of `network` has left the window with the last segment of its crack.
+    /// Whether a tip of `network` has left the refined region with the last segment of its crack.
     pub(crate) fn was_left_by(&self, network: &CrackNetwork) -> bool {
         network.tips().into_iter().any(|CrackTip { crack, end, .. }| {
             let crack = &network.cracks()[crack];
@@ -232,7 +233,7 @@ impl Window {
             .map_or(fine, |layers| fine.min(layers.height + OUTER_GRADING * (-y - layers.depth).max(0.0)))
     }
 
-    /// The mesh of `extent` that is fine in this window.
+    /// The mesh of `extent` that is fine in this refined region.
     ///
     /// Errors: more than [`MOST_MESH_UNKNOWNS`]; grid lines that round-off lets coincide.
     pub fn mesh(&self, extent: RailBox) -> Result<QuadMesh, MeshError> {
@@ -240,7 +241,7 @@ impl Window {
         QuadMesh::new(x, y)
     }
 
-    /// The lines of [`Window::mesh`] along x and y.
+    /// The lines of [`RefinedRegion::mesh`] along x and y.
     pub(super) fn mesh_lines(&self, extent: RailBox) -> Result<(Vec<f64>, Vec<f64>), MeshError> {
         let (x, y) = self.gradings(extent);
         let unknowns = mesh_unknowns(&x, &y);
@@ -385,12 +386,12 @@ mod tests {
         let network = CrackNetwork::from(Crack::surface_breaking(0.0, 1.0, 0.5).unwrap());
         let outline = RailBox { depth: 150.0, ..RailBox::default() };
         for element_size in [1e-300, 1e-12, 1e-9, 1e-5] {
-            let window = Window::new(&network, MeshSettings { element_size, expected_growth: 1.0 });
-            assert!(window.mesh_unknowns(outline) > MOST_MESH_UNKNOWNS);
-            assert!(matches!(window.mesh(outline), Err(MeshError::TooManyUnknowns { .. })));
+            let refined = RefinedRegion::new(&network, MeshSettings { element_size, expected_growth: 1.0 });
+            assert!(refined.mesh_unknowns(outline) > MOST_MESH_UNKNOWNS);
+            assert!(matches!(refined.mesh(outline), Err(MeshError::TooManyUnknowns { .. })));
         }
-        let window = Window::new(&network, MeshSettings { element_size: 0.05, expected_growth: 1.0 });
-        let made = 2.0 * window.mesh(outline).unwrap().node_count() as f64;
-        assert!((window.mesh_unknowns(outline) / made - 1.0).abs() < 0.05);
+        let refined = RefinedRegion::new(&network, MeshSettings { element_size: 0.05, expected_growth: 1.0 });
+        let made = 2.0 * refined.mesh(outline).unwrap().node_count() as f64;
+        assert!((refined.mesh_unknowns(outline) / made - 1.0).abs() < 0.05);
     }
 }

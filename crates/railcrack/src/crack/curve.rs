@@ -1,17 +1,17 @@
-//! The walk along one crack: arc length, and the square-root parameter of its tips.
+//! Crack curves: arc length, and the square-root parameter of the tips.
 
 use super::{Crack, End};
 use crate::math::Vec2;
 
-/// A crack walked in the parameter g in which a jump that vanishes like √r at a tip is linear; at a
-/// mouth and at a junction, where the jump does not vanish, g is a length or its root away from a
-/// tip.
+/// The curve of a crack, parametrised by g so that a jump that vanishes like √r at a tip is linear
+/// in g. At a mouth and at a junction the jump does not vanish; where neither end is a tip, g is
+/// the arc length.
 ///
 /// Crack of length L with a tip at the last point only: s = L − g², g from −√L to 0. Tip at the
 /// first point only: s = g², g from 0 to √L. Tips at both: s = L sin²(g/2), g from 0 to π. No tip:
 /// s = g.
 #[derive(Debug, Clone)]
-pub struct Walk {
+pub struct CrackCurve {
     points: Vec<Vec2>,
     tangents: Vec<Vec2>,
     /// Arc length from the first point, for each point.
@@ -30,13 +30,13 @@ enum Tips {
     Both,
 }
 
-impl Walk {
-    /// The walk along `crack`, which meets no other: every end below the surface is a tip.
+impl CrackCurve {
+    /// The curve of `crack`, which meets no other crack: every end below the surface is a tip.
     pub fn new(crack: &Crack) -> Self {
         Self::with_tips(crack, &crack.tips())
     }
 
-    /// The walk along `crack`, whose tips are `tips`.
+    /// The curve of `crack`, whose tips are the ends `tips`.
     pub(crate) fn with_tips(crack: &Crack, tips: &[End]) -> Self {
         let points = crack.points().to_vec();
         let lengths: Vec<f64> = points.windows(2).map(|p| (p[1] - p[0]).length()).collect();
@@ -178,7 +178,7 @@ impl Walk {
         self.from_first[i]
     }
 
-    /// The angle (radians, 0 to π) by which the walk turns at point `i`, not an end.
+    /// The angle (radians, 0 to π) by which the curve turns at point `i`, which is not an end.
     pub(crate) fn turn(&self, i: usize) -> f64 {
         let (before, after) = (self.tangents[i - 1], self.tangents[i]);
         let angle = before.cross(after).asin().abs();
