@@ -37,7 +37,7 @@ fn errors_name_the_part_and_what_is_wrong() {
         ("0 0 0 1 0 0 0 -1 0", "0 0 0 1 0 0 0 -1", "array `points`: holds 8 numbers, not 9"),
         ("0 0 0 1 0 0 0 -1 0", "0 0 0 1 0 0.5 0 -1 0", "point 1 (from 0) is at z = 0.5"),
         ("0 0 0 1 0 0 0 -1 0", "0 0 0 1 nan 0 0 -1 0", "`points` is NaN at entry 1"),
-        (">0 1 2<", ">0 1 3<", "names point 3"),
+        (">0 1 2<", ">0 1 3<", "refers to point 3"),
         (">0 1 2<", ">0 1 -2<", "-2.0 is not an index of a grid"),
         (">5<", ">12<", "cell 0 (from 0) is of type 12 with 3 nodes: points (type 1)"),
         (">5<", ">9<", "of type 9 with 3 nodes"),

@@ -4,7 +4,7 @@ use super::{FaceMesh, FacePoint, FaceSample};
 use crate::crack::{CrackCurve, End};
 use crate::math::{Vec2, gauss_legendre};
 
-/// A straight part of an element: between two nodes or kinks.
+/// A straight part of an element, between two nodes or kinks.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct FacePiece {
     /// Index of its crack in the network, from 0.
@@ -17,8 +17,8 @@ pub(crate) struct FacePiece {
     pub ends: (Vec2, Vec2),
 }
 
-/// A part of the faces between two neighbouring nodes; `ends` are its face points, none at a tip.
-/// Jumps are linear in g on it.
+/// An element of the faces between two neighbouring nodes, on which jumps are linear in g. `ends`
+/// are its face points; there is none at a tip.
 #[derive(Debug, Clone)]
 pub(crate) struct FaceElement {
     /// Index of its crack in the network, from 0.
@@ -31,8 +31,8 @@ pub(crate) struct FaceElement {
     pub pieces: Vec<FacePiece>,
 }
 
-/// The elements of all cracks and their face points: every node but the tips. `nodes` are the
-/// values of g, ends included, for each curve; a value that is there twice is a vertex at which the
+/// The elements of all cracks and their face points, which are all nodes except the tips. `nodes`
+/// are the values of g, ends included, for each curve; a repeated value is a vertex at which the
 /// jump may change abruptly, with a face point on each side.
 pub(crate) fn discretise(curves: &[CrackCurve], nodes: &[Vec<f64>]) -> (Vec<FaceElement>, FaceMesh) {
     let mut elements = Vec::new();
@@ -48,7 +48,7 @@ pub(crate) fn discretise(curves: &[CrackCurve], nodes: &[Vec<f64>]) -> (Vec<Face
             let point = has_point(i).then(|| {
                 let segment = curve.segment_at(g, &vertices) + usize::from(breaks);
                 let tangent = curve.tangent(segment);
-                // The mouth is where the crack says, free of round-off.
+                // The mouth is taken from the crack, to keep it free of round-off.
                 let (s, position) = if i == 0 {
                     (0.0, curve.first_point())
                 } else {

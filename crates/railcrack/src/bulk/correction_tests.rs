@@ -67,7 +67,7 @@ fn the_clamped_bottom_carries_the_wheel() {
                 element.nodes.iter().flat_map(|&n| [displacements[n].x, displacements[n].y]).collect();
             let inside = stiffness.matrix(element.size()).times(&u);
             for node in Edge::Bottom.nodes() {
-                // A node between two elements takes part of its force from each.
+                // A node between two elements receives part of its force from each.
                 reaction = reaction + Vec2::new(inside[2 * node], inside[2 * node + 1]);
             }
             for part in rail.tractions(e, Edge::Bottom, &field, &rule) {
@@ -110,8 +110,7 @@ fn cuts_through_the_block_are_in_equilibrium_and_free_sides_without_traction_in_
     };
     let errors = [8, 16, 32, 64].map(errors);
     println!("cut and sides: {errors:?}");
-    // Third order inside, second beside the ends, where the stress is extrapolated from Gauss
-    // points.
+    // Third order inside, second near the ends, where the stress is extrapolated from Gauss points.
     for (k, (order, last)) in [(2.5, 1e-6), (2.0, 2e-4)].into_iter().enumerate() {
         let measured = (errors[0][k] / errors[3][k]).log2() / 3.0;
         assert!(measured > order && errors[3][k] < last, "{k}: {errors:?}, order {measured}");
@@ -155,12 +154,12 @@ fn interpolated_positions_are_as_accurate_as_solved_ones() {
     }
 }
 
-/// Spacing of lines: `fine` within `window` of `middle`, growing outwards by `ratio` up to
+/// Spacing of lines: `fine` within `half_width` of `middle`, growing outwards by `ratio` up to
 /// `coarsest` (all mm).
 #[derive(Clone, Copy)]
 struct LineSpacing {
     middle: f64,
-    window: f64,
+    half_width: f64,
     fine: f64,
     ratio: f64,
     coarsest: f64,
@@ -173,7 +172,7 @@ impl LineSpacing {
             while at + 1.5 * step < end {
                 at += step;
                 lines.push(at);
-                if at >= self.window {
+                if at >= self.half_width {
                     step = self.coarsest.min(self.ratio * step);
                 }
             }
@@ -196,14 +195,14 @@ impl LineSpacing {
 
 #[test]
 fn agrees_with_a_full_solution_of_the_block() {
-    // The wheel on the block itself: elements of a/9 under it, nothing of the half-plane's closed
-    // form. Relative to p0: the error of elements of a/9 at the edges of the contact, and of the
-    // coarse ones of the correction at the clamped corners.
+    // The wheel on the block itself: elements of a/9 under it, without the closed form of the
+    // half-plane. Relative to p0: the error of elements of a/9 at the edges of the contact, and of
+    // the coarse ones of the correction at the clamped corners.
     const TOLERANCE: f64 = 2e-4;
     let xc = 27.0;
     let a = CONTACT.half_width;
     let grading =
-        LineSpacing { middle: xc, window: 12.0, fine: a / 9.0, ratio: 1.3, coarsest: f64::INFINITY };
+        LineSpacing { middle: xc, half_width: 12.0, fine: a / 9.0, ratio: 1.3, coarsest: f64::INFINITY };
     let mesh = grading.block();
     let coarse = block(24);
     let points: Vec<Vec2> =
@@ -250,7 +249,7 @@ fn agrees_with_a_full_solution_of_the_block() {
         }
         println!("{boundary:?}: corrections up to {moved:.1} MPa, difference / p0 {worst:.1e}");
         assert!(worst < TOLERANCE, "{boundary:?}: {worst:e}");
-        // The check is meaningful only if the ends have an effect.
+        // The comparison is meaningful only if the ends have an effect.
         assert!(moved > 50.0 * TOLERANCE * CONTACT.peak_pressure, "{boundary:?}: {moved}");
     }
 }
@@ -264,7 +263,7 @@ fn coarse_elements_suffice_away_from_the_cracks() {
     let points: Vec<Vec2> = (0..=8).map(|i| Vec2::new(0.7, -0.7) * f64::from(i)).collect();
     for boundary in blocks() {
         let stresses = [15.0, 7.5, 3.75].map(|coarsest| {
-            let grading = LineSpacing { middle: 0.0, window: 6.0, fine: 0.5, ratio: 1.25, coarsest };
+            let grading = LineSpacing { middle: 0.0, half_width: 6.0, fine: 0.5, ratio: 1.25, coarsest };
             let rail = BulkRail::new(grading.block(), &steel(), boundary).unwrap();
             let there = BlockCorrection::new(&Arc::new(rail.clone()), &rolling(), -40.5..=40.5)
                 .unwrap()
@@ -354,7 +353,7 @@ fn partial_slip_and_tables_are_interpolated_as_well() {
                     size = size.max(one.length());
                 }
             }
-            // The tolerance, and what the summation of a table leaves.
+            // The tolerance, and the error of the summation of a table.
             assert!(error < 2.0 * BlockCorrection::TOLERANCE * size, "{boundary:?}: {:e}", error / size);
         }
     }
@@ -367,5 +366,7 @@ fn bending_on_the_track_is_refused() {
     let wheel = BendingWheel::new(&track, &steel()).unwrap();
     let rail = Arc::new(BulkRail::new(block(8), &steel(), CLAMPED).unwrap());
     let refused = BlockCorrection::new(&rail, &wheel, -1.0..=1.0).unwrap_err();
-    assert!(refused.to_string().starts_with("bending of the rail on the track is no field of a half-plane"));
+    assert!(
+        refused.to_string().starts_with("bending of the rail on the track is not a field of the half-plane")
+    );
 }

@@ -1,4 +1,4 @@
-//! Stiffness matrix of the eight-node rectangle.
+//! Stiffness matrices of eight-node rectangles.
 
 use crate::material::IsotropicElastic;
 use crate::math::{Matrix, Vec2, gauss_legendre};
@@ -19,7 +19,7 @@ pub(crate) struct RectangleStiffness {
 }
 
 impl RectangleStiffness {
-    /// For elements of `steel`.
+    /// The integrals for elements of `steel`.
     pub(crate) fn new(steel: &IsotropicElastic) -> Self {
         let (lambda, mu) = lame(steel);
         let zero = [[0.0; NODES]; NODES];

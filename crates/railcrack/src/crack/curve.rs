@@ -137,7 +137,7 @@ impl CrackCurve {
         self.tangents[segment]
     }
 
-    /// The parameter at the start of each segment, and at the end of the last.
+    /// The parameter at every vertex, both ends included.
     pub(crate) fn vertices(&self) -> Vec<f64> {
         let (start, end) = self.range();
         let n = self.points.len();

@@ -18,7 +18,7 @@ pub(crate) fn point_to_segment(p: Vec2, a: Vec2, b: Vec2) -> f64 {
     from_nearest(p, a, b).length()
 }
 
-/// The vector (mm) to the point p from the nearest one of the closed segment a–b.
+/// The vector (mm) from the nearest point of the closed segment a–b to the point p.
 pub(crate) fn from_nearest(p: Vec2, a: Vec2, b: Vec2) -> Vec2 {
     let along = b - a;
     let squared = along.dot(along);

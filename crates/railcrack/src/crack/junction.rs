@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 pub struct CrackEnd {
     /// Index of the crack in the network, from 0.
     pub crack: usize,
-    /// Which end of it.
+    /// The end of that crack.
     pub end: End,
 }
 
@@ -21,25 +21,25 @@ pub struct CrackTip {
     /// Index among the ends of the crack that lie below the surface, from 0; ends that have joined
     /// a crack count.
     pub tip: usize,
-    /// Which end of the crack it is.
+    /// The end of the crack.
     pub end: End,
 }
 
 impl CrackTip {
-    /// The end of the crack that it is.
+    /// The crack end at which the tip lies.
     pub(crate) fn crack_end(self) -> CrackEnd {
         CrackEnd { crack: self.crack, end: self.end }
     }
 }
 
-/// Kinds of crack ends.
+/// Kinds of crack end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum EndKind {
-    /// It ends in the steel: a singular stress ahead, and it may grow.
+    /// A tip in the steel, with a singular stress ahead; it may grow.
     Tip,
-    /// It breaks the running surface.
+    /// A mouth at the running surface.
     Mouth,
-    /// It meets another crack.
+    /// An end that lies on another crack.
     Junction,
 }
 
@@ -56,15 +56,15 @@ pub struct Junction {
 /// A point at which cracks of a network meet.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct JunctionPoint {
-    /// Where, mm.
+    /// Position, mm.
     pub position: Vec2,
-    /// The ends that lie there, in order of crack and end. No other end does.
+    /// All crack ends at this point, in order of crack and end.
     pub ends: Vec<CrackEnd>,
-    /// The crack that goes on through the point; none where ends meet ends only.
+    /// The crack that passes through the point; none where only ends meet.
     pub through: Option<Passing>,
 }
 
-/// A crack at a junction that is not at one of its ends.
+/// A crack that passes through a junction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Passing {
     /// Index of the crack, from 0.
@@ -78,7 +78,7 @@ pub(crate) struct Passing {
 }
 
 impl JunctionPoint {
-    /// An end that lies at `position`.
+    /// The first crack end at `position`.
     pub(super) fn at(position: Vec2) -> Self {
         Self { position, ends: Vec::new(), through: None }
     }
@@ -91,7 +91,7 @@ impl JunctionPoint {
 }
 
 impl Crack {
-    /// Index of the vertex at `point`, bit for bit; none where there is none.
+    /// Index of the vertex that equals `point` bit for bit, if there is one.
     pub fn vertex_at(&self, point: Vec2) -> Option<usize> {
         self.points().iter().position(|&p| p == point)
     }

@@ -1,11 +1,11 @@
-//! One crack: a polyline from its mouth to its tip, or between two buried tips.
+//! Polyline cracks, from a mouth to a tip or between two buried tips.
 
 use crate::math::{Vec2, segments_touch};
 use crate::words::{Choice, Word};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-/// An impossible crack.
+/// Points that do not define a crack.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum CrackError {
@@ -165,8 +165,8 @@ impl Crack {
         self.points[0].y == 0.0
     }
 
-    /// The ends below the surface: the last point, preceded by the first one in a buried crack.
-    /// They are tips but where the crack joins another one, which the network knows
+    /// The ends below the surface: the last point, preceded by the first one in a buried crack. All
+    /// are tips in a crack on its own; in a network an end may join another crack instead
     /// ([`super::CrackNetwork::tips`]).
     pub fn tips(&self) -> Vec<End> {
         if self.is_surface_breaking() { vec![End::Last] } else { vec![End::First, End::Last] }
@@ -194,12 +194,12 @@ impl Crack {
         self.points.windows(2).map(|p| (p[1] - p[0]).length()).sum()
     }
 
-    /// Its largest depth, mm.
+    /// Largest depth, mm.
     pub fn depth(&self) -> f64 {
         self.points.iter().fold(0.0, |depth, p| depth.max(-p.y))
     }
 
-    /// This crack longer by `increment` (mm) at `end`, turned by `kink` (radians,
+    /// This crack extended by `increment` (mm) at `end`, in a direction turned by `kink` (radians,
     /// counter-clockwise) from straight ahead. Errors as [`Crack::polyline`].
     pub fn extended(&self, end: End, increment: f64, kink: f64) -> Result<Self, CrackError> {
         let tip = self.tip(end) + Vec2::unit(self.ahead(end).angle() + kink) * increment;

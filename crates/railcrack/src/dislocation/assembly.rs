@@ -10,7 +10,8 @@ use crate::nuclei::Interaction;
 use rayon::prelude::*;
 
 /// A: the energy ½ wᵀ A w of the jumps w (slip and opening, mm) at the points of `faces`, N/mm per
-/// mm, for E′ = `modulus` MPa. The ends of `elements` are nodes that follow these points by `ties`.
+/// mm, for E′ = `modulus` MPa. The jumps at the ends of `elements` depend on those at these points
+/// through `ties`.
 ///
 /// A_jk = E′/(8π) ∬ φ_j′ E(z, z′) φ_k′ dg dg′ with the hat functions φ: weakly singular because
 /// jumps are continuous and dislocations on the surface have no effect, so that the mouth needs no

@@ -1,4 +1,4 @@
-//! The cracked half-plane by dislocations: C, A and S.
+//! C, A and S of cracks in the half-plane by distributed dislocations.
 
 use super::assembly::stiffness;
 use super::junctions::{Core, Ties, cores};
@@ -23,7 +23,7 @@ pub enum DislocationError {
     /// geometry.
     #[error("the cracks cannot be resolved by dislocations: {0}")]
     Unresolved(LinearError),
-    /// Given up on request.
+    /// Interrupted on request.
     #[error("{0}")]
     Interrupted(#[from] Interrupted),
 }
@@ -50,7 +50,7 @@ pub fn cracked_body(
     cracked_body_unless(Interruption::NEVER, network, steel, resolution)
 }
 
-/// [`cracked_body`], given up on an `interruption`.
+/// [`cracked_body`] that stops on an `interruption`.
 fn cracked_body_unless(
     interruption: Interruption<'_>,
     network: &CrackNetwork,
@@ -68,7 +68,7 @@ fn cracked_body_unless(
     Ok(CrackedBody { remarks: remarks(network), ..body })
 }
 
-/// [`cracked_body`] with A crack by crack.
+/// [`cracked_body`] with A in blocks between units of cracks.
 fn body_by_groups(
     interruption: Interruption<'_>,
     network: &CrackNetwork,
@@ -85,7 +85,7 @@ fn body_by_groups(
     Ok(CrackedBody { remarks: remarks(network), ..body })
 }
 
-/// Elements of the faces, and how their nodes follow the face points.
+/// Elements of the faces, and the dependence of their nodes on the face points.
 struct Discretised {
     curves: Vec<CrackCurve>,
     elements: Vec<FaceElement>,
@@ -106,12 +106,12 @@ fn discretised(
     Ok(Discretised { curves, elements, ties, faces })
 }
 
-/// At 2° and 3°, K is 0.5 % off.
+/// At 2° and 3° the error of K is 0.5 %.
 fn remarks(network: &CrackNetwork) -> Vec<String> {
     thin_flaps(network, 1, "more elements (interface_elements)")
 }
 
-/// How K of each tip follows from the jump next to it.
+/// K of each tip in terms of the jump next to it.
 fn tip_gains(
     tips: &[CrackTip],
     curves: &[CrackCurve],
@@ -163,17 +163,18 @@ fn nodes(
 }
 
 /// Largest length of an element over the distance to a tip of another crack, whose singular stress
-/// the element has to follow: a tip at half an element from another crack has its K to 0.3 %,
-/// without this to 3.7 %. Beside faces elements may be longer than the distance, because the energy
-/// of the jumps is integrated as accurately as elsewhere: parallel cracks of 6 mm at 0.006 to 0.1
-/// mm have their K to 0.9 % of their own peaks.
+/// the element has to follow: with this limit the error of K of a tip at half an element from
+/// another crack is 0.3 %, without it 3.7 %. Elements close to the faces of another crack may be
+/// longer than their distance, because the energy of the jumps is integrated as accurately as
+/// elsewhere: for parallel cracks of 6 mm at distances of 0.006 to 0.1 mm, K is accurate to 0.9 %
+/// of its peak.
 const NEIGHBOUR_TIP_SHARE: f64 = 0.4;
-/// Largest length of an element of a buried crack over its depth: K of a tip 0.001 mm below the
-/// surface is 0.6 % off, without this 6 to 17 %.
+/// Largest length of an element of a buried crack over its depth: the error of K of a tip 0.001 mm
+/// below the surface is 0.6 %, without this limit 6 to 17 %.
 const SURFACE_SHARE: f64 = 0.12;
 
-/// Largest length (mm) of an element of crack `own` at `point` beside the `tips` of other cracks
-/// (crack and place) and, for a buried crack, below the running surface.
+/// Largest length (mm) of an element of crack `own` at `point`, given the `tips` of other cracks
+/// (crack and position) and, for a buried crack, below the running surface.
 fn room(network: &CrackNetwork, tips: &[(usize, Vec2)], own: usize, point: Vec2) -> f64 {
     let to_tips = tips.iter().filter(|tip| tip.0 != own).map(|tip| (tip.1 - point).length());
     let buried = !network.cracks()[own].is_surface_breaking();
@@ -197,8 +198,8 @@ impl DislocationEngine {
     }
 }
 
-/// Distance that is resolved, over the length of the shortest crack: elements there follow the
-/// distance, but below this the stress between the faces says nothing about a real crack.
+/// Smallest resolved distance over the length of the shortest crack. Elements adapt to smaller
+/// distances too, but the stress between the faces is then meaningless for a real crack.
 const RESOLVED: f64 = 0.005;
 
 impl BodyEngine for DislocationEngine {

@@ -5,24 +5,25 @@ use crate::crack::{CrackCurve, End, from_nearest};
 use crate::math::{Vec2, gauss_legendre};
 use crate::nuclei::{Interaction, Split, collinear_constant, split_image_interaction, split_interaction};
 
-/// Error of the integral over a pair of pieces, of its size. The flap above a crack at 1° is a
-/// million times more compliant in bending than in shear: with 1e-6 its energy is not positive.
+/// Relative error of the integral over a pair of pieces. The flap above a crack at 1° is a million
+/// times more compliant in bending than in shear: with 1e-6 its energy is not positive.
 const ACCURACY: f64 = 1e-8;
-/// The most points of a rule: that of pieces at [`APART`].
+/// Largest number of points of a rule, needed for pieces at the distance [`APART`].
 const MOST_POINTS: usize = 8;
-/// Weights that a rule has at most.
+/// Largest number of distinct weights of a rule.
 const MOST_CLASSES: usize = MOST_POINTS.div_ceil(2);
 
 /// Gauss rules on [0, 1].
 pub(super) struct PairRules {
     by_points: Vec<Vec<(f64, f64)>>,
-    /// The distance of pieces over the longer one from which on each number of points suffices.
+    /// For each number of points, the distance of the pieces over the longer one from which it
+    /// suffices.
     from: Vec<f64>,
 }
 
 impl PairRules {
-    /// The error of a rule of n points is ρ^(−2n), with ρ of the ellipse around the piece that goes
-    /// through a singularity beside it.
+    /// The error of a rule of n points is ρ^(−2n), where ρ is the parameter of the ellipse around
+    /// the piece that passes through the nearest singularity.
     pub(super) fn new() -> Self {
         let from = |points: usize| {
             let rho = ACCURACY.powf(-0.5 / points as f64);
@@ -77,7 +78,8 @@ fn image_distance(a: &Piece, b: &Piece) -> f64 {
     end_distance(a, &Piece { ends: (mirror(b.ends.0), mirror(b.ends.1)), ..*b })
 }
 
-/// Chooses rules only: to the last bit ([`Vec2::length`]) takes longer than the integral.
+/// This distance serves the choice of rules only. Its last bit does not matter, and
+/// [`Vec2::length`] would take longer than the integral.
 fn length(a: &Piece) -> f64 {
     square(a.ends.1 - a.ends.0).sqrt()
 }
@@ -133,8 +135,8 @@ fn subdivided(
     for (slot, (point, weight)) in points_b.iter_mut().zip(samples(&curves[b.crack], b, rule)) {
         *slot = (point, weight);
     }
-    // A point has the weight of that on the other side of the middle: the logarithms that have one
-    // weight are that of a product.
+    // Points that are symmetric about the middle have equal weights; logarithms with one weight are
+    // combined into that of a product.
     let class = |i: usize| i.min(count - 1 - i);
     let mut products = [[1.0; MOST_CLASSES]; MOST_CLASSES];
     for (i, (z, weight_a)) in samples(&curves[a.crack], a, rule).enumerate() {

@@ -1,4 +1,4 @@
-//! Junctions of cracks: compatibility of the jumps of their arms.
+//! Compatibility of the jumps at junctions of cracks.
 //!
 //! With the jumps w_k of the arms that end at a junction, those that run towards it counted
 //! positive and those that run away from it negative (σ_k = ±1), the displacement is single-valued
@@ -28,11 +28,11 @@ pub(super) struct Arm {
     pub crack: usize,
     /// Index of the junction among the points of the crack, from 0.
     pub vertex: usize,
-    /// Whether the crack runs towards the junction or away from it.
+    /// Direction of the crack relative to the junction.
     pub direction: ArmDirection,
 }
 
-/// Direction in which an arm is traversed.
+/// Direction in which the crack traverses an arm.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum ArmDirection {
     /// Towards the junction.
@@ -60,7 +60,7 @@ pub(super) struct Core {
 }
 
 impl Core {
-    /// Arc length from the junction to where the jumps begin to change, mm.
+    /// Arc length from the junction to the point at which the jumps begin to change, mm.
     pub(crate) fn inner(&self) -> f64 {
         INNER * self.radius
     }
@@ -105,10 +105,11 @@ pub(super) fn cores(
     network.junction_points().iter().map(core).collect()
 }
 
-/// Nodal jumps of a mesh without compatibility at junctions, in terms of the free ones.
+/// Nodal jumps of a mesh without compatibility at junctions, in terms of the free jumps at the face
+/// points.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Ties {
-    /// For each node the face points that it follows, with their factors, which act on jumps in the
+    /// For each node the face points on which it depends, with the factors of their jumps in the
     /// common frame.
     follows: Vec<Vec<(usize, f64)>>,
     /// For each node the face point of its own arm.
@@ -116,13 +117,13 @@ pub(super) struct Ties {
 }
 
 impl Ties {
-    /// The face points that node `node` follows, with their factors.
+    /// The face points on which node `node` depends, with their factors.
     pub(crate) fn of(&self, node: usize) -> &[(usize, f64)] {
         &self.follows[node]
     }
 
     /// The ties of `cores` between the nodes of `elements`, which are the points of `faces`; and
-    /// the points that remain free, which take over the tractions of the others.
+    /// the points that remain free, which carry the tractions of the others.
     pub(crate) fn new(
         cores: &[Core],
         curves: &[CrackCurve],
@@ -162,8 +163,8 @@ impl Ties {
     }
 
     fn reduced(&self, mut points: Vec<FacePoint>, faces: &FaceMesh) -> FaceMesh {
-        // The length of a point is that on its own arm: the shares from other arms have other
-        // directions.
+        // The length of a point covers its own arm only, because the shares from other arms have
+        // other directions.
         for (&own, point) in self.own.iter().zip(&faces.points) {
             points[own].weight += point.weight;
         }
@@ -178,7 +179,7 @@ impl Ties {
                     }
                 }
             }
-            // A sample has two shares: further ones make another sample at the same place.
+            // A sample has two shares; further shares need another sample at the same position.
             for pair in shares.chunks(2) {
                 let shares = [pair[0], pair.get(1).copied().unwrap_or((0, 0.0))];
                 samples.push(FaceSample { shares, ..*sample });
@@ -188,8 +189,8 @@ impl Ties {
     }
 }
 
-/// The nodes of one arm in a core: at its edge, where the jump begins to change, and at the
-/// junction.
+/// The nodes of one arm in a core: at its edge, at its inner edge, where the jump begins to change,
+/// and at the junction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct ArmNodes {
     edge: usize,

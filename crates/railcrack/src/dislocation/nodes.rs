@@ -13,7 +13,7 @@ pub struct FaceResolution {
 }
 
 impl FaceResolution {
-    /// Default for `cracks` cracks: 28 elements each; networks share 132, but at least 22 each.
+    /// The default for `cracks` cracks: 28 elements each; networks share 132, but at least 22 each.
     /// Their errors stand in `docs/theory.md`, 3.
     pub fn for_cracks(cracks: usize) -> Self {
         let elements = (NETWORK_ELEMENTS / cracks.max(1)).clamp(LEAST_ELEMENTS, Self::default().elements);
@@ -21,7 +21,7 @@ impl FaceResolution {
     }
 }
 
-/// Elements that the cracks of a network share, and the least number of each.
+/// Total number of elements of the cracks of a network, and the least number of each crack.
 const NETWORK_ELEMENTS: usize = 132;
 const LEAST_ELEMENTS: usize = 22;
 
@@ -91,7 +91,7 @@ pub(super) fn nodes<'a>(
             density = density.max(ds / (place.element + GRADING * (s - place.s).abs()));
         }
         let point = curve.position(segment, g);
-        // What needs short elements needs them as short in a coarse resolution.
+        // Points that need short elements need equally short ones at a coarse resolution.
         density = density.max(ds / (coarseness.min(1.0) * room(point)));
         if curve.is_surface_breaking() {
             let below = (-point.y / depth).max(0.0).powf(MOUTH_POWER);
@@ -156,15 +156,16 @@ fn core_place(curve: &CrackCurve, g: f64, i: usize, core: &Core) -> GradingCentr
 /// Kinks below this angle (radians) are smooth for the jump: their corner exponent is within 1e-3
 /// of one.
 const SMALL_KINK: f64 = 0.05;
-/// Length of the element across a kink: this over the angle (radians), times the regular element.
+/// Length of the element across a kink over that of the regular element, times the angle of the
+/// kink (radians).
 const KINK_ELEMENT: f64 = 0.01;
 /// Growth of elements away from a kink or a junction: length per distance.
 const GRADING: f64 = 0.35;
 /// Longest element near the mouth, over the depth of the crack and at the default resolution: at
-/// the mouth, and what comes to it with this power of the relative depth. The edge of the wheel
-/// contact passes over the mouth, the stress there varies over its distance from the surface, and
-/// the slip that it locks is felt at the tip: half of all elements are there. Powers of 0.5 and 1
-/// need more of them for the same error.
+/// the mouth, and its increase with this power of the relative depth. The edge of the wheel contact
+/// passes over the mouth, the stress there varies over its distance from the surface, and the
+/// locked slip there affects the tip, so that half of all elements are there. Powers of 0.5 and 1
+/// need more elements for the same error.
 const MOUTH_ELEMENT: f64 = 0.002;
 const MOUTH_GRADING: f64 = 0.27;
 const MOUTH_POWER: f64 = 0.75;
@@ -173,9 +174,9 @@ const MOUTH_POWER: f64 = 0.75;
 const SHALLOW: f64 = 0.06;
 /// Largest length of an element below a flap over its thickness.
 const FLAP_SHARE: f64 = 0.7;
-/// Element at a tip in g, over the range of g, at the default resolution, and what comes to it per
-/// distance in g: where slip ceases, it does so at the tip last. With even elements K_II that is
-/// locked is 0.4 % too small, and has the same error with half as many that grow from the tip.
+/// Element at a tip in g, over the range of g, at the default resolution, and its increase per
+/// distance in g. Slip ceases last at the tip: with elements of one size the locked K_II is 0.4 %
+/// too small; half as many elements that grow away from the tip give the same error.
 const TIP_ELEMENT: f64 = 0.004;
 const TIP_GRADING: f64 = 0.35;
 /// Least number of elements on the segment between a kink that is not slight and a tip, at the

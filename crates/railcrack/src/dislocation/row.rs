@@ -1,4 +1,4 @@
-//! A of a long row of cracks, crack by crack.
+//! A of a long row of cracks in blocks between units.
 
 use super::assembly::{element_integral, scatter, slope};
 use super::integrals::PairRules;
@@ -11,7 +11,7 @@ use crate::nuclei::{FarRow, Source, SourceSite, Units};
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// The cracks and elements of which A is made.
+/// The cracks and elements from which A is assembled.
 pub(super) struct CrackRow<'a> {
     pub network: &'a CrackNetwork,
     pub curves: &'a [CrackCurve],
@@ -23,7 +23,7 @@ pub(super) struct CrackRow<'a> {
 }
 
 impl CrackRow<'_> {
-    /// A crack by crack, without what the tips need.
+    /// A in blocks, without the gains of the tips.
     ///
     /// Errors: an interruption.
     pub(crate) fn stiffness(&self, interruption: Interruption<'_>) -> Result<BlockStiffness, Interrupted> {
@@ -73,7 +73,7 @@ impl CrackRow<'_> {
     }
 }
 
-/// Blocks of A that are integrated pair by pair.
+/// Blocks of A between near units, integrated pair by pair of elements.
 struct Near<'a> {
     row: &'a CrackRow<'a>,
     points: &'a [Vec<usize>],

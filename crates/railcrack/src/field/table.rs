@@ -1,4 +1,4 @@
-//! The half-plane under any pressure and shear that are linear between the rows of a table.
+//! Fields of the half-plane under a pressure and shear that are linear between rows of a table.
 
 use super::Wheel;
 use super::hertz_half_plane::{Lanes, side_by_side};

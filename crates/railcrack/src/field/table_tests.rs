@@ -1,4 +1,4 @@
-//! Fields of contacts from tables: against closed forms, equilibrium, the surface, superposition.
+//! Fields of contact tables, compared with closed forms, equilibrium, the surface, superposition.
 
 use super::super::field_checks::{equilibrium, largest, strains};
 use super::super::{CarterWheel, HertzWheel, PlacedWheel, Wheels};
@@ -52,7 +52,7 @@ fn difference(one: &dyn Wheel, other: &dyn Wheel) -> f64 {
 fn an_ellipse_of_two_thousand_points() {
     let hertz = HertzWheel::new(&HERTZ, &steel()).unwrap();
     let table = ellipse(2001, true);
-    // Nearer to the surface than rows are apart at the edges, the table shows.
+    // At depths below the spacing of the rows at the edges, the discretisation of the table shows.
     let deep = points().into_iter().filter(|point| point.y < -0.25);
     let error = deep.map(|p| largest(table.stress(p, 1.0) - hertz.stress(p, 1.0))).fold(0.0, f64::max);
     println!("stress, 2001 points: {error:e} MPa");
@@ -84,7 +84,7 @@ fn carter_from_a_table() {
     };
     let closed = CarterWheel::new(&contact, &steel()).unwrap();
     let rows = table(6.75, 2001, true, |u| contact.pressure(u), |u| contact.shear(u));
-    // The edge of the stick zone is a root that is not at a row.
+    // The shear is a square root at the edge of the stick zone, which does not coincide with a row.
     assert!(difference(&TableWheel::new(&rows, &steel()), &closed) < 1.0);
 }
 

@@ -47,8 +47,8 @@ impl WilliamsField {
         Self::new(0.5, Complex64::new(k.ki, -k.kii) / std::f64::consts::TAU.sqrt(), steel)
     }
 
-    /// −∂/∂x1 of [`WilliamsField::of`], its change as the tip advances: λ = −1/2, displacements
-    /// like r^(−1/2).
+    /// −∂/∂x1 of [`WilliamsField::of`], the rate of its change with the advance of the tip: λ =
+    /// −1/2, displacements like r^(−1/2).
     ///
     /// It is the dual field of the stress intensity factors: with u a field of K around the tip,
     /// the integral over a small circle ∮ (t(u)·v − t(v)·u) ds = (2/E′) (K_I k_I + K_II k_II)
@@ -154,7 +154,7 @@ mod tests {
                 assert!((at.stress.yy - lame * trace - 2.0 * g * at.across.y).abs() < 1e-12);
                 assert!((at.stress.zz - lame * trace).abs() < 1e-12);
                 assert!((at.stress.xy - g * (at.along.y + at.across.x)).abs() < 1e-12);
-                // The gradient by differences.
+                // The gradient by finite differences.
                 let moved = |dx: f64, dy: f64| {
                     let p = Vec2::new(0.5 * 1.1f64.cos() + dx, 0.5 * 1.1f64.sin() + dy);
                     field.at(p.length(), p.angle(), 0.3).displacement

@@ -1,4 +1,4 @@
-//! Triangular factorisation of a matrix that grows by bordering.
+//! Triangular factors of matrices that grow by bordering.
 
 use super::LinearError;
 use crate::math::inlined::{axpy, dot};
@@ -6,7 +6,7 @@ use pulp::{Arch, Simd, WithSimd};
 
 /// The triangular factors of a square matrix of some unknowns, without row interchanges: bordering
 /// by a further unknown costs as much as a solution, and the last unknowns are removed at no cost.
-/// For matrices whose leading blocks are well conditioned.
+/// Suitable for matrices whose leading blocks are well conditioned.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct BorderedFactor {
     lower: Triangle,
@@ -15,8 +15,8 @@ pub(crate) struct BorderedFactor {
     pivots: Vec<f64>,
 }
 
-/// The off-diagonal lines: rows of L left of the diagonal, or columns of U above it, one after the
-/// other.
+/// The off-diagonal lines, one after the other: rows of L left of the diagonal, or columns of U
+/// above it.
 #[derive(Debug, Clone, Default)]
 struct Triangle {
     entries: Vec<f64>,
@@ -34,7 +34,7 @@ impl Triangle {
     }
 }
 
-/// Pivots below this fraction of the largest entry of their row and column are taken for zero.
+/// Pivots below this fraction of the largest entry of their row and column count as zero.
 const SINGULAR: f64 = 1e-10;
 
 impl BorderedFactor {
@@ -54,8 +54,8 @@ impl BorderedFactor {
     /// Adds an unknown: its `row` of the matrix up to the previous unknowns, its `column`, and its
     /// `diagonal` entry.
     ///
-    /// Errors, which leave the factor as it was: another length; a pivot below 1e-10 of the largest
-    /// of the new entries.
+    /// Errors, after which the factor is unchanged: a wrong length; a pivot below 1e-10 of the
+    /// largest of the new entries.
     pub(crate) fn push(&mut self, row: &[f64], column: &[f64], diagonal: f64) -> Result<(), LinearError> {
         let order = self.order();
         for (quantity, given) in [
@@ -80,7 +80,7 @@ impl BorderedFactor {
 
     /// Solves A x = b in place: `right` is b and becomes x.
     ///
-    /// Errors: another length.
+    /// Errors: a wrong length.
     pub(crate) fn solve(&self, right: &mut [f64]) -> Result<(), LinearError> {
         if right.len() != self.order() {
             let quantity = "entries of a right-hand side";
@@ -91,7 +91,8 @@ impl BorderedFactor {
     }
 }
 
-/// Replaces the lines of the matrix beyond the last pivot by those of its factors; their product.
+/// Replaces the lines of the matrix beyond the last pivot by those of its factors, and returns
+/// their scalar product.
 struct BorderElimination<'a>(&'a mut BorderedFactor);
 
 impl WithSimd for BorderElimination<'_> {
@@ -169,7 +170,7 @@ mod tests {
         }
         factor.truncate(3);
         assert_solves(&factor, |j| j);
-        // The others in another order.
+        // The other unknowns in a different order.
         let place = |j: usize| if j < 3 { j } else { N + 2 - j };
         for at in 3..N {
             push(&mut factor, place(at), place);

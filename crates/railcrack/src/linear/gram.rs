@@ -1,4 +1,4 @@
-//! Gram matrices: scalar products of half-solved columns.
+//! Gram matrices of half-solved columns.
 
 use super::lanes::{LANES, LaneRow, add_outer};
 use super::reach::ReachedPanel;
@@ -7,10 +7,11 @@ use pulp::{Arch, Simd, WithSimd};
 use rayon::prelude::*;
 use std::sync::Arc;
 
-/// Panels whose products with all others one thread computes together: enough to load the others
-/// seldom, few enough to keep all threads busy.
+/// Number of panels whose products with all others one thread computes together: large enough to
+/// load the other panels seldom, small enough to keep all threads busy.
 const STRIP: usize = 3;
-/// Rows of panels that are multiplied at once: those of two panels fit into the fastest cache.
+/// Number of panel rows that are multiplied at once; those of two panels fit into the first-level
+/// cache.
 const DEPTH: usize = 96;
 
 /// The products of the columns of one panel with those of another: row r holds those of its column
@@ -18,8 +19,8 @@ const DEPTH: usize = 96;
 type PanelProduct = [LaneRow; LANES];
 
 /// W_iᵀ W_j = b_iᵀ K⁻¹ b_j of every column i of the panels from `first` on with all columns j up to
-/// itself, row by row. Each is the same bits whichever others are computed, on any number of
-/// threads.
+/// itself, row by row. The bits of each product are independent of the other products and of the
+/// number of threads.
 ///
 /// Errors: an interruption.
 pub fn gram(
@@ -52,7 +53,7 @@ fn rows(panels: &[Arc<ReachedPanel>], i: usize, blocks: &[PanelProduct]) -> Vec<
     (0..panels[i].columns()).map(row).collect()
 }
 
-/// Some panels and their blocks, with all panels up to each.
+/// Some panels, and the products of each with all panels up to itself.
 struct Strip<'a> {
     panels: &'a [Arc<ReachedPanel>],
     first: usize,

@@ -1,9 +1,9 @@
-//! The inner kernel of the sparse solver: a tile of numbers times rows of columns side by side.
+//! Inner kernel of the sparse solver: a tile of numbers times rows of several columns.
 //!
 //! Columns are lanes of vector registers: row r of a panel holds entry r of [`LANES`] columns. The
 //! operations in one lane are a fixed sequence, independent of the other lanes, so that the bits of
-//! a column do not depend on those beside it. Products are fused with sums where the code says so
-//! and nowhere else, and rounded once: the bits do not depend on the vector unit either.
+//! a column do not depend on its neighbours. Products are fused with sums exactly where the code
+//! states it, and rounded once, so that the bits do not depend on the vector unit either.
 
 use pulp::Simd;
 
@@ -14,9 +14,9 @@ pub(super) const LANES: usize = 16;
 /// the sums.
 pub(super) const ROWS: usize = 6;
 
-/// [`ROWS`] entries of a column. The tiles of a supernode stand column by column: first the blocks
-/// of the triangle, block b with the columns up to its own, then the blocks below. Rows that pad
-/// the last block are zero; on the diagonal stands 1 / L_ii.
+/// [`ROWS`] entries of a column. The tiles of a supernode are stored column by column: first the
+/// blocks of the triangle, block b with the columns up to its own, then the blocks below. Rows that
+/// pad the last block are zero; the diagonal holds 1 / L_ii.
 pub(super) type Tile = [f64; ROWS];
 
 /// One row of a panel, aligned to a cache line.

@@ -1,4 +1,4 @@
-//! Triangular factors of large dense matrices that are not symmetric.
+//! Triangular factors of large unsymmetric dense matrices.
 
 use super::LinearError;
 use crate::math::Matrix;
@@ -17,14 +17,14 @@ pub(crate) struct LargeFactor {
     /// Row j is column j of the factors: U on and above the diagonal, L below, whose diagonal is
     /// one.
     columns: Matrix,
-    /// The row of the matrix that stands at each place.
+    /// The row of the matrix at each position.
     rows: Vec<usize>,
 }
 
 /// Columns that are eliminated together, and columns of the remainder that one thread updates
 /// together: their sums do not depend on the thread.
 const PANEL: usize = 64;
-/// Pivots below this fraction of the largest entry are taken for zero.
+/// Pivots below this fraction of the largest entry count as zero.
 const SINGULAR: f64 = 1e-12;
 
 impl LargeFactor {
@@ -84,7 +84,7 @@ impl LargeFactor {
 
     /// A⁻¹ b.
     ///
-    /// Errors: another length.
+    /// Errors: a wrong length.
     pub(crate) fn solve(&self, right: &[f64]) -> Result<Vec<f64>, LinearError> {
         let order = self.order();
         if right.len() != order {

@@ -1,7 +1,6 @@
-//! Linear algebra, dense and sparse; the only module that names faer.
-//!
-//! Results are the same bits whatever the number of threads: parallel tasks are blocks and columns
-//! independent of each other, divided in the same places for any number.
+//! Linear algebra, dense and sparse; the only module that uses faer. Results have the same bits for
+//! any number of threads: parallel tasks are independent blocks and columns whose division does not
+//! depend on that number.
 
 mod bordered;
 mod cholesky;

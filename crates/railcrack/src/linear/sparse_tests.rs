@@ -1,4 +1,4 @@
-//! The sparse factor: residuals, dense algebra, and bits that do not depend on the other columns.
+//! Sparse factor: residuals, comparison with dense algebra, and bits independent of other columns.
 
 use super::{
     ElementSum, LinearError, PANEL_COLUMNS, ReachedPanel, SparseCholesky, SparseColumn, SparseFactor, gram,
@@ -175,7 +175,7 @@ fn panels(factor: &SparseFactor, columns: &[SparseColumn]) -> Vec<Arc<ReachedPan
 
 #[test]
 fn solutions_by_residual() {
-    // The last has fronts of several blocks.
+    // The last size has fronts of several blocks.
     for (columns, rows) in [(1, 1), (2, 5), (7, 3), (16, 16), (40, 23), (110, 104)] {
         let grid = SquareLattice::new(columns, rows);
         let (matrix, factor) = grid.factored(5);
@@ -273,7 +273,8 @@ fn wanted_unknowns_agree_with_the_full_solution() {
     let right: Vec<f64> = grid.local_columns(3).iter().flat_map(|b| full(grid.order(), b)).collect();
     let mut whole = right.clone();
     factor.solve(&mut whole).unwrap();
-    // Far from the right-hand sides on several branches of the elimination tree, and beside them.
+    // Unknowns far from the right-hand sides on several branches of the elimination tree, and close
+    // to them.
     let wanted = [grid.order() - 1, 7, 8, 29, grid.order() - 30, grid.order() / 2];
     let mut part = right.clone();
     factor.solve_for(wanted, &mut part).unwrap();
@@ -281,7 +282,7 @@ fn wanted_unknowns_agree_with_the_full_solution() {
         assert!(wanted.iter().all(|&i| x[i] == y[i] && x[i] != 0.0));
     }
     let left = right.iter().zip(&part).zip(&whole).filter(|((b, y), x)| b == y && y != x).count();
-    assert!(2 * left > right.len(), "{left} of {} unknowns left alone", right.len());
+    assert!(2 * left > right.len(), "{left} of {} unknowns unsolved", right.len());
     assert!(matches!(
         factor.solve_for([grid.order()], &mut part).unwrap_err(),
         LinearError::NoSuchUnknown { .. }
@@ -333,8 +334,8 @@ fn an_indefinite_matrix_names_the_unknown() {
 
 #[test]
 fn held_unknowns_and_gaps_between_elements() {
-    // Unknown 2 of the first element is held; the second has one unknown alone; unknown 3 comes
-    // after both.
+    // Unknown 2 of the first element is held; the second has a single unknown; unknown 3 belongs to
+    // none.
     let spring = Matrix::from_fn(2, 2, |i, j| if i == j { 3.0 } else { -1.0 });
     let springs = [vec![Some(0), Some(2)], vec![Some(2), Some(1)], vec![None, Some(1)], vec![Some(3), None]];
     let matrix =

@@ -1,12 +1,12 @@
-//! Forward and backward substitution with the supernodes of a factor, for the columns of a panel.
+//! Forward and backward substitution with the supernodes of a factor for the columns of a panel.
 
 use super::cholesky::SparseFactor;
 use super::lanes::{LaneRow, ROWS, add_row, add_tile, add_transposed_tile, scaled_difference, subtract};
 use super::structure::Supernode;
 use pulp::{Arch, Simd, WithSimd};
 
-/// Some supernodes of a factor, in elimination order, with every ancestor of each, and a panel over
-/// their rows.
+/// A panel over the rows of some supernodes of a factor, which are in elimination order and contain
+/// every ancestor of each.
 pub(super) struct Panel<'a> {
     factor: &'a SparseFactor,
     supernodes: &'a [usize],
@@ -26,8 +26,8 @@ impl<'a> Panel<'a> {
     }
 
     /// Keeps the first `kept` rows, and continues with zeros over `supernodes` in elimination
-    /// order, which contain every ancestor of each that has no row among those kept: for
-    /// [`Panel::backward`] over these alone.
+    /// order, which contain every ancestor that has no row among those kept. [`Panel::backward`]
+    /// then needs only these.
     pub(super) fn go_on(&mut self, kept: usize, supernodes: &'a [usize]) {
         let mut next = kept;
         for &s in supernodes {

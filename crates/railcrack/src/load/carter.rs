@@ -22,13 +22,13 @@ pub struct CarterContact {
     pub friction: f64,
     /// ξ, in [−1, 1].
     pub traction: f64,
-    /// Which way the wheel runs.
+    /// Direction of travel of the wheel.
     pub travel: Travel,
 }
 
 impl CarterContact {
-    /// Refuses a contact without pressure or extent, a negative friction, and more shear than
-    /// friction.
+    /// Rejects a contact without pressure or extent, a negative friction, and a traction beyond the
+    /// friction limit.
     pub fn check(&self) -> Result<(), OutOfRange> {
         self.sliding().check()?;
         let friction = "wheel\u{2013}rail friction";
@@ -37,7 +37,7 @@ impl CarterContact {
         OutOfRange::unless(within, "traction Q/(\u{3bc} P)", self.traction, "in [-1, 1]")
     }
 
-    /// The same pressure in full sliding, signed as the shear.
+    /// The contact with the same pressure in full sliding, with the sign of this shear.
     pub fn sliding(&self) -> HertzianContact {
         HertzianContact {
             peak_pressure: self.peak_pressure,
@@ -46,7 +46,7 @@ impl CarterContact {
         }
     }
 
-    /// ± μ with the sign of the shear; 0 for a wheel that transmits none.
+    /// ± μ with the sign of the shear; 0 for a wheel that transmits no shear.
     fn signed_friction(&self) -> f64 {
         if self.traction == 0.0 { 0.0 } else { self.friction.copysign(self.traction) }
     }
@@ -56,7 +56,7 @@ impl CarterContact {
         self.half_width * (1.0 - self.traction.abs()).sqrt()
     }
 
-    /// d, the middle of the stick zone from that of the contact, mm.
+    /// d, the centre of the stick zone relative to that of the contact, mm.
     pub(crate) fn stick_centre(&self) -> f64 {
         (self.half_width - self.stick_half_width()) * self.travel.sign()
     }
@@ -84,8 +84,8 @@ impl CarterContact {
         self.friction * self.half_width / radius * (1.0 - (1.0 - self.traction.abs()).sqrt())
     }
 
-    /// Where pressure or shear are not smooth: abscissae from the centre of the contact,
-    /// increasing, mm.
+    /// Abscissae from the centre of the contact at which pressure or shear are not smooth, mm,
+    /// increasing.
     pub(crate) fn edges(&self) -> Vec<f64> {
         let a = self.half_width;
         let slip_begins = (a - 2.0 * self.stick_half_width()) * self.travel.sign();
@@ -145,7 +145,7 @@ mod tests {
             assert!((CARTER.shear(u) - back.shear(-u)).abs() < 1e-10, "mirrored at {u}");
             assert!(CARTER.shear(u).abs() <= 0.3 * CARTER.pressure(u) + 1e-12);
         }
-        // Where it slips, the shear is all that friction gives.
+        // In the slip zone the shear equals the friction limit.
         assert!((CARTER.shear(-5.0) + 0.3 * CARTER.pressure(-5.0)).abs() < 1e-12);
     }
 

@@ -1,4 +1,4 @@
-//! Contact of wheel on rail, however it is described.
+//! Wheel–rail contact in any of its descriptions.
 
 use super::{CarterContact, HertzianContact, TableContact, Temperature, Track};
 use crate::math::OutOfRange;
@@ -15,12 +15,12 @@ pub enum Contact {
 }
 
 impl Contact {
-    /// Refuses a contact without pressure or extent, and shear beyond friction.
+    /// Rejects a contact without pressure or extent, and a shear beyond the friction limit.
     pub fn check(&self) -> Result<(), OutOfRange> {
         match self {
             Self::Hertz(contact) => contact.check(),
             Self::Carter(contact) => contact.check(),
-            // A table is checked where it is made.
+            // The constructor of a table has checked it.
             Self::Table(_) => Ok(()),
         }
     }
@@ -69,7 +69,8 @@ impl Contact {
         }
     }
 
-    /// The middle of the contact, mm from x_c: a table need not lie evenly about it.
+    /// The middle of the contact, mm from x_c; other than 0 only for a table that is not centred on
+    /// x_c.
     pub(crate) fn middle(&self) -> f64 {
         match self {
             Self::Table(contact) => contact.middle(),
@@ -77,7 +78,7 @@ impl Contact {
         }
     }
 
-    /// The mirror image: of a wheel that runs the other way.
+    /// The mirror image, which is the contact of a wheel that runs in the opposite direction.
     #[must_use]
     pub fn mirrored(&self) -> Self {
         match self {
@@ -90,7 +91,7 @@ impl Contact {
         }
     }
 
-    /// The contact in Hertzian line contact and full sliding, where it is one.
+    /// The Hertzian contact in full sliding; none for other contacts.
     pub fn sliding(&self) -> Option<&HertzianContact> {
         match self {
             Self::Hertz(contact) => Some(contact),
@@ -111,9 +112,9 @@ impl From<HertzianContact> for Contact {
 pub struct WheelLoad {
     /// Wheel on rail.
     pub contact: Contact,
-    /// The track on which the rail bends; none for a rail that does not.
+    /// The track on which the rail bends; none for a rail without bending.
     pub track: Option<Track>,
-    /// The temperature of a rail that cannot lengthen; none for one at its neutral temperature.
+    /// The temperature of a rail that cannot lengthen; none for a rail at its neutral temperature.
     pub temperature: Option<Temperature>,
 }
 

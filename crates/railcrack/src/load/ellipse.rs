@@ -5,7 +5,7 @@ use crate::material::IsotropicElastic;
 use crate::math::{OutOfRange, complete_elliptic};
 use std::f64::consts::PI;
 
-/// A wheel on a rail head, in the numbers of a vehicle.
+/// A wheel on a rail head, described by its load and radii.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WheelOnRail {
     /// P, N, positive.
@@ -79,7 +79,7 @@ impl HertzEllipse {
     /// The line contact of the strip at `lateral` (z, mm), in full sliding with signed `friction`:
     /// p0 √(1 − (z/b)²) and a √(1 − (z/b)²).
     ///
-    /// Errors: a strip beside the ellipse.
+    /// Errors: a strip outside the ellipse.
     pub fn strip(&self, lateral: f64, friction: f64) -> Result<HertzianContact, OutOfRange> {
         let within = lateral.abs() < self.across;
         OutOfRange::unless(within, "lateral offset (mm)", lateral, "inside of the contact ellipse")?;

@@ -16,14 +16,14 @@ pub(crate) struct Ball {
 const INSIDE: f64 = 1e-13;
 /// Flatter simplices (squared height over squared edges) have no usable circumscribed ball.
 const FLAT: f64 = 1e-14;
-/// Every pivot enlarges the ball, so the loop terminates; this bounds it for coordinates that are
-/// NaN.
+/// Limit of the number of pivots. Every pivot enlarges the ball, so the loop terminates without it
+/// unless a coordinate is NaN.
 const PIVOTS: usize = 1000;
 
 /// The smallest ball that contains all `points`; radius 0 at the origin for none.
 ///
-/// The farthest points are added one by one to a short list, whose smallest ball Welzl's recursion
-/// gives exactly.
+/// The farthest point is added repeatedly to a short list of points, whose smallest ball Welzl's
+/// recursion finds exactly.
 ///
 /// Source: Welzl 1991, Smallest enclosing disks; Gärtner 1999, Fast and robust smallest enclosing
 /// balls (pivoting).

@@ -1,4 +1,4 @@
-//! Nested dissection: the elimination order of the nodes of a grid.
+//! Nested-dissection ordering of the nodes of a grid for elimination.
 
 use super::QuadMesh;
 use std::ops::RangeInclusive;
@@ -9,13 +9,13 @@ struct LatticeBlock {
     rows: RangeInclusive<usize>,
 }
 
-/// A part with so few elements along both directions is not divided further: below this size a
-/// separator costs as much as it saves.
+/// Number of elements in both directions at or below which a part is not divided further, because a
+/// separator would cost as much as it saves.
 const LEAF_ELEMENTS: usize = 2;
 
 impl QuadMesh {
     /// The nodes in nested-dissection order: a grid line divides the mesh in two; the nodes of
-    /// either part come first, each part ordered in the same way, and the nodes on the line come
+    /// either part come first, each part ordered by the same rule, and the nodes on the line come
     /// last. Eliminated in this order, the nodes of a part fill in only among themselves and on the
     /// lines around the part. The direction with more elements is divided.
     ///
@@ -60,7 +60,7 @@ impl QuadMesh {
     }
 }
 
-/// Elements between or beside the lattice indices of a range, along one direction.
+/// Number of elements along one direction that touch the lattice indices of a range.
 fn elements(range: &RangeInclusive<usize>) -> usize {
     range.end().div_ceil(2) - range.start() / 2
 }

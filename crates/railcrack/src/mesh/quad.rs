@@ -4,10 +4,10 @@ use super::shape::{Edge, NODES};
 use crate::math::Vec2;
 use thiserror::Error;
 
-/// Grid lines that do not form a mesh.
+/// Grid lines that do not define a mesh.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum MeshError {
-    /// Fewer than two lines in a direction.
+    /// Fewer than two grid lines in one direction.
     #[error("a mesh needs at least two grid lines along {axis}, {count} given")]
     TooFewLines {
         /// `x` or `y`.
@@ -15,15 +15,15 @@ pub enum MeshError {
         /// Number of given lines.
         count: usize,
     },
-    /// More unknowns than a mesh may have.
-    #[error("its {unknowns:.3e} unknowns are more than {most:e}: larger elements make fewer")]
+    /// Too many unknowns.
+    #[error("its {unknowns:.3e} unknowns exceed the limit of {most:e}; larger elements reduce them")]
     TooManyUnknowns {
-        /// Displacement unknowns of the mesh that is wanted.
+        /// Displacement unknowns of the requested mesh.
         unknowns: f64,
-        /// The most that are accepted.
+        /// Largest accepted number.
         most: f64,
     },
-    /// Lines that do not increase.
+    /// Grid lines that are not in increasing order.
     #[error("grid line {index} along {axis} at {value} mm does not lie beyond the line before it")]
     NotIncreasing {
         /// `x` or `y`.
@@ -212,7 +212,7 @@ impl QuadMesh {
     }
 
     /// The element that contains `point` (mm): of several that touch it, the one to the upper
-    /// right. None outside of the mesh.
+    /// right. None outside the mesh.
     pub(crate) fn locate(&self, point: Vec2) -> Option<usize> {
         let find = |lines: &[f64], at: f64| {
             let cells = lines.len() - 1;

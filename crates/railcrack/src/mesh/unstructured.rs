@@ -100,8 +100,8 @@ impl UnstructuredGrid {
 
     /// Checks that cells and data fit the points.
     ///
-    /// Errors: a cell with too few nodes or with a point that does not exist; data of the wrong
-    /// length or with the name of other data.
+    /// Errors: a number of nodes that is not a multiple of the nodes of a cell; a cell that refers
+    /// to a missing point; data of the wrong length; two arrays with the same name.
     pub fn check(&self) -> Result<(), GridError> {
         for (i, block) in self.cells.iter().enumerate() {
             let nodes = block.shape.nodes();

@@ -1,4 +1,4 @@
-//! A between cracks that are far apart, by an interpolation of the interaction of dislocations.
+//! Blocks of A between distant cracks, by interpolation of the dislocation interaction.
 
 use super::kernel::interaction;
 use super::units::{SourceBox, Units};
@@ -10,21 +10,21 @@ use rayon::prelude::*;
 
 /// Gauss points on each piece of an element.
 const POINTS: usize = 8;
-/// The same for an estimate of the error.
+/// Gauss points on each piece for the estimate of the error.
 const FEW_POINTS: usize = 2;
 
-/// Dislocations that follow the jumps at face points.
+/// Dislocations whose Burgers vectors depend on the jumps at face points.
 pub(crate) struct Source<'a> {
     pub place: SourceSite<'a>,
-    /// Their Burgers vector over the jumps at these points, which are counted within the unit.
+    /// Face points of the unit, by index within the unit, with the Burgers vector per jump there.
     pub follows: Vec<(usize, f64)>,
 }
 
-/// Where dislocations are.
+/// The position of dislocations.
 pub(crate) enum SourceSite<'a> {
     /// Dislocations on an element, over which the jump is linear in the parameter of the curve.
     Element(&'a FaceElement),
-    /// One at a point (mm) of a crack.
+    /// A dislocation at a point (mm) of a crack.
     Point { crack: usize, at: Vec2 },
 }
 
@@ -67,7 +67,7 @@ impl FarRow<'_> {
     }
 
     /// The difference between the expansion of A between units `k` and `l` and its integral, over
-    /// the norm of that.
+    /// the norm of the integral.
     fn off(&self, moments: &Matrix, between: &Matrix, others: &Matrix, (k, l): (usize, usize)) -> f64 {
         let (one, other) = (self.dislocations(k), self.dislocations(l));
         let at = |all: &[(Vec2, f64, usize)]| all.iter().map(|(at, ..)| *at).collect::<Vec<Vec2>>();
@@ -94,8 +94,8 @@ impl FarRow<'_> {
         if norm > 0.0 { f64::sqrt(off / norm) } else { 0.0 }
     }
 
-    /// The dislocations of unit `k`, where elements are taken by few points: places, Burgers
-    /// vectors over the jump at a point of the unit, and that point.
+    /// The dislocations of unit `k`, with few quadrature points per element: position, Burgers
+    /// vector per jump at a face point of the unit, and that face point.
     fn dislocations(&self, k: usize) -> Vec<(Vec2, f64, usize)> {
         let rule = gauss_legendre(FEW_POINTS);
         let mut all = Vec::new();
@@ -144,8 +144,8 @@ impl FarRow<'_> {
         moments
     }
 
-    /// The crack of dislocations, and the weights of its box's Chebyshev points: for an element
-    /// ∫ L_q(z(g)) dg over its range.
+    /// The crack on which dislocations lie, and the weights of the Chebyshev points of its box; for
+    /// an element these are ∫ L_q(z(g)) dg over its range.
     fn weights(&self, place: &SourceSite<'_>, rule: &[(f64, f64)]) -> (usize, Vec<f64>) {
         match *place {
             SourceSite::Point { crack, at } => (crack, self.units.extents[crack].weights(at)),

@@ -22,13 +22,13 @@ pub(crate) fn interaction(z: Vec2, z0: Vec2) -> Interaction {
     split_interaction(z, z0).whole()
 }
 
-/// An interaction by its logarithm, which stands on the diagonal, and the rest: sums over many
-/// points need the logarithm of one product only.
+/// An interaction split into its logarithm, which appears on the diagonal only, and the rest. Sums
+/// over many points need only the logarithm of one product.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Split {
-    /// All but the logarithm.
+    /// The interaction without the logarithm.
     pub rational: Interaction,
-    /// The logarithm is of this.
+    /// The argument of the logarithm.
     pub of_log: f64,
 }
 
@@ -40,7 +40,7 @@ impl Split {
     }
 }
 
-/// [`interaction`] by its parts; the logarithm is of |z̄−z0|²/|z−z0|².
+/// [`interaction`] in two parts; the argument of the logarithm is |z̄−z0|²/|z−z0|².
 #[inline]
 pub(crate) fn split_interaction(z: Vec2, z0: Vec2) -> Split {
     let (dx, dy) = (z.x - z0.x, z.y - z0.y);
@@ -52,7 +52,7 @@ pub(crate) fn split_interaction(z: Vec2, z0: Vec2) -> Split {
 }
 
 /// Contribution of the free surface to [`interaction`]: all but −log|z−z0|² and (z−z0)/(z̄−z̄0);
-/// smooth at z = z0 below the surface. The logarithm is of |z̄−z0|² in mm².
+/// smooth at z = z0 below the surface. The argument of the logarithm is |z̄−z0|² in mm².
 #[inline]
 pub(crate) fn split_image_interaction(z: Vec2, z0: Vec2) -> Split {
     // m = z̄ − z0.

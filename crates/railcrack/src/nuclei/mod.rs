@@ -1,6 +1,6 @@
 //! Nuclei of strain in the half-plane: the interaction of dislocations, and its expansion between
 //! cracks that are farther apart than their size. Both engines use the expansion for long rows of
-//! cracks; between cracks that are near to each other they share nothing of it.
+//! cracks; between cracks that are near to each other they share no code.
 
 mod far;
 mod kernel;

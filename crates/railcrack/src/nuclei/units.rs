@@ -1,19 +1,18 @@
-//! The cracks of a row, unit by unit.
+//! Units of joined cracks in a row.
 
 use crate::crack::{CrackCurve, CrackNetwork};
 use crate::math::{Vec2, chebyshev};
 
-/// Cracks are near to each other up to this distance along the rail, over the larger of their
-/// sizes.
+/// Distance along the rail, over the larger crack size, up to which cracks are near to each other.
 const GAP: f64 = 1.0;
-/// Chebyshev points of the expansion along the rail and in depth, by crack.
+/// Numbers of Chebyshev points of the expansion per crack, along the rail and in depth.
 const ALONG: usize = 5;
 const DOWN: usize = 4;
 
-/// Boxes are wider than their cracks by this (mm), or those of upright cracks would have no width.
+/// Width (mm) by which boxes exceed their cracks, so that the boxes of upright cracks have a width.
 const FLAT: f64 = 1e-9;
 
-/// The box around a crack.
+/// The bounding box of a crack.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct SourceBox {
     low: Vec2,
@@ -21,7 +20,7 @@ pub(super) struct SourceBox {
 }
 
 impl SourceBox {
-    /// Number of its Chebyshev points.
+    /// Number of Chebyshev points of a box.
     pub(crate) const NODES: usize = ALONG * DOWN;
 
     fn of(curve: &CrackCurve) -> Self {
@@ -46,7 +45,7 @@ impl SourceBox {
         gap >= GAP * self.size().max(other.size())
     }
 
-    /// Chebyshev points, of which [`SourceBox::weights`] are the weights of a point.
+    /// The Chebyshev points to which [`SourceBox::weights`] refers.
     pub(crate) fn nodes(&self) -> Vec<Vec2> {
         let [xs, ys] = self.lines();
         xs.iter().flat_map(|&x| ys.iter().map(move |&y| Vec2::new(x, y))).collect()

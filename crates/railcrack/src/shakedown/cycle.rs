@@ -1,4 +1,4 @@
-//! The stabilised cycle from the columns of the last passage.
+//! Stabilised cycle of stress and strain from the columns of the last passage.
 
 use super::eigenstress::Columns;
 use super::error::ShakedownError;
@@ -27,7 +27,7 @@ pub(super) fn layer_stress(steel: &IsotropicElastic, strain: PlasticStrain) -> S
     }
 }
 
-/// −1 where the computation is the mirror image of the rail: the factor of abscissae and shears.
+/// −1 if the computation is the mirror image of the rail: the factor of abscissae and shears.
 pub(super) fn mirror(travel: Travel) -> f64 {
     match travel {
         Travel::Forward => 1.0,
@@ -35,7 +35,7 @@ pub(super) fn mirror(travel: Travel) -> f64 {
     }
 }
 
-/// Stress and strain of `passage`, and their admissibility. Errors: a contact that is none.
+/// Stress and strain of `passage`, and their admissibility. Errors: an invalid contact.
 pub(super) fn of(
     rail: &RolledRail,
     grid: &RailGrid,

@@ -1,4 +1,4 @@
-//! The stabilised state and the passages that lead to it.
+//! Stabilised state, and the passages that lead to it.
 
 use super::layers::Layers;
 use super::rail::RolledRail;

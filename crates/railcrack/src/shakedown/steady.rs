@@ -39,7 +39,7 @@ pub(super) struct SteadyProblem {
     /// Stress deviators of wheel and initial residual stress, MPa.
     pub background: Columns,
     /// Columns around the contact, in which the extrapolation acts; the values outside follow.
-    pub window: Range<usize>,
+    pub active: Range<usize>,
     /// 2 G over the radius of the yield surface.
     pub strain_scale: f64,
     /// Largest change at which the iteration ends.
@@ -69,7 +69,7 @@ impl SteadyProblem {
         let mut strain = start;
         if upstream == Upstream::Given {
             for c in 0..3 {
-                for at in self.window.end * layers..strain[c].len() {
+                for at in self.active.end * layers..strain[c].len() {
                     strain[c][at] = entering[at % layers][c];
                 }
             }
@@ -90,19 +90,19 @@ impl SteadyProblem {
             if change <= self.tolerance || iterations >= self.max_iterations || !change.is_finite() {
                 return Ok(SteadyPassage { strain: image, entering, path, iterations, change });
             }
-            let window = self.window.start * layers..self.window.end * layers;
+            let active = self.active.start * layers..self.active.end * layers;
             let part = |field: &Columns| -> Vec<f64> {
-                field.iter().flat_map(|component| &component[window.clone()]).copied().collect()
+                field.iter().flat_map(|component| &component[active.clone()]).copied().collect()
             };
             let mut next = part(&strain);
             let residual: Vec<f64> = part(&image).iter().zip(&next).map(|(g, x)| g - x).collect();
             anderson.advance(&mut next, &residual);
-            for (c, values) in next.chunks_exact(window.len()).enumerate() {
-                strain[c][window.clone()].copy_from_slice(values);
-                strain[c][window.end..].copy_from_slice(&image[c][window.end..]);
-                // Downstream of the window the extrapolated strain continues as its image under the
-                // iteration does.
-                for at in (0..window.start).rev() {
+            for (c, values) in next.chunks_exact(active.len()).enumerate() {
+                strain[c][active.clone()].copy_from_slice(values);
+                strain[c][active.end..].copy_from_slice(&image[c][active.end..]);
+                // Downstream of the active columns the extrapolated strain continues as its image
+                // under the iteration does.
+                for at in (0..active.start).rev() {
                     strain[c][at] = strain[c][at + layers] + (image[c][at] - image[c][at + layers]);
                 }
             }

@@ -1,4 +1,4 @@
-//! Arrangement of lines that divides a rectangle into convex cells.
+//! Arrangements of lines that divide a rectangle into convex cells.
 
 use crate::math::{Orientation, Vec2, orientation};
 use crate::mesh::{Edge, Element};

@@ -1,4 +1,4 @@
-//! The finite-element engine: one mesh and one factor for all growth steps of a run.
+//! Finite-element engine with one mesh and one factor for all growth steps of a run.
 
 use super::body::{Discretisation, cracked_body_with};
 use super::columns::ColumnStore;
@@ -19,7 +19,7 @@ use std::time::Instant;
 /// Boundary of the rail in the finite-element engine.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum RailEnd {
-    /// The running surface only: the mesh is held so far away that this has no influence.
+    /// A half-plane. The mesh is held at such a distance that the boundary has no influence.
     HalfPlane {
         /// Abscissa of the centre of the mesh, mm.
         centre: f64,
@@ -61,10 +61,10 @@ impl RailEnd {
     }
 }
 
-/// Extended finite elements for all growth steps of a run. The mesh is laid around the initial
-/// cracks with room for their growth, and is factored once; when a crack leaves the refined region,
-/// the refined region is enlarged in fixed steps. A clone shares the factor and the columns solved
-/// with it.
+/// Extended finite elements for all growth steps of a run. The mesh is refined around the initial
+/// cracks with room for their growth, and its stiffness is factored once. When a crack leaves the
+/// refined region, that region is enlarged in fixed steps. A clone shares the factor and the
+/// columns solved with it.
 #[derive(Debug, Clone)]
 pub struct XfemEngine {
     steel: IsotropicElastic,
@@ -72,15 +72,15 @@ pub struct XfemEngine {
     settings: XfemSettings,
     /// The refined region of the initial cracks.
     initial: RefinedRegion,
-    /// That of the mesh.
+    /// The refined region of the present mesh.
     refined: RefinedRegion,
     background: Option<Arc<BulkRail>>,
     columns: ColumnStore,
 }
 
 impl XfemEngine {
-    /// The engine for the cracks `initial` at the beginning of the run, with elements of one size
-    /// at all of them.
+    /// The engine for the cracks `initial` at the beginning of the run, with elements of the same
+    /// size at all cracks.
     pub fn new(
         initial: &CrackNetwork,
         steel: IsotropicElastic,
@@ -109,22 +109,22 @@ impl XfemEngine {
         }
     }
 
-    /// This engine with a mesh that also resolves `layers`; to be called before it has made one.
+    /// This engine with a mesh that also resolves `layers`; to be called before the mesh is made.
     pub fn resolving(self, layers: ResolvedLayers) -> Self {
         let refined = self.initial.resolving(layers);
         Self { initial: refined.clone(), refined, ..self }
     }
 
-    /// All that mesh and factor of the rail depend on for the initial cracks, in words; two rails
-    /// with the same words are the same bits.
+    /// A text of all data on which mesh and factor of the rail depend for the initial cracks. Two
+    /// rails with the same text have the same bits.
     pub fn rail_in_words(&self) -> String {
         let (extent, boundary) = (self.end.extent(&self.initial), self.end.boundary());
         // The shortest decimals that read back to the same bits.
         format!("{:?} {extent:?} {boundary:?} {:?}", self.steel, self.initial)
     }
 
-    /// Takes over mesh, factor and columns of `other`, where this engine has none yet and would
-    /// make the same ones.
+    /// Takes over mesh, factor and columns of `other`, if this engine has none yet and would make
+    /// identical ones.
     pub fn take_over(&mut self, other: &Self) {
         if self.background.is_some()
             || other.refined != self.initial
@@ -137,7 +137,7 @@ impl XfemEngine {
     }
 
     /// Displacement unknowns of the mesh for the initial cracks, computed without making it;
-    /// infinite where no number holds them.
+    /// infinite on overflow.
     pub fn mesh_unknowns(&self) -> f64 {
         self.initial.mesh_unknowns(self.end.extent(&self.initial))
     }
@@ -156,7 +156,7 @@ impl XfemEngine {
         })
     }
 
-    /// Size of the systems of `network` by groups.
+    /// Size of the systems of `network` with A in blocks.
     pub fn size_by_groups(&self, network: &CrackNetwork) -> Result<XfemSize, XfemError> {
         let (refined, _) = self.region_for(network);
         self.row(network, &refined).size()
@@ -187,7 +187,7 @@ impl XfemEngine {
         self.background_unless(Interruption::NEVER, network)
     }
 
-    /// [`XfemEngine::background`], given up on an `interruption`.
+    /// [`XfemEngine::background`] that stops on an `interruption`.
     pub(crate) fn background_unless(
         &mut self,
         interruption: Interruption<'_>,
@@ -231,13 +231,13 @@ impl XfemEngine {
         Ok(body)
     }
 
-    /// Tells that the refined region was enlarged, by the cracks alone, so that a run that is taken
-    /// up here says the same.
+    /// Adds a remark if the refined region was enlarged. It depends on the cracks alone, so that a
+    /// run resumed at this step gives the same remark.
     fn remark_on_region(&self, network: &CrackNetwork, body: &mut CrackedBody) {
         let (refined, before) = self.region_for(network);
         if before.is_some_and(|before| before.was_left_by(network)) {
             body.remarks.push(format!(
-                "a crack left the fine part of the mesh, which now reaches from x = {:.1} to {:.1} mm and to a depth of {:.1} mm",
+                "a crack left the refined region of the mesh, which now extends from x = {:.1} to {:.1} mm and to a depth of {:.1} mm",
                 refined.lower.x, refined.upper.x, -refined.lower.y
             ));
         }
@@ -253,7 +253,7 @@ impl BodyEngine for XfemEngine {
         self.cracked(interruption, network).map_err(|reason| BodyError { reason: Box::new(reason) })
     }
 
-    /// None of a block, in which forces between cracks that are far apart are not those of the
+    /// None for a block, in which the forces between distant cracks differ from those of the
     /// half-plane.
     fn body_by_groups(
         &mut self,

@@ -1,4 +1,4 @@
-//! Stiffness of standard and enriched unknowns together.
+//! Joint stiffness of standard and enriched unknowns.
 
 use super::border::{Border, CellStiffness};
 use crate::bulk::{BulkRail, RailStiffness};
@@ -11,7 +11,7 @@ pub(super) struct EnrichedStiffness<'a> {
     rail: &'a BulkRail,
     mesh: RailStiffness<'a>,
     border: &'a Border,
-    /// Per enriched unknown.
+    /// Addition to the diagonal for each enriched unknown.
     added: Vec<f64>,
 }
 
@@ -26,7 +26,7 @@ enum Summand<'a> {
 }
 
 impl<'a> EnrichedStiffness<'a> {
-    /// With `added[i]` on the diagonal at enriched unknown i.
+    /// The stiffness with `added[i]` on the diagonal at enriched unknown i.
     pub(super) fn new(rail: &'a BulkRail, border: &'a Border, added: Vec<f64>) -> Self {
         Self { rail, mesh: rail.stiffness(), border, added }
     }
@@ -73,7 +73,7 @@ impl ElementSum for EnrichedStiffness<'_> {
                 let mut functions: Vec<usize> = cell.functions(|target| target.standard).collect();
                 let standard = functions.len();
                 functions.extend(cell.functions(|target| target.enriched));
-                // Entries between standard unknowns belong to the elements.
+                // Entries between standard unknowns come from the elements of the mesh.
                 let entry = |i, j| if i < standard { 0.0 } else { cell.entry(functions[i], functions[j]) };
                 Matrix::from_fn(functions.len(), functions.len(), entry)
             }

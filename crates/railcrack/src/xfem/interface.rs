@@ -16,7 +16,7 @@ pub(super) struct Interface {
     curves: Vec<CrackCurve>,
 }
 
-/// The face points at the ends of an element, and their weights.
+/// Face points at the ends of an element, and their weights.
 type Shares = [(usize, f64); 2];
 
 /// A quadrature point of the faces. Jumps are ⟦w⟧ = Σ ψ_j w_j with ψ linear in g and zero at a tip;
@@ -39,16 +39,16 @@ pub(super) struct Station {
 /// two points per element, and with one the pressures do not oscillate.
 const SPACING: f64 = 1.0;
 /// Step of √r next to a tip, over the root of the length of crack in the element there: points at
-/// 0.16, 0.64, 1.44 of an element. With steps of a third K leaks out of a locked tip, by up to 3 %
-/// of its peak as the last part of the crack begins to slip; with a quarter pressures oscillate.
+/// 0.16, 0.64, 1.44 of an element. With steps of a third, K at a locked tip changes by up to 3 % of
+/// its peak as the last part of the crack begins to slip; with a quarter, pressures oscillate.
 const TIP_STEP: f64 = 0.4;
 /// Length of the element across a kink, over the regular one.
 const KINK_SPACING: f64 = 0.15;
-/// The same for kinks without √r functions.
+/// Length of the element across a kink without √r functions, over the regular one.
 const SMALL_KINK_SPACING: f64 = 0.5;
 /// Distance of a small kink from the next one or the end of the crack, over the regular element,
-/// beyond which it has points of its own. Points that are denser than the jump functions carry
-/// oscillating pressures: at half an element from the tip K was off by 7 to 30 %.
+/// beyond which it has points of its own. Pressures oscillate on points that are denser than the
+/// jump functions: at half an element from the tip the error of K was 7 to 30 %.
 const KINK_ROOM: f64 = 3.0;
 /// Growth of the distance of face points away from a kink: length per distance.
 const KINK_GRADING: f64 = 0.5;
@@ -61,7 +61,7 @@ const SMALL_KINK: f64 = 0.05;
 const GAUSS: usize = 6;
 
 impl Interface {
-    /// `spacing` (mm) between face points; that of the elements for `None`.
+    /// Face points at a distance `spacing` (mm), or as dense as the elements for `None`.
     pub(super) fn new(mesh: &QuadMesh, network: &CrackNetwork, cuts: &Cuts, spacing: Option<f64>) -> Self {
         let curves = network.curves();
         let joined: Vec<Vec<usize>> = (0..curves.len()).map(|crack| junctions_on(network, crack)).collect();
@@ -156,11 +156,12 @@ impl Interface {
     }
 }
 
-/// Maps integrals over the faces to jumps at face points, and nodal forces there to tractions.
+/// Maps integrals over the faces to jumps at face points, and nodal forces at face points to
+/// tractions.
 #[derive(Debug, Clone)]
 pub(super) struct Duality {
     /// The factors of the tridiagonal G: per row the entry of the lower factor, the pivot, and the
-    /// entry beside it.
+    /// superdiagonal entry.
     bands: Vec<[f64; 3]>,
     /// x1 of each face point.
     tangents: Vec<Vec2>,
@@ -168,7 +169,7 @@ pub(super) struct Duality {
 
 impl Duality {
     /// G⁻¹ b in the frames of the faces: slip and opening at the face points from b_j = ∫ λ_j ⟦w⟧
-    /// ds along x and y. `b[j]` may be any row of numbers.
+    /// ds along x and y. `b[j]` may be a row of any length.
     pub(super) fn nodal_jumps(&self, mut b: Matrix) -> Matrix {
         let points = self.bands.len();
         for i in 1..points {
@@ -193,7 +194,7 @@ impl Duality {
         for (i, x1) in self.tangents.iter().enumerate() {
             let x2 = x1.left();
             let (x, y) = b.row_pair(2 * i, 2 * i + 1);
-            // Row y is written last: both rows are read.
+            // Row y is written last, because both rows are read.
             let turned: Vec<f64> = x.iter().zip(&*y).map(|(x, y)| x1.x * x + x1.y * y).collect();
             y.iter_mut().zip(x).for_each(|(y, x)| *y = x2.x * x + x2.y * *y);
             b.row_mut(2 * i).copy_from_slice(&turned);
@@ -270,7 +271,7 @@ fn shares(element: &FaceElement, g: f64) -> (Shares, Shares) {
 struct RefinedPoint {
     /// Arc length, mm.
     s: f64,
-    /// Length of an element there, mm; infinite where it is the regular one.
+    /// Length of an element there, mm; infinite for the regular length.
     element: f64,
     /// The nodes in g, in order.
     nodes: Vec<f64>,
@@ -313,8 +314,8 @@ fn nodes(mesh: &QuadMesh, curve: &CrackCurve, joined: &[usize], spacing: Option<
             return Some(RefinedPoint { s, element: f64::INFINITY, nodes: vec![g] });
         }
         // An element across each kink, so that every node has one tangent. Points are dense only
-        // where the jump functions can follow them. So a small kink has none where another one or
-        // an end is too near for this: the element there runs across it.
+        // where the jump functions are dense enough. A small kink that is too near another one or
+        // an end therefore has no points of its own; the element there runs across it.
         let sharp = curve.turn(i) > SHARP_KINK;
         (sharp || (curve.turn(i) > SMALL_KINK && gap >= KINK_ROOM * chord(g))).then(|| {
             let spacing = if sharp { KINK_SPACING } else { SMALL_KINK_SPACING };

@@ -1,4 +1,4 @@
-//! Face points at junctions of cracks.
+//! Face points near junctions of cracks.
 //!
 //! The jumps of the arms of a junction are coupled there, since the displacement around it is
 //! single-valued: n arms have n contact conditions but n − 1 free jumps. So no face point lies at
@@ -27,8 +27,8 @@ pub(super) fn junctions_on(network: &CrackNetwork, crack: usize) -> Vec<usize> {
     points
 }
 
-/// Removes the face points at junctions and adds their share to the next one of the same arm.
-/// `joined` are the points of each crack at which others meet it.
+/// Removes the face points at junctions and adds their share to the next point of the same arm.
+/// `joined` are the points of each crack at which other cracks meet it.
 pub(super) fn leave_junctions(
     curves: &[CrackCurve],
     joined: &[Vec<usize>],

@@ -1,4 +1,4 @@
-//! The extended finite-element engine: a background mesh independent of the cracks, and enrichment
+//! Extended finite-element engine: a background mesh independent of the cracks, and enrichment
 //! functions that represent them.
 
 mod arrangement;

@@ -1,4 +1,4 @@
-//! A Williams field on a patch, and superposition, against one dense system of all unknowns.
+//! Williams fields on a patch, and superposition compared with one dense system of all unknowns.
 
 use super::basis::{CellBasis, Elasticity, Function, MODES};
 use super::body::Discretisation;
@@ -197,7 +197,7 @@ fn williams_field_on_a_patch() {
 /// Round-off of systems of two thousand unknowns.
 const SAME: f64 = 1e-10;
 
-/// A loaded block with a crack: all unknowns at once, against the uncracked block followed by the
+/// A loaded block with a crack: all unknowns at once, compared with the uncracked block and the
 /// crack under the forces −K_es u0 that the field of the uncracked block exerts on the enriched
 /// functions.
 #[test]
@@ -207,7 +207,7 @@ fn superposition_of_a_discrete_field() {
     let boundary = Boundary::Block { bottom: BottomSupport::Clamped, sides: SideSupport::Free };
     let rail = BulkRail::new(mesh.clone(), &steel(), boundary).unwrap();
     let (standard, n) = (dense.standard, dense.matrix.rows());
-    // Tension and shear on the right side, outside of the support of all enrichments.
+    // Tension and shear on the right side, outside the support of all enrichments.
     let forces =
         dense.outline(|_, normal, _, _| if normal.x > 0.0 { Vec2::new(50.0, 30.0) } else { Vec2::default() });
     assert!(forces[standard..].iter().all(|f| *f == 0.0));

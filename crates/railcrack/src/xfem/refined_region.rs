@@ -1,4 +1,4 @@
-//! The refined region of the mesh, and its grading.
+//! Refined region of the mesh, and its grading.
 
 use crate::crack::{Crack, CrackNetwork, CrackTip, End};
 use crate::math::{RailBox, Vec2};
@@ -14,21 +14,22 @@ pub struct MeshSettings {
 }
 
 /// Default number of elements along the longest crack: with 60, histories of single cracks are
-/// within 0.6 % of the peak |K|, where 1 % is promised.
+/// accurate to 0.6 % of the peak |K|; the documented bound is 1 %.
 const ELEMENTS_PER_CRACK: f64 = 60.0;
 /// Default number of elements along the longest crack at straight cracks of a network of more than
-/// [`FEW`]. At kinked ones K would be up to 1.5 % of its peak off in random networks.
+/// [`FEW`]. At kinked cracks the error of K would reach 1.5 % of its peak in random networks.
 const ELEMENTS_PER_CRACK_OF_MANY: f64 = 30.0;
-/// Largest number of cracks that are resolved like single ones.
+/// Largest number of cracks that are each resolved like a single crack.
 const FEW: usize = 3;
 /// Default for the least number of elements along a shorter crack.
 const FEWEST_ELEMENTS_PER_CRACK: f64 = 30.0;
 /// Default for the least number of elements along the part of a crack between a tip and the last
 /// kink before it.
 const ELEMENTS_PER_TIP_SEGMENT: f64 = 7.0;
-/// Kinks below this angle (radians) do not count.
+/// Angle (radians) below which a kink is ignored.
 const TURN: f64 = 0.05;
-/// Default for the largest number of elements along a crack: a shorter last part has fewer.
+/// Default for the largest number of elements along a crack: a last part shorter than this requires
+/// has fewer elements.
 const MOST_ELEMENTS_PER_CRACK: f64 = 250.0;
 
 /// Default size (mm) of the elements at each crack: a sixtieth of the longest crack (a thirtieth at
@@ -71,7 +72,7 @@ fn segments(points: &[Vec2]) -> Vec<Vec2> {
     points.windows(2).map(|pair| pair[1] - pair[0]).collect()
 }
 
-/// Whether a segment goes on in the direction of the one before it.
+/// Whether a segment continues in the direction of the previous one.
 fn goes_on(pair: &[Vec2]) -> bool {
     pair[0].cross(pair[1]).atan2(pair[0].dot(pair[1])).abs() <= TURN
 }
@@ -81,19 +82,20 @@ fn goes_on(pair: &[Vec2]) -> bool {
 pub struct ResolvedLayers {
     /// Depth of the lowest layer, mm.
     pub depth: f64,
-    /// Largest height of the elements down to there, mm.
+    /// Largest height of the elements down to that depth, mm.
     pub height: f64,
 }
 
-/// The fine part of the mesh, around the cracks and where they are expected to grow. Elements grow
-/// in it with the distance from each initial crack, as cracks that get there have become longer.
+/// The refined region of the mesh, around the cracks and where they are expected to grow. The
+/// element size in it increases with the distance from each initial crack, because cracks that
+/// reach such places have become longer.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RefinedRegion {
     /// Lower left corner, mm.
     pub lower: Vec2,
     /// Upper right corner, mm.
     pub upper: Vec2,
-    /// The initial cracks.
+    /// The initial cracks with their element sizes.
     cracks: Vec<Resolved>,
     layers: Option<ResolvedLayers>,
 }
@@ -162,12 +164,12 @@ impl RefinedRegion {
         Self { lower, upper: Vec2::new(upper.x, upper.y.min(0.0)), cracks, layers: None }
     }
 
-    /// This refined region with elements that also resolve `layers`.
+    /// This region with elements that also resolve `layers`.
     pub(crate) fn resolving(self, layers: ResolvedLayers) -> Self {
         Self { layers: Some(layers), ..self }
     }
 
-    /// This refined region enlarged by half its size on every side.
+    /// This region enlarged by half its size on every side.
     pub(crate) fn enlarged(&self) -> Self {
         let size = self.upper - self.lower;
         Self {
@@ -177,7 +179,7 @@ impl RefinedRegion {
         }
     }
 
-    /// Whether all tips of `network` lie well inside.
+    /// Whether all tips of `network` lie inside with a margin.
     pub(crate) fn holds(&self, network: &CrackNetwork) -> bool {
         network.tips().into_iter().all(|tip| self.holds_point(network.cracks()[tip.crack].tip(tip.end)))
     }
@@ -233,9 +235,9 @@ impl RefinedRegion {
             .map_or(fine, |layers| fine.min(layers.height + OUTER_GRADING * (-y - layers.depth).max(0.0)))
     }
 
-    /// The mesh of `extent` that is fine in this refined region.
+    /// The mesh of `extent` that is refined in this region.
     ///
-    /// Errors: more than [`MOST_MESH_UNKNOWNS`]; grid lines that round-off lets coincide.
+    /// Errors: more than [`MOST_MESH_UNKNOWNS`]; grid lines that coincide by round-off.
     pub fn mesh(&self, extent: RailBox) -> Result<QuadMesh, MeshError> {
         let (x, y) = self.mesh_lines(extent)?;
         QuadMesh::new(x, y)
@@ -251,8 +253,8 @@ impl RefinedRegion {
         Ok((x.lines(), y.lines()))
     }
 
-    /// Displacement unknowns of the mesh of `extent`, computed without making it; infinite where
-    /// no number holds them.
+    /// Displacement unknowns of the mesh of `extent`, computed without making it; infinite on
+    /// overflow.
     pub(crate) fn mesh_unknowns(&self, extent: RailBox) -> f64 {
         let (x, y) = self.gradings(extent);
         mesh_unknowns(&x, &y)
@@ -297,8 +299,8 @@ impl RefinedRegion {
 }
 
 impl Resolved {
-    /// Size (mm) of the elements at this distance (mm) from its box: cracks that get there have
-    /// become longer.
+    /// Size (mm) of the elements at this distance (mm) from its box; it increases because cracks
+    /// that reach such places have become longer.
     fn size_at(&self, from_crack: f64) -> f64 {
         self.element_size * (1.0 + from_crack / self.length)
     }
@@ -319,8 +321,8 @@ fn distance(at: f64, from: f64, to: f64) -> f64 {
     (from - at).max(at - to).max(0.0)
 }
 
-/// Most displacement unknowns of a mesh: their factor has some 8e9 entries, 60 GB, the memory of
-/// the largest machines on which one would wait for it.
+/// Largest number of displacement unknowns of a mesh. Their factor has some 8e9 entries, or 60 GB,
+/// the memory of a large workstation.
 pub const MOST_MESH_UNKNOWNS: f64 = 5e7;
 
 /// Two displacements at the three nodes that each rectangle of a large mesh adds.
@@ -328,14 +330,14 @@ fn mesh_unknowns(x: &Grading, y: &Grading) -> f64 {
     6.0 * x.elements() * y.elements()
 }
 
-/// Numbers of elements between an end of the mesh and the points `at`, summed up.
+/// Cumulative number of elements from an end of the mesh to each of the points `at`.
 struct Grading {
     at: Vec<f64>,
     sums: Vec<f64>,
 }
 
 impl Grading {
-    /// From `from` to `to`, for elements that follow `size`.
+    /// The grading from `from` to `to` for elements of `size`.
     fn new(from: f64, to: f64, mut breaks: Vec<f64>, size: impl Fn(f64) -> f64) -> Self {
         const CELLS: usize = 24;
         breaks.retain(|&b| b > from && b < to);

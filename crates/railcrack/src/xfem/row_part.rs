@@ -1,4 +1,4 @@
-//! A part of a long row of cracks, and what is taken of it.
+//! Parts of a long row of cracks, and the blocks that the row takes from them.
 
 use super::error::XfemError;
 use super::junctions::junctions_on;
@@ -9,7 +9,7 @@ use crate::math::Matrix;
 use crate::nuclei::{Source, SourceSite, Units};
 use std::ops::Range;
 
-/// Some units of a row, as a network of their own.
+/// Some units of a row as a separate network.
 pub(super) struct PartOfRow {
     pub network: CrackNetwork,
     /// Its cracks in the row.
@@ -19,26 +19,26 @@ pub(super) struct PartOfRow {
     unit_of: Vec<usize>,
 }
 
-/// A unit as it is in the part that it is taken from; points are counted within their unit.
+/// A unit in the part from which it is taken; points are numbered within their unit.
 pub(super) struct UnitOfPart {
-    /// Its face points, their cracks those of the row.
+    /// Its face points, with cracks numbered in the row.
     pub points: Vec<FacePoint>,
     /// Quadrature points with the crack in the row.
     pub samples: Vec<(usize, FaceSample)>,
     pub tips: Vec<TipOfPart>,
-    /// Elements, their cracks those of the row.
+    /// Elements, with cracks numbered in the row.
     elements: Vec<FaceElement>,
 }
 
-/// A tip as it is in the part that its unit is taken from.
+/// A tip in the part from which its unit is taken.
 pub(super) struct TipOfPart {
     pub tip: CrackEnd,
-    /// Unit of the row and point of it with the [`crate::body::TipGain`].
+    /// Unit of the row, and point of the unit, with its [`crate::body::TipGain`].
     pub gains: Vec<(usize, usize, [[f64; 2]; 2])>,
     pub remarks: Vec<String>,
 }
 
-/// The matrices and faces that are taken of a part.
+/// The matrices and faces that are taken from a part.
 pub(super) struct Taken {
     /// A between units k ≤ l of the row.
     pub pairs: Vec<((usize, usize), Matrix)>,
@@ -68,7 +68,7 @@ impl PartOfRow {
         }
     }
 
-    /// The number in the row of crack `crack`, from 0.
+    /// The index in the row of crack `crack`, from 0.
     pub(crate) fn number(&self, crack: usize) -> usize {
         self.cracks[crack]
     }
@@ -78,7 +78,7 @@ impl PartOfRow {
         self.unit_of[crack]
     }
 
-    /// An `error` with the number of a crack in the row.
+    /// The `error` with its crack numbered in the row.
     pub(crate) fn in_row(&self, error: XfemError) -> XfemError {
         match error {
             XfemError::OutsideMesh { crack, covered, length } => {
@@ -97,7 +97,7 @@ impl PartOfRow {
         remarks: &[Vec<String>],
         at_home: &dyn Fn(usize, usize) -> bool,
     ) -> Result<Taken, LinearError> {
-        // The points of each unit, and the place of each point among them.
+        // The points of each unit, and the index of each point among them.
         let mut points: Vec<Vec<usize>> = vec![Vec::new(); self.units.len()];
         let mut place = Vec::new();
         for (i, point) in body.faces.points.iter().enumerate() {
@@ -174,7 +174,7 @@ impl UnitOfPart {
             let follows: Vec<(usize, f64)> =
                 ends.clone().filter_map(|(end, sign)| Some(((*end)?, sign))).collect();
             sources.push(Source { place: SourceSite::Element(element), follows });
-            // Where an arm of a junction ends its jump does, too.
+            // The jump on an arm of a junction ends with the arm.
             let crack = element.crack;
             let curve = &curves[crack];
             let vertices = curve.vertices();
