@@ -1,5 +1,4 @@
-//! Files that are wrong: an error that names the file, the part and what is wrong with it, and no
-//! panic.
+//! Invalid files: errors that name the file, the part and the fault, without a panic.
 
 use super::{grid_of_every_shape, scratch};
 use railcrack_vtu::{read_vtu, write_vtu};
@@ -85,7 +84,7 @@ fn a_file_cut_anywhere_is_an_error() {
     for file in files {
         let bytes = std::fs::read(&file).unwrap();
         let end = bytes.windows(9).rposition(|window| window == b"</VTKFile").unwrap();
-        // What follows appended data is markup that nobody reads.
+        // The markup after the appended data is not read.
         let markup = bytes.windows(15).rposition(|window| window == b"</AppendedData>").unwrap_or(end);
         for at in (0..markup.saturating_sub(8)).step_by(37) {
             message(&folder.join("bad.vtu"), &bytes[..at]);

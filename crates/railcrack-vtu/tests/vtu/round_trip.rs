@@ -1,4 +1,4 @@
-//! Round trips: files are read back to the bit, and an inconsistent grid is not written.
+//! Round trips with identical bits, and rejection of inconsistent grids on writing.
 
 use super::{grid_of_every_shape, scratch};
 use railcrack::math::{Stress, Vec2};
@@ -12,7 +12,7 @@ fn every_shape_and_every_bit_comes_back() {
     assert_eq!((grid.cell_count(), grid.cells[2].cell_count()), (12, 2));
     write_vtu(&path, &grid).unwrap();
     assert_eq!(read_vtu(&path).unwrap(), grid);
-    // The bits and not only the values.
+    // Compares bits, not only values.
     let zeros = UnstructuredGrid {
         points: vec![Vec2::new(-0.0, 5e-324)],
         point_data: vec![Array::scalars("x", vec![-0.0])],

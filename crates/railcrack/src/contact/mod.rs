@@ -1,4 +1,4 @@
-//! Unilateral contact with Coulomb friction on the crack faces.
+//! Unilateral contact with Coulomb friction on crack faces.
 
 mod condition;
 mod differences;

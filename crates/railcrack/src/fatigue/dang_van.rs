@@ -1,4 +1,4 @@
-//! The Dang Van criterion of crack initiation.
+//! Dang Van criterion of crack initiation.
 
 use crate::math::{Stress, smallest_ball};
 
@@ -92,7 +92,7 @@ mod tests {
         }
     }
 
-    /// Reversed shear ±T under a constant pressure P: τ = T whatever the constant shear, less a P.
+    /// Reversed shear ±T under a constant pressure P: τ = T for any constant shear, less a P.
     #[test]
     fn reversed_shear_under_pressure() {
         let path = [-150.0, 150.0].map(|xy| Stress { xx: -90.0, yy: -90.0, zz: -90.0, xy: xy + 35.0 });

@@ -1,4 +1,4 @@
-//! Equivalent ranges: one number for the ranges of two modes.
+//! Equivalent SIF ranges of mixed modes.
 
 use super::laws::Bold;
 use crate::math::MPA_SQRT_MM;
@@ -16,7 +16,7 @@ pub enum EquivalentRange {
     /// ΔK_I/2 + ½ √(ΔK_I² + 4 (1.155 ΔK_II)²). Source: Richard, Fulland & Sander 2005, Fatigue
     /// Fract. Eng. Mater. Struct. 28, 3–12.
     Richard,
-    /// That of the law of Bold, Brown and Allen ([`Bold`]).
+    /// The equivalent range in the law of Bold, Brown and Allen ([`Bold`]).
     Bold,
 }
 
@@ -46,7 +46,7 @@ impl EquivalentRange {
     ///   w/(1 − ν), with which modes II and III count by their energy release rates.
     /// * Tanaka 1974: (ΔK_I⁴ + 8 ΔK_II⁴ + 8 ΔK_III⁴/(1 − ν))^¼.
     /// * Richard, Fulland & Sander 2005: ΔK_I/2 + ½ √(ΔK_I² + 4 (1.155 ΔK_II)² + 4 ΔK_III²).
-    /// * Bold, Brown & Allen give none: that of ΔK_I and ΔK_II.
+    /// * Bold, Brown & Allen do not include mode III: the range of ΔK_I and ΔK_II.
     #[must_use]
     pub(crate) fn of_three(
         &self,
@@ -92,7 +92,7 @@ mod tests {
         for law in laws {
             assert!((law.of_three([9.0, 12.0, 0.0], 0.3, None) - law.of(9.0, 12.0)).abs() < 1e-12);
         }
-        // 0.772/0.7 · 5² beside that of ΔK_II = 5 √0.7⁻¹.
+        // 0.772/0.7 · 5², as for ΔK_II = 5 √0.7⁻¹.
         let by_energy = EquivalentRange::RAIL_STEEL;
         let other = by_energy.of(0.0, 5.0 / 0.7f64.sqrt());
         assert!((by_energy.of_three([0.0, 0.0, 5.0], 0.3, None) - other).abs() < 1e-12);

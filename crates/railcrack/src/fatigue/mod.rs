@@ -1,5 +1,5 @@
 //! Fatigue criteria on histories: crack initiation, and rate and direction of growth under
-//! non-proportional mixed mode.
+//! non-proportional mixed-mode loading.
 
 mod criterion;
 mod dang_van;

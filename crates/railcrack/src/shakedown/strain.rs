@@ -1,4 +1,4 @@
-//! Plastic strain.
+//! Plastic strain tensors.
 
 /// A plastic strain: deviatoric, with tensor shear.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -14,8 +14,8 @@ pub struct PlasticStrain {
 }
 
 impl PlasticStrain {
-    /// From the coordinates of [`crate::math::Stress::deviator`], whose Euclidean norm is the
-    /// Frobenius norm: ((ε_xx − ε_yy)/√2, √(3/2) ε_zz, √2 ε_xy).
+    /// The strain with the coordinates of [`crate::math::Stress::deviator`], whose Euclidean norm
+    /// is the Frobenius norm: ((ε_xx − ε_yy)/√2, √(3/2) ε_zz, √2 ε_xy).
     pub(crate) fn from_deviator([difference, out, shear]: [f64; 3]) -> Self {
         const ROOT_2: f64 = std::f64::consts::SQRT_2;
         let zz = (2.0 / 3.0_f64).sqrt() * out;
