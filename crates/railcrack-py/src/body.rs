@@ -13,7 +13,7 @@ use railcrack::field::RailEnds;
 use railcrack::interruption::Interruption;
 use railcrack::material::IsotropicElastic;
 use railcrack::math::{Matrix, Vec2};
-use railcrack::xfem::{RailEnd, Window, XfemEngine, XfemSettings, default_element_sizes};
+use railcrack::xfem::{RailEnd, RefinedRegion, XfemEngine, XfemSettings, default_element_sizes};
 use railcrack_case::Engine;
 use std::sync::Arc;
 
@@ -169,11 +169,11 @@ pub fn xfem_body(
         Some(size) => return Err(bad_input(py, format!("element_size_mm = {size}: must be positive"))),
         None => default_element_sizes(&network),
     };
-    let window = Window::with_sizes(&network, &sizes, 1.0);
+    let refined = RefinedRegion::with_sizes(&network, &sizes, 1.0);
     let centre = 0.5 * (network.leftmost_mouth() + network.rightmost_mouth());
     let steel = steel(py, young, poisson)?;
     let end = RailEnd::HalfPlane { centre };
-    let engine = XfemEngine::with_window(window, steel, end, XfemSettings::default());
+    let engine = XfemEngine::with_region(refined, steel, end, XfemSettings::default());
     made(py, engine, &network, steel, threads)
 }
 

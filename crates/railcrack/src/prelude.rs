@@ -1,4 +1,4 @@
-//! The names of a whole program, from the wheel to the path of the cracks.
+//! Names needed by a whole program, from the wheel to the path of the cracks.
 
 pub use crate::body::{BodyEngine, CrackedBody};
 pub use crate::contact::{ContactSolver, FaceProblem, Latin, Newton, StepControl};

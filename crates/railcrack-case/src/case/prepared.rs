@@ -16,13 +16,13 @@ use railcrack::plane::{self, PlaneRail};
 use railcrack::residual::PlasticField;
 use railcrack::space::{SpaceRail, SpaceWheel};
 use railcrack::xfem::{
-    EnrichmentRadius, Layers, RailEnd, Window, XfemEngine, XfemSettings, default_element_sizes,
+    EnrichmentRadius, RailEnd, RefinedRegion, ResolvedLayers, XfemEngine, XfemSettings, default_element_sizes,
 };
 use std::num::NonZeroUsize;
 use std::sync::Arc;
 
-/// Growth of the length that the window makes room for, at most: a crack that grows on has it
-/// enlarged.
+/// Growth of the length that the refined region makes room for, at most: a crack that grows on has
+/// it enlarged.
 const LARGEST_WINDOW: f64 = 3.0;
 
 /// Elements over the depth of the plastic stress, at least.
@@ -58,7 +58,7 @@ impl Case {
         let sizes = self.element_sizes();
         let expected_growth =
             (1.0 + self.growth.increment).powf(self.growth.steps as f64).min(LARGEST_WINDOW);
-        let window = Window::with_sizes(&self.cracks, &sizes, expected_growth);
+        let refined = RefinedRegion::with_sizes(&self.cracks, &sizes, expected_growth);
         let defaults = XfemSettings::default();
         let settings = XfemSettings {
             enrichment: self.mesh.tip_enrichment_radius.map_or(defaults.enrichment, EnrichmentRadius::Fixed),
@@ -69,7 +69,7 @@ impl Case {
             Boundary::HalfPlane => RailEnd::HalfPlane { centre: self.rail.extent.centre },
             Boundary::Block { bottom, sides } => RailEnd::Block { extent: self.rail.extent, bottom, sides },
         };
-        XfemEngine::with_window(window, self.steel, end, settings)
+        XfemEngine::with_region(refined, self.steel, end, settings)
     }
 
     /// The fields to be computed; none where none are asked for.
@@ -85,7 +85,9 @@ impl Case {
     pub(crate) fn finite_elements(&self, plastic: Option<&PlasticField>) -> XfemEngine {
         let engine = self.xfem_engine();
         match plastic.and_then(|field| field.plastic_depth()) {
-            Some(depth) => engine.resolving(Layers { depth, height: depth / LAYERS_PER_PLASTIC_DEPTH }),
+            Some(depth) => {
+                engine.resolving(ResolvedLayers { depth, height: depth / LAYERS_PER_PLASTIC_DEPTH })
+            }
             None => engine,
         }
     }

@@ -1,16 +1,16 @@
-//! Fluid that is trapped, and let off where it has found a way out.
+//! Sealing of fluid in pockets, and its release along open faces.
 
 use super::pressure::{content, is_empty, way_out};
 use super::{FaceSolution, LoadPath, PocketState, PocketStatus, Stepper, SteppingError};
 
-/// Pressure by which fluid on open faces exceeds that over the mouth before it is let off, over the
-/// tolerance times the largest pressure seen. Without such a threshold it could leave in ever
+/// Excess of the pressure on open faces over that at the mouth at which fluid is released, over the
+/// tolerance times the largest pressure so far. Without this threshold fluid could leave in ever
 /// smaller portions.
 const LOUD: f64 = 0.5;
-/// Share of that threshold that is enough at the end of a step, which should end beyond it.
+/// Share of that threshold that suffices at the end of a step that was meant to end beyond it.
 const ALMOST: f64 = 0.9;
 
-/// A load that stays while the pressure of pockets changes from one value to another.
+/// A constant load under which the pressure of pockets changes from one value to another.
 struct LettingOff {
     load: Vec<f64>,
     /// First and last pressure of each pocket, MPa.
@@ -28,7 +28,7 @@ impl LoadPath for LettingOff {
 }
 
 impl Stepper<'_> {
-    /// Closes pocket `k` with the fluid that it holds now, without pressure.
+    /// Seals pocket `k` with the fluid that it holds now, at zero pressure.
     pub fn seal(&mut self, k: usize) {
         let empty = is_empty(self.problem, &self.current, self.largest, k);
         let content = if empty { 0.0 } else { self.problem.pockets()[k].volume(&self.current.jump) };
@@ -36,11 +36,11 @@ impl Stepper<'_> {
         self.set_pocket(k, PocketState { status, pressure: 0.0, content });
     }
 
-    /// Lets the pressure of pocket `k` off, with the load as it is; then its mouth is free.
+    /// Releases the pressure of pocket `k` under the present load; its mouth is free afterwards.
     /// `accepted` as in [`Stepper::advance`].
     ///
     /// Errors: as [`Stepper::advance`].
-    pub fn release(
+    pub(crate) fn release(
         &mut self,
         k: usize,
         accepted: &mut dyn FnMut(&FaceSolution, &[f64]),
@@ -51,8 +51,8 @@ impl Stepper<'_> {
         Ok(())
     }
 
-    /// The pressure of pocket `k` goes to `to` (MPa) with the load as it is. The faces follow it
-    /// event by event, as they follow a load: where friction stops them depends on the way.
+    /// Changes the pressure of pocket `k` to `to` (MPa) under the present load. The faces follow
+    /// the pressure event by event, like a load, because friction makes the result path-dependent.
     fn let_off(
         &mut self,
         k: usize,
@@ -82,8 +82,8 @@ impl Stepper<'_> {
         self.faces.set_pocket(k, state);
     }
 
-    /// Lets off what has found a way out at more than the pressure over the mouth, and the pressure
-    /// of pockets that hold no fluid any more.
+    /// Releases fluid that is above the pressure over the mouth and has an open path to it, and the
+    /// pressure of pockets without fluid.
     pub(super) fn let_off_all(
         &mut self,
         accepted: &mut dyn FnMut(&FaceSolution, &[f64]),
@@ -97,7 +97,7 @@ impl Stepper<'_> {
             let loud = state.pressure > outside + ALMOST * self.loud();
             if state.status == PocketStatus::Sealed && loud && way_out(self.problem, &self.current, k) {
                 self.let_off(k, outside, accepted)?;
-                // What has closed meanwhile keeps the rest.
+                // Pockets that have closed in the meantime keep the remaining fluid.
                 let open = way_out(self.problem, &self.current, k);
                 let status = if open { PocketStatus::Leaking } else { PocketStatus::Sealed };
                 let content = content(self.problem, &self.current, k);
@@ -114,7 +114,7 @@ impl Stepper<'_> {
         Ok(())
     }
 
-    /// Excess of a pressure (MPa) over that outside at which fluid is let off.
+    /// Excess of a pressure (MPa) over that outside at which fluid is released.
     pub(super) fn loud(&self) -> f64 {
         LOUD * self.tolerance * self.largest_pressure
     }

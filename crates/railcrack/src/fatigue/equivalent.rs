@@ -1,4 +1,4 @@
-//! Equivalent ranges: one number for the ranges of two modes.
+//! Equivalent SIF ranges of mixed modes.
 
 use super::laws::Bold;
 use crate::math::MPA_SQRT_MM;
@@ -16,7 +16,7 @@ pub enum EquivalentRange {
     /// ΔK_I/2 + ½ √(ΔK_I² + 4 (1.155 ΔK_II)²). Source: Richard, Fulland & Sander 2005, Fatigue
     /// Fract. Eng. Mater. Struct. 28, 3–12.
     Richard,
-    /// That of the law of Bold, Brown and Allen ([`Bold`]).
+    /// The equivalent range in the law of Bold, Brown and Allen ([`Bold`]).
     Bold,
 }
 
@@ -26,7 +26,7 @@ impl EquivalentRange {
 
     /// ΔK_eq of the ranges `delta_ki` and `delta_kii`; all MPa √mm.
     #[must_use]
-    pub fn of(&self, delta_ki: f64, delta_kii: f64) -> f64 {
+    pub(crate) fn of(&self, delta_ki: f64, delta_kii: f64) -> f64 {
         match *self {
             Self::HourlierPineau { mode_2_weight } => {
                 (delta_ki * delta_ki + mode_2_weight * delta_kii * delta_kii).sqrt()
@@ -46,9 +46,9 @@ impl EquivalentRange {
     ///   w/(1 − ν), with which modes II and III count by their energy release rates.
     /// * Tanaka 1974: (ΔK_I⁴ + 8 ΔK_II⁴ + 8 ΔK_III⁴/(1 − ν))^¼.
     /// * Richard, Fulland & Sander 2005: ΔK_I/2 + ½ √(ΔK_I² + 4 (1.155 ΔK_II)² + 4 ΔK_III²).
-    /// * Bold, Brown & Allen give none: that of ΔK_I and ΔK_II.
+    /// * Bold, Brown & Allen do not include mode III: the range of ΔK_I and ΔK_II.
     #[must_use]
-    pub fn of_three(
+    pub(crate) fn of_three(
         &self,
         [delta_ki, delta_kii, delta_kiii]: [f64; 3],
         poisson: f64,
@@ -80,17 +80,6 @@ impl EquivalentRange {
             Self::Bold => "dK^2 = dKI^2 + [(614/507) dKII^3.21]^(2/3.74)".to_owned(),
         }
     }
-
-    /// The name in case files.
-    #[must_use]
-    pub fn name(&self) -> &'static str {
-        match self {
-            Self::HourlierPineau { .. } => "hourlier-pineau",
-            Self::Tanaka => "tanaka",
-            Self::Richard => "richard",
-            Self::Bold => "bold",
-        }
-    }
 }
 
 #[cfg(test)]
@@ -103,7 +92,7 @@ mod tests {
         for law in laws {
             assert!((law.of_three([9.0, 12.0, 0.0], 0.3, None) - law.of(9.0, 12.0)).abs() < 1e-12);
         }
-        // 0.772/0.7 · 5² beside that of ΔK_II = 5 √0.7⁻¹.
+        // 0.772/0.7 · 5², as for ΔK_II = 5 √0.7⁻¹.
         let by_energy = EquivalentRange::RAIL_STEEL;
         let other = by_energy.of(0.0, 5.0 / 0.7f64.sqrt());
         assert!((by_energy.of_three([0.0, 0.0, 5.0], 0.3, None) - other).abs() < 1e-12);

@@ -1,4 +1,4 @@
-//! Contact of wheel on rail, however it is described.
+//! Wheel–rail contact in any of its descriptions.
 
 use super::{CarterContact, HertzianContact, TableContact, Temperature, Track};
 use crate::math::OutOfRange;
@@ -15,12 +15,12 @@ pub enum Contact {
 }
 
 impl Contact {
-    /// Refuses a contact without pressure or extent, and shear beyond friction.
+    /// Rejects a contact without pressure or extent, and a shear beyond the friction limit.
     pub fn check(&self) -> Result<(), OutOfRange> {
         match self {
             Self::Hertz(contact) => contact.check(),
             Self::Carter(contact) => contact.check(),
-            // A table is checked where it is made.
+            // The constructor of a table has checked it.
             Self::Table(_) => Ok(()),
         }
     }
@@ -60,15 +60,6 @@ impl Contact {
         }
     }
 
-    /// Q′ = ∫ q du, N/mm along +x on the rail.
-    pub fn shear_load(&self) -> f64 {
-        match self {
-            Self::Hertz(contact) => contact.friction * contact.line_load(),
-            Self::Carter(contact) => contact.shear_load(),
-            Self::Table(contact) => contact.shear_load(),
-        }
-    }
-
     /// Q′/P′, positive where the wheel drags the rail along +x.
     pub fn adhesion(&self) -> f64 {
         match self {
@@ -78,15 +69,16 @@ impl Contact {
         }
     }
 
-    /// The middle of the contact, mm from x_c: a table need not lie evenly about it.
-    pub fn middle(&self) -> f64 {
+    /// The middle of the contact, mm from x_c; other than 0 only for a table that is not centred on
+    /// x_c.
+    pub(crate) fn middle(&self) -> f64 {
         match self {
             Self::Table(contact) => contact.middle(),
             _ => 0.0,
         }
     }
 
-    /// The mirror image: of a wheel that runs the other way.
+    /// The mirror image, which is the contact of a wheel that runs in the opposite direction.
     #[must_use]
     pub fn mirrored(&self) -> Self {
         match self {
@@ -99,7 +91,7 @@ impl Contact {
         }
     }
 
-    /// The contact in Hertzian line contact and full sliding, where it is one.
+    /// The Hertzian contact in full sliding; none for other contacts.
     pub fn sliding(&self) -> Option<&HertzianContact> {
         match self {
             Self::Hertz(contact) => Some(contact),
@@ -120,9 +112,9 @@ impl From<HertzianContact> for Contact {
 pub struct WheelLoad {
     /// Wheel on rail.
     pub contact: Contact,
-    /// The track on which the rail bends; none for a rail that does not.
+    /// The track on which the rail bends; none for a rail without bending.
     pub track: Option<Track>,
-    /// The temperature of a rail that cannot lengthen; none for one at its neutral temperature.
+    /// The temperature of a rail that cannot lengthen; none for a rail at its neutral temperature.
     pub temperature: Option<Temperature>,
 }
 
@@ -153,7 +145,6 @@ mod tests {
             // The chords of an ellipse enclose less: (step)^(3/2).
             assert!((contact.line_load() / hertz.line_load() - 1.0).abs() < 2e-5, "{contact:?}");
             assert!((contact.adhesion() + 0.15).abs() < 1e-12);
-            assert!((contact.shear_load() / contact.line_load() + 0.15).abs() < 1e-12);
             assert!(contact.check().is_ok());
         }
         assert_eq!(all.iter().filter_map(Contact::sliding).count(), 1);

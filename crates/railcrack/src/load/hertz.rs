@@ -41,7 +41,7 @@ impl HertzianContact {
         Ok(Self { peak_pressure, half_width, friction })
     }
 
-    /// Refuses a contact without pressure or extent, and numbers that are not finite.
+    /// Rejects a contact without pressure or extent, and numbers that are not finite.
     pub fn check(&self) -> Result<(), OutOfRange> {
         OutOfRange::unless_positive("peak pressure p0 (MPa)", self.peak_pressure)?;
         OutOfRange::unless_positive("half-width a of the contact (mm)", self.half_width)?;

@@ -1,17 +1,17 @@
-//! The walk along one crack: arc length, and the square-root parameter of its tips.
+//! Crack curves: arc length, and the square-root parameter of the tips.
 
 use super::{Crack, End};
 use crate::math::Vec2;
 
-/// A crack walked in the parameter g in which a jump that vanishes like √r at a tip is linear; at a
-/// mouth and at a junction, where the jump does not vanish, g is a length or its root away from a
-/// tip.
+/// The curve of a crack, parametrised by g so that a jump that vanishes like √r at a tip is linear
+/// in g. At a mouth and at a junction the jump does not vanish; where neither end is a tip, g is
+/// the arc length.
 ///
 /// Crack of length L with a tip at the last point only: s = L − g², g from −√L to 0. Tip at the
 /// first point only: s = g², g from 0 to √L. Tips at both: s = L sin²(g/2), g from 0 to π. No tip:
 /// s = g.
 #[derive(Debug, Clone)]
-pub struct Walk {
+pub struct CrackCurve {
     points: Vec<Vec2>,
     tangents: Vec<Vec2>,
     /// Arc length from the first point, for each point.
@@ -30,14 +30,14 @@ enum Tips {
     Both,
 }
 
-impl Walk {
-    /// The walk along `crack`, which meets no other: every end below the surface is a tip.
+impl CrackCurve {
+    /// The curve of `crack`, which meets no other crack: every end below the surface is a tip.
     pub fn new(crack: &Crack) -> Self {
         Self::with_tips(crack, &crack.tips())
     }
 
-    /// The walk along `crack`, whose tips are `tips`.
-    pub fn with_tips(crack: &Crack, tips: &[End]) -> Self {
+    /// The curve of `crack`, whose tips are the ends `tips`.
+    pub(crate) fn with_tips(crack: &Crack, tips: &[End]) -> Self {
         let points = crack.points().to_vec();
         let lengths: Vec<f64> = points.windows(2).map(|p| (p[1] - p[0]).length()).collect();
         let tangents = points.windows(2).map(|p| (p[1] - p[0]).normalised()).collect();
@@ -60,12 +60,12 @@ impl Walk {
     }
 
     /// Whether the first point is a mouth.
-    pub fn is_surface_breaking(&self) -> bool {
+    pub(crate) fn is_surface_breaking(&self) -> bool {
         self.surface_breaking
     }
 
     /// Whether `end` is a tip.
-    pub fn has_tip(&self, end: End) -> bool {
+    pub(crate) fn has_tip(&self, end: End) -> bool {
         match end {
             End::First => matches!(self.tips, Tips::First | Tips::Both),
             End::Last => matches!(self.tips, Tips::Last | Tips::Both),
@@ -73,17 +73,17 @@ impl Walk {
     }
 
     /// The first point, mm.
-    pub fn first_point(&self) -> Vec2 {
+    pub(crate) fn first_point(&self) -> Vec2 {
         self.points[0]
     }
 
     /// The last point, mm.
-    pub fn last_point(&self) -> Vec2 {
+    pub(crate) fn last_point(&self) -> Vec2 {
         self.points[self.points.len() - 1]
     }
 
     /// Length, mm.
-    pub fn length(&self) -> f64 {
+    pub(crate) fn length(&self) -> f64 {
         self.from_last[0]
     }
 
@@ -98,12 +98,12 @@ impl Walk {
     }
 
     /// dg/d√r at a tip.
-    pub fn root_slope(&self) -> f64 {
+    pub(crate) fn root_slope(&self) -> f64 {
         if self.tips == Tips::Both { 2.0 / self.length().sqrt() } else { 1.0 }
     }
 
     /// Arc length (mm) from the first point.
-    pub fn s(&self, g: f64) -> f64 {
+    pub(crate) fn s(&self, g: f64) -> f64 {
         match self.tips {
             Tips::None => g,
             Tips::First => g * g,
@@ -113,7 +113,7 @@ impl Walk {
     }
 
     /// ds/dg, not negative.
-    pub fn ds(&self, g: f64) -> f64 {
+    pub(crate) fn ds(&self, g: f64) -> f64 {
         match self.tips {
             Tips::None => 1.0,
             Tips::First => 2.0 * g,
@@ -133,12 +133,12 @@ impl Walk {
     }
 
     /// Unit vector along segment `segment`.
-    pub fn tangent(&self, segment: usize) -> Vec2 {
+    pub(crate) fn tangent(&self, segment: usize) -> Vec2 {
         self.tangents[segment]
     }
 
-    /// The parameter at the start of each segment, and at the end of the last.
-    pub fn vertices(&self) -> Vec<f64> {
+    /// The parameter at every vertex, both ends included.
+    pub(crate) fn vertices(&self) -> Vec<f64> {
         let (start, end) = self.range();
         let n = self.points.len();
         (0..n)
@@ -152,7 +152,7 @@ impl Walk {
     }
 
     /// The point at `g`, which lies on `segment`.
-    pub fn position(&self, segment: usize, g: f64) -> Vec2 {
+    pub(crate) fn position(&self, segment: usize, g: f64) -> Vec2 {
         let tangent = self.tangents[segment];
         let ahead = |s: f64| self.points[segment] + tangent * (s - self.from_first[segment]);
         let back = |r: f64| self.points[segment + 1] - tangent * (r - self.from_last[segment + 1]);
@@ -164,22 +164,22 @@ impl Walk {
     }
 
     /// The segment on which g lies.
-    pub fn segment_at(&self, g: f64, vertices: &[f64]) -> usize {
+    pub(crate) fn segment_at(&self, g: f64, vertices: &[f64]) -> usize {
         vertices[1..vertices.len() - 1].partition_point(|&v| v < g)
     }
 
     /// Number of straight segments.
-    pub fn segments(&self) -> usize {
+    pub(crate) fn segments(&self) -> usize {
         self.tangents.len()
     }
 
     /// Arc length (mm) from the first point to point `i` of the crack.
-    pub fn from_first(&self, i: usize) -> f64 {
+    pub(crate) fn from_first(&self, i: usize) -> f64 {
         self.from_first[i]
     }
 
-    /// The angle (radians, 0 to π) by which the walk turns at point `i`, not an end.
-    pub fn turn(&self, i: usize) -> f64 {
+    /// The angle (radians, 0 to π) by which the curve turns at point `i`, which is not an end.
+    pub(crate) fn turn(&self, i: usize) -> f64 {
         let (before, after) = (self.tangents[i - 1], self.tangents[i]);
         let angle = before.cross(after).asin().abs();
         if before.dot(after) < 0.0 { std::f64::consts::PI - angle } else { angle }

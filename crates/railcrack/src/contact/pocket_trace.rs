@@ -1,4 +1,4 @@
-//! The pressures of trapped fluid along a load step: their rates and events.
+//! Pressures of trapped fluid along a load step: rates and events.
 
 use super::condition::Degenerate;
 use super::parabola::Parabola;
@@ -19,7 +19,7 @@ impl OutsidePressure {
         Self(start.iter().zip(middle).zip(end).map(one).collect())
     }
 
-    /// At share `share` of the step.
+    /// The pressures at share `share` of the step.
     pub(super) fn at(&self, share: f64) -> Vec<f64> {
         self.0.iter().map(|[c0, c1, c2]| c0 + share * (c1 + share * c2)).collect()
     }
@@ -30,32 +30,32 @@ impl OutsidePressure {
     }
 }
 
-/// The pockets on their way through a step.
-pub(super) struct PocketWay {
-    /// The pressure over their mouths.
+/// The pockets during a load step.
+pub(super) struct PocketTrace {
+    /// The pressure over the mouths.
     outside: OutsidePressure,
     units: Vec<FaceRate>,
     /// Coefficients of τ and τ² of the pressure and of the volume of each pocket.
     pressures: Vec<[f64; 2]>,
     volumes: Vec<[f64; 2]>,
-    /// By how much (MPa) the pressure of open faces has to exceed that over the mouth for fluid to
-    /// be let off.
+    /// Excess (MPa) of the pressure on open faces over that at the mouth at which fluid is
+    /// released.
     pub loud: f64,
 }
 
 /// An event of a pocket.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum PocketEvent {
-    /// Its pressure is determined in another way.
+    /// Its status becomes this one.
     Becomes(PocketStatus),
-    /// Fluid at more than the pressure over the mouth has found a way out.
+    /// Fluid above the pressure over the mouth has an open path to the mouth.
     LetsOff,
 }
 
-/// Multiple of round-off within which two pressures are one.
+/// Multiple of round-off within which two pressures are equal.
 const ALIKE: f64 = 100.0;
 
-impl PocketWay {
+impl PocketTrace {
     pub(super) fn new(problem: &FaceProblem, outside: OutsidePressure, loud: f64) -> Self {
         let m = problem.pockets().len();
         Self { outside, units: Vec::new(), pressures: vec![[0.0; 2]; m], volumes: vec![[0.0; 2]; m], loud }
@@ -70,8 +70,8 @@ impl PocketWay {
         }
     }
 
-    /// Adds to `rates` of jumps and contact forces, which are those of the load alone, what the
-    /// pressures do meanwhile.
+    /// Adds the contribution of the changing pressures to `rates` of jumps and contact forces,
+    /// which contain that of the load.
     pub(super) fn press(
         &mut self,
         problem: &FaceProblem,
@@ -85,7 +85,7 @@ impl PocketWay {
         let states = &now.fluid;
         let bulk = problem.bulk_modulus();
         let [first, second] = &*rates;
-        // Rate and second derivative of the volume by the load alone.
+        // Rate and second derivative of the volume under the load alone.
         let of_load = |k: usize| {
             let pocket = &problem.pockets()[k];
             let (one, two) = (pocket.volume(&first.jump), pocket.volume(&second.jump));
@@ -121,8 +121,9 @@ impl PocketWay {
         Ok(())
     }
 
-    /// Goes on with the pressures, by `one` of τ and `two` of τ²; jumps and contact forces in `now`
-    /// have done so. A compressible fluid is brought back to its curve.
+    /// Advances the pressures by `one` of τ and `two` of τ², as the jumps and contact forces in
+    /// `now` have been already. The state of a compressible fluid is projected back onto its
+    /// pressure–volume curve.
     pub(super) fn advance(
         &mut self,
         problem: &FaceProblem,
@@ -145,8 +146,8 @@ impl PocketWay {
         }
     }
 
-    /// The first change of a pocket within `span` of the step from `share` on: after which part of
-    /// it, which pocket, what happens to it.
+    /// The first event of a pocket within `span` of the step from `share` on: share of the step
+    /// until the event, pocket, and event.
     pub(super) fn next_event(
         &self,
         problem: &FaceProblem,
@@ -218,7 +219,7 @@ impl PocketWay {
         }
     }
 
-    /// The state of pocket `k` as it changes to `status`.
+    /// The state of pocket `k` after its change to `status`.
     pub(super) fn changed(
         problem: &FaceProblem,
         now: &FaceSolution,
@@ -231,8 +232,8 @@ impl PocketWay {
         PocketState { status, content: filled, ..before }
     }
 
-    /// The pockets that the change of face point `point` in `now` closes, and what happens to each:
-    /// where no fluid is left, its pressure goes too.
+    /// The pockets that the change of face point `point` in `now` closes, and their events; a
+    /// pocket without fluid loses its pressure.
     pub(super) fn closed_by(
         problem: &FaceProblem,
         now: &FaceSolution,
@@ -251,7 +252,7 @@ impl PocketWay {
         (0..now.fluid.len()).filter(closes).map(what).collect()
     }
 
-    /// The pressures for the error `error` of the load in jumps alone, added to it.
+    /// Adds to the jumps `error`, due to an error of the load, the effect of the pressures.
     pub(super) fn add_error(&self, problem: &FaceProblem, now: &FaceSolution, error: &mut FaceRate) {
         let of = |(k, state): (usize, &PocketState)| match state.status {
             PocketStatus::Sealed => -problem.pockets()[k].volume(&error.jump),
@@ -264,7 +265,7 @@ impl PocketWay {
         }
     }
 
-    /// Round-off of forces and jumps of the largest sizes `round_off`, as a scale of sizes.
+    /// The scale of forces and jumps whose round-off is `round_off`.
     pub(super) fn scale_of(round_off: FaceScale) -> FaceScale {
         FaceScale { jump: round_off.jump / ROUND_OFF, force: round_off.force / ROUND_OFF }
     }

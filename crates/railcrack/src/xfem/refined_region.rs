@@ -1,4 +1,4 @@
-//! The fine window of the mesh, and its grading.
+//! Refined region of the mesh, and its grading.
 
 use crate::crack::{Crack, CrackNetwork, CrackTip, End};
 use crate::math::{RailBox, Vec2};
@@ -9,26 +9,27 @@ use crate::mesh::{MeshError, QuadMesh};
 pub struct MeshSettings {
     /// Size of the elements at the initial cracks, mm.
     pub element_size: f64,
-    /// Final over initial length of the cracks for which the window makes room.
+    /// Final over initial length of the cracks for which the refined region makes room.
     pub expected_growth: f64,
 }
 
 /// Default number of elements along the longest crack: with 60, histories of single cracks are
-/// within 0.6 % of the peak |K|, where 1 % is promised.
+/// accurate to 0.6 % of the peak |K|; the documented bound is 1 %.
 const ELEMENTS_PER_CRACK: f64 = 60.0;
 /// Default number of elements along the longest crack at straight cracks of a network of more than
-/// [`FEW`]. At kinked ones K would be up to 1.5 % of its peak off in random networks.
+/// [`FEW`]. At kinked cracks the error of K would reach 1.5 % of its peak in random networks.
 const ELEMENTS_PER_CRACK_OF_MANY: f64 = 30.0;
-/// Largest number of cracks that are resolved like single ones.
+/// Largest number of cracks that are each resolved like a single crack.
 const FEW: usize = 3;
 /// Default for the least number of elements along a shorter crack.
 const FEWEST_ELEMENTS_PER_CRACK: f64 = 30.0;
 /// Default for the least number of elements along the part of a crack between a tip and the last
 /// kink before it.
 const ELEMENTS_PER_TIP_SEGMENT: f64 = 7.0;
-/// Kinks below this angle (radians) do not count.
+/// Angle (radians) below which a kink is ignored.
 const TURN: f64 = 0.05;
-/// Default for the largest number of elements along a crack: a shorter last part has fewer.
+/// Default for the largest number of elements along a crack: a last part shorter than this requires
+/// has fewer elements.
 const MOST_ELEMENTS_PER_CRACK: f64 = 250.0;
 
 /// Default size (mm) of the elements at each crack: a sixtieth of the longest crack (a thirtieth at
@@ -71,31 +72,32 @@ fn segments(points: &[Vec2]) -> Vec<Vec2> {
     points.windows(2).map(|pair| pair[1] - pair[0]).collect()
 }
 
-/// Whether a segment goes on in the direction of the one before it.
+/// Whether a segment continues in the direction of the previous one.
 fn goes_on(pair: &[Vec2]) -> bool {
     pair[0].cross(pair[1]).atan2(pair[0].dot(pair[1])).abs() <= TURN
 }
 
 /// Layers of the rail that elements must resolve along its whole length: those with plastic stress.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Layers {
+pub struct ResolvedLayers {
     /// Depth of the lowest layer, mm.
     pub depth: f64,
-    /// Largest height of the elements down to there, mm.
+    /// Largest height of the elements down to that depth, mm.
     pub height: f64,
 }
 
-/// The fine part of the mesh, around the cracks and where they are expected to grow. Elements grow
-/// in it with the distance from each initial crack, as cracks that get there have become longer.
+/// The refined region of the mesh, around the cracks and where they are expected to grow. The
+/// element size in it increases with the distance from each initial crack, because cracks that
+/// reach such places have become longer.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Window {
+pub struct RefinedRegion {
     /// Lower left corner, mm.
     pub lower: Vec2,
     /// Upper right corner, mm.
     pub upper: Vec2,
-    /// The initial cracks.
+    /// The initial cracks with their element sizes.
     cracks: Vec<Resolved>,
-    layers: Option<Layers>,
+    layers: Option<ResolvedLayers>,
 }
 
 /// An initial crack and the size of its elements.
@@ -116,26 +118,27 @@ struct Resolved {
 const MOUTH_ELEMENT: f64 = 1.0 / 300.0;
 /// Growth of elements away from a mouth: length per distance.
 const MOUTH_GRADING: f64 = 0.35;
-/// Growth of elements outside of the window: length per distance. Quadratic elements follow the
-/// decay of the field there.
+/// Growth of elements outside of the refined region: length per distance. Quadratic elements follow
+/// the decay of the field there.
 pub(super) const OUTER_GRADING: f64 = 0.4;
-/// Angle (radians) of the branch for which the window makes room: kinks at ±70.5° maximise the
-/// opening of a shear crack.
+/// Angle (radians) of the branch for which the refined region makes room: kinks at ±70.5° maximise
+/// the opening of a shear crack.
 const BRANCH: f64 = 1.25;
-/// Margin of the window around the cracks, in elements.
+/// Margin of the refined region around the cracks, in elements.
 const MARGIN: f64 = 5.0;
-/// Least number of elements between a tip and the edge of the window.
+/// Least number of elements between a tip and the edge of the refined region.
 const CLEARANCE: f64 = 3.0;
 
-impl Window {
-    /// The window of `network` with room for its growth, with elements of one size at all cracks.
+impl RefinedRegion {
+    /// The refined region of `network` with room for its growth, with elements of one size at all
+    /// cracks.
     pub fn new(network: &CrackNetwork, settings: MeshSettings) -> Self {
         let sizes = vec![settings.element_size; network.cracks().len()];
         Self::with_sizes(network, &sizes, settings.expected_growth)
     }
 
-    /// [`Window::new`] with elements of `sizes[i]` (mm) at crack i: grid lines are as close as
-    /// required by the crack whose box is nearest relative to its element size.
+    /// [`RefinedRegion::new`] with elements of `sizes[i]` (mm) at crack i: grid lines are as close
+    /// as required by the crack whose box is nearest relative to its element size.
     pub fn with_sizes(network: &CrackNetwork, sizes: &[f64], expected_growth: f64) -> Self {
         let resolved = |(crack, &element_size): (&Crack, &f64)| Resolved {
             element_size,
@@ -161,13 +164,13 @@ impl Window {
         Self { lower, upper: Vec2::new(upper.x, upper.y.min(0.0)), cracks, layers: None }
     }
 
-    /// This window with elements that also resolve `layers`.
-    pub fn resolving(self, layers: Layers) -> Self {
+    /// This region with elements that also resolve `layers`.
+    pub(crate) fn resolving(self, layers: ResolvedLayers) -> Self {
         Self { layers: Some(layers), ..self }
     }
 
-    /// This window enlarged by half its size on every side.
-    pub fn enlarged(&self) -> Self {
+    /// This region enlarged by half its size on every side.
+    pub(crate) fn enlarged(&self) -> Self {
         let size = self.upper - self.lower;
         Self {
             lower: self.lower - size * 0.5,
@@ -176,13 +179,13 @@ impl Window {
         }
     }
 
-    /// Whether all tips of `network` lie well inside.
-    pub fn holds(&self, network: &CrackNetwork) -> bool {
+    /// Whether all tips of `network` lie inside with a margin.
+    pub(crate) fn holds(&self, network: &CrackNetwork) -> bool {
         network.tips().into_iter().all(|tip| self.holds_point(network.cracks()[tip.crack].tip(tip.end)))
     }
 
-    /// Whether a tip of `network` has left the window with the last segment of its crack.
-    pub fn was_left_by(&self, network: &CrackNetwork) -> bool {
+    /// Whether a tip of `network` has left the refined region with the last segment of its crack.
+    pub(crate) fn was_left_by(&self, network: &CrackNetwork) -> bool {
         network.tips().into_iter().any(|CrackTip { crack, end, .. }| {
             let crack = &network.cracks()[crack];
             let points = crack.points();
@@ -204,7 +207,7 @@ impl Window {
 
     /// Distance (mm) that quadratic elements resolve at the tips of `network`: half of the smallest
     /// element there.
-    pub fn resolution(&self, network: &CrackNetwork) -> f64 {
+    pub(crate) fn resolution(&self, network: &CrackNetwork) -> f64 {
         let tips = network.tips().into_iter().map(|tip| network.cracks()[tip.crack].tip(tip.end));
         0.5 * tips.map(|tip| self.size_x(tip.x).max(self.size_y(tip.y))).fold(f64::INFINITY, f64::min)
     }
@@ -232,15 +235,15 @@ impl Window {
             .map_or(fine, |layers| fine.min(layers.height + OUTER_GRADING * (-y - layers.depth).max(0.0)))
     }
 
-    /// The mesh of `extent` that is fine in this window.
+    /// The mesh of `extent` that is refined in this region.
     ///
-    /// Errors: more than [`MOST_MESH_UNKNOWNS`]; grid lines that round-off lets coincide.
+    /// Errors: more than [`MOST_MESH_UNKNOWNS`]; grid lines that coincide by round-off.
     pub fn mesh(&self, extent: RailBox) -> Result<QuadMesh, MeshError> {
         let (x, y) = self.mesh_lines(extent)?;
         QuadMesh::new(x, y)
     }
 
-    /// The lines of [`Window::mesh`] along x and y.
+    /// The lines of [`RefinedRegion::mesh`] along x and y.
     pub(super) fn mesh_lines(&self, extent: RailBox) -> Result<(Vec<f64>, Vec<f64>), MeshError> {
         let (x, y) = self.gradings(extent);
         let unknowns = mesh_unknowns(&x, &y);
@@ -250,9 +253,9 @@ impl Window {
         Ok((x.lines(), y.lines()))
     }
 
-    /// Displacement unknowns of the mesh of `extent`, computed without making it; infinite where
-    /// no number holds them.
-    pub fn mesh_unknowns(&self, extent: RailBox) -> f64 {
+    /// Displacement unknowns of the mesh of `extent`, computed without making it; infinite on
+    /// overflow.
+    pub(crate) fn mesh_unknowns(&self, extent: RailBox) -> f64 {
         let (x, y) = self.gradings(extent);
         mesh_unknowns(&x, &y)
     }
@@ -296,8 +299,8 @@ impl Window {
 }
 
 impl Resolved {
-    /// Size (mm) of the elements at this distance (mm) from its box: cracks that get there have
-    /// become longer.
+    /// Size (mm) of the elements at this distance (mm) from its box; it increases because cracks
+    /// that reach such places have become longer.
     fn size_at(&self, from_crack: f64) -> f64 {
         self.element_size * (1.0 + from_crack / self.length)
     }
@@ -318,8 +321,8 @@ fn distance(at: f64, from: f64, to: f64) -> f64 {
     (from - at).max(at - to).max(0.0)
 }
 
-/// Most displacement unknowns of a mesh: their factor has some 8e9 entries, 60 GB, the memory of
-/// the largest machines on which one would wait for it.
+/// Largest number of displacement unknowns of a mesh. Their factor has some 8e9 entries, or 60 GB,
+/// the memory of a large workstation.
 pub const MOST_MESH_UNKNOWNS: f64 = 5e7;
 
 /// Two displacements at the three nodes that each rectangle of a large mesh adds.
@@ -327,14 +330,14 @@ fn mesh_unknowns(x: &Grading, y: &Grading) -> f64 {
     6.0 * x.elements() * y.elements()
 }
 
-/// Numbers of elements between an end of the mesh and the points `at`, summed up.
+/// Cumulative number of elements from an end of the mesh to each of the points `at`.
 struct Grading {
     at: Vec<f64>,
     sums: Vec<f64>,
 }
 
 impl Grading {
-    /// From `from` to `to`, for elements that follow `size`.
+    /// The grading from `from` to `to` for elements of `size`.
     fn new(from: f64, to: f64, mut breaks: Vec<f64>, size: impl Fn(f64) -> f64) -> Self {
         const CELLS: usize = 24;
         breaks.retain(|&b| b > from && b < to);
@@ -385,12 +388,12 @@ mod tests {
         let network = CrackNetwork::from(Crack::surface_breaking(0.0, 1.0, 0.5).unwrap());
         let outline = RailBox { depth: 150.0, ..RailBox::default() };
         for element_size in [1e-300, 1e-12, 1e-9, 1e-5] {
-            let window = Window::new(&network, MeshSettings { element_size, expected_growth: 1.0 });
-            assert!(window.mesh_unknowns(outline) > MOST_MESH_UNKNOWNS);
-            assert!(matches!(window.mesh(outline), Err(MeshError::TooManyUnknowns { .. })));
+            let refined = RefinedRegion::new(&network, MeshSettings { element_size, expected_growth: 1.0 });
+            assert!(refined.mesh_unknowns(outline) > MOST_MESH_UNKNOWNS);
+            assert!(matches!(refined.mesh(outline), Err(MeshError::TooManyUnknowns { .. })));
         }
-        let window = Window::new(&network, MeshSettings { element_size: 0.05, expected_growth: 1.0 });
-        let made = 2.0 * window.mesh(outline).unwrap().node_count() as f64;
-        assert!((window.mesh_unknowns(outline) / made - 1.0).abs() < 0.05);
+        let refined = RefinedRegion::new(&network, MeshSettings { element_size: 0.05, expected_growth: 1.0 });
+        let made = 2.0 * refined.mesh(outline).unwrap().node_count() as f64;
+        assert!((refined.mesh_unknowns(outline) / made - 1.0).abs() < 0.05);
     }
 }
