@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 /// Modules whose public types are terms of the field.
-const MODULES_OF_TERMS: [&str; 4] = ["contact", "fatigue", "growth", "space"];
+const MODULES_OF_TERMS: [&str; 5] = ["contact", "fatigue", "growth", "plane", "space"];
 
 /// Public types of these modules that are not terms, and why.
 const NOT_TERMS: [(&str, &str); 9] = [
@@ -16,10 +16,8 @@ const NOT_TERMS: [(&str, &str); 9] = [
     ("EarlierRates", "argument of the Adams-Bashforth rule"),
     ("FaceRecord", "rows of faces.csv, whose columns are in the glossary"),
     ("FaceScale", "reference values of tolerances"),
-    ("FrontInterval", "the increment of a front, as Interval is that of a tip"),
     ("StepReport", "counts of a solver"),
     ("StepSolver", "state of a contact solver on one body"),
-    ("TipDrive", "intermediate result of a growth step"),
 ];
 
 /// Tables of a run whose columns are in the glossary: headings of docs/file-formats.md.
