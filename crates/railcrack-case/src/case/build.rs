@@ -9,10 +9,10 @@ use crate::files::read_profile;
 use crate::schema::{Report, SectionValues, Sections, Value, Written, short};
 use crate::tables::{
     AXLE_LOAD, CENTRE, CONTACT, CRACK, ContactExtent, ContactSolver, ENGINE, Engine, FLUID, FOUNDATION,
-    FRACTURE, FROM, FieldOutput, Fracture, GROWTH, GivenWheel, INSPECTION, LAW_KEYS, MAINTENANCE, MESH,
-    MeshSettings, NETWORK, OUTPUT, Output, PASSAGE, PLASTIC_STRESS, PROFILE, PlasticSource, RAIL,
-    RAIL_TEMPERATURE, RESIDUAL_STRESS, Rail, SCATTER, SHAKEDOWN, SOLVER, SOLVER_CONTACT, Scattering,
-    ShakedownSettings, TEMPERATURE, TITLE, TO, TOP, TRACK, TRAFFIC, WHEEL, WheelSections, read_fluid,
+    FRACTURE, FROM, FieldOutput, Fracture, GROWTH, GivenWheel, INSPECTION, MAINTENANCE, MESH, MeshSettings,
+    NETWORK, OUTPUT, Output, PASSAGE, PLASTIC_STRESS, PROFILE, PlasticSource, RAIL, RAIL_TEMPERATURE,
+    RESIDUAL_STRESS, Rail, SCATTER, SHAKEDOWN, SOLVER, SOLVER_CONTACT, Scattering, ShakedownSettings,
+    TEMPERATURE, TITLE, TO, TOP, TRACK, TRAFFIC, WHEEL, WheelSections, is_of_the_law, read_fluid,
     read_growth, read_inspection, read_maintenance, read_passage, read_passages, read_scatter, read_steel,
     read_travel,
 };
@@ -86,7 +86,7 @@ pub(crate) fn build(mut sections: Sections, folder: &Path, report: &mut Report) 
     let shakedown = sections.one(&SHAKEDOWN).and_then(|s| ShakedownSettings::read(s, folder, report));
     let growth = sections.one(&GROWTH).and_then(|s| read_growth(s, folder, report));
     if growth.as_ref().is_some_and(|growth| growth.steel.is_some()) {
-        sections.leave_out(&GROWTH, LAW_KEYS);
+        sections.leave_out(&GROWTH, is_of_the_law);
     }
     let temperature = wheel.as_ref().and_then(|wheel| wheel.load.temperature);
     let fracture = read_fracture(&sections, temperature, folder, report);

@@ -5,8 +5,8 @@ use super::space_case::SpaceCase;
 use crate::schema::{Fault, Report, Section, SectionValues, Sections};
 use crate::tables::{
     CONTACT, CRACK, CRACK_LATERAL, ContactKind, ContactOrigin, ContactSolver, FLUID, FRICTION, GROWTH,
-    GivenWheel, KIND, LATERAL_FRICTION, LATERAL_HALF_WIDTH, LAW, LawName, MAINTENANCE, MODE_3_WEIGHT,
-    PLASTIC_STRESS, Rail, SOLVER, SOLVER_CONTACT, SPACING, STRIKE, SURFACE_HALF_LENGTH, WHEEL,
+    GivenWheel, KIND, LATERAL_FRICTION, LATERAL_HALF_WIDTH, LAW, MAINTENANCE, MODE_3_WEIGHT, PLASTIC_STRESS,
+    Rail, SOLVER, SOLVER_CONTACT, SPACING, STRIKE, SURFACE_HALF_LENGTH, WHEEL,
 };
 use railcrack::bulk::Boundary;
 use railcrack::crack::Crack;
@@ -51,7 +51,7 @@ pub(super) fn read_space(
         report.add(rail.fault_of_name("boundary", says).help("boundary = \"half-plane\""));
     }
     let growth = sections.one(&GROWTH)?;
-    if growth.get(LAW) == Some(LawName::Bold) {
+    if growth.get(LAW).is_some_and(|law| law.own_range.is_some()) {
         let says = "has no mode III, which cracks in space have";
         report.add(growth.fault(LAW, says).help("another law, such as law = \"paris\""));
     }

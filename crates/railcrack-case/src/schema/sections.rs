@@ -33,10 +33,10 @@ impl Sections {
         self.0.iter().find(|read| read.section.name == part.name && read.path == path)
     }
 
-    /// Leaves out the values that keys `names` of a section have by default.
-    pub fn leave_out(&mut self, section: &Section, names: &[&str]) {
+    /// Leaves out the values that keys `of` a section have by default.
+    pub fn leave_out(&mut self, section: &Section, of: impl Fn(&Key) -> bool) {
         for read in self.0.iter_mut().filter(|read| read.section.name == section.name) {
-            read.entries.retain(|entry| entry.span.is_some() || !names.contains(&entry.key.name));
+            read.entries.retain(|entry| entry.span.is_some() || !of(entry.key));
         }
     }
 

@@ -2,6 +2,7 @@
 
 use super::laws::Bold;
 use crate::math::MPA_SQRT_MM;
+use crate::words::{Choice, Word};
 
 /// The equivalent range ΔK_eq of ΔK_I and ΔK_II.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -80,16 +81,36 @@ impl EquivalentRange {
             Self::Bold => "dK^2 = dKI^2 + [(614/507) dKII^3.21]^(2/3.74)".to_owned(),
         }
     }
+}
 
-    /// The name in case files.
+/// The equivalent ranges that may be chosen for a law that has none of its own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RangeForm {
+    /// [`EquivalentRange::HourlierPineau`].
+    HourlierPineau,
+    /// [`EquivalentRange::Tanaka`].
+    Tanaka,
+    /// [`EquivalentRange::Richard`].
+    Richard,
+}
+
+impl Choice for RangeForm {
+    const WORDS: &'static [(Self, Word)] = &[
+        (Self::HourlierPineau, Word::now("hourlier-pineau", "sqrt(dKI^2 + w dKII^2)")),
+        (Self::Tanaka, Word::now("tanaka", "(dKI^4 + 8 dKII^4)^(1/4)")),
+        (Self::Richard, Word::now("richard", "dKI/2 + sqrt(dKI^2 + 4 (1.155 dKII)^2)/2")),
+    ];
+}
+
+impl RangeForm {
+    /// The range, with the weight of mode II where it has one; none where the weight is missing.
     #[must_use]
-    pub fn name(&self) -> &'static str {
-        match self {
-            Self::HourlierPineau { .. } => "hourlier-pineau",
-            Self::Tanaka => "tanaka",
-            Self::Richard => "richard",
-            Self::Bold => "bold",
-        }
+    pub fn range(self, mode_2_weight: Option<f64>) -> Option<EquivalentRange> {
+        Some(match self {
+            Self::HourlierPineau => EquivalentRange::HourlierPineau { mode_2_weight: mode_2_weight? },
+            Self::Tanaka => EquivalentRange::Tanaka,
+            Self::Richard => EquivalentRange::Richard,
+        })
     }
 }
 
