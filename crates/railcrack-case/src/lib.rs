@@ -14,8 +14,9 @@ mod study;
 mod tables;
 
 pub use case::{
-    CarriedStress, CarriedStressError, Case, CaseGrowth, MixedWheel, Overrides, PreparedRun, Projection,
-    RailKey, Release, RolledRailError, RunSize, SharedRail, SharedRailError, SpaceCase,
+    CarriedStress, CarriedStressError, Case, CaseGrowth, Coefficient, MixedWheel, NoCoefficient, NoNumber,
+    Overrides, PreparedRun, Projection, RailKey, Release, RolledRailError, RunSize, SharedRail,
+    SharedRailError, SpaceCase,
 };
 pub use files::{CaseFile, Companion, ContactFile, FieldFile, ProfileFile, RatesFile, ToughnessFile};
 pub use schema::{

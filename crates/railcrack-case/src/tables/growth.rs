@@ -12,7 +12,7 @@ section! {
         integer("steps", (0, 10_000), 25, "Number of increments; 0 computes the initial cracks only.");
     INCREMENT: f64 = number("increment", "", closed(1e-4, 0.5), 0.04,
         "Increment of the fastest tip, as a fraction of its crack's length; 10 000 of the smallest double it.");
-    LAW: &'static LawDeclaration = choice("law", "Growth law.");
+    LAW: &'static LawDeclaration = law_keys::LAW;
     EQUIVALENT: RangeForm = choice("equivalent", "Equivalent range dKeq.")
         .only_with_words(LAW, law_keys::WITH_A_RANGE, law_keys::OWN_RANGE);
     ..law_keys::OF_DEFAULT_LAW;

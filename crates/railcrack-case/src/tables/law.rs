@@ -39,11 +39,11 @@ pub(super) fn read_law(section: &SectionValues, folder: &Path, report: &mut Repo
             let values: Option<Vec<f64>> = of.all.iter().map(|constant| section.get(row(constant))).collect();
             (of.law)(&values?)?
         }
-        LawInput::Table(law) => {
+        LawInput::Table => {
             let file = read_rates(section, TABLE_PROFILE, folder, report)?;
             let table = file.content().clone();
             rates = Some(file);
-            law(table)
+            table.into()
         }
     };
     let equivalent = match declaration.own_range {
@@ -69,7 +69,7 @@ fn check_pace(
     }
     let (key, exponent) = match declaration.input {
         LawInput::Constants(of) => (of.coefficient.key, of.exponent),
-        LawInput::Table(_) => (TABLE_PROFILE.key.name, None),
+        LawInput::Table => (TABLE_PROFILE.key.name, None),
     };
     let exponent = exponent.and_then(|m| Some(format!("with {} = {} ", m.key, section.get(row(&m))?)));
     let with = exponent.unwrap_or_default();

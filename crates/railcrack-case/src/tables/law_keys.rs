@@ -1,10 +1,12 @@
 //! Keys of `[growth]` that the growth laws declare.
 
-use super::growth::LAW;
-use crate::schema::{Key, Row, closed, number};
+use crate::schema::{Key, Row, choice, closed, number};
 use railcrack::fatigue::{Constant, LawConstants, LawDeclaration, LawInput};
 
 const LAWS: &[&LawDeclaration] = LawDeclaration::ALL;
+
+/// The key of the law.
+pub(super) const LAW: Row<&'static LawDeclaration> = choice("law", "Growth law.");
 
 /// The key of a constant, whatever the law.
 pub(super) const fn row(constant: &Constant) -> Row<f64> {
@@ -135,7 +137,7 @@ const RANGED: &Names = &{
 const MEASURED: &Names = &{
     let (mut names, mut law) = (Names::NONE, 0);
     while law < LAWS.len() {
-        if let LawInput::Table(_) = LAWS[law].input {
+        if let LawInput::Table = LAWS[law].input {
             names = names.and(LAWS[law]);
         }
         law += 1;
@@ -146,7 +148,7 @@ const MEASURED: &Names = &{
 const fn constants(law: usize) -> &'static [Constant] {
     match LAWS[law].input {
         LawInput::Constants(LawConstants { all, .. }) => all,
-        LawInput::Table(_) => &[],
+        LawInput::Table => &[],
     }
 }
 

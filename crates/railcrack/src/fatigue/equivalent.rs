@@ -71,6 +71,18 @@ impl EquivalentRange {
         }
     }
 
+    /// The form that gives it, and its weight of mode II where it has one; none where the range
+    /// belongs to a law.
+    #[must_use]
+    pub fn form(&self) -> Option<(RangeForm, Option<f64>)> {
+        match *self {
+            Self::HourlierPineau { mode_2_weight } => Some((RangeForm::HourlierPineau, Some(mode_2_weight))),
+            Self::Tanaka => Some((RangeForm::Tanaka, None)),
+            Self::Richard => Some((RangeForm::Richard, None)),
+            Self::Bold => None,
+        }
+    }
+
     /// The formula as a line of text.
     #[must_use]
     pub fn formula(&self) -> String {
@@ -131,6 +143,10 @@ mod tests {
         assert!((by_energy.of_three([3.0, 0.0, 4.0], 0.3, Some(1.0)) - 5.0).abs() < 1e-12);
         // Richard, Fulland & Sander 2005: α₂ = 1. Pure mode III: ΔK_eq = ΔK_III.
         assert!((EquivalentRange::Richard.of_three([0.0, 0.0, 5.0], 0.3, None) - 5.0).abs() < 1e-12);
+        for range in [EquivalentRange::RAIL_STEEL, EquivalentRange::Tanaka, EquivalentRange::Richard] {
+            let (form, weight) = range.form().unwrap();
+            assert_eq!(form.range(weight), Some(range));
+        }
         // Tanaka 1974: (8/0.7)^¼ = 1.838.
         let tanaka = EquivalentRange::Tanaka.of_three([0.0, 0.0, 5.0], 0.3, None);
         assert!((tanaka - 5.0 * (8.0f64 / 0.7).powf(0.25)).abs() < 1e-12);

@@ -1,7 +1,6 @@
 //! Declaration of a growth law: its name, its constants, and how it is made of them.
 
 use super::RateLaw;
-use super::table::RateTable;
 use crate::fatigue::EquivalentRange;
 use crate::words::Word;
 
@@ -38,8 +37,8 @@ pub struct OwnRange {
 pub enum LawInput {
     /// Constants of a formula.
     Constants(LawConstants),
-    /// Measured rates.
-    Table(fn(RateTable) -> RateLaw),
+    /// Measured rates, a [`RateTable`](super::RateTable).
+    Table,
 }
 
 /// The constants of a law.

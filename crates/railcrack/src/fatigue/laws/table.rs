@@ -67,11 +67,8 @@ impl RateTable {
 }
 
 /// The declaration of the law.
-pub(super) const DECLARATION: LawDeclaration = LawDeclaration {
-    word: Word::now("table", "measured rates"),
-    own_range: None,
-    input: LawInput::Table(RateLaw::Table),
-};
+pub(super) const DECLARATION: LawDeclaration =
+    LawDeclaration { word: Word::now("table", "measured rates"), own_range: None, input: LawInput::Table };
 
 impl Law for RateTable {
     fn rate(&self, delta: f64, _: f64) -> f64 {
