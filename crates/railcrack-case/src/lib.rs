@@ -18,7 +18,10 @@ pub use case::{
     Overrides, PreparedRun, Projection, RailKey, Release, RolledRailError, RunSize, SharedRail,
     SharedRailError, SpaceCase,
 };
-pub use files::{CaseFile, Companion, ContactFile, FieldFile, ProfileFile, RatesFile, ToughnessFile};
+pub use files::{
+    CaseFile, Column, Columned, Columns, Companion, ContactFile, FieldFile, ProfileFile, RatesFile,
+    ToughnessFile,
+};
 pub use schema::{
     Availability, CaseError, CaseErrors, Choice, Form, Key, Kind, NumberRange, OnlyWith, Pair, Presence,
     Preset, RangeEnd, Section, SectionPresence, Value, Word,

@@ -59,11 +59,8 @@ pub fn calibrate(arguments: &CalibrateArguments) -> Result<Exit, Failure> {
         let reason = "a calibration over tonnes needs axle_load_t, in [traffic] or of every [[wheel]]";
         return Err(refuse_text(arguments, reason));
     };
-    let file = arguments.measured.display().to_string();
-    let text = std::fs::read_to_string(&arguments.measured)
-        .map_err(|reason| Failure::Calibration { reason: format!("{file}: cannot be read: {reason}") })?;
     let refuse = |error: CalibrationError| Failure::Calibration { reason: error.to_string() };
-    let (measure, measured) = read_measured(&file, &text).map_err(refuse)?;
+    let (measure, measured) = read_measured(&arguments.measured)?;
     if let Some(key) = &arguments.parameter {
         return calibrate_parameter(arguments, &case, key, (measure, &measured));
     }
