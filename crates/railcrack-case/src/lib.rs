@@ -28,7 +28,7 @@ pub use schema::{
 };
 pub use study::{Axis, Distribution, Input, Keeping, SampleTable, Study, StudyRun, Variation, study_schema};
 pub use tables::{
-    Combine, ContactOrigin, ContactSolver, Engine, FieldOutput, Fracture, GivenWheel, Inspection, Kept,
-    MaintenancePlan, MeshSettings, Output, PlasticSource, Rail, SECTIONS, STUDY, Scatter, ShakedownSettings,
-    init_text, json_schema, markdown,
+    Combine, ContactOrigin, ContactSolver, Engine, EngineDomain, FieldOutput, Fracture, GivenWheel,
+    Inspection, Kept, MaintenancePlan, MeshSettings, Output, PlasticSource, Rail, SECTIONS, STUDY, Scatter,
+    ShakedownSettings, init_text, json_schema, markdown,
 };

@@ -209,12 +209,7 @@ pub fn pressure(
 
 /// The shear of `contact` against [`DRY_FRICTION`].
 pub fn shear(contact: &Contact) -> Option<ValidityWarning> {
-    let ratio = match contact {
-        Contact::Hertz(contact) => contact.friction.abs(),
-        Contact::Carter(contact) if contact.traction == 0.0 => 0.0,
-        Contact::Carter(contact) => contact.friction,
-        Contact::Table(table) => table.largest_friction(),
-    };
+    let ratio = contact.largest_friction();
     (ratio > DRY_FRICTION).then_some(ValidityWarning::ShearBeyondFriction { ratio, friction: DRY_FRICTION })
 }
 

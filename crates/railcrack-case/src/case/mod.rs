@@ -5,6 +5,7 @@ mod carried;
 #[expect(clippy::module_inception, reason = "the type gives its file the name")]
 mod case;
 mod cracks;
+mod engines;
 mod fitted;
 mod limits;
 mod mix;

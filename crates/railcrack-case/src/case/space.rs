@@ -4,9 +4,9 @@ use super::cracks::PlacedCracks;
 use super::space_case::SpaceCase;
 use crate::schema::{Fault, Report, Section, SectionValues, Sections};
 use crate::tables::{
-    CONTACT, CRACK, CRACK_LATERAL, ContactKind, ContactOrigin, ContactSolver, FLUID, FRICTION, GROWTH,
-    GivenWheel, KIND, LATERAL_FRICTION, LATERAL_HALF_WIDTH, LAW, MAINTENANCE, MODE_3_WEIGHT, PLASTIC_STRESS,
-    Rail, SOLVER, SOLVER_CONTACT, SPACING, STRIKE, SURFACE_HALF_LENGTH, WHEEL,
+    CONTACT, CRACK, CRACK_LATERAL, ContactOrigin, ContactSolver, FLUID, FRICTION, GROWTH, GivenWheel, KIND,
+    LATERAL_FRICTION, LATERAL_HALF_WIDTH, LAW, MAINTENANCE, MODE_3_WEIGHT, PLASTIC_STRESS, Rail, SOLVER,
+    SOLVER_CONTACT, SPACING, STRIKE, SURFACE_HALF_LENGTH, WHEEL,
 };
 use railcrack::bulk::Boundary;
 use railcrack::crack::Crack;
@@ -161,7 +161,7 @@ const LARGEST_ASPECT: f64 = 25.0;
 
 fn read_wheel(sections: &Sections, wheel: Option<&GivenWheel>, report: &mut Report) -> Option<EllipticWheel> {
     let section = sections.one(&CONTACT)?;
-    if section.get(KIND).is_some_and(|kind| kind != ContactKind::Hertz) {
+    if wheel.is_some_and(|wheel| wheel.contact().sliding().is_none()) {
         let says = "the engine space has the ellipse of Hertz in full sliding";
         report.add(section.fault(KIND, says).help("kind = \"hertz\""));
         return None;

@@ -34,14 +34,12 @@ pub use mesh::MeshSettings;
 pub use output::{FieldOutput, Kept, Output};
 pub use rail::Rail;
 pub use shakedown::ShakedownSettings;
-pub use solver::{ContactSolver, Engine};
+pub use solver::{ContactSolver, Engine, EngineDomain};
 pub use stress::PlasticSource;
 pub use study::{Combine, STUDY, Sampling};
 pub use wheel_load::GivenWheel;
 
-pub(crate) use contact::{
-    CONTACT, ContactExtent, ContactKind, FRICTION, KIND, LATERAL_FRICTION, LATERAL_HALF_WIDTH,
-};
+pub(crate) use contact::{CONTACT, ContactExtent, FRICTION, KIND, LATERAL_FRICTION, LATERAL_HALF_WIDTH};
 pub(crate) use crack::{
     ANGLE, ANGLE_SD, ANGLES, COUNT, CRACK, CRACK_FRICTION, CRACK_LATERAL, LENGTH, LENGTH_SD, MOUTH, POINTS,
     ROW_SEED, SPACING, SPACING_SD, STRIKE, SURFACE_HALF_LENGTH,

@@ -57,23 +57,8 @@ pub const SMALL: Size = Size { increments: 4, positions: 41, face_points: 12, cr
 pub fn info() -> RunInfo {
     RunInfo {
         title: "Synthetic <run> & its \"title\"".to_owned(),
-        engine: Engine::Dislocation,
-        contact: ContactSolver::Newton,
-        boundary: Boundary::HalfPlane,
-        half_width: HALF_WIDTH,
-        passage: [-1e9, 1e9],
-        bends: false,
-        law_table: None,
-        fluid: false,
-        toughness: None,
         axle_load: Some(17.0),
-        mix: Vec::new(),
-        maintenance: None,
-        inspection: None,
-        scatter: None,
-        critical_length: None,
-        output: Output::ALL,
-        warnings: Vec::new(),
+        ..RunInfo::idle(HALF_WIDTH)
     }
 }
 

@@ -1,5 +1,6 @@
 //! Contact of wheel on rail, however it is described.
 
+use super::contact_kind::{ContactKind, LineContact};
 use super::{CarterContact, HertzianContact, TableContact, Temperature, Track};
 use crate::math::OutOfRange;
 
@@ -15,86 +16,72 @@ pub enum Contact {
 }
 
 impl Contact {
+    fn of_its_kind(&self) -> &dyn LineContact {
+        match self {
+            Self::Hertz(contact) => contact,
+            Self::Carter(contact) => contact,
+            Self::Table(contact) => contact,
+        }
+    }
+
+    /// Its kind.
+    #[must_use]
+    pub fn kind(&self) -> ContactKind {
+        self.of_its_kind().kind()
+    }
+
     /// Refuses a contact without pressure or extent, and shear beyond friction.
     pub fn check(&self) -> Result<(), OutOfRange> {
-        match self {
-            Self::Hertz(contact) => contact.check(),
-            Self::Carter(contact) => contact.check(),
-            // A table is checked where it is made.
-            Self::Table(_) => Ok(()),
-        }
+        self.of_its_kind().checked()
     }
 
     /// a, mm: half of the extent along the rail.
     pub fn half_width(&self) -> f64 {
-        match self {
-            Self::Hertz(contact) => contact.half_width,
-            Self::Carter(contact) => contact.half_width,
-            Self::Table(contact) => contact.half_width(),
-        }
+        self.of_its_kind().half_extent()
     }
 
     /// The largest distance of the contact from x_c, mm.
     pub fn reach(&self) -> f64 {
-        match self {
-            Self::Table(contact) => contact.half_width() + contact.middle().abs(),
-            _ => self.half_width(),
-        }
+        self.half_width() + self.middle().abs()
     }
 
     /// The largest pressure, MPa.
     pub fn peak_pressure(&self) -> f64 {
-        match self {
-            Self::Hertz(contact) => contact.peak_pressure,
-            Self::Carter(contact) => contact.peak_pressure,
-            Self::Table(contact) => contact.peak_pressure(),
-        }
+        self.of_its_kind().highest_pressure()
     }
 
     /// P′ = ∫ p du, N/mm.
     pub fn line_load(&self) -> f64 {
-        match self {
-            Self::Hertz(contact) => contact.line_load(),
-            Self::Carter(contact) => contact.line_load(),
-            Self::Table(contact) => contact.line_load(),
-        }
+        self.of_its_kind().normal_force()
     }
 
     /// Q′ = ∫ q du, N/mm along +x on the rail.
     pub fn shear_load(&self) -> f64 {
-        match self {
-            Self::Hertz(contact) => contact.friction * contact.line_load(),
-            Self::Carter(contact) => contact.shear_load(),
-            Self::Table(contact) => contact.shear_load(),
-        }
+        self.of_its_kind().shear_force()
     }
 
     /// Q′/P′, positive where the wheel drags the rail along +x.
     pub fn adhesion(&self) -> f64 {
-        match self {
-            Self::Hertz(contact) => contact.friction,
-            Self::Carter(contact) => contact.traction * contact.friction,
-            Self::Table(contact) => contact.shear_load() / contact.line_load(),
-        }
+        self.of_its_kind().force_ratio()
+    }
+
+    /// The largest |q|/p: friction that slides somewhere.
+    #[must_use]
+    pub fn largest_friction(&self) -> f64 {
+        self.of_its_kind().shear_ratio()
     }
 
     /// The middle of the contact, mm from x_c: a table need not lie evenly about it.
     pub fn middle(&self) -> f64 {
-        match self {
-            Self::Table(contact) => contact.middle(),
-            _ => 0.0,
-        }
+        self.of_its_kind().offset()
     }
 
     /// The mirror image: of a wheel that runs the other way.
     #[must_use]
     pub fn mirrored(&self) -> Self {
         match self {
-            Self::Hertz(contact) => Self::Hertz(HertzianContact { friction: -contact.friction, ..*contact }),
-            Self::Carter(contact) => {
-                let (traction, travel) = (-contact.traction, contact.travel.opposite());
-                Self::Carter(CarterContact { traction, travel, ..*contact })
-            }
+            Self::Hertz(contact) => Self::Hertz(contact.mirrored()),
+            Self::Carter(contact) => Self::Carter(contact.mirrored()),
             Self::Table(contact) => Self::Table(contact.mirrored()),
         }
     }
