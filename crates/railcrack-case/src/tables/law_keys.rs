@@ -1,7 +1,7 @@
 //! Keys of `[growth]` that the growth laws declare.
 
 use crate::schema::{Key, Row, choice, closed, number};
-use railcrack::fatigue::{Constant, LawConstants, LawDeclaration, LawInput};
+use railcrack::fatigue::{Constant, LawDeclaration, LawInput};
 
 const LAWS: &[&LawDeclaration] = LawDeclaration::ALL;
 
@@ -147,7 +147,7 @@ const MEASURED: &Names = &{
 
 const fn constants(law: usize) -> &'static [Constant] {
     match LAWS[law].input {
-        LawInput::Constants(LawConstants { all, .. }) => all,
+        LawInput::Constants(of) => of.all,
         LawInput::Table => &[],
     }
 }

@@ -5,7 +5,6 @@
 
 use railcrack::body::FacePoint;
 use railcrack::body::{BodyTimes, Face, FieldGrid, FieldLine};
-use railcrack::bulk::Boundary;
 use railcrack::contact::{FaceState, FaceStatus};
 use railcrack::crack::{Crack, CrackTip, End};
 use railcrack::fracture::Sif;
@@ -14,7 +13,6 @@ use railcrack::growth::{
     PieceKind, RunStop, SolverCounts, StepRecord, TipRecord, Warning, WarningKind,
 };
 use railcrack::math::{Stress, Vec2};
-use railcrack_case::{ContactSolver, Engine, Output};
 use railcrack_run::{CaseFiles, OutputError, Recorder, RunInfo};
 use std::path::{Path, PathBuf};
 

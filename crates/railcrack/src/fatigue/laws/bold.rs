@@ -50,7 +50,7 @@ pub(super) const DECLARATION: LawDeclaration = LawDeclaration {
         range: EquivalentRange::Bold,
         reason: "the law of Bold, Brown and Allen has an equivalent range of its own",
     }),
-    input: LawInput::Constants(LawConstants {
+    input: LawInput::Constants(&LawConstants {
         all: &[C],
         coefficient: C,
         exponent: None,

@@ -36,7 +36,7 @@ pub struct OwnRange {
 #[derive(Debug, Clone, Copy)]
 pub enum LawInput {
     /// Constants of a formula.
-    Constants(LawConstants),
+    Constants(&'static LawConstants),
     /// Measured rates, a [`RateTable`](super::RateTable).
     Table,
 }

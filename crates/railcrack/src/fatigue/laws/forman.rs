@@ -52,7 +52,7 @@ const KC: Constant = Constant::new(
 pub(super) const DECLARATION: LawDeclaration = LawDeclaration {
     word: Word::now("forman", "C dKeq^m / ((1-R) Kc - dKeq) above the threshold"),
     own_range: None,
-    input: LawInput::Constants(LawConstants {
+    input: LawInput::Constants(&LawConstants {
         all: &[C, M, KC, Constant::THRESHOLD],
         coefficient: C,
         exponent: Some(M),

@@ -97,7 +97,7 @@ const S: Constant =
 pub(super) const DECLARATION: LawDeclaration = LawDeclaration {
     word: Word::now("nasgro", "with closure, threshold and toughness"),
     own_range: None,
-    input: LawInput::Constants(LawConstants {
+    input: LawInput::Constants(&LawConstants {
         all: &[C, N, P, Q, THRESHOLD, KC, ALPHA, S],
         coefficient: C,
         exponent: Some(N),

@@ -43,7 +43,7 @@ pub(super) const M: Constant =
 pub(super) const DECLARATION: LawDeclaration = LawDeclaration {
     word: Word::now("paris", "C dKeq^m above the threshold"),
     own_range: None,
-    input: LawInput::Constants(LawConstants {
+    input: LawInput::Constants(&LawConstants {
         all: &[C, M, Constant::THRESHOLD],
         coefficient: C,
         exponent: Some(M),

@@ -23,7 +23,7 @@ pub struct ParisThreshold {
 pub(super) const DECLARATION: LawDeclaration = LawDeclaration {
     word: Word::now("paris-threshold", "C (dKeq^m - dKth^m)"),
     own_range: None,
-    input: LawInput::Constants(LawConstants {
+    input: LawInput::Constants(&LawConstants {
         all: &[C, M, Constant::THRESHOLD],
         coefficient: C,
         exponent: Some(M),

@@ -51,7 +51,7 @@ const GAMMA: Constant = Constant::new(
 pub(super) const DECLARATION: LawDeclaration = LawDeclaration {
     word: Word::now("walker", "C [dKeq / (1-R)^(1-gamma)]^m above the threshold"),
     own_range: None,
-    input: LawInput::Constants(LawConstants {
+    input: LawInput::Constants(&LawConstants {
         all: &[C, M, GAMMA, Constant::THRESHOLD],
         coefficient: C,
         exponent: Some(M),
