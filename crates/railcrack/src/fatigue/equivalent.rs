@@ -2,6 +2,7 @@
 
 use super::laws::Bold;
 use crate::math::MPA_SQRT_MM;
+use crate::words::{Choice, Word};
 
 /// The equivalent range ΔK_eq of ΔK_I and ΔK_II.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -70,6 +71,18 @@ impl EquivalentRange {
         }
     }
 
+    /// The form that gives it, and its weight of mode II where it has one; none where the range
+    /// belongs to a law.
+    #[must_use]
+    pub fn form(&self) -> Option<(RangeForm, Option<f64>)> {
+        match *self {
+            Self::HourlierPineau { mode_2_weight } => Some((RangeForm::HourlierPineau, Some(mode_2_weight))),
+            Self::Tanaka => Some((RangeForm::Tanaka, None)),
+            Self::Richard => Some((RangeForm::Richard, None)),
+            Self::Bold => None,
+        }
+    }
+
     /// The formula as a line of text.
     #[must_use]
     pub fn formula(&self) -> String {
@@ -79,6 +92,37 @@ impl EquivalentRange {
             Self::Richard => "dK = dKI/2 + sqrt(dKI^2 + 4 (1.155 dKII)^2)/2".to_owned(),
             Self::Bold => "dK^2 = dKI^2 + [(614/507) dKII^3.21]^(2/3.74)".to_owned(),
         }
+    }
+}
+
+/// The equivalent ranges that may be chosen for a law that has none of its own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RangeForm {
+    /// [`EquivalentRange::HourlierPineau`].
+    HourlierPineau,
+    /// [`EquivalentRange::Tanaka`].
+    Tanaka,
+    /// [`EquivalentRange::Richard`].
+    Richard,
+}
+
+impl Choice for RangeForm {
+    const WORDS: &'static [(Self, Word)] = &[
+        (Self::HourlierPineau, Word::now("hourlier-pineau", "sqrt(dKI^2 + w dKII^2)")),
+        (Self::Tanaka, Word::now("tanaka", "(dKI^4 + 8 dKII^4)^(1/4)")),
+        (Self::Richard, Word::now("richard", "dKI/2 + sqrt(dKI^2 + 4 (1.155 dKII)^2)/2")),
+    ];
+}
+
+impl RangeForm {
+    /// The range, with the weight of mode II where it has one; none where the weight is missing.
+    #[must_use]
+    pub fn range(self, mode_2_weight: Option<f64>) -> Option<EquivalentRange> {
+        Some(match self {
+            Self::HourlierPineau => EquivalentRange::HourlierPineau { mode_2_weight: mode_2_weight? },
+            Self::Tanaka => EquivalentRange::Tanaka,
+            Self::Richard => EquivalentRange::Richard,
+        })
     }
 }
 
@@ -99,6 +143,10 @@ mod tests {
         assert!((by_energy.of_three([3.0, 0.0, 4.0], 0.3, Some(1.0)) - 5.0).abs() < 1e-12);
         // Richard, Fulland & Sander 2005: α₂ = 1. Pure mode III: ΔK_eq = ΔK_III.
         assert!((EquivalentRange::Richard.of_three([0.0, 0.0, 5.0], 0.3, None) - 5.0).abs() < 1e-12);
+        for range in [EquivalentRange::RAIL_STEEL, EquivalentRange::Tanaka, EquivalentRange::Richard] {
+            let (form, weight) = range.form().unwrap();
+            assert_eq!(form.range(weight), Some(range));
+        }
         // Tanaka 1974: (8/0.7)^¼ = 1.838.
         let tanaka = EquivalentRange::Tanaka.of_three([0.0, 0.0, 5.0], 0.3, None);
         assert!((tanaka - 5.0 * (8.0f64 / 0.7).powf(0.25)).abs() < 1e-12);
