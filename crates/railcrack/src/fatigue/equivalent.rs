@@ -1,6 +1,5 @@
 //! Equivalent SIF ranges of mixed modes.
 
-use super::laws::Bold;
 use crate::math::MPA_SQRT_MM;
 use crate::words::{Choice, Word};
 
@@ -36,7 +35,7 @@ impl EquivalentRange {
             Self::Richard => 0.5 * (delta_ki + delta_ki.hypot(2.0 * 1.155 * delta_kii)),
             Self::Bold => {
                 let unit = MPA_SQRT_MM;
-                Bold::equivalent(delta_ki / unit, delta_kii / unit) * unit
+                bold_range(delta_ki / unit, delta_kii / unit) * unit
             }
         }
     }
@@ -93,6 +92,13 @@ impl EquivalentRange {
             Self::Bold => "dK^2 = dKI^2 + [(614/507) dKII^3.21]^(2/3.74)".to_owned(),
         }
     }
+}
+
+/// ΔK_eq (MPa√m) of Bold, Brown and Allen for `delta_ki` and `delta_kii` (MPa√m): above the
+/// threshold, the mode II term gives the same rate as 6.14e-10 ΔK_II^3.21.
+pub(super) fn bold_range(delta_ki: f64, delta_kii: f64) -> f64 {
+    let shear = (614.0 / 507.0 * delta_kii.powf(3.21)).powf(3.74f64.recip());
+    delta_ki.hypot(shear)
 }
 
 /// The equivalent ranges that may be chosen for a law that has none of its own.

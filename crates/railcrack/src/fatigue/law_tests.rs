@@ -79,11 +79,11 @@ fn bold() {
     let law = GrowthLaw { rate: RateLaw::Bold(Bold::RAIL_STEEL), equivalent: EquivalentRange::Bold };
     close(rate(&law, 10.0, 0.0), 2.695_658_9e-6);
     close(rate(&law, 0.0, 10.0), 9.052_781_1e-7);
-    close(Bold::equivalent(0.0, 10.0), 7.594_937);
+    close(bold_range(0.0, 10.0), 7.594_937);
     close(rate(&law, 9.0, 12.0), 6.609_953e-6);
-    close(Bold::equivalent(9.0, 12.0), 12.644_382);
+    close(bold_range(9.0, 12.0), 12.644_382);
     close(rate(&law, 20.0, 20.0), 7.680_857_3e-5);
-    close(Bold::equivalent(20.0, 20.0), 24.281_243);
+    close(bold_range(20.0, 20.0), 24.281_243);
     assert_eq!([rate(&law, 4.0, 0.0), rate(&law, 0.0, 4.0)], [0.0, 0.0]);
 }
 

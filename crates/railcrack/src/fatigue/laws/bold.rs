@@ -25,14 +25,6 @@ impl Bold {
     pub const EXPONENT: f64 = 3.74;
     /// Threshold, MPa√m.
     pub const THRESHOLD: f64 = 4.0;
-
-    /// ΔK_eq (MPa√m) of `delta_ki` and `delta_kii` (MPa√m): the mode II term makes the same rate
-    /// as 6.14e-10 ΔK_II^3.21 above the threshold.
-    #[must_use]
-    pub fn equivalent(delta_ki: f64, delta_kii: f64) -> f64 {
-        let shear = (614.0 / 507.0 * delta_kii.powf(3.21)).powf(Self::EXPONENT.recip());
-        delta_ki.hypot(shear)
-    }
 }
 
 const C: Constant = Constant::new(
