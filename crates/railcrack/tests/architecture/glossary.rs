@@ -10,7 +10,7 @@ use std::path::Path;
 const MODULES_OF_TERMS: [&str; 5] = ["contact", "fatigue", "growth", "plane", "space"];
 
 /// Public types of these modules that are not terms, and why.
-const NOT_TERMS: [(&str, &str); 9] = [
+const NOT_TERMS: [(&str, &str); 7] = [
     ("CloseCracks", "content of an error"),
     ("NotConverged", "an error"),
     ("EarlierRates", "argument of the Adams-Bashforth rule"),
