@@ -14,7 +14,6 @@ use railcrack::interruption::Interruption;
 use railcrack::material::IsotropicElastic;
 use railcrack::math::{Matrix, Vec2};
 use railcrack::xfem::{RailEnd, RefinedRegion, XfemEngine, XfemSettings, default_element_sizes};
-use railcrack_case::Engine;
 use std::sync::Arc;
 
 /// A cracked body, whose matrices are arrays of numpy.
@@ -174,7 +173,7 @@ pub fn xfem_body(
     let steel = steel(py, young, poisson)?;
     let end = RailEnd::HalfPlane { centre };
     let engine = XfemEngine::with_region(refined, steel, end, XfemSettings::default());
-    made(py, engine, &network, steel, threads)
+    made(py, Box::new(engine), &network, steel, threads)
 }
 
 /// The body of `cracks` in a half-plane by dislocations.
@@ -195,24 +194,18 @@ pub fn dislocation_body(
         None => FaceResolution::for_cracks(network.cracks().len()),
     };
     let steel = steel(py, young, poisson)?;
-    made(py, DislocationEngine { steel, resolution }, &network, steel, threads)
+    made(py, Box::new(DislocationEngine { steel, resolution }), &network, steel, threads)
 }
 
 /// The body of the cracks of `case` at their start, by its engine.
 #[pyfunction]
 pub fn case_body(py: Python<'_>, case: &CaseCore, threads: Option<usize>) -> PyResult<BodyCore> {
     let case = &case.case;
-    match case.engine {
-        Engine::Xfem => made(py, case.xfem_engine(), &case.cracks, case.steel, threads),
-        Engine::Dislocation => {
-            let engine = DislocationEngine { steel: case.steel, resolution: case.face_resolution() };
-            made(py, engine, &case.cracks, case.steel, threads)
-        }
-        Engine::Space => {
-            let says = "a body is made of cracks in the plane; engine = \"space\" computes runs";
-            Err(bad_input(py, says))
-        }
-    }
+    let Some(engine) = case.body_engine() else {
+        let says = "a body is made of cracks in the plane; engine = \"space\" computes runs";
+        return Err(bad_input(py, says));
+    };
+    made(py, engine, &case.cracks, case.steel, threads)
 }
 
 fn network(py: Python<'_>, cracks: Cracks) -> PyResult<CrackNetwork> {
@@ -232,7 +225,7 @@ fn steel(py: Python<'_>, young: f64, poisson: f64) -> PyResult<IsotropicElastic>
 /// The body of `network`, made without holding the interpreter; Ctrl-C gives it up.
 fn made(
     py: Python<'_>,
-    mut engine: impl BodyEngine + Send + 'static,
+    mut engine: Box<dyn BodyEngine + Send>,
     network: &CrackNetwork,
     steel: IsotropicElastic,
     threads: Option<usize>,

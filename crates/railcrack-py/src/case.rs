@@ -9,7 +9,6 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use railcrack::growth::TipJudge;
 use railcrack::words::Choice;
-use railcrack_case::Engine;
 use railcrack_run::simulation::{Ending, Simulation, plastic_stress_left_out};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -113,7 +112,7 @@ impl CaseCore {
         if own && !self.case.mix.is_empty() {
             return Err(bad_input(py, "law, direction: a mix of wheels has several histories, not one"));
         }
-        if direction.is_some() && self.case.engine == Engine::Space {
+        if direction.is_some() && self.case.engine.is_in_space() {
             return Err(bad_input(py, "direction: a crack in space grows in its plane"));
         }
         let judge: Arc<dyn TipJudge> = Arc::new(OwnJudge { law, direction, watch: Arc::clone(&watch) });

@@ -196,12 +196,7 @@ pub fn pressure(
 
 /// Compares the shear of `contact` with the friction of dry steel, 0.6.
 pub fn shear(contact: &Contact) -> Option<ValidityWarning> {
-    let ratio = match contact {
-        Contact::Hertz(contact) => contact.friction.abs(),
-        Contact::Carter(contact) if contact.traction == 0.0 => 0.0,
-        Contact::Carter(contact) => contact.friction,
-        Contact::Table(table) => table.largest_friction(),
-    };
+    let ratio = contact.largest_friction();
     (ratio > DRY_FRICTION).then_some(ValidityWarning::ShearBeyondFriction { ratio, friction: DRY_FRICTION })
 }
 

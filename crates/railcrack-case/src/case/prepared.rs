@@ -2,13 +2,14 @@
 
 use super::carried::{CarriedStress, CarriedStressError};
 use super::case::Case;
+use super::engines;
 use super::mix::MixedWheel;
 use super::shared::SharedRail;
-use crate::tables::{ContactSolver, Engine, GivenWheel};
+use crate::tables::{ContactSolver, GivenWheel};
 use railcrack::body::BodyEngine;
 use railcrack::bulk::Boundary;
 use railcrack::contact::{self, Latin, Newton};
-use railcrack::dislocation::{DislocationEngine, FaceResolution};
+use railcrack::dislocation::FaceResolution;
 use railcrack::field::{StressField, Sum};
 use railcrack::growth::{CrackedRail, FieldSettings, Growth, GrowthState, StepSource, TipJudge};
 use railcrack::math::MPA_SQRT_MM;
@@ -92,6 +93,13 @@ impl Case {
         }
     }
 
+    /// The engine that makes bodies of the cracks of this case, without a plastic stress; none
+    /// where they are in space.
+    #[must_use]
+    pub fn body_engine(&self) -> Option<Box<dyn BodyEngine + Send>> {
+        engines::of(self.engine).body_engine(self, self.xfem_engine())
+    }
+
     /// Everything that is made once for the run of this case. `rolled` is the plastic stress of the
     /// stabilised state, for a case that wants it
     /// ([`PlasticSource::Rolled`](crate::PlasticSource)).
@@ -113,13 +121,8 @@ impl Case {
             shared.give_to(&mut finite_elements);
         }
         let residual = self.carried_stress(plastic.as_ref(), &mut finite_elements)?;
-        let engine: Option<Box<dyn BodyEngine>> = match self.engine {
-            Engine::Xfem => Some(Box::new(finite_elements)),
-            Engine::Dislocation => {
-                Some(Box::new(DislocationEngine { steel: self.steel, resolution: self.face_resolution() }))
-            }
-            Engine::Space => None,
-        };
+        let engine = engines::of(self.engine).body_engine(self, finite_elements);
+        let engine = engine.map(|engine| engine as Box<dyn BodyEngine>);
         Ok(PreparedRun { case: self, engine, residual })
     }
 }
@@ -248,7 +251,7 @@ impl Case {
         state: Option<GrowthState>,
         judge: Option<Arc<dyn TipJudge>>,
     ) -> Option<Box<dyn StepSource>> {
-        let space = self.space.as_ref().filter(|_| self.engine == Engine::Space)?;
+        let space = self.space.as_ref().filter(|_| self.engine.is_in_space())?;
         let state = match state {
             Some(state) => state,
             None => GrowthState::initial_in_space(space.shapes.clone()).ok()?,

@@ -53,6 +53,20 @@ impl<T> KeyRow<T> {
         self.only_with_any(other, choice, &[], otherwise)
     }
 
+    /// Only with one of `words` of another key, of which there is at least one; `otherwise` says
+    /// why.
+    pub const fn only_with_words<U>(
+        self,
+        other: KeyRow<U>,
+        words: &'static [&'static str],
+        otherwise: &'static str,
+    ) -> Self {
+        match words {
+            [choice, also @ ..] => self.only_with_any(other, choice, also, otherwise),
+            [] => panic!("a key that goes with no word"),
+        }
+    }
+
     /// Only with the word `choice` of another key, or one of the words `also`; `otherwise` says
     /// why.
     pub const fn only_with_any<U>(
@@ -183,15 +197,40 @@ pub(crate) const fn groups(
     KeyRow::new(name, Kind::Groups { example: written }, Preset::Groups(example), doc)
 }
 
+/// How many keys `parts` have.
+pub(crate) const fn count(parts: &[&[Key]]) -> usize {
+    let (mut keys, mut part) = (0, 0);
+    while part < parts.len() {
+        keys += parts[part].len();
+        part += 1;
+    }
+    keys
+}
+
+/// The keys of all `parts`, which are `N`.
+pub(crate) const fn joined<const N: usize>(parts: &[&[Key]]) -> [Key; N] {
+    let mut keys = [parts[0][0]; N];
+    let (mut next, mut part) = (0, 0);
+    while part < parts.len() {
+        let mut i = 0;
+        while i < parts[part].len() {
+            keys[next] = parts[part][i];
+            (next, i) = (next + 1, i + 1);
+        }
+        part += 1;
+    }
+    keys
+}
+
 /// Declares a section: a constant for each row, and the [`Section`](super::Section) of all of them.
 ///
 /// `NAME "name", Presence, "Sentence." [, forms [[ROW, …], …]] [, parts [SECTION, …]] [, instead
-/// "name"]; ROW: Type = row; …`
+/// "name"]; ROW: Type = row; [..KEYS;] …`, where KEYS are keys that are declared elsewhere.
 macro_rules! section {
     (
         $SECTION:ident $name:literal, $presence:ident, $doc:literal $(, forms [$([$($OF:ident),+]),+])?
             $(, parts [$($PART:expr),+])? $(, instead $instead:literal)?;
-        $($ROW:ident: $Type:ty = $row:expr;)+
+        $($ROW:ident: $Type:ty = $row:expr; $(..$MORE:expr;)?)+
     ) => {
         $(pub(crate) const $ROW: $crate::schema::KeyRow<$Type> = $row;)+
 
@@ -200,7 +239,10 @@ macro_rules! section {
             name: $name,
             doc: $doc,
             presence: $crate::schema::SectionPresence::$presence,
-            keys: &[$($ROW.key),+],
+            keys: {
+                const PARTS: &[&[$crate::schema::Key]] = &[$(&[$ROW.key], $($MORE,)?)+];
+                &$crate::schema::joined::<{ $crate::schema::count(PARTS) }>(PARTS)
+            },
             forms: &[$($($crate::schema::Form { keys: &[$($OF.key.name),+] }),+)?],
             parts: &[$($($PART),+)?],
             instead: $crate::schema::given!($($instead)?),

@@ -33,10 +33,10 @@ impl Sections {
         self.0.iter().find(|read| read.section.name == part.name && read.path == path)
     }
 
-    /// Leaves out the values that keys `names` of a section have by default.
-    pub fn leave_out(&mut self, section: &Section, names: &[&str]) {
+    /// Leaves out the values that keys `of` a section have by default.
+    pub fn leave_out(&mut self, section: &Section, of: impl Fn(&Key) -> bool) {
         for read in self.0.iter_mut().filter(|read| read.section.name == section.name) {
-            read.entries.retain(|entry| entry.span.is_some() || !names.contains(&entry.key.name));
+            read.entries.retain(|entry| entry.is_given || !of(entry.key));
         }
     }
 
@@ -45,7 +45,8 @@ impl Sections {
         let Some(key) = section.key(row.key.name) else { return };
         for read in self.0.iter_mut().filter(|read| read.section.name == section.name) {
             if read.entry(row).is_none() {
-                read.entries.push(Entry { key, value: value.clone(), span: None, parts: Vec::new() });
+                let value = value.clone();
+                read.entries.push(Entry { key, value, span: None, parts: Vec::new(), is_given: false });
             }
         }
     }
@@ -73,6 +74,8 @@ pub(crate) struct Entry {
     pub span: Option<Range<usize>>,
     /// Where the elements of a list stand.
     pub parts: Vec<Range<usize>>,
+    /// Whether the file or an override gives it: no default.
+    pub is_given: bool,
 }
 
 impl Entry {
@@ -96,14 +99,14 @@ impl SectionValues {
         self.entries.iter().find(|e| e.key.name == key)
     }
 
-    /// Whether the file gives this key a value.
+    /// Whether the file or an override gives this key a value.
     pub fn is_given<T>(&self, row: KeyRow<T>) -> bool {
         self.is_given_name(row.key.name)
     }
 
-    /// Whether the file gives the key `name` a value.
+    /// Whether the file or an override gives the key `name` a value.
     pub fn is_given_name(&self, name: &str) -> bool {
-        self.named(name).is_some_and(|entry| entry.span.is_some())
+        self.named(name).is_some_and(|entry| entry.is_given)
     }
 
     /// Whether a key was given a value that was not accepted: nothing more can be said about it.

@@ -2,10 +2,12 @@
 
 use crate::files::{ContactFile, ContactReading, read_contact_table};
 use crate::schema::{
-    Choice, KeyRow, Kind, NumberRange, RangeEnd, Report, SectionValues, Word, choice, closed, file, number,
-    positive, read_by_word, section, within,
+    KeyRow, Kind, NumberRange, RangeEnd, Report, SectionValues, choice, closed, file, number, positive,
+    read_by_word, section, within,
 };
-use railcrack::load::{CarterContact, Contact, HertzEllipse, HertzianContact, Travel, WheelOnRail};
+use railcrack::load::{
+    CarterContact, Contact, ContactKind, HertzEllipse, HertzianContact, Travel, WheelOnRail,
+};
 use railcrack::material::IsotropicElastic;
 use std::path::Path;
 
@@ -77,34 +79,6 @@ section! {
 }
 
 read_by_word!(ContactKind);
-
-/// Descriptions of the contact.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum ContactKind {
-    Hertz,
-    Carter,
-    Table,
-}
-
-impl Choice for ContactKind {
-    const WORDS: &'static [(Self, Word)] = &[
-        (
-            Self::Hertz,
-            Word::now(
-                "hertz",
-                "pressure p0 sqrt(1 - (x - xc)^2 / a^2) and a shear proportional to it: full sliding",
-            ),
-        ),
-        (
-            Self::Carter,
-            Word::now(
-                "carter",
-                "the same pressure and a shear that sticks behind the leading edge: partial slip",
-            ),
-        ),
-        (Self::Table, Word::now(TABLE, "pressure and shear of a table, measured or computed")),
-    ];
-}
 
 /// Origin of the numbers of a contact.
 #[derive(Debug, Clone, PartialEq)]

@@ -112,6 +112,7 @@ pub fn compute(arguments: &RunArguments, interruption: &Interruption) -> Result<
         engine: arguments.engine.clone(),
         contact: arguments.contact.clone(),
         settings: arguments.set.set.clone(),
+        ..Overrides::default()
     };
     let case = input::case(&arguments.case, &overrides)?;
     let folder = arguments.out.clone().unwrap_or_else(|| default_folder(&arguments.case));

@@ -5,7 +5,6 @@
 
 use railcrack::body::FacePoint;
 use railcrack::body::{BodyTimes, Face, FieldGrid, FieldLine};
-use railcrack::bulk::Boundary;
 use railcrack::contact::{FaceState, FaceStatus};
 use railcrack::crack::{Crack, CrackTip, End};
 use railcrack::fracture::Sif;
@@ -15,7 +14,6 @@ use railcrack::growth::{
     Warning, WarningKind,
 };
 use railcrack::math::{Stress, Vec2};
-use railcrack_case::{ContactSolver, Engine, Output};
 use railcrack_run::{CaseFiles, OutputError, Recorder, RunInfo};
 use std::path::{Path, PathBuf};
 
@@ -58,23 +56,8 @@ pub const SMALL: Size = Size { increments: 4, positions: 41, face_points: 12, cr
 pub fn info() -> RunInfo {
     RunInfo {
         title: "Synthetic <run> & its \"title\"".to_owned(),
-        engine: Engine::Dislocation,
-        contact: ContactSolver::Newton,
-        boundary: Boundary::HalfPlane,
-        half_width: HALF_WIDTH,
-        passage: [-1e9, 1e9],
-        bends: false,
-        law_table: None,
-        fluid: false,
-        toughness: None,
         axle_load: Some(17.0),
-        mix: Vec::new(),
-        maintenance: None,
-        inspection: None,
-        scatter: None,
-        critical_length: None,
-        output: Output::ALL,
-        warnings: Vec::new(),
+        ..RunInfo::idle(HALF_WIDTH)
     }
 }
 

@@ -153,10 +153,11 @@ pub fn deferred_growth(growth: &[TipRow], row: &TipRow) -> f64 {
     before.take_while(|other| other.place == row.place).map(|other| other.increment).sum()
 }
 
-#[cfg(test)]
 impl TipRow {
-    /// A tip of crack 1 that does nothing at the start of `step`, for tests.
-    pub(crate) fn idle(step: usize) -> Self {
+    /// A tip of crack 1 at the origin that does nothing at the start of `step`: what a row says
+    /// beyond its own fields.
+    #[must_use]
+    pub fn idle(step: usize) -> Self {
         Self {
             step,
             crack: 1,

@@ -59,6 +59,32 @@ pub struct RunInfo {
 }
 
 impl RunInfo {
+    /// The facts of an untitled run under one wheel of `half_width` (mm), without anything that a
+    /// case may leave out.
+    #[must_use]
+    pub fn idle(half_width: f64) -> Self {
+        Self {
+            title: String::new(),
+            engine: Engine::Dislocation,
+            contact: ContactSolver::Newton,
+            boundary: Boundary::HalfPlane,
+            half_width,
+            passage: [-1e9, 1e9],
+            bends: false,
+            toughness: None,
+            law_table: None,
+            fluid: false,
+            axle_load: None,
+            mix: Vec::new(),
+            maintenance: None,
+            inspection: None,
+            scatter: None,
+            critical_length: None,
+            output: Output::ALL,
+            warnings: Vec::new(),
+        }
+    }
+
     /// The sections of the case that bring columns of their own: `wheel` once for each wheel of a
     /// mix.
     pub fn sections(&self) -> Vec<&'static str> {
@@ -66,7 +92,7 @@ impl RunInfo {
         let maintenance = self.maintenance.map(|_| "maintenance");
         let fluid = self.fluid.then_some("fluid");
         let wheels = self.mix.iter().map(|_| "wheel");
-        let space = (self.engine == Engine::Space).then_some("space");
+        let space = self.engine.is_in_space().then_some("space");
         traffic.into_iter().chain(wheels).chain(maintenance).chain(fluid).chain(space).collect()
     }
 }

@@ -2,7 +2,7 @@
 
 use super::condition::Degenerate;
 use super::parabola::Parabola;
-use super::pressure::{PocketRows, content, is_empty, round_off, way_out};
+use super::pressure::{PocketRows, content, has_open_path, is_empty, round_off};
 use super::problem::ROUND_OFF;
 use super::tableau::FaceRate;
 use super::{FaceProblem, FaceScale, FaceSolution, PocketState, PocketStatus};
@@ -40,7 +40,7 @@ pub(super) struct PocketTrace {
     volumes: Vec<[f64; 2]>,
     /// Excess (MPa) of the pressure on open faces over that at the mouth at which fluid is
     /// released.
-    pub loud: f64,
+    pub release_excess: f64,
 }
 
 /// An event of a pocket.
@@ -49,16 +49,22 @@ pub(super) enum PocketEvent {
     /// Its status becomes this one.
     Becomes(PocketStatus),
     /// Fluid above the pressure over the mouth has an open path to the mouth.
-    LetsOff,
+    Releases,
 }
 
 /// Multiple of round-off within which two pressures are equal.
 const ALIKE: f64 = 100.0;
 
 impl PocketTrace {
-    pub(super) fn new(problem: &FaceProblem, outside: OutsidePressure, loud: f64) -> Self {
+    pub(super) fn new(problem: &FaceProblem, outside: OutsidePressure, release_excess: f64) -> Self {
         let m = problem.pockets().len();
-        Self { outside, units: Vec::new(), pressures: vec![[0.0; 2]; m], volumes: vec![[0.0; 2]; m], loud }
+        Self {
+            outside,
+            units: Vec::new(),
+            pressures: vec![[0.0; 2]; m],
+            volumes: vec![[0.0; 2]; m],
+            release_excess,
+        }
     }
 
     fn rows<'e>(&'e self, problem: &'e FaceProblem) -> PocketRows<'e> {
@@ -175,7 +181,7 @@ impl PocketTrace {
         share: f64,
         span: f64,
     ) -> Option<(f64, PocketEvent)> {
-        use PocketEvent::{Becomes, LetsOff};
+        use PocketEvent::{Becomes, Releases};
         use PocketStatus::{Cavity, Leaking, Sealed, Vented};
         let pocket = &problem.pockets()[k];
         let PocketState { status, pressure, content } = now.fluid[k];
@@ -189,15 +195,15 @@ impl PocketTrace {
             Sealed => {
                 let empties = inside.first_fall(small_pressure, span).map(|after| (after, Becomes(Cavity)));
                 let span = empties.map_or(span, |(after, _)| after);
-                if !problem.leaks() || !way_out(problem, now, k) {
+                if !problem.leaks() || !has_open_path(problem, now, k) {
                     return empties;
                 }
                 let leaks = if short_of.value() >= -ALIKE * small_pressure {
                     short_of.first_fall(small_pressure, span).map(|after| (after, Becomes(Leaking)))
                 } else {
-                    let quiet = short_of.plus(Parabola::constant(self.loud));
-                    let is_loud = (quiet.value() < 0.0).then_some(0.0);
-                    is_loud.or_else(|| quiet.first_fall(small_pressure, span)).map(|after| (after, LetsOff))
+                    let quiet = short_of.plus(Parabola::constant(self.release_excess));
+                    let exceeds = (quiet.value() < 0.0).then_some(0.0);
+                    exceeds.or_else(|| quiet.first_fall(small_pressure, span)).map(|after| (after, Releases))
                 };
                 leaks.or(empties)
             }
@@ -243,10 +249,10 @@ impl PocketTrace {
         let closes = |&k: &usize| {
             now.fluid[k].status == PocketStatus::Leaking
                 && problem.pockets()[k].points.binary_search(&point).is_ok()
-                && !way_out(problem, now, k)
+                && !has_open_path(problem, now, k)
         };
         let what = |k: usize| match is_empty(problem, now, scale, k) {
-            true => (k, PocketEvent::LetsOff),
+            true => (k, PocketEvent::Releases),
             false => (k, PocketEvent::Becomes(PocketStatus::Sealed)),
         };
         (0..now.fluid.len()).filter(closes).map(what).collect()

@@ -173,7 +173,7 @@ pub(super) fn is_empty(problem: &FaceProblem, solution: &FaceSolution, scale: Fa
 }
 
 /// Whether open faces connect all open points of pocket `k` with its mouth.
-pub(super) fn way_out(problem: &FaceProblem, solution: &FaceSolution, k: usize) -> bool {
+pub(super) fn has_open_path(problem: &FaceProblem, solution: &FaceSolution, k: usize) -> bool {
     let pocket = &problem.pockets()[k];
     let Some(mouth) = pocket.mouth else { return false };
     let is_open = |j: usize| !solution.status[j].is_closed();
@@ -214,7 +214,7 @@ pub(super) fn demanded(
         Cavity => (filled > 0.0 && pocket.volume(&solution.jump) < filled - small_volume).then_some(Sealed),
         Leaking => {
             let grown = || content(problem, solution, k) > filled * (1.0 + GROWN) + small_volume;
-            let closed = || !way_out(problem, solution, k) && !is_empty(problem, solution, scale, k);
+            let closed = || !has_open_path(problem, solution, k) && !is_empty(problem, solution, scale, k);
             (closed() || grown()).then_some(Sealed)
         }
     }

@@ -2,7 +2,7 @@
 
 use super::pocket_trace::OutsidePressure;
 use super::pressure::{content, total, violation};
-use super::trace::{Accuracy, LetsOff, StepLoad, Stop, Trace, follow};
+use super::trace::{Accuracy, AtRelease, StepLoad, Stop, Trace, follow};
 use super::{
     ContactSolver, FaceProblem, FaceResponse, FaceScale, FaceSolution, LoadStep, NotConverged, PocketState,
     PocketStatus, PointStatus, StepSolver,
@@ -211,7 +211,7 @@ enum Attempt {
     /// To be repeated with this share of its length, without tracing.
     Untraced(f64),
     /// To be repeated, with fluid to be released at its end.
-    ThenLetOff,
+    ThenRelease,
 }
 
 /// A step that can be traced over less than the share [`EARLY`] is repeated untraced with the share
@@ -352,7 +352,7 @@ impl<'a> Stepper<'a> {
         let mut step = whole;
         let (mut attempts, mut failures) = (0, 0);
         let mut control = self.control;
-        let mut lets_off = LetsOff::There;
+        let mut at_release = AtRelease::EndStep;
         while self.at != station {
             if (self.interrupted)() {
                 return Err(SteppingError::Interrupted { at: self.at });
@@ -364,21 +364,21 @@ impl<'a> Stepper<'a> {
             let target = if step.abs() >= (station - self.at).abs() { station } else { self.at + step };
             let smallest = (target - self.at).abs() <= SMALLEST * whole.abs();
             if (target - self.at).abs() <= PLACED * whole.abs() {
-                lets_off = LetsOff::AtItsEnd;
+                at_release = AtRelease::Continue;
             }
-            let manner = (if smallest { StepControl::Fixed } else { control }, lets_off);
+            let manner = (if smallest { StepControl::Fixed } else { control }, at_release);
             match self.attempt(path, target, manner, accepted) {
                 Ok(Attempt::Accepted) => {
                     if target != station {
                         self.counts.substeps += 1;
                     }
-                    self.let_off_all(accepted)?;
+                    self.release_all(accepted)?;
                     step = station - self.at;
                     control = self.control;
-                    lets_off = LetsOff::There;
+                    at_release = AtRelease::EndStep;
                 }
                 Ok(Attempt::Shorter(share)) => step = share * (target - self.at),
-                Ok(Attempt::ThenLetOff) => lets_off = LetsOff::AtItsEnd,
+                Ok(Attempt::ThenRelease) => at_release = AtRelease::Continue,
                 Ok(Attempt::Untraced(share)) => {
                     step = share * (target - self.at);
                     control = StepControl::Fixed;
@@ -400,7 +400,7 @@ impl<'a> Stepper<'a> {
         &mut self,
         path: &dyn LoadPath,
         target: f64,
-        (control, lets_off): (StepControl, LetsOff),
+        (control, at_release): (StepControl, AtRelease),
         accepted: &mut dyn FnMut(&FaceSolution, &[f64]),
     ) -> Result<Attempt, NotConverged> {
         let (end, outside) = (path.nodal_forces(target), path.over_mouths(target));
@@ -408,7 +408,7 @@ impl<'a> Stepper<'a> {
         self.faces.keep();
         let has_memory = self.problem.has_friction() || !self.problem.pockets().is_empty();
         let result = if control == StepControl::Adaptive && has_memory {
-            self.traced(path, target, (end, outside), lets_off, accepted)
+            self.traced(path, target, (end, outside), at_release, accepted)
         } else {
             self.untraced(target, (end, outside), accepted)
         };
@@ -425,12 +425,12 @@ impl<'a> Stepper<'a> {
         path: &dyn LoadPath,
         target: f64,
         (end, outside): (Vec<f64>, Vec<f64>),
-        lets_off: LetsOff,
+        at_release: AtRelease,
         accepted: &mut dyn FnMut(&FaceSolution, &[f64]),
     ) -> Result<Attempt, NotConverged> {
         let mut memory = std::mem::take(&mut self.memory);
         memory.load.lead_through(&self.load, &path.nodal_forces(0.5 * (self.at + target)), end);
-        let result = self.traced_on(&mut memory, path, target, (outside, lets_off), accepted);
+        let result = self.traced_on(&mut memory, path, target, (outside, at_release), accepted);
         self.memory = memory;
         result
     }
@@ -441,7 +441,7 @@ impl<'a> Stepper<'a> {
         StepMemory { load, trace }: &mut StepMemory,
         path: &dyn LoadPath,
         target: f64,
-        (outside_end, lets_off): (Vec<f64>, LetsOff),
+        (outside_end, at_release): (Vec<f64>, AtRelease),
         accepted: &mut dyn FnMut(&FaceSolution, &[f64]),
     ) -> Result<Attempt, NotConverged> {
         let along = |share: f64| self.at + share * (target - self.at);
@@ -467,8 +467,8 @@ impl<'a> Stepper<'a> {
             },
             allowed: &|j| allowed(tolerance, scale_of[j]),
             outside: outside.clone(),
-            loud: self.loud(),
-            lets_off,
+            release_excess: self.release_excess(),
+            at_release,
         };
         match follow(self.problem, &mut self.faces, &self.current, scale, accuracy, trace) {
             Ok(()) => {}
@@ -476,8 +476,10 @@ impl<'a> Stepper<'a> {
             Err(Stop::Lost { share }) if share > EARLY => return Ok(Attempt::Shorter(BEFORE * share)),
             Err(Stop::Lost { .. }) => return Ok(Attempt::Untraced(UNTRACED)),
             // The step ends at a release of fluid.
-            Err(Stop::LetsOff { share }) if share > 1.0 - 2.0 * BEYOND => return Ok(Attempt::ThenLetOff),
-            Err(Stop::LetsOff { share }) => return Ok(Attempt::Shorter((share * (1.0 + BEYOND)).max(EARLY))),
+            Err(Stop::AtRelease { share }) if share > 1.0 - 2.0 * BEYOND => return Ok(Attempt::ThenRelease),
+            Err(Stop::AtRelease { share }) => {
+                return Ok(Attempt::Shorter((share * (1.0 + BEYOND)).max(EARLY)));
+            }
         }
         self.solve(&load.end, &trace.reference_slip, &outside_end)?;
         let after = self.faces.solution();
@@ -493,7 +495,7 @@ impl<'a> Stepper<'a> {
         let leaks = |state: &PocketState| state.status == PocketStatus::Leaking;
         let closes =
             trace.now.fluid.iter().zip(&after.fluid).any(|(traced, solved)| leaks(traced) != leaks(solved));
-        if closes && lets_off == LetsOff::There {
+        if closes && at_release == AtRelease::EndStep {
             return Ok(Attempt::Shorter(0.5));
         }
         let from = self.at;

@@ -101,18 +101,18 @@ pub(super) struct Accuracy<'s> {
     pub outside: OutsidePressure,
     /// Excess (MPa) of the pressure on open faces over that at the mouth at which fluid is
     /// released.
-    pub loud: f64,
+    pub release_excess: f64,
     /// Whether the step ends at a release of fluid.
-    pub lets_off: LetsOff,
+    pub at_release: AtRelease,
 }
 
 /// Treatment of a release of fluid within a step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum LetsOff {
+pub(super) enum AtRelease {
     /// The step ends there.
-    There,
+    EndStep,
     /// The step continues, and fluid is released at its end.
-    AtItsEnd,
+    Continue,
 }
 
 /// Reasons for which a step was not traced to its end.
@@ -129,7 +129,7 @@ pub(super) enum Stop {
         excess: f64,
     },
     /// Fluid above the pressure over the mouth has an open path to the mouth.
-    LetsOff {
+    AtRelease {
         /// Share of the step.
         share: f64,
     },
@@ -187,9 +187,10 @@ pub(super) fn follow<'a>(
 ) -> Result<(), Stop> {
     trace.begin(current);
     // Fluid that is released at the end of the step stays until then.
-    let loud = if accuracy.lets_off == LetsOff::There { accuracy.loud } else { f64::INFINITY };
-    let pockets = PocketTrace::new(problem, accuracy.outside.clone(), loud);
-    let mut way = TracedStep {
+    let release_excess =
+        if accuracy.at_release == AtRelease::EndStep { accuracy.release_excess } else { f64::INFINITY };
+    let pockets = PocketTrace::new(problem, accuracy.outside.clone(), release_excess);
+    let mut step = TracedStep {
         problem,
         faces,
         round_off: FaceScale { jump: ROUND_OFF * scale.jump, force: ROUND_OFF * scale.force },
@@ -202,21 +203,21 @@ pub(super) fn follow<'a>(
     let most = MOST_AT_ONCE + MOST_PER_POINT * problem.points();
     let (mut events, mut at_once) = (0, 0);
     loop {
-        let lost = Stop::Lost { share: way.share };
-        way.faces.rates(1, &mut way.trace.rates).map_err(|Degenerate| lost)?;
-        way.press().map_err(|Degenerate| lost)?;
-        let Some(event) = way.next_event() else { break };
+        let lost = Stop::Lost { share: step.share };
+        step.faces.rates(1, &mut step.trace.rates).map_err(|Degenerate| lost)?;
+        step.press().map_err(|Degenerate| lost)?;
+        let Some(event) = step.next_event() else { break };
         at_once = if event.after > MOMENT { 0 } else { at_once + 1 };
         events += 1;
         if at_once > MOST_AT_ONCE || events > most {
             return Err(lost);
         }
-        way.advance(event.after);
-        way.change(event)?;
+        step.advance(event.after);
+        step.change(event)?;
     }
-    way.advance(1.0 - way.share);
-    for (k, state) in way.trace.now.fluid.iter().enumerate() {
-        way.faces.set_pocket(k, *state);
+    step.advance(1.0 - step.share);
+    for (k, state) in step.trace.now.fluid.iter().enumerate() {
+        step.faces.set_pocket(k, *state);
     }
     Ok(())
 }
@@ -316,7 +317,9 @@ impl TracedStep<'_, '_> {
     fn change(&mut self, event: TimedChange) -> Result<(), Stop> {
         let (point, status) = match event.change {
             StatusChange::Point(point, status) => (point, status),
-            StatusChange::Pocket(_, PocketEvent::LetsOff) => return Err(Stop::LetsOff { share: self.share }),
+            StatusChange::Pocket(_, PocketEvent::Releases) => {
+                return Err(Stop::AtRelease { share: self.share });
+            }
             StatusChange::Pocket(k, PocketEvent::Becomes(status)) => {
                 self.trace.note_change(self.share);
                 self.trace.now.fluid[k] = PocketTrace::changed(self.problem, &self.trace.now, k, status);
@@ -339,8 +342,8 @@ impl TracedStep<'_, '_> {
                 PocketEvent::Becomes(status) => {
                     self.trace.now.fluid[k] = PocketTrace::changed(self.problem, &self.trace.now, k, status);
                 }
-                PocketEvent::LetsOff if self.accuracy.lets_off == LetsOff::AtItsEnd => {}
-                PocketEvent::LetsOff => return Err(Stop::LetsOff { share: self.share }),
+                PocketEvent::Releases if self.accuracy.at_release == AtRelease::Continue => {}
+                PocketEvent::Releases => return Err(Stop::AtRelease { share: self.share }),
             }
         }
         Ok(())

@@ -27,8 +27,8 @@ fn followed(
         missed: &|| missed.to_vec(),
         allowed: &|_| allowed,
         outside,
-        loud: 0.0,
-        lets_off: LetsOff::There,
+        release_excess: 0.0,
+        at_release: AtRelease::EndStep,
     };
     let mut trace = Trace::default();
     let followed = follow(&problem, &mut faces, current, SCALE, accuracy, &mut trace);
@@ -146,8 +146,8 @@ fn a_way_without_next_change_is_lost_where_it_ends() {
         missed: &|| vec![0.0; 2],
         allowed: &|_| 1.0,
         outside,
-        loud: 0.0,
-        lets_off: LetsOff::There,
+        release_excess: 0.0,
+        at_release: AtRelease::EndStep,
     };
     let scale = FaceScale { jump: 1.0, force: 1.0 };
     let lost = follow(&problem, &mut faces, &current, scale, accuracy, &mut Trace::default()).err().unwrap();

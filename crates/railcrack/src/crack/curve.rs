@@ -174,7 +174,7 @@ impl CrackCurve {
     }
 
     /// Arc length (mm) from the first point to point `i` of the crack.
-    pub(crate) fn from_first(&self, i: usize) -> f64 {
+    pub(crate) fn arc_length_at(&self, i: usize) -> f64 {
         self.from_first[i]
     }
 

@@ -239,7 +239,7 @@ fn junction_points(cracks: &[Crack], junctions: &[Junction]) -> Vec<JunctionPoin
         } else if vertex == receiving.segment_count() {
             point.ends.push(CrackEnd { crack, end: End::Last });
         } else {
-            let s = CrackCurve::new(receiving).from_first(vertex);
+            let s = CrackCurve::new(receiving).arc_length_at(vertex);
             point.through = Some(Passing { crack, vertex, s });
         }
     }

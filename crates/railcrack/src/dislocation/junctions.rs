@@ -96,7 +96,7 @@ pub(super) fn cores(
                 ArmDirection::Towards => arm.vertex - 1,
                 ArmDirection::Away => arm.vertex + 1,
             };
-            let segment = (curve.from_first(arm.vertex) - curve.from_first(next)).abs();
+            let segment = (curve.arc_length_at(arm.vertex) - curve.arc_length_at(next)).abs();
             (CORE * element(arm.crack, curve.vertices()[arm.vertex])).min(VERTEX_SHARE * segment)
         };
         let radius = arms.iter().map(largest).fold(f64::INFINITY, f64::min);

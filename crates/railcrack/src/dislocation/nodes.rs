@@ -70,9 +70,11 @@ pub(super) fn nodes<'a>(
     let coarseness = FaceResolution::default().elements as f64 / resolution.elements.max(4) as f64;
     let place = |i: usize| match core_at(i) {
         Some(core) => Some(core_place(curve, vertices[i], i, core)),
-        None if i == 0 || i == segments => {
-            Some(GradingCentre { s: curve.from_first(i), element: f64::INFINITY, nodes: vec![vertices[i]] })
-        }
+        None if i == 0 || i == segments => Some(GradingCentre {
+            s: curve.arc_length_at(i),
+            element: f64::INFINITY,
+            nodes: vec![vertices[i]],
+        }),
         None => kink_place(curve, i, regular_element(curve, resolution, vertices[i])),
     };
     let places: Vec<GradingCentre> = (0..=segments).filter_map(place).collect();
@@ -129,8 +131,8 @@ pub(super) fn nodes<'a>(
 fn kink_place(curve: &CrackCurve, i: usize, element: f64) -> Option<GradingCentre> {
     let angle = curve.turn(i);
     (angle > SMALL_KINK).then(|| {
-        let s = curve.from_first(i);
-        let neighbours = (s - curve.from_first(i - 1)).min(curve.from_first(i + 1) - s);
+        let s = curve.arc_length_at(i);
+        let neighbours = (s - curve.arc_length_at(i - 1)).min(curve.arc_length_at(i + 1) - s);
         let across = (element * (KINK_ELEMENT / angle).min(0.5)).min(0.2 * neighbours);
         GradingCentre {
             s,
@@ -142,7 +144,7 @@ fn kink_place(curve: &CrackCurve, i: usize, element: f64) -> Option<GradingCentr
 
 /// The nodes of `core` at point `i`, whose parameter is `g`.
 fn core_place(curve: &CrackCurve, g: f64, i: usize, core: &Core) -> GradingCentre {
-    let s = curve.from_first(i);
+    let s = curve.arc_length_at(i);
     let mut nodes = Vec::new();
     if i > 0 {
         nodes.extend([curve.g(s - core.radius), curve.g(s - core.inner()), g]);

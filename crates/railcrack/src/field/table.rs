@@ -81,7 +81,7 @@ impl Wheel for TableWheel {
     }
 
     /// 2G (u_x + i u_y) = κ φ(z) + φ(z̄) − (z − z̄) conj Φ(z), φ = ∫ Φ dz, as for
-    /// [`super::HertzDisplacement`].
+    /// `HertzDisplacement`.
     fn displacement(&self, point: Vec2, xc: f64) -> Vec2 {
         let (x, y) = self.place(point, xc);
         let [p, q] = self.potential.integrals(x, y);

@@ -30,6 +30,7 @@ mod stops;
 mod surface;
 mod warning;
 mod warnings;
+mod wheel_shares;
 
 pub use advance::Advance;
 pub use cycles::Interval;
@@ -41,7 +42,6 @@ pub use geometry::{Geometry, PlaneGeometry, SpaceGeometry};
 pub use growth_loop::Growth;
 pub use judge::TipJudge;
 pub use maintenance::{Grinding, Maintenance, StressMoves};
-pub use mix::{MOST_WHEELS, WheelShares};
 pub use mover::Mover;
 pub use observer::{Observer, Unobserved};
 pub use passage_record::{FaceRecord, PassageRecord, SolverCounts};
@@ -57,6 +57,7 @@ pub use stop::{BreakOut, RunStop, TipStop};
 pub use surface::{EarlierRates, WornSurface};
 pub use warning::{Warning, WarningKind};
 pub use warnings::NEAR_TIE;
+pub use wheel_shares::{MOST_WHEELS, WheelShares};
 
 pub(crate) use maintenance::Uncovered;
 pub(crate) use mix::{MixedTip, WheelDemand, WithoutProgress, compared_k1, under_each_wheel};

@@ -1,5 +1,6 @@
 //! Line contact of wheel on rail in partial slip.
 
+use super::contact_kind::{ContactKind, LineContact};
 use super::{HertzianContact, Travel};
 use crate::math::OutOfRange;
 use std::f64::consts::PI;
@@ -92,10 +93,46 @@ impl CarterContact {
         let partial = self.traction != 0.0 && self.traction.abs() < 1.0 && self.friction > 0.0;
         if partial { vec![-a, slip_begins, a] } else { vec![-a, a] }
     }
+
+    /// The mirror image: of a wheel that runs the other way.
+    #[must_use]
+    pub fn mirrored(&self) -> Self {
+        Self { traction: -self.traction, travel: self.travel.opposite(), ..*self }
+    }
 }
 
 fn half_ellipse(x: f64) -> f64 {
     ((1.0 - x) * (1.0 + x)).max(0.0).sqrt()
+}
+
+impl LineContact for CarterContact {
+    fn kind(&self) -> ContactKind {
+        ContactKind::Carter
+    }
+
+    fn checked(&self) -> Result<(), OutOfRange> {
+        self.check()
+    }
+
+    fn highest_pressure(&self) -> f64 {
+        self.peak_pressure
+    }
+
+    fn half_extent(&self) -> f64 {
+        self.half_width
+    }
+
+    fn normal_force(&self) -> f64 {
+        self.line_load()
+    }
+
+    fn force_ratio(&self) -> f64 {
+        self.traction * self.friction
+    }
+
+    fn shear_ratio(&self) -> f64 {
+        if self.traction == 0.0 { 0.0 } else { self.friction }
+    }
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! Wheel–rail contact given by a table of pressure and shear.
 
+use super::contact_kind::{ContactKind, LineContact};
 use crate::math::OutOfRange;
 use thiserror::Error;
 
@@ -170,6 +171,41 @@ fn check_row(
     let Some(friction) = friction else { return Ok(()) };
     let most = friction * (pressure + ROUNDING * peak);
     OutOfRange::unless(shear.abs() <= most, "q_mpa", shear, "at most the given friction times p_mpa")
+}
+
+impl LineContact for TableContact {
+    fn kind(&self) -> ContactKind {
+        ContactKind::Table
+    }
+
+    fn checked(&self) -> Result<(), OutOfRange> {
+        // It is checked where it is made.
+        Ok(())
+    }
+
+    fn highest_pressure(&self) -> f64 {
+        self.peak_pressure()
+    }
+
+    fn half_extent(&self) -> f64 {
+        self.half_width()
+    }
+
+    fn offset(&self) -> f64 {
+        self.middle()
+    }
+
+    fn normal_force(&self) -> f64 {
+        self.line_load()
+    }
+
+    fn force_ratio(&self) -> f64 {
+        self.shear_load() / self.line_load()
+    }
+
+    fn shear_ratio(&self) -> f64 {
+        self.largest_friction()
+    }
 }
 
 #[cfg(test)]

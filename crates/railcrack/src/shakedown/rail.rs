@@ -63,33 +63,31 @@ impl RolledRail {
 
     /// First yield under the contact. Errors: an invalid contact.
     pub fn first_yield(&self) -> Result<FirstYield, ShakedownError> {
-        match &self.contact {
-            Contact::Hertz(contact) => Ok(first_yield_ratio(contact.friction, self.steel.poisson())),
-            contact => Ok(self.bounds_of(contact, |bounds| bounds.first_yield())?),
+        match self.contact.sliding() {
+            Some(contact) => Ok(first_yield_ratio(contact.friction, self.steel.poisson())),
+            None => Ok(self.bounds_of(|bounds| bounds.first_yield())?),
         }
     }
 
     /// The limit of elastic shakedown under the contact. Errors: an invalid contact.
     pub fn shakedown_limit(&self) -> Result<ShakedownLimit, ShakedownError> {
-        match &self.contact {
-            Contact::Hertz(contact) => Ok(shakedown_limit_ratio(contact.friction, self.steel.poisson())),
-            contact => Ok(self.bounds_of(contact, |bounds| bounds.shakedown_limit())?),
+        match self.contact.sliding() {
+            Some(contact) => Ok(shakedown_limit_ratio(contact.friction, self.steel.poisson())),
+            None => Ok(self.bounds_of(|bounds| bounds.shakedown_limit())?),
         }
     }
 
     /// First yield and shakedown limit at each of `depths_over_a`. Errors: an invalid contact.
     pub fn bounds_by_depth(&self, depths_over_a: &[f64]) -> Result<Vec<DepthBounds>, ShakedownError> {
-        match &self.contact {
-            Contact::Hertz(contact) => {
-                Ok(bounds_by_depth(contact.friction, self.steel.poisson(), depths_over_a))
-            }
-            contact => Ok(self.bounds_of(contact, |bounds| bounds.by_depth(depths_over_a))?),
+        match self.contact.sliding() {
+            Some(contact) => Ok(bounds_by_depth(contact.friction, self.steel.poisson(), depths_over_a)),
+            None => Ok(self.bounds_of(|bounds| bounds.by_depth(depths_over_a))?),
         }
     }
 
-    fn bounds_of<T>(&self, contact: &Contact, of: impl FnOnce(&ContactBounds) -> T) -> Result<T, OutOfRange> {
-        let wheel = alone(contact, &self.steel)?;
-        Ok(of(&ContactBounds::new(contact, wheel.as_ref())))
+    fn bounds_of<T>(&self, of: impl FnOnce(&ContactBounds) -> T) -> Result<T, OutOfRange> {
+        let wheel = alone(&self.contact, &self.steel)?;
+        Ok(of(&ContactBounds::new(&self.contact, wheel.as_ref())))
     }
 
     /// The field of the contact. Errors: an invalid contact.

@@ -294,9 +294,9 @@ fn nodes(mesh: &QuadMesh, curve: &CrackCurve, joined: &[usize], spacing: Option<
         .map(|(_, g)| TIP_STEP * curve.root_slope() * chord(g).sqrt())
         .fold(f64::INFINITY, f64::min);
     let place = |i: usize| {
-        let s = curve.from_first(i);
-        let before = if i > 0 { s - curve.from_first(i - 1) } else { f64::INFINITY };
-        let after = if i < segments { curve.from_first(i + 1) - s } else { f64::INFINITY };
+        let s = curve.arc_length_at(i);
+        let before = if i > 0 { s - curve.arc_length_at(i - 1) } else { f64::INFINITY };
+        let after = if i < segments { curve.arc_length_at(i + 1) - s } else { f64::INFINITY };
         let gap = before.min(after);
         let g = vertices[i];
         if joined.contains(&i) {

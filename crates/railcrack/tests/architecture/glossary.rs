@@ -10,13 +10,22 @@ use std::path::Path;
 const MODULES_OF_TERMS: [&str; 5] = ["contact", "fatigue", "growth", "plane", "space"];
 
 /// Public types of these modules that are not terms, and why.
-const NOT_TERMS: [(&str, &str); 7] = [
+const NOT_TERMS: [(&str, &str); 16] = [
     ("CloseCracks", "content of an error"),
     ("NotConverged", "an error"),
+    ("BodyReport", "size and cost of a body, columns of a summary"),
+    ("CheckValue", "part of the declaration of a law"),
+    ("Constant", "part of the declaration of a law"),
+    ("CracksInSpace", "the cracks of a step with their body"),
     ("EarlierRates", "argument of the Adams-Bashforth rule"),
     ("FaceRecord", "rows of faces.csv, whose columns are in the glossary"),
-    ("FaceScale", "reference values of tolerances"),
+    ("KnownEnds", "what a rail keeps from step to step"),
+    ("LawConstants", "part of the declaration of a law"),
+    ("LawInput", "part of the declaration of a law"),
+    ("OwnRange", "part of the declaration of a law"),
+    ("PlaneBody", "the cracks of a step with their body"),
     ("StepReport", "counts of a solver"),
+    ("StepStart", "step number and load cycles"),
     ("StepSolver", "state of a contact solver on one body"),
 ];
 

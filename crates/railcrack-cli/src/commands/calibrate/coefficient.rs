@@ -19,31 +19,26 @@ fn refuse_text(arguments: &CalibrateArguments, reason: &str) -> Failure {
     Failure::Calibration { reason: format!("{}: {reason}", arguments.case.display()) }
 }
 
-/// Keys of the coefficient of each law.
-const COEFFICIENTS: [&str; 5] = ["paris_c", "bold_c", "walker_c", "forman_c", "nasgro_c"];
-
 /// Computes the case, fits, writes the folder and prints the result.
 pub fn calibrate(arguments: &CalibrateArguments) -> Result<Exit, Failure> {
     let case = Case::read(&arguments.case)?;
     let Some(tonnes) = case.axle_load else {
         let reason = "a calibration over tonnes needs axle_load_t, in [traffic] or of every [[wheel]]";
-        return Err(Failure::Calibration { reason: format!("{}: {reason}", arguments.case.display()) });
+        return Err(refuse_text(arguments, reason));
     };
-    let file = arguments.measured.display().to_string();
-    let text = std::fs::read_to_string(&arguments.measured)
-        .map_err(|reason| Failure::Calibration { reason: format!("{file}: cannot be read: {reason}") })?;
     let refuse = |error: CalibrationError| Failure::Calibration { reason: error.to_string() };
-    let (measure, measured) = read_measured(&file, &text).map_err(refuse)?;
+    let (measure, measured) = read_measured(&arguments.measured)?;
     if let Some(key) = &arguments.parameter {
         return calibrate_parameter(arguments, &case, key, (measure, &measured));
     }
+    let coefficient = case.coefficient().map_err(|error| refuse_text(arguments, &error.to_string()))?;
     if case.maintenance.is_some() {
-        let reason = "with [maintenance] tonnages are not in proportion to 1/C: --parameter growth.paris_c fits it by runs";
-        return Err(refuse_text(arguments, reason));
+        let reason = format!(
+            "with [maintenance] tonnages are not in proportion to 1/C: --parameter growth.{} fits it by runs",
+            coefficient.key
+        );
+        return Err(refuse_text(arguments, &reason));
     }
-    let (key, coefficient) = coefficient(&case.to_toml()).ok_or_else(|| Failure::Calibration {
-        reason: "[growth]: a steel or a table has no coefficient to fit; give law and constants".to_owned(),
-    })?;
     let folder = arguments.out.clone().unwrap_or_else(|| default_folder(&arguments.case));
     if is_same_file(&arguments.case, &folder.join("case.toml")) {
         return Err(Failure::CaseInRunFolder { path: arguments.case.clone() });
@@ -59,8 +54,7 @@ pub fn calibrate(arguments: &CalibrateArguments) -> Result<Exit, Failure> {
     }
     let rows = deepest(&RunFolder::open(&folder).and_then(|run| run.growth()).map_err(from_output)?);
     let calibration = fit(&rows, tonnes, measure, &measured).map_err(refuse)?;
-    let fitted = coefficient * calibration.factor;
-    write(&folder, "calibration.csv", &table(&calibration, measure, coefficient))?;
+    write(&folder, "calibration.csv", &table(&calibration, measure, coefficient.value))?;
     write(
         &folder,
         "calibration.svg",
@@ -72,20 +66,12 @@ pub fn calibrate(arguments: &CalibrateArguments) -> Result<Exit, Failure> {
             &[("case", &rows, 1.0), ("fitted", &rows, calibration.factor)],
         ),
     )?;
-    let old = format!("{key} = {coefficient:?}");
-    write(&folder, "calibrated.toml", &case.to_toml().replacen(&old, &format!("{key} = {fitted:?}"), 1))?;
-    print::stdout(&told(&calibration, key, coefficient, measured.len()))?;
+    print::stdout(&told(&calibration, coefficient.key, coefficient.value, measured.len()))?;
+    let fitted = coefficient.overrides(coefficient.value * calibration.factor);
+    let fitted = Case::read_with(&arguments.case, &fitted)?;
+    write(&folder, "calibrated.toml", &fitted.to_toml())?;
     print::stdout(&format!("results in {}\n", folder.display()))?;
     Ok(Exit::Done)
-}
-
-/// The coefficient that a stored case has, with its key.
-fn coefficient(toml: &str) -> Option<(&'static str, f64)> {
-    let of = |key: &'static str| {
-        let value = toml.lines().find_map(|line| line.strip_prefix(key)?.strip_prefix(" = "))?;
-        Some((key, value.parse().ok()?))
-    };
-    COEFFICIENTS.into_iter().find_map(of)
 }
 
 fn table(calibration: &Calibration, measure: Measure, coefficient: f64) -> String {

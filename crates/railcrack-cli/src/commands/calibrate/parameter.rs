@@ -35,11 +35,7 @@ pub(super) fn calibrate_parameter(
     (measure, measured): (Measure, &[Measured]),
 ) -> Result<Exit, Failure> {
     let refuse = |reason: String| Failure::Calibration { reason };
-    let value = value_of(&case.to_toml(), key).ok_or_else(|| {
-        refuse(format!(
-            "`--parameter {key}`: the case has no such number; `crack.friction` and `wheel[1].share` are some"
-        ))
-    })?;
+    let value = case.number(key).map_err(|error| refuse(format!("--parameter {error}")))?;
     let doubled = if value < 0.0 { (2.0 * value, 0.5 * value) } else { (0.5 * value, 2.0 * value) };
     let (low, high) = arguments.between.unwrap_or(doubled);
     if low >= high {
@@ -150,33 +146,6 @@ fn trial_folder(folder: &Path, number: usize) -> PathBuf {
     folder.with_file_name(name).join(format!("{number:03}"))
 }
 
-/// The number `key`, `section.key` or `section[2].key`, of a stored case; of a section that repeats
-/// that of the first one.
-fn value_of(toml: &str, key: &str) -> Option<f64> {
-    let (section, name) = key.rsplit_once('.')?;
-    let (section, wanted) = match section.split_once('[') {
-        Some((outer, rest)) => {
-            let (number, inner) = rest.split_once(']')?;
-            (format!("{outer}{inner}"), number.parse().ok()?)
-        }
-        None => (section.to_owned(), 1),
-    };
-    let mut count = 0;
-    let mut is_there = false;
-    for line in toml.lines() {
-        if line.starts_with('[') {
-            is_there = line.trim_matches(['[', ']']) == section;
-            count += usize::from(is_there);
-        } else if let Some(value) = line.strip_prefix(name).and_then(|rest| rest.strip_prefix(" = "))
-            && is_there
-            && count == wanted
-        {
-            return value.parse().ok();
-        }
-    }
-    None
-}
-
 fn explained(error: &CalibrationError, key: &str, (low, high): (f64, f64)) -> String {
     match error {
         CalibrationError::NothingToCompare { .. } => format!(
@@ -226,20 +195,5 @@ fn number(value: f64) -> String {
         format!("{value:.4}")
     } else {
         format!("{value:.4e}")
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_of_a_stored_case() {
-        let toml = "[contact]\nfriction = 0.1\n\n[[crack]]\nfriction = 0.3\n\n[[crack]]\nfriction = 0.5\n";
-        assert_eq!(value_of(toml, "contact.friction"), Some(0.1));
-        assert_eq!(value_of(toml, "crack.friction"), Some(0.3));
-        assert_eq!(value_of(toml, "crack[2].friction"), Some(0.5));
-        assert_eq!(value_of(toml, "crack[3].friction"), None);
-        assert_eq!(value_of("[wheel.contact]\nfriction = 1\n", "wheel[1].contact.friction"), Some(1.0));
     }
 }

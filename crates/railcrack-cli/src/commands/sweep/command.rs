@@ -103,6 +103,7 @@ fn compute(arguments: &SweepArguments) -> Result<Exit, Failure> {
         engine: arguments.engine.clone(),
         contact: arguments.contact.clone(),
         settings: arguments.set.set.clone(),
+        ..Overrides::default()
     };
     let samples = arguments.table.as_deref().map(SampleTable::read).transpose()?;
     let study = input::study(&arguments.study, &overrides, samples.as_ref())?;

@@ -1,23 +1,23 @@
 //! Sealing of fluid in pockets, and its release along open faces.
 
-use super::pressure::{content, is_empty, way_out};
+use super::pressure::{content, has_open_path, is_empty};
 use super::{FaceSolution, LoadPath, PocketState, PocketStatus, Stepper, SteppingError};
 
 /// Excess of the pressure on open faces over that at the mouth at which fluid is released, over the
 /// tolerance times the largest pressure so far. Without this threshold fluid could leave in ever
 /// smaller portions.
-const LOUD: f64 = 0.5;
+const RELEASE_EXCESS: f64 = 0.5;
 /// Share of that threshold that suffices at the end of a step that was meant to end beyond it.
 const ALMOST: f64 = 0.9;
 
 /// A constant load under which the pressure of pockets changes from one value to another.
-struct LettingOff {
+struct PressureChange {
     load: Vec<f64>,
     /// First and last pressure of each pocket, MPa.
     pressures: Vec<[f64; 2]>,
 }
 
-impl LoadPath for LettingOff {
+impl LoadPath for PressureChange {
     fn nodal_forces(&self, _: f64) -> Vec<f64> {
         self.load.clone()
     }
@@ -45,7 +45,7 @@ impl Stepper<'_> {
         k: usize,
         accepted: &mut dyn FnMut(&FaceSolution, &[f64]),
     ) -> Result<(), SteppingError> {
-        self.let_off(k, 0.0, accepted)?;
+        self.change_pressure(k, 0.0, accepted)?;
         self.outside[k] = 0.0;
         self.set_pocket(k, PocketState::FREE);
         Ok(())
@@ -53,7 +53,7 @@ impl Stepper<'_> {
 
     /// Changes the pressure of pocket `k` to `to` (MPa) under the present load. The faces follow
     /// the pressure event by event, like a load, because friction makes the result path-dependent.
-    fn let_off(
+    fn change_pressure(
         &mut self,
         k: usize,
         to: f64,
@@ -68,7 +68,7 @@ impl Stepper<'_> {
             let (at, outside) = (self.at, self.outside.clone());
             self.outside[k] = from;
             self.begin(0.0);
-            let path = LettingOff { load: self.load.clone(), pressures };
+            let path = PressureChange { load: self.load.clone(), pressures };
             let result = self.advance(&path, 1.0, accepted);
             self.begin(at);
             self.outside = outside;
@@ -84,7 +84,7 @@ impl Stepper<'_> {
 
     /// Releases fluid that is above the pressure over the mouth and has an open path to it, and the
     /// pressure of pockets without fluid.
-    pub(super) fn let_off_all(
+    pub(super) fn release_all(
         &mut self,
         accepted: &mut dyn FnMut(&FaceSolution, &[f64]),
     ) -> Result<(), SteppingError> {
@@ -94,11 +94,14 @@ impl Stepper<'_> {
         for k in 0..self.current.fluid.len() {
             let state = self.current.fluid[k];
             let outside = self.outside[k];
-            let loud = state.pressure > outside + ALMOST * self.loud();
-            if state.status == PocketStatus::Sealed && loud && way_out(self.problem, &self.current, k) {
-                self.let_off(k, outside, accepted)?;
+            let exceeds = state.pressure > outside + ALMOST * self.release_excess();
+            if state.status == PocketStatus::Sealed
+                && exceeds
+                && has_open_path(self.problem, &self.current, k)
+            {
+                self.change_pressure(k, outside, accepted)?;
                 // Pockets that have closed in the meantime keep the remaining fluid.
-                let open = way_out(self.problem, &self.current, k);
+                let open = has_open_path(self.problem, &self.current, k);
                 let status = if open { PocketStatus::Leaking } else { PocketStatus::Sealed };
                 let content = content(self.problem, &self.current, k);
                 self.set_pocket(k, PocketState { status, content, ..self.current.fluid[k] });
@@ -106,7 +109,7 @@ impl Stepper<'_> {
                 continue;
             }
             if is_empty(self.problem, &self.current, self.largest, k) {
-                self.let_off(k, 0.0, accepted)?;
+                self.change_pressure(k, 0.0, accepted)?;
                 let dry = PocketState { status: PocketStatus::Cavity, pressure: 0.0, content: 0.0 };
                 self.set_pocket(k, dry);
             }
@@ -115,7 +118,7 @@ impl Stepper<'_> {
     }
 
     /// Excess of a pressure (MPa) over that outside at which fluid is released.
-    pub(super) fn loud(&self) -> f64 {
-        LOUD * self.tolerance * self.largest_pressure
+    pub(super) fn release_excess(&self) -> f64 {
+        RELEASE_EXCESS * self.tolerance * self.largest_pressure
     }
 }
