@@ -71,10 +71,4 @@ impl<'a> SetupResults<'a> {
         };
         runs.filter_map(sentence).collect()
     }
-
-    /// The curves of `figure` with their runs.
-    pub fn of_figure(self, figure: u8) -> impl Iterator<Item = (&'static PaperCurve, &'a CaseRun)> {
-        let curves = CURVES.iter().filter(move |curve| curve.figures.contains(&figure));
-        curves.filter_map(move |curve| Some((curve, self.run(curve.name)?)))
-    }
 }

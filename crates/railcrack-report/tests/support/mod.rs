@@ -123,7 +123,7 @@ pub fn step(size: Size, step: usize) -> (StepRecord, GrowthState) {
     let record = StepRecord {
         step,
         tips,
-        beside: Vec::new(),
+        other_wheels: Vec::new(),
         passages: vec![passage(0), passage(1)],
         faces: faces(size, &now, &xc),
         fields: step.is_multiple_of(2).then(|| fields(step)),

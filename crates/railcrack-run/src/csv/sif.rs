@@ -78,7 +78,7 @@ impl SifRow {
         scale: SifScale,
         half_widths: &'a [f64],
     ) -> impl Iterator<Item = Self> + 'a {
-        let all = std::iter::once(&record.passages).chain(&record.beside).enumerate();
+        let all = std::iter::once(&record.passages).chain(&record.other_wheels).enumerate();
         all.flat_map(move |(i, passages)| {
             let half_width = half_widths.get(i).copied().unwrap_or(scale.half_width);
             Self::under(record, passages, i + 1, SifScale { half_width, ..scale })

@@ -62,7 +62,7 @@ pub(crate) struct Present {
 fn largest_k1_at(record: &StepRecord) -> Option<f64> {
     let k1 = |tip: &TipRecord| tip.largest_k1.map_or(0.0, |largest| largest.k1);
     let (tip, opened) = record.tips.iter().enumerate().max_by(|a, b| k1(a.1).total_cmp(&k1(b.1)))?;
-    let other = opened.opened_by.checked_sub(1).and_then(|i| record.beside.get(i));
+    let other = opened.opened_by.checked_sub(1).and_then(|i| record.other_wheels.get(i));
     let passage = other.unwrap_or(&record.passages).last()?;
     let samples = passage.sifs.get(tip)?.clone();
     passage.xc.get(LargestK1::of(&SifHistory { samples })?.sample).copied()

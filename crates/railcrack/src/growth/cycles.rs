@@ -3,27 +3,27 @@
 use super::Mover;
 use serde::{Deserialize, Serialize};
 
-/// An increment whose cycles are known once the rate at its end is.
+/// An increment whose number of cycles follows once the rate at its end is known.
 ///
 /// The number of cycles is the integral of da/(da/dN) along the path of the fastest mover, and the
-/// rate is known at both ends of an increment: ΔN = Δa/2 (1/r_start + 1/r_end), which is of second
-/// order in the increment. With the rate at the start alone, ΔN is of first order, and some per
-/// cent too many at the default increment.
+/// rate is known at both ends of an increment: ΔN = Δa/2 (1/r_start + 1/r_end), which is
+/// second-order accurate in the increment. The rate at the start alone gives only first-order
+/// accuracy, and at the default increment it overestimates ΔN by a few per cent.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Interval {
     /// The tip or motion that set the pace, with its rate at the start.
     pub mover: Mover,
-    /// Δa over that rate: cycles by the rate at the start alone.
+    /// Δa over that rate: the cycles given by the rate at the start alone.
     pub cycles: f64,
-    /// Whether the increment was shortened to end on a number of cycles: it has that number.
+    /// Whether the increment was shortened to end at a given number of cycles, which is then final.
     pub is_settled: bool,
 }
 
 impl Interval {
-    /// Cycles from its start to its end, where the movers are `movers`. Where the one that set the
-    /// pace is gone, or slower than `slowest` (mm per cycle), the rate at the start counts alone.
-    #[must_use]
-    pub fn cycles_until(&self, movers: &[Mover], slowest: f64) -> f64 {
+    /// Cycles from its start to its end, where the movers are `movers`. If the mover that set the
+    /// pace no longer exists, or is slower than `slowest` (mm per cycle), only the rate at the
+    /// start counts.
+    pub(crate) fn cycles_until(&self, movers: &[Mover], slowest: f64) -> f64 {
         let end = movers.iter().find(|mover| mover.is(&self.mover)).map(|mover| mover.rate);
         match end.filter(|rate| *rate > 0.0 && *rate >= slowest && !self.is_settled) {
             Some(rate) => 0.5 * self.cycles * (1.0 + self.mover.rate / rate),

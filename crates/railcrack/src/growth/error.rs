@@ -19,7 +19,7 @@ pub enum GrowthError {
     /// The observer interrupted the step; the state before it is intact.
     #[error("interrupted at step {step}")]
     Interrupted {
-        /// The step that was given up.
+        /// The step that was abandoned.
         step: usize,
     },
     /// The engine cannot represent the cracks.
@@ -35,17 +35,17 @@ pub enum GrowthError {
     Passage {
         /// The step.
         step: usize,
-        /// Where and how.
+        /// The position and the failure.
         source: PassageError,
     },
-    /// A state of cracks in the plane given to a run in space, or the other way round.
-    #[error("step {step}: the state holds cracks {found}, and the engine computes cracks {wanted}")]
+    /// A state with cracks in the plane given to a run in space, or vice versa.
+    #[error("step {step}: the state contains cracks {found}, but the engine computes cracks {wanted}")]
     Geometry {
         /// The step.
         step: usize,
-        /// What the state holds.
+        /// The kind of cracks in the state.
         found: &'static str,
-        /// What the engine computes.
+        /// The kind of cracks that the engine computes.
         wanted: &'static str,
     },
     /// The cracks have run into each other.
@@ -53,7 +53,7 @@ pub enum GrowthError {
     Network {
         /// The step.
         step: usize,
-        /// Which of them.
+        /// The cracks concerned.
         source: NetworkError,
     },
 }

@@ -4,20 +4,20 @@ use crate::body::FieldGrid;
 use crate::math::{Stress, Vec2};
 use std::num::NonZeroUsize;
 
-/// Where and when fields are wanted.
+/// Wheel positions and steps for which fields are recorded.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FieldSettings {
-    /// Wheel positions x_c, mm: of each, the nearest output position of the stabilised passage is
-    /// taken.
+    /// Wheel positions x_c, mm; each is replaced by the nearest output position of the stabilised
+    /// passage.
     pub positions: Vec<f64>,
-    /// Every how many steps, step 0 the first.
+    /// Interval between recorded steps, beginning with step 0.
     pub every: NonZeroUsize,
 }
 
 /// The fields of one step.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FieldRecord {
-    /// Where they are known.
+    /// The points at which they are known.
     pub grid: FieldGrid,
     /// One per wheel position, in the order of travel.
     pub snapshots: Vec<FieldSnapshot>,
@@ -30,10 +30,11 @@ pub struct FieldSnapshot {
     pub position: usize,
     /// x_c, mm.
     pub xc: f64,
-    /// Displacement at each point of the grid, mm. Residual stress has none.
+    /// Displacement at each point of the grid, mm; residual stress contributes nothing to it.
     pub displacement: Vec<Vec2>,
     /// Stress at each point of the grid, MPa.
     pub stress: Vec<Stress>,
-    /// At the points of the crack faces, what the opposite face exerts, MPa; zero elsewhere.
+    /// At points of the crack faces, the traction exerted by the opposite face, MPa; zero
+    /// elsewhere.
     pub traction: Vec<Vec2>,
 }

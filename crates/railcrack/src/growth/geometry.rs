@@ -18,14 +18,14 @@ pub enum Geometry {
 pub struct PlaneGeometry {
     /// The cracks.
     pub cracks: Vec<Crack>,
-    /// Where they have joined each other.
+    /// Junctions between them.
     pub junctions: Vec<Junction>,
-    /// Tips that have broken out.
+    /// Tips that have broken out at the surface.
     pub break_outs: Vec<BreakOut>,
     /// `stopped[crack][tip]`: why a tip no longer grows; the tips of a crack are its ends below the
-    /// surface, joined ones counted.
+    /// surface, including those that have joined another crack.
     pub stopped: Vec<Vec<Option<TipStop>>>,
-    /// `deferred[crack][tip]`: growth that is not in the cracks yet.
+    /// `deferred[crack][tip]`: growth that has not been added to the cracks yet.
     pub deferred: Vec<Vec<DeferredGrowth>>,
 }
 
@@ -34,14 +34,15 @@ pub struct PlaneGeometry {
 pub struct SpaceGeometry {
     /// Their shapes.
     pub shapes: Vec<FrontShape>,
-    /// The line of each down the dip through its middle, projected on the plane of the rail.
+    /// The line down the dip through the middle of each crack, projected onto the plane of the
+    /// rail.
     pub sections: Vec<Crack>,
-    /// Why each no longer grows.
+    /// Why each crack no longer grows, if it has stopped.
     pub stopped: Vec<Option<TipStop>>,
 }
 
 impl PlaneGeometry {
-    /// `network`, none of whose tips has stopped.
+    /// The geometry of `network` at the start of a run, with all tips free to grow.
     #[must_use]
     pub fn initial(network: &CrackNetwork) -> Self {
         let tips = || network.cracks().iter().map(|crack| crack.tips().len());
@@ -54,15 +55,14 @@ impl PlaneGeometry {
         }
     }
 
-    /// Growth at the tips of crack `crack` (from 0) that is not in it yet, mm.
-    #[must_use]
-    pub fn deferred_at(&self, crack: usize) -> f64 {
+    /// Growth at the tips of crack `crack` (from 0) that has not been added to it yet, mm.
+    pub(crate) fn deferred_at(&self, crack: usize) -> f64 {
         self.deferred[crack].iter().map(|deferred| deferred.length).sum()
     }
 }
 
 impl Geometry {
-    /// The cracks as polylines, of cracks in space their sections.
+    /// The cracks as polylines; cracks in space are given by their sections.
     #[must_use]
     pub fn cracks(&self) -> &[Crack] {
         match self {
@@ -71,7 +71,7 @@ impl Geometry {
         }
     }
 
-    /// Where cracks have joined each other; nowhere in space.
+    /// Junctions between cracks; in space there are none.
     #[must_use]
     pub fn junctions(&self) -> &[Junction] {
         match self {
@@ -80,7 +80,7 @@ impl Geometry {
         }
     }
 
-    /// Cracks in space; none in the plane.
+    /// The cracks in space; `None` for cracks in the plane.
     #[must_use]
     pub fn space(&self) -> Option<&SpaceGeometry> {
         match self {
@@ -89,9 +89,8 @@ impl Geometry {
         }
     }
 
-    /// Whether the tip, or the crack of a front point, stopped in an earlier step.
-    #[must_use]
-    pub fn has_stopped(&self, tip: CrackTip) -> bool {
+    /// Whether the tip, or the crack to which a front point belongs, stopped in an earlier step.
+    pub(crate) fn has_stopped(&self, tip: CrackTip) -> bool {
         let stop = match self {
             Self::Plane(plane) => plane.stopped.get(tip.crack).and_then(|tips| tips.get(tip.tip)).copied(),
             Self::Space(space) => space.stopped.get(tip.crack).copied(),
@@ -99,8 +98,8 @@ impl Geometry {
         stop.flatten().is_some()
     }
 
-    /// The length (mm) of every crack: in the plane along the polyline with the deferred growth of
-    /// its tips, in space the half axis down the dip.
+    /// The length (mm) of every crack: in the plane the length of the polyline plus the deferred
+    /// growth of its tips, in space the half-axis down the dip.
     #[must_use]
     pub fn lengths(&self) -> Vec<f64> {
         match self {

@@ -11,7 +11,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 /// A run over growth steps, in the plane or in space. [`Growth::next_step`] computes one step;
-/// [`Growth::state`] is what to store after it.
+/// [`Growth::state`] is the state to store after it.
 pub struct Growth<R> {
     rail: R,
     judge: Option<Arc<dyn TipJudge>>,
@@ -19,30 +19,31 @@ pub struct Growth<R> {
 }
 
 impl<R: CrackedRail> Growth<R> {
-    /// A run with the cracks of `rail` from `state` on.
+    /// A run with the cracks of `rail` that continues from `state`.
     pub fn new(rail: R, state: GrowthState) -> Self {
         Self { rail, judge: None, state }
     }
 
-    /// Has `judge` give direction and rate of every tip; of a front point in space, its rate.
+    /// Lets `judge` determine the direction and rate of every tip, and the rate of every front
+    /// point in space.
     #[must_use]
     pub fn judged_by(self, judge: Arc<dyn TipJudge>) -> Self {
         Self { judge: Some(judge), ..self }
     }
 
-    /// The state after the last computed step: give it to a new run to go on from there.
+    /// The state after the last computed step, from which a new run can continue.
     pub fn state(&self) -> &GrowthState {
         &self.state
     }
 
-    /// Computes the next step; `None` when the run has ended. On an error the state is that before
-    /// the step.
+    /// Computes the next step; `None` when the run has ended. An error leaves the state as it was
+    /// before the step.
     ///
-    /// Each step starts on virgin faces: slip of the step before is not carried over to the longer
-    /// cracks.
+    /// Each step starts from virgin faces: slip from the previous step is not carried over to the
+    /// longer cracks.
     ///
-    /// Errors: settings under which nothing can be computed; cracks that the engine cannot
-    /// represent; a contact that does not converge; an interruption.
+    /// Errors: inadmissible settings; cracks that the engine cannot represent; contact that does
+    /// not converge; an interruption.
     pub fn next_step(&mut self, observer: &dyn Observer) -> Result<Option<StepRecord>, GrowthError> {
         if self.state.ended.is_some() {
             return Ok(None);
@@ -88,14 +89,14 @@ impl<R: CrackedRail> Growth<R> {
         let at = StepStart { load_cycles, ..before };
         let mut advance = rail.advance(&body, &at, &mut tips, &movers);
         warnings.append(&mut advance.warnings);
-        let beside: Vec<StabilisedPassage> = passages.split_off(1);
+        let other_wheels: Vec<StabilisedPassage> = passages.split_off(1);
         let first = passages.swap_remove(0);
         let record = StepRecord {
             step,
             geometry: state.geometry.clone(),
             tips,
             passages: first.passages,
-            beside: beside.into_iter().map(|passage| passage.passages).collect(),
+            other_wheels: other_wheels.into_iter().map(|passage| passage.passages).collect(),
             faces: first.faces,
             fields,
             load_cycles,

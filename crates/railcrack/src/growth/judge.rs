@@ -1,13 +1,13 @@
-//! Judges of tips: laws and criteria of one's own.
+//! Judges of tips: user-defined growth laws and direction criteria.
 
 use super::TipRecord;
 use crate::fracture::SifHistory;
 use std::fmt::Debug;
 
-/// A judge of tips, in place of the criterion of direction and the growth law of the settings.
+/// A judge of tips, which replaces the direction criterion and the growth law of the settings.
 pub trait TipJudge: Debug + Send + Sync {
-    /// Judges a tip by `history`, K through its stabilised passage (MPa √mm). The state and the
-    /// demand of the `tip` are in its record, with direction and rate of the settings, which may be
-    /// replaced.
+    /// Judges a tip by `history`, K through its stabilised passage (MPa √mm). The record of the
+    /// `tip` contains its state and loading, and the direction and rate given by the settings,
+    /// which may be overwritten.
     fn judge(&self, history: &SifHistory, tip: &mut TipRecord);
 }

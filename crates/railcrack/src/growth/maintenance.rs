@@ -6,34 +6,35 @@ use crate::words::{Choice, Word};
 
 /// Removal of the running surface while cracks grow.
 ///
-/// A crack is open to the surface at its mouth, which moves down into the crack: its length
-/// changes by dl/dN = da/dN − w/sin θ, w the wear per cycle and θ the angle of the crack at its
-/// mouth. Where both are equal the crack grows as fast as it is worn away.
+/// The mouth of a surface-breaking crack moves down along the crack: its length changes by dl/dN =
+/// da/dN − w/sin θ, with w the wear per cycle and θ the angle of the crack at its mouth. Where the
+/// two terms are equal, the crack is worn away as fast as it grows.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Maintenance {
     /// Wear of the running surface, mm per load cycle.
     pub wear: f64,
-    /// Grinding, where there is any.
+    /// Grinding, if any.
     pub grinding: Option<Grinding>,
-    /// Fate of a residual stress when the surface is removed.
+    /// Effect of surface removal on the residual stress.
     pub stress: StressMoves,
 }
 
 /// Grinding at regular intervals.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Grinding {
-    /// Depth that is taken off each time, mm.
+    /// Depth removed each time, mm.
     pub depth: f64,
     /// Load cycles from one grinding to the next; the first is one interval after the beginning.
     pub interval: f64,
 }
 
-/// Fate of a residual stress when the surface is removed.
+/// Effect of surface removal on the residual stress.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StressMoves {
-    /// It stays where it is in the steel, and comes nearer to the surface.
+    /// It stays where it is in the steel, and so comes closer to the surface.
     WithMetal,
-    /// It keeps its depth below the surface: rolling restores it as fast as the surface is removed.
+    /// It keeps its depth below the surface, because rolling restores it as fast as the surface is
+    /// removed.
     WithSurface,
 }
 
@@ -45,7 +46,7 @@ impl Choice for StressMoves {
 }
 
 impl Maintenance {
-    /// Refuses wear that is negative and grinding that never takes place.
+    /// Rejects negative wear and grinding that removes nothing or never takes place.
     pub fn check(&self) -> Result<(), OutOfRange> {
         let wears = self.wear >= 0.0 && self.wear.is_finite();
         OutOfRange::unless(wears, "wear (mm per cycle)", self.wear, "zero or more")?;
@@ -54,14 +55,14 @@ impl Maintenance {
         OutOfRange::unless_positive("cycles between grindings", interval)
     }
 
-    /// The removal of the surface in the mean, mm per load cycle.
+    /// The mean removal of the surface, mm per load cycle.
     #[must_use]
     pub fn removal(&self) -> f64 {
         self.wear + self.grinding.map_or(0.0, |grinding| grinding.depth / grinding.interval)
     }
 }
 
-/// A field of the steel below a surface that has come down by `removed` (mm).
+/// A field fixed in the steel, seen from a surface that has receded by `removed` (mm).
 pub(crate) struct Uncovered<'a> {
     pub field: &'a dyn StressField,
     pub removed: f64,

@@ -1,10 +1,10 @@
-//! A mix of wheels: their passages over one body, and their shares of the growth.
+//! A mix of wheels: their passages over one body and their shares of the growth.
 
 use super::{GrowthError, Observer, TipRecord, Warning, WheelOfRail, WheelShares};
 use crate::fatigue::{LargestK1, RUNAWAY, SifRanges};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
-/// Demand of one wheel on a tip.
+/// Loading of a tip by one wheel.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct WheelDemand {
     pub ranges: SifRanges,
@@ -18,20 +18,21 @@ pub(crate) struct WheelDemand {
 /// A tip under all wheels.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct MixedTip {
-    /// Of the wheel that grows it most; the largest K_I is that of all wheels.
+    /// Ranges under the wheel that contributes most to the growth; the largest K_I is that of all
+    /// wheels.
     pub ranges: SifRanges,
-    /// The wheel that grows it most, from 0.
+    /// The wheel that contributes most to the growth, from 0.
     pub grown_by: usize,
     /// Σ s_i r_i, mm per axle.
     pub rate: f64,
     pub shares: WheelShares,
-    /// The largest k1 in relation to the toughness, and its wheel, from 0.
+    /// The k1 that is largest relative to the toughness, and the wheel (from 0) that causes it.
     pub largest_k1: Option<LargestK1>,
     pub opened_by: usize,
 }
 
 impl MixedTip {
-    /// Of the demand of each of `wheels`.
+    /// The tip under the loading by each of `wheels`.
     pub fn of(demands: &[WheelDemand], wheels: &[WheelOfRail<'_>]) -> Self {
         let rate = |(demand, wheel): (&WheelDemand, &WheelOfRail)| {
             let rate = demand.rate.min(RUNAWAY);
@@ -57,8 +58,8 @@ impl MixedTip {
     }
 }
 
-/// The largest k1 of `tip` in the measure of the toughness of the first of `wheels`, with which it
-/// is compared, MPa √mm; 0 where none opens.
+/// The largest k1 of `tip`, scaled for comparison with the toughness under the first of `wheels`,
+/// MPa √mm; 0 where the tip never opens.
 pub(crate) fn compared_k1(tip: &TipRecord, wheels: &[WheelOfRail<'_>]) -> f64 {
     let toughness = |wheel: usize| wheels.get(wheel).and_then(|wheel| wheel.toughness);
     let own = tip.opened_by.checked_sub(1).and_then(|_| toughness(tip.opened_by));
@@ -66,8 +67,8 @@ pub(crate) fn compared_k1(tip: &TipRecord, wheels: &[WheelOfRail<'_>]) -> f64 {
     tip.largest_k1.map_or(0.0, |largest| scale * largest.k1)
 }
 
-/// Passes on that a step is to be given up, and no progress: that of the first wheel stands for
-/// all.
+/// An observer that passes on interruptions but no progress: the progress of the first wheel
+/// represents all of them.
 pub(crate) struct WithoutProgress<'a>(pub &'a dyn Observer);
 
 impl Observer for WithoutProgress<'_> {
@@ -78,10 +79,10 @@ impl Observer for WithoutProgress<'_> {
     }
 }
 
-/// The passages of `count` wheels over the same body, one after the other or in parallel: wheels
-/// know nothing of each other. `passage` takes the number of a wheel from 0.
+/// The passages of `count` wheels over the same body, one after the other or in parallel: the
+/// wheels are independent of each other. `passage` takes the index of a wheel, from 0.
 ///
-/// Errors: those of `passage`, the first wheel's first.
+/// Errors: those of `passage`; if several wheels fail, that of the first one.
 pub(crate) fn under_each_wheel<P: Send>(
     count: usize,
     observer: &dyn Observer,
@@ -137,7 +138,7 @@ mod tests {
         assert_eq!(tip.shares.values(), [want[0] / tip.rate, want[1] / tip.rate]);
         assert!(tip.shares.values()[1] > 0.8 && tip.grown_by == 1);
         assert!(tip.ranges.delta_kii == 400.0 && tip.ranges.ki_max == 100.0);
-        // A cold rail breaks first under the wheel that passes in the cold.
+        // A cold rail fractures first under the wheel that passes at the low temperature.
         let cold = MixedTip::of(&demands, &[wheel(0.9, Some(100.0)), wheel(0.1, Some(1000.0))]);
         assert_eq!((cold.opened_by, cold.largest_k1.unwrap().k1), (0, 100.0));
     }

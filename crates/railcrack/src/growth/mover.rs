@@ -1,4 +1,4 @@
-//! What moves a crack.
+//! Movers of cracks: tips in the plane and motions of fronts in space.
 
 use serde::{Deserialize, Serialize};
 
@@ -7,8 +7,8 @@ use serde::{Deserialize, Serialize};
 pub struct Mover {
     /// The crack, from 0.
     pub crack: usize,
-    /// Of the crack, the tip (from 0) or the motion ([`FrontMotion`](super::FrontMotion) as a
-    /// number).
+    /// Index of the tip (from 0) in the crack, or the motion ([`FrontMotion`](super::FrontMotion)
+    /// as a number).
     pub index: usize,
     /// Its rate, mm per cycle.
     pub rate: f64,

@@ -1,14 +1,14 @@
 //! Observers of a step that is being computed.
 
-/// An observer of a step that is being computed, who may interrupt it.
+/// An observer of a step that is being computed, which may interrupt it.
 pub trait Observer: Sync {
-    /// The fraction (0 to 1) of the current passage that is done.
+    /// Receives the completed fraction (0 to 1) of the current passage.
     fn progress(&self, fraction: f64);
-    /// Whether to give up the current step now.
+    /// Whether to abandon the current step now.
     fn interrupted(&self) -> bool;
 }
 
-/// No observer: the step is computed in silence and to its end.
+/// No observer: the step runs to its end without reporting progress.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Unobserved;
 

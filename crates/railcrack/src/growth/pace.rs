@@ -1,54 +1,56 @@
-//! The pace of a step: the cycles until the next one, and what grows and what is removed in them.
+//! The pace of a step: the cycles until the next one, with the growth and surface removal during
+//! them.
 
 use super::{EarlierRates, GrowthSettings, Interval, Maintenance, Mover, StepStart};
 
-/// The pace of a step. The fastest growing mover sets it, or the removal of the surface, where that
-/// takes more of a crack.
+/// The pace of a step. It is set by the fastest-growing mover, or by the removal of the surface
+/// where that takes more of a crack.
 #[derive(Debug, Clone)]
 pub(crate) struct Pace {
-    /// The mover whose rate decides over the cycles; none where none grows.
+    /// The mover whose rate determines the cycles; `None` where nothing grows.
     mover: Option<Mover>,
     rate: f64,
     increment: f64,
-    /// The increment over the length of its crack.
+    /// The increment divided by the length of its crack.
     pub share: f64,
     pub cycles: f64,
-    /// Whether it has these cycles, whatever the rate at its end.
+    /// Whether the number of cycles is final, independent of the rate at the end of the step.
     is_settled: bool,
-    /// Removed of the surface, mm.
+    /// Depth removed from the surface, mm.
     pub removal: f64,
-    /// Whether the surface is ground at its end.
+    /// Whether the surface is ground at the end of the step.
     pub grinds: bool,
-    /// Whether increments follow from the cycles, not the cycles from an increment.
+    /// Whether the increments follow from the cycles instead of the cycles from an increment.
     is_timed: bool,
-    /// Rates of the step before.
+    /// Rates of the previous step.
     earlier: Option<EarlierRates>,
 }
 
-/// A crack at the surface that is removed.
+/// A crack that is shortened as the surface is removed.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct WearingCrack {
-    /// Sine of its angle at the mouth; 1 for a buried one.
+    /// Sine of its angle at the mouth; 1 for a buried crack.
     pub mouth_sine: f64,
-    /// The longest that it has been, mm.
+    /// The greatest length it has had, mm.
     pub longest: f64,
 }
 
-/// Who moves in a step, and what is worn.
+/// The movers of a step and the cracks subject to wear.
 pub(crate) struct Moving<'a> {
-    /// All movers of cracks, those that have stopped included.
+    /// All movers of cracks, including those that have stopped.
     pub all: &'a [Mover],
     /// Those that grow.
     pub growing: &'a [Mover],
-    /// Whether some have not stopped, even if they do not grow now.
+    /// Whether any of them has not stopped, even if none grows now.
     pub some_are_left: bool,
-    /// The cracks that are not worn away.
+    /// The cracks that are not worn away completely.
     pub wearing: &'a [WearingCrack],
 }
 
 impl Pace {
     pub fn of(moving: &Moving<'_>, at: &StepStart<'_>, settings: &GrowthSettings) -> Self {
-        // Of equally fast movers that of the longest crack, so that their order does not matter.
+        // Of equally fast movers, the one of the longest crack is taken, so that their order does
+        // not matter.
         let faster = |a: &Mover, b: &Mover| (b.rate, b.length) > (a.rate, a.length);
         let fastest = moving.growing.iter().copied().reduce(|a, b| if faster(&a, &b) { b } else { a });
         let left = (settings.stop_after_cycles.unwrap_or(f64::INFINITY) - at.load_cycles).max(0.0);
@@ -86,9 +88,9 @@ impl Pace {
     }
 
     /// The pace while the surface is removed: no crack loses more at its mouth than the increment
-    /// of the longest that it has been, and a step ends with each grinding. Where the fastest mover
-    /// sets the pace, cycles follow from its rates as everywhere; elsewhere the increments follow
-    /// from the cycles.
+    /// for its greatest length so far, and each grinding ends a step. Where the fastest mover sets
+    /// the pace, the cycles follow from its rates as usual; otherwise the increments follow from
+    /// the cycles.
     fn maintained(
         moving: &Moving<'_>,
         at: &StepStart<'_>,
@@ -113,7 +115,7 @@ impl Pace {
         let removed = maintenance.wear * (at.load_cycles + cycles) + ground;
         let is_timed = maintenance.grinding.is_some() || cycles < by_growth;
         Self {
-            // Where none grows, any of them stands for the cycles.
+            // Where nothing grows, any mover serves to carry the cycles.
             mover: fastest.or(moving.all.first().copied()),
             rate: fastest.map_or(1.0, |mover| mover.rate),
             increment,
@@ -127,7 +129,7 @@ impl Pace {
         }
     }
 
-    /// The increment whose rate at its end decides over the cycles; none where no cycles pass.
+    /// The increment whose end rate determines the cycles; `None` where no cycles pass.
     pub fn interval(&self) -> Option<Interval> {
         let Self { rate, cycles, is_settled, .. } = *self;
         self.mover.map(|mover| Interval { mover: Mover { rate, ..mover }, cycles, is_settled })

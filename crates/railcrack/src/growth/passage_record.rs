@@ -13,20 +13,20 @@ pub struct PassageRecord {
     pub xc: Vec<f64>,
     /// `sifs[tip][position]`, MPa √mm.
     pub sifs: Vec<Vec<Sif>>,
-    /// `fluid[tip][position]` in the crack of each tip; empty without fluid.
+    /// `fluid[tip][position]`: the fluid in the crack of each tip; empty without fluid.
     pub fluid: Vec<Vec<FluidState>>,
-    /// K_III, `kiii[tip][position]`, MPa √mm; empty in the plane.
+    /// `kiii[tip][position]`: K_III, MPa √mm; empty in the plane.
     pub kiii: Vec<Vec<f64>>,
 }
 
 /// The faces during the stabilised passage.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FaceRecord {
-    /// The face points, crack by crack, along the walk.
+    /// The face points, crack by crack, in the order of each crack's polyline.
     pub points: Vec<FacePoint>,
     /// `states[position][point]`.
     pub states: Vec<Vec<FaceState>>,
-    /// The third direction, of a crack in space.
+    /// The third direction, for cracks in space.
     pub across: Option<FaceAcross>,
 }
 
@@ -35,7 +35,7 @@ pub struct FaceRecord {
 pub struct SolverCounts {
     /// Passages until the history repeated.
     pub passages: usize,
-    /// Load steps between output positions, beyond the one that each position needs.
+    /// Load steps between output positions, in addition to the one that each position requires.
     pub substeps: usize,
     /// Contact solutions.
     pub solves: usize,
@@ -48,7 +48,7 @@ pub struct SolverCounts {
 }
 
 impl SolverCounts {
-    /// This and the effort for another wheel on the same body.
+    /// The sum of this effort and that for another wheel on the same body.
     pub(crate) fn and(self, other: Self) -> Self {
         Self {
             passages: self.passages.max(other.passages),

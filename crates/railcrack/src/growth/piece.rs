@@ -1,4 +1,4 @@
-//! Pieces of the rail that cracks, or cracks and the running surface, enclose.
+//! Pieces of the rail enclosed by cracks, or by cracks and the running surface.
 
 use crate::math::Vec2;
 use crate::words::{Choice, Word};
@@ -7,10 +7,10 @@ use serde::{Deserialize, Serialize};
 /// Kinds of pieces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum PieceKind {
-    /// A tip broke out at the running surface: what lies above the crack. Its ligament is still
-    /// there, and the run goes on.
+    /// The metal above a crack whose tip broke out at the running surface. The ligament still holds
+    /// it, and the run continues.
     Spall,
-    /// A tip coalesced with a crack: nothing holds the piece any more.
+    /// A piece fully separated when a tip coalesced with a crack.
     Detached,
 }
 
@@ -21,12 +21,12 @@ impl Choice for PieceKind {
     ];
 }
 
-/// A piece of the rail that is enclosed.
+/// An enclosed piece of the rail.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Piece {
     /// Its kind.
     pub kind: PieceKind,
-    /// In which step.
+    /// The step in which it was enclosed.
     pub step: usize,
     /// Index of the crack whose tip closed the outline, from 0.
     pub crack: usize,

@@ -1,24 +1,25 @@
-//! Output positions of a passage, far from the cracks too where the rail bends.
+//! Output positions of a passage; where the rail bends, also far from the cracks.
 
 use crate::load::{Bending, Passage};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Steps of the beam's coordinate βs from position to position: e^(−βs) changes by a tenth.
+/// Step of the beam coordinate βs between positions: e^(−βs) changes by a tenth.
 const STEP: f64 = PI / 32.0;
-/// βs of the outermost axles at which the passage begins and ends: bending is then 2e-3 of its
-/// largest.
+/// βs of the outermost axles at which the passage begins and ends: bending has then decayed to 2e-3
+/// of its maximum.
 const REACH: f64 = 2.0 * PI;
-/// Next to the passage of the contact, whose field decays as 1/r, positions are this fraction of r
-/// apart.
+/// Adjacent to the passage of the contact, whose field decays as 1/r, positions are spaced by this
+/// fraction of r.
 const GRADING: f64 = 0.25;
-/// Positions closer than this share of [`STEP`] to one of an extreme are left out.
+/// Positions closer than this share of [`STEP`] to the position of an extreme are omitted.
 const CLOSE: f64 = 0.3;
 
 /// The output positions of `passage` over cracks at `places` (mm along the rail, in any order), in
-/// the order of travel; those of the passage itself where nothing bends the rail.
+/// the order of travel; without bending, the positions of the passage itself.
 ///
-/// Bending adds the positions in which it is resolved, to 2π/β before and behind every axle, and
-/// those in which each axle, and the largest tension beside it (βs = π/2), is over a place.
+/// Bending adds positions that resolve it up to 2π/β ahead of and behind every axle, and the
+/// positions at which each axle, and the tension maxima on either side of it (βs = π/2), lie above
+/// a place.
 pub fn output_positions(passage: &Passage, bending: Option<&Bending>, places: &[f64]) -> Vec<f64> {
     let near = passage.abscissae();
     let Some(bending) = bending else { return near };
@@ -35,12 +36,12 @@ pub fn output_positions(passage: &Passage, bending: Option<&Bending>, places: &[
     chosen.dedup_by(|next, kept| *next - *kept < 1e-3 * step);
     let apart = |chosen: &[f64], x: f64| {
         let next = chosen.partition_point(|other| *other < x);
-        let beside = [next.checked_sub(1), Some(next)].into_iter().flatten();
-        beside.filter_map(|i| chosen.get(i)).all(|other| (other - x).abs() > CLOSE * step)
+        let neighbours = [next.checked_sub(1), Some(next)].into_iter().flatten();
+        neighbours.filter_map(|i| chosen.get(i)).all(|other| (other - x).abs() > CLOSE * step)
     };
     let middle =
         if places.is_empty() { 0.5 * (low + high) } else { places.iter().sum::<f64>() / places.len() as f64 };
-    // Away from the contact, until the steps are those of the beam.
+    // Graded away from the contact until the spacing reaches that of the beam.
     let mut graded = Vec::new();
     for (end, side) in [(low, -1.0), (high, 1.0)] {
         let mut distance = (end - middle).abs();
@@ -116,7 +117,7 @@ mod tests {
     }
 
     #[test]
-    fn the_way_back_has_the_mirrored_positions() {
+    fn the_return_passage_has_the_mirrored_positions() {
         let there = output_positions(&Passage::default(), Some(&bending(&[0.0, -1800.0])), &[0.0]);
         let back = Passage { from: 40.5, to: -40.5, positions: 241 };
         let mut mirrored = output_positions(&back, Some(&bending(&[0.0, 1800.0])), &[0.0]);

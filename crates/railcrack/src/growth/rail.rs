@@ -1,4 +1,4 @@
-//! What the growth loop asks of a cracked rail, in the plane or in space.
+//! Interface between the growth loop and a cracked rail, in the plane or in space.
 
 use super::{
     Advance, FieldRecord, GrowthError, GrowthSettings, GrowthState, Mover, Observer, PassageSettings,
@@ -8,36 +8,37 @@ use crate::body::BodyTimes;
 use crate::interruption::Interruption;
 use crate::math::OutOfRange;
 
-/// A rail with cracks under its wheels: how bodies are made, passages are computed, and cracks move.
-/// Everything else is done once, in [`Growth`](super::Growth).
+/// A rail with cracks under its wheels: how to build bodies, compute passages and advance cracks.
+/// Everything else is common to plane and space and is done by [`Growth`](super::Growth).
 pub trait CrackedRail {
     /// The cracks of a step as a body.
     type Body;
 
-    /// Growth law, increments, stops.
+    /// Growth law, increments and stops.
     fn settings(&self) -> &GrowthSettings;
 
-    /// The wheels, at least one; the shares of a mix add up to 1.
+    /// The wheels, at least one; their shares add up to 1.
     fn wheels(&self) -> Vec<WheelOfRail<'_>>;
 
-    /// The settings of the engine that resolve K better, for a warning.
+    /// The engine settings that would resolve K better, named in a warning.
     fn refinement(&self) -> &'static str;
 
-    /// The body of the cracks of `state`.
+    /// The body with the cracks of `state`.
     ///
-    /// Errors: cracks of the other geometry; the engine cannot represent them; an interruption.
+    /// Errors: cracks of the other geometry; cracks that the engine cannot represent; an
+    /// interruption.
     fn body(
         &mut self,
         state: &GrowthState,
         interruption: Interruption<'_>,
     ) -> Result<Self::Body, GrowthError>;
 
-    /// Size and cost of `body`, and remarks of the engine on it.
+    /// Size and cost of `body`, with the engine's remarks on it.
     fn report(&self, body: &Self::Body) -> BodyReport;
 
     /// The stabilised passage of every wheel over `body`, in the order of [`CrackedRail::wheels`].
     ///
-    /// Errors: contact does not converge; an interruption.
+    /// Errors: contact that does not converge; an interruption.
     fn passages(
         &mut self,
         body: &Self::Body,
@@ -47,9 +48,9 @@ pub trait CrackedRail {
     ) -> Result<Vec<StabilisedPassage>, GrowthError>;
 
     /// The fields around the cracks under the stabilised `passage` of the first wheel, in the steps
-    /// in which they are wanted.
+    /// for which they are requested.
     ///
-    /// Errors: the engine cannot compute them.
+    /// Errors: fields that the engine cannot compute.
     fn fields(
         &mut self,
         body: &Self::Body,
@@ -57,13 +58,13 @@ pub trait CrackedRail {
         passage: &StabilisedPassage,
     ) -> Result<Option<FieldRecord>, GrowthError>;
 
-    /// State and demand of every tip under the passages of all wheels, without increments.
+    /// State and loading of every tip under the passages of all wheels, without increments.
     fn demands(&self, body: &Self::Body, passages: &[StabilisedPassage]) -> Vec<TipRecord>;
 
-    /// Everything that moves a crack, with its rate.
+    /// Everything that moves the cracks, with its rate.
     fn movers(&self, body: &Self::Body, tips: &[TipRecord]) -> Vec<Mover>;
 
-    /// The cracks of the next step. Increments and stops are written into `tips`.
+    /// The transition to the next step; increments and stops are written into `tips`.
     fn advance(
         &self,
         body: &Self::Body,
@@ -72,7 +73,7 @@ pub trait CrackedRail {
         movers: &[Mover],
     ) -> Advance;
 
-    /// Gives up what is only needed for further bodies.
+    /// Drops whatever is needed only to build further bodies.
     fn forget(&mut self) {}
 }
 
@@ -81,7 +82,7 @@ pub trait CrackedRail {
 pub struct WheelOfRail<'a> {
     /// Share of the axles.
     pub share: f64,
-    /// K_Ic (MPa √mm) at its temperature; none where the rail does not break.
+    /// K_Ic (MPa √mm) at its temperature; `None` where fracture is not considered.
     pub toughness: Option<f64>,
     /// Its passages.
     pub passages: &'a PassageSettings,
@@ -92,13 +93,13 @@ pub struct WheelOfRail<'a> {
 pub struct BodyReport {
     /// Number of displacement unknowns.
     pub dofs: usize,
-    /// Wall times, as far as the engine measures them.
+    /// Wall times, where the engine measures them.
     pub times: BodyTimes,
-    /// How the engine represents the cracks, where that matters for the results.
+    /// Remarks on the engine's representation of the cracks, where it affects the results.
     pub remarks: Vec<String>,
 }
 
-/// Where a run stands at the start of a step.
+/// Progress of a run at the start of a step.
 #[derive(Debug, Clone, Copy)]
 pub struct StepStart<'a> {
     /// Step number, from 0.
@@ -111,7 +112,7 @@ pub struct StepStart<'a> {
 
 /// Checks the settings of growth and of the passages of every wheel of `rail`.
 ///
-/// Errors: settings under which nothing can be computed.
+/// Errors: inadmissible settings.
 pub(super) fn check(rail: &impl CrackedRail) -> Result<(), OutOfRange> {
     rail.wheels().iter().try_for_each(|wheel| wheel.passages.check())?;
     rail.settings().check()

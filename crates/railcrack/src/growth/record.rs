@@ -9,20 +9,20 @@ use crate::crack::{Crack, CrackTip, Junction};
 use crate::fatigue::LargestK1;
 use serde::{Deserialize, Serialize};
 
-/// One tip at one step: the state at its start, and what was decided.
+/// One tip in one step: its state at the start, and the decisions taken.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct TipRecord {
-    /// Which tip.
+    /// The tip.
     pub tip: CrackTip,
     /// Abscissa of the tip, mm.
     pub x: f64,
     /// Ordinate of the tip, mm.
     pub y: f64,
-    /// Length of its crack, mm: in the plane with the deferred growth of its tips, in space the half
-    /// axis down the dip.
+    /// Length of its crack, mm: in the plane including the deferred growth of its tips, in space
+    /// the half-axis down the dip.
     pub length: f64,
-    /// Largest K_I of the stabilised passage, MPa √mm; in a mix, of all wheels. The ranges of a
-    /// mix are those of the wheel that does most of the growth.
+    /// Largest K_I of the stabilised passage, MPa √mm; in a mix, the largest under any wheel. The
+    /// ranges of a mix are those under the wheel that contributes most to the growth.
     pub ki_max: f64,
     /// Range of K_I (clipped at zero), MPa √mm.
     pub delta_ki: f64,
@@ -30,24 +30,24 @@ pub struct TipRecord {
     pub delta_kii: f64,
     /// ΔK_eq of the actual tip, MPa √mm.
     pub delta_keq: f64,
-    /// The largest k1 of a virtual kink through the stabilised passage; none where none opens.
+    /// The largest k1 of a virtual kink during the stabilised passage; `None` where none opens.
     pub largest_k1: Option<LargestK1>,
-    /// Chosen kink, radians, counter-clockwise positive; none for a tip that does not load at all.
+    /// Chosen kink, radians, counter-clockwise positive; `None` for a tip without any loading.
     pub kink: Option<f64>,
-    /// Increment to the next step, mm, in the crack or deferred; 0 in the last step and for a
-    /// stopped tip. Negative for a tip that joins a crack which lies across its deferred growth.
+    /// Increment to the next step, mm, added to the crack or deferred; 0 in the last step and for a
+    /// stopped tip. Negative for a tip that joins a crack lying across its deferred growth.
     pub increment: f64,
     /// da/dN, mm per cycle.
     pub rate: f64,
     /// Why this tip does not grow, if it does not.
     pub stop: Option<TipStop>,
-    /// Shares of the wheels of a mix in its rate.
+    /// Shares of the wheels of a mix in its growth rate.
     pub shares: WheelShares,
-    /// The wheel (from 0) of its largest k1.
+    /// The wheel (from 0) that causes its largest k1.
     pub opened_by: usize,
-    /// Sine of the angle of its crack at the mouth; none for a buried crack.
+    /// Sine of the angle of its crack at the mouth; `None` for a buried crack.
     pub mouth_sine: Option<f64>,
-    /// What only tips in the plane, or only front points in space have.
+    /// Quantities specific to tips in the plane or to front points in space.
     pub geometry: TipGeometry,
 }
 
@@ -60,21 +60,21 @@ pub enum TipGeometry {
     Space(FrontTip),
 }
 
-/// What only a tip in the plane has.
+/// Quantities that only tips in the plane have.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct PlaneTip {
-    /// Its growth that is not in the crack yet.
+    /// Its growth that has not been added to the crack yet.
     pub deferred: DeferredGrowth,
-    /// The best other local maximum at least 15° away, radians.
+    /// The best other local maximum, at least 15° away, radians.
     pub secondary: Option<f64>,
-    /// Its rate over the best rate.
+    /// Ratio of its rate to the best rate.
     pub secondary_ratio: Option<f64>,
-    /// The wheel of a mix (from 0) without which it would grow in the most different direction.
+    /// The wheel of a mix (from 0) whose removal would change the growth direction most.
     pub turned_by: Option<usize>,
 }
 
 impl TipRecord {
-    /// What only a tip in the plane has.
+    /// The quantities specific to a tip in the plane; `None` for a front point.
     #[must_use]
     pub fn plane(&self) -> Option<&PlaneTip> {
         match &self.geometry {
@@ -83,7 +83,7 @@ impl TipRecord {
         }
     }
 
-    /// What only a front point in space has.
+    /// The quantities specific to a front point in space; `None` for a tip in the plane.
     #[must_use]
     pub fn front(&self) -> Option<&FrontTip> {
         match &self.geometry {
@@ -92,7 +92,7 @@ impl TipRecord {
         }
     }
 
-    /// Depth below the running surface with the deferred growth, mm.
+    /// Depth below the running surface, including deferred growth, mm.
     #[must_use]
     pub fn depth(&self) -> f64 {
         let deferred = self.plane().map_or(DeferredGrowth::default(), |plane| plane.deferred);
@@ -103,13 +103,13 @@ impl TipRecord {
 /// Wall time of the phases of one step, seconds.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct PhaseTimes {
-    /// The cracked body: C and S, and its fields where they are wanted.
+    /// The cracked body: C and S, and its fields where they are requested.
     pub body_s: f64,
-    /// Parts of it, as far as the engine tells.
+    /// Parts of that time, where the engine reports them.
     pub parts: BodyTimes,
-    /// Loads on the faces and contact through all passages.
+    /// Loads on the faces and contact during all passages.
     pub contact_s: f64,
-    /// Direction, rate, increments.
+    /// Directions, rates and increments.
     pub growth_s: f64,
 }
 
@@ -121,20 +121,20 @@ pub struct StepRecord {
     pub step: usize,
     /// The cracks at the start of the step.
     pub geometry: Geometry,
-    /// All tips, in order of crack and tip; ends that have joined a crack are none.
+    /// All tips, in order of crack and tip; ends that have joined a crack are not listed.
     pub tips: Vec<TipRecord>,
-    /// All passages, in a mix of the first wheel; the last one is the stabilised one.
+    /// All passages (in a mix, of the first wheel), the stabilised one last.
     pub passages: Vec<PassageRecord>,
     /// All passages of each other wheel of a mix, the stabilised one last.
-    pub beside: Vec<Vec<PassageRecord>>,
+    pub other_wheels: Vec<Vec<PassageRecord>>,
     /// The faces during the stabilised passage.
     pub faces: FaceRecord,
-    /// The fields around the cracks, where they are wanted and the engine has them.
+    /// The fields around the cracks, where they are requested and the engine provides them.
     pub fields: Option<FieldRecord>,
     /// Load cycles at the start of the step.
     pub load_cycles: f64,
-    /// Removed of the running surface since the beginning, by wear and grinding, mm.
-    /// Coordinates count from the surface that is left.
+    /// Depth removed from the running surface since the beginning, by wear and grinding, mm.
+    /// Coordinates refer to the current surface.
     pub removed: f64,
     /// Number of displacement unknowns of the body.
     pub dofs: usize,
@@ -151,13 +151,13 @@ pub struct StepRecord {
 }
 
 impl StepRecord {
-    /// The cracks at the start of the step, of cracks in space their sections.
+    /// The cracks at the start of the step; cracks in space are given by their sections.
     #[must_use]
     pub fn cracks(&self) -> &[Crack] {
         self.geometry.cracks()
     }
 
-    /// Where they have joined each other.
+    /// Junctions between the cracks.
     #[must_use]
     pub fn junctions(&self) -> &[Junction] {
         self.geometry.junctions()

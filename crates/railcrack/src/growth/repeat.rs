@@ -1,45 +1,46 @@
-//! Passages until the history of K repeats.
+//! Repetition of passages until the history of K no longer changes.
 
 use super::PassageSettings;
 
-/// A passage that may repeat the one before.
+/// A passage that may repeat the previous one.
 pub(crate) trait Repeats: Sized {
-    /// What is kept of it.
+    /// The part of a passage that is kept.
     type Record: Clone;
 
-    /// What is kept of it.
+    /// The record of this passage.
     fn record(&self) -> Self::Record;
 
-    /// The largest change of K at any tip and position from the passage of `before`, relative to
-    /// the largest |K|.
+    /// The largest change of K at any tip and position since the passage recorded in `before`,
+    /// relative to the largest |K|.
     fn change_from(&self, before: &Self::Record) -> f64;
 
-    /// Whether it coincides with the passage before from some position on: the next one then
-    /// begins and goes like this one.
+    /// Whether it coincides with the previous passage from some position on; the next passage is
+    /// then identical to this one.
     fn joins(&self) -> bool {
         false
     }
 }
 
-/// Passages up to the last one.
+/// All passages, with the last one in full.
 pub(crate) struct Repeated<P: Repeats> {
     pub records: Vec<P::Record>,
     pub last: P,
-    /// Change of K from the last but one passage to the last; none after a single passage.
+    /// Change of K between the last two passages; `None` after a single passage.
     pub change: Option<f64>,
 }
 
-/// Whether the faces remember a passage.
+/// Whether the faces retain a memory of a passage.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Memory {
-    /// Friction locks slip in: passages differ until the history repeats.
+    /// Friction locks in slip, so that passages differ until the history repeats.
     Friction,
-    /// Without friction one passage is like the next.
+    /// Without friction all passages are the same.
     None,
 }
 
-/// Computes passages by `pass`, which takes their number from 1 and the one before, until they
-/// repeat, or as many as `settings` allow; one only without memory.
+/// Computes passages with `pass`, which takes the number of the passage (from 1) and the previous
+/// one, until they repeat or their number reaches the limit in `settings`; without memory, a single
+/// passage.
 pub(crate) fn until_repeated<P: Repeats, E>(
     settings: &PassageSettings,
     memory: Memory,

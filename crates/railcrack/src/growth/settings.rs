@@ -6,24 +6,25 @@ use crate::fatigue::{DirectionCriterion, GrowthLaw};
 use crate::load::Passage;
 use crate::math::OutOfRange;
 
-/// The wheel's passages.
+/// Settings of the passages of a wheel.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PassageSettings {
     /// Output positions.
     pub passage: Passage,
-    /// Passages at most.
+    /// Largest number of passages.
     pub max_passages: usize,
-    /// Change of K between two passages, relative to its peak, below which the history repeats.
+    /// Change of K between two passages, relative to its peak, below which the history counts as
+    /// repeated.
     pub passage_tolerance: f64,
-    /// Tolerance of the load steps on K, relative to its peak; of no meaning to fixed steps.
+    /// Tolerance of the load steps in terms of K, relative to its peak; not used by fixed steps.
     pub step_tolerance: f64,
-    /// How load steps are chosen; fixed ones go from output position to output position.
+    /// Control of the load steps; fixed steps lead from one output position to the next.
     pub step_control: StepControl,
-    /// Of cracks that are followed in groups, the error of K relative to its peak at the tip.
+    /// Allowed error of K, relative to its peak at the tip, for cracks that are followed in groups.
     pub network_tolerance: f64,
 }
 
-/// As a case file that says nothing, with the passage of the reference case.
+/// The defaults of a case file, with the passage of the reference case.
 impl Default for PassageSettings {
     fn default() -> Self {
         Self {
@@ -38,7 +39,7 @@ impl Default for PassageSettings {
 }
 
 impl PassageSettings {
-    /// Refuses an empty passage, no passages at all, and tolerances that are not positive.
+    /// Rejects an empty passage, a limit of zero passages, and tolerances that are not positive.
     pub fn check(&self) -> Result<(), OutOfRange> {
         self.passage.check()?;
         let passages = self.max_passages as f64;
@@ -52,21 +53,21 @@ impl PassageSettings {
 /// How cracks grow and when a run ends.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GrowthSettings {
-    /// Number of increments; 0 computes the initial cracks only.
+    /// Number of increments; with 0, only the initial cracks are computed.
     pub steps: usize,
     /// Increment of the fastest tip as a fraction of its crack's current length.
     pub increment: f64,
-    /// Rate.
+    /// Growth law, which gives the rate.
     pub law: GrowthLaw,
     /// Rate (mm per cycle) below which a tip is arrested.
     pub arrest_rate: f64,
-    /// Direction.
+    /// Criterion of the growth direction.
     pub criterion: DirectionCriterion,
     /// A crack this long (mm) ends the run.
     pub critical_length: Option<f64>,
     /// This many load cycles end the run.
     pub stop_after_cycles: Option<f64>,
-    /// K_Ic, MPa √mm: a tip whose k1 reaches it in a passage ends the run.
+    /// K_Ic, MPa √mm: the run ends when k1 of a tip reaches it during a passage.
     pub toughness: Option<f64>,
     /// Wear and grinding of the running surface.
     pub maintenance: Option<Maintenance>,
@@ -80,7 +81,7 @@ impl Default for GrowthSettings {
 }
 
 impl GrowthSettings {
-    /// As a case file that says nothing: the reference values of the paper.
+    /// The defaults of a case file: the reference values of the paper.
     pub const REFERENCE: Self = Self {
         steps: 25,
         increment: 0.04,
@@ -93,12 +94,12 @@ impl GrowthSettings {
         maintenance: None,
     };
 
-    /// Wear and grinding, where they remove anything.
+    /// Wear and grinding, if they remove anything.
     pub(crate) fn maintained(&self) -> Option<&Maintenance> {
         self.maintenance.as_ref().filter(|maintenance| maintenance.removal() > 0.0)
     }
 
-    /// Refuses an increment that is not positive, and limits that are not numbers.
+    /// Rejects an increment that is not positive, and limits that are negative or not a number.
     pub fn check(&self) -> Result<(), OutOfRange> {
         let fraction = self.increment > 0.0 && self.increment.is_finite();
         OutOfRange::unless(fraction, "increment over the crack length", self.increment, "positive")?;

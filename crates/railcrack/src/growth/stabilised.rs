@@ -1,4 +1,4 @@
-//! The stabilised passage, and why there may be none.
+//! The stabilised passage, and errors that prevent it.
 
 use super::{FaceRecord, PassageRecord, SolverCounts};
 use crate::contact::SteppingError;
@@ -12,38 +12,41 @@ use thiserror::Error;
 pub struct StabilisedPassage {
     /// All passages, the stabilised one last.
     pub passages: Vec<PassageRecord>,
-    /// Histories of the stabilised passage per tip: all accepted substeps,
-    /// every change of contact status and both unloaded ends.
+    /// Histories of K over the stabilised passage, one per tip, with all accepted substeps, every
+    /// change of contact status and both unloaded ends.
     pub histories: Vec<SifHistory>,
     /// The faces at the output positions of the stabilised passage.
     pub faces: FaceRecord,
     /// Effort of all passages.
     pub counts: SolverCounts,
-    /// Change of K between the last two passages relative to its peak; none after a single passage.
+    /// Change of K between the last two passages, relative to its peak; `None` after a single
+    /// passage.
     pub last_change: Option<f64>,
-    /// Of a passage by groups of cracks, the estimated error of K.
+    /// The estimated error of K, where cracks are followed in groups.
     pub coupling: Option<GroupsError>,
     /// In space, the range of K_III of each front point over the samples of its history, MPa √mm;
     /// empty in the plane.
     pub delta_kiii: Vec<f64>,
 }
 
-/// Parts of the error of K at any tip that is estimated for cracks in groups, over its peak.
+/// Parts of the estimated error of K for cracks that are followed in groups: the largest at any
+/// tip, relative to its peak.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GroupsError {
-    /// Of the sweeps, which end before the groups agree completely.
+    /// Error of the sweeps, which end before the groups agree completely.
     pub sweeps: f64,
-    /// Of the interpolation of the neighbours' jumps, as if faces were free: an upper bound.
-    pub hand_over: f64,
-    /// Of the expansion of the forces between cracks that are far apart, likewise.
+    /// Error of interpolating the jumps of neighbouring cracks, estimated for free faces: an upper
+    /// bound.
+    pub interpolation: f64,
+    /// Error of the expansion of forces between distant cracks, estimated likewise.
     pub far: f64,
 }
 
 impl GroupsError {
-    /// All of it.
+    /// The sum of all parts.
     #[must_use]
     pub fn total(&self) -> f64 {
-        self.sweeps + self.hand_over + self.far
+        self.sweeps + self.interpolation + self.far
     }
 }
 
@@ -55,8 +58,8 @@ impl StabilisedPassage {
         self.histories.iter().map(SifHistory::peak).fold(kiii, f64::max)
     }
 
-    /// The tip with the lowest K_I, and that over the largest |K| of all tips. Faces do not
-    /// overlap, so that a negative one is the error of the engine at a closed tip.
+    /// The tip with the lowest K_I, and the ratio of that K_I to the largest |K| of all tips. As
+    /// faces do not overlap, a negative value shows the error of the engine at a closed tip.
     #[must_use]
     pub fn lowest_opening(&self) -> Option<(usize, f64)> {
         self.lowest_opening_where(|_| true)
@@ -71,14 +74,14 @@ impl StabilisedPassage {
     }
 }
 
-/// A passage that could not be computed.
+/// Reasons why a passage cannot be computed.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum PassageError {
-    /// Settings under which nothing can be computed.
+    /// Inadmissible settings.
     #[error(transparent)]
     Settings(#[from] OutOfRange),
-    /// The ends of the rail.
+    /// The ends of the rail do not suit the wheel or the cracks.
     #[error(transparent)]
     Ends(#[from] EndsError),
     /// Contact did not converge.
@@ -86,12 +89,12 @@ pub enum PassageError {
     NotConverged {
         /// Passage, from 1; 0 while residual stress is applied.
         passage: usize,
-        /// Which part of it.
+        /// The part of the passage.
         phase: &'static str,
-        /// Where on its path and how.
+        /// The position on the load path and the failure.
         source: SteppingError,
     },
-    /// The observer asked to stop.
+    /// The observer requested an interruption.
     #[error("interrupted")]
     Interrupted,
 }

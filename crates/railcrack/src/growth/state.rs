@@ -4,7 +4,7 @@ use super::{Advance, EarlierRates, Geometry, Interval, Mover, PlaneGeometry, Run
 use crate::crack::CrackNetwork;
 use serde::{Deserialize, Serialize};
 
-/// State of a run after a step: all that it needs, with the case, to go on.
+/// State of a run after a step: with the case, all that is needed to continue it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct GrowthState {
     /// The step to compute next.
@@ -13,11 +13,11 @@ pub struct GrowthState {
     pub geometry: Geometry,
     /// Load cycles at the start of the step before it.
     pub load_cycles: f64,
-    /// The increment from there on, whose cycles its rate decides.
+    /// The last increment, whose cycles depend on the rate at the start of the next step.
     pub interval: Option<Interval>,
-    /// The running surface as wear and grinding have left it.
+    /// The running surface after wear and grinding.
     pub worn: WornSurface,
-    /// Set when the run has ended.
+    /// Why the run has ended; `None` while it continues.
     pub ended: Option<RunStop>,
 }
 
@@ -41,8 +41,8 @@ impl GrowthState {
         }
     }
 
-    /// Takes up what `advance` removes of the surface, before its cracks are taken; `movers` are
-    /// those of this step.
+    /// Records the surface removal of `advance`, before its cracks are adopted; `movers` are those
+    /// of this step.
     pub(super) fn wear(&mut self, advance: &Advance, movers: &[Mover]) {
         let lengths = self.geometry.lengths().into_iter().enumerate();
         let longest = lengths.map(|(i, l)| self.worn.longest.get(i).map_or(l, |&before| l.max(before)));

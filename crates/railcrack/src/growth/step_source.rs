@@ -1,10 +1,11 @@
-//! Sources of growth steps, whatever they are computed from.
+//! Sources of growth steps.
 
 use super::{CrackedRail, Growth, GrowthError, GrowthState, Observer, StepRecord};
 
 /// A source of growth steps: [`Growth`] in the plane or in space, and synthetic runs in tests.
 pub trait StepSource {
-    /// The next step; none when the run has ended. On an error the state is that before the step.
+    /// The next step; `None` when the run has ended. An error leaves the state as it was before the
+    /// step.
     ///
     /// Errors: those of [`Growth::next_step`].
     fn next_step(&mut self, observer: &dyn Observer) -> Result<Option<StepRecord>, GrowthError>;

@@ -1,14 +1,14 @@
-//! Why tips stop and runs end.
+//! Reasons for which tips stop and runs end.
 
 use crate::crack::CrackEnd;
 use crate::math::Vec2;
 use crate::words::{Choice, Word};
 use serde::{Deserialize, Serialize};
 
-/// A tip that broke out, and where its ligament ends on the running surface.
+/// A tip that broke out, with the point at which its ligament ends on the running surface.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct BreakOut {
-    /// The tip: it stays where it was.
+    /// The tip, which stays where it was.
     pub tip: CrackEnd,
     /// The point of the surface, mm.
     pub surface: Vec2,
@@ -20,16 +20,16 @@ pub struct BreakOut {
 pub enum TipStop {
     /// ΔK_eq at or below the threshold, or a rate below the arrest rate.
     Arrest,
-    /// The ligament to the running surface is spent: a spall.
+    /// The ligament to the running surface is used up: a spall forms.
     BreakOut,
-    /// It joins a crack, with the increment of this step where the step is made; without an
-    /// increment, it came so close that no junction can be made.
+    /// It joins a crack with the increment of this step; without an increment, it has come too
+    /// close to the crack for a junction to be made.
     Coalescence,
     /// The next increment would leave the rail.
     LeavesRail,
-    /// The largest k1 of its passage reaches the toughness: the rail breaks.
+    /// The largest k1 of its passage reaches the toughness: the rail fractures.
     Fracture,
-    /// Wear and grinding have taken the whole crack.
+    /// Wear and grinding have removed the whole crack.
     WornAway,
 }
 
@@ -55,21 +55,21 @@ impl Choice for TipStop {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub enum RunStop {
-    /// All increments done.
+    /// All increments are done.
     StepsDone,
-    /// The number of load cycles asked for.
+    /// The requested number of load cycles is reached.
     Cycles,
     /// A crack reached the critical length.
     CriticalLength,
-    /// A piece of the rail is wholly detached.
+    /// A piece of the rail is fully detached.
     Detached,
-    /// No tip grows; the reason of the last one that stopped.
+    /// No tip grows; the reason given by the last tip that stopped.
     NoTipGrows(TipStop),
-    /// The largest k1 of a tip reaches the toughness: the rail breaks.
+    /// The largest k1 of a tip reaches the toughness: the rail fractures.
     Fracture,
 }
 
-/// Where no tip grows, the word of the last one that stopped.
+/// Where no tip grows, the word is that of the last tip that stopped.
 impl Choice for RunStop {
     const WORDS: &'static [(Self, Word)] = &[
         (Self::StepsDone, Word::now("steps-done", "all increments done")),

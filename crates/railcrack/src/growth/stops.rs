@@ -1,52 +1,51 @@
-//! Conditions under which a crack or the run stops, the same in the plane and in space.
+//! Conditions under which a crack or the run stops, common to plane and space.
 
 use super::{GrowthSettings, RunStop, StepStart, TipStop};
 use crate::fatigue::RUNAWAY;
 
-/// A ligament shorter than this many resolved lengths is used up: fewer cannot resolve the gradient
-/// across it.
+/// A ligament shorter than this many resolved lengths is used up: fewer lengths cannot resolve the
+/// gradient across it.
 const LIGAMENT_RESOLUTIONS: f64 = 2.0;
 /// A ligament shorter than this fraction of the crack length is used up.
 const LIGAMENT_FRACTION: f64 = 0.01;
-/// Cycles that fall short by this fraction are the cycles asked for: rounding of the last,
-/// shortened increment.
+/// Relative shortfall of cycles that is attributed to rounding of the last, shortened increment.
 const CYCLES_ROUNDING: f64 = 1e-12;
 
-/// The ligament to the running surface (mm) that a crack of `length` (mm) may still leave;
+/// The smallest ligament to the running surface (mm) that a crack of `length` (mm) may leave;
 /// `resolution` (mm) is the length that the engine resolves.
 pub(crate) fn spent_ligament(length: f64, resolution: f64) -> f64 {
     f64::max(LIGAMENT_RESOLUTIONS * resolution, LIGAMENT_FRACTION * length)
 }
 
-/// A crack shorter than this fraction of the longest that it has been is worn away: the steps in
+/// A crack shorter than this fraction of its greatest length counts as worn away: the steps in
 /// which it is cut are no finer.
 const WORN_AWAY: f64 = 0.05;
 
-/// The length (mm) below which a crack is worn away that has been `longest` (mm).
+/// The length (mm) below which a crack of greatest length `longest` (mm) counts as worn away.
 pub(crate) fn least_length(longest: f64, resolution: f64) -> f64 {
     f64::max(LIGAMENT_RESOLUTIONS * resolution, WORN_AWAY * longest)
 }
 
-/// Demand of a tip, as far as stops depend on it.
+/// Loading of a tip, as far as stops depend on it.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct TipDemand {
     /// da/dN, mm per cycle.
     pub rate: f64,
-    /// The largest k1 of a virtual kink through the passage, MPa √mm; 0 where none opens.
+    /// The largest k1 of a virtual kink during the passage, MPa √mm; 0 where none opens.
     pub largest_k1: f64,
     /// Why it stopped in an earlier step, if it did.
     pub stopped: Option<TipStop>,
 }
 
 impl TipDemand {
-    /// Whether the growth law has no finite rate for it.
+    /// Whether the growth law gives no finite rate.
     pub fn runs_away(&self) -> bool {
         self.rate >= RUNAWAY
     }
 
-    /// Whether it breaks the rail: its largest k1 reaches the toughness, or K that of its growth
-    /// law. K of a tip behind a spent ligament, or that has joined a crack, is that of no crack any
-    /// more.
+    /// Whether it fractures the rail: its largest k1 reaches the toughness, or K reaches the
+    /// toughness of the growth law. K is meaningless for a tip whose ligament is used up and for
+    /// one that has joined a crack.
     pub fn breaks(&self, settings: &GrowthSettings) -> bool {
         let is_tip =
             !matches!(self.stopped, Some(TipStop::BreakOut | TipStop::Coalescence | TipStop::WornAway));
@@ -55,9 +54,9 @@ impl TipDemand {
     }
 }
 
-/// Why what grows no faster than `grows` says stops: fracture where it runs away, arrest where it
-/// stands still. Where the surface is removed, a crack that does not grow may grow again when the
-/// surface has come nearer.
+/// Stop of a tip or crack that runs away (fracture) or no longer `grows` (arrest). Where the
+/// surface is removed there is no arrest, since a crack at rest may grow again once the surface has
+/// come closer.
 pub(crate) fn standstill(runs_away: bool, grows: bool, settings: &GrowthSettings) -> Option<TipStop> {
     if runs_away {
         return Some(TipStop::Fracture);
@@ -66,7 +65,7 @@ pub(crate) fn standstill(runs_away: bool, grows: bool, settings: &GrowthSettings
     (!waits && !grows).then_some(TipStop::Arrest)
 }
 
-/// Why the run ends at the start of a step, before any increment: fracture first, then the critical
+/// Why the run ends at the start of a step, before any increment, in this order: fracture, critical
 /// length, cycles, steps. `longest` is the length (mm) of the longest crack.
 pub(crate) fn run_stop(
     settings: &GrowthSettings,
@@ -87,8 +86,8 @@ pub(crate) fn run_stop(
     (at.step >= settings.steps).then_some(RunStop::StepsDone)
 }
 
-/// The end of a run in which everything has stopped, with the reason of the last one that did:
-/// `stops` holds the stop of earlier steps and that of now.
+/// The end of a run in which everything has stopped, with the reason for the last stop; `stops`
+/// holds, for each tip, the stop of earlier steps and the present one.
 pub(crate) fn nothing_grows(stops: &[(Option<TipStop>, Option<TipStop>)]) -> Option<RunStop> {
     let all: Vec<TipStop> = stops.iter().map(|(_, now)| *now).collect::<Option<_>>()?;
     let of_this_step =

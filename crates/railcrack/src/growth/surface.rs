@@ -1,4 +1,4 @@
-//! The running surface as wear and grinding leave it.
+//! The running surface under wear and grinding.
 
 use super::Mover;
 use serde::{Deserialize, Serialize};
@@ -6,26 +6,25 @@ use serde::{Deserialize, Serialize};
 /// The removal of the running surface so far.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct WornSurface {
-    /// Removed from the cracks since the beginning, mm.
+    /// Depth removed since the beginning, mm.
     pub removed: f64,
-    /// How many times it was ground.
+    /// Number of grindings so far.
     pub grindings: usize,
-    /// The longest that each crack has been, mm.
+    /// The greatest length that each crack has had, mm.
     pub longest: Vec<f64>,
-    /// Rates at the start of the step before, with its cycles; none where the surface was ground
-    /// after it, since rates change abruptly then.
+    /// Rates at the start of the previous step, with its cycles; `None` where the surface was
+    /// ground after it, since grinding changes the rates abruptly.
     pub before: Option<EarlierRates>,
 }
 
 impl WornSurface {
-    /// The longest (mm) that crack `crack` (from 0), now of `length` (mm), has been.
-    #[must_use]
-    pub fn longest_of(&self, crack: usize, length: f64) -> f64 {
+    /// The greatest length (mm) that crack `crack` (from 0), now `length` (mm) long, has had.
+    pub(crate) fn longest_of(&self, crack: usize, length: f64) -> f64 {
         self.longest.get(crack).copied().unwrap_or(0.0).max(length)
     }
 }
 
-/// Rates at an earlier step.
+/// Rates in an earlier step.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct EarlierRates {
     /// The movers of that step.
@@ -35,8 +34,8 @@ pub struct EarlierRates {
 }
 
 impl EarlierRates {
-    /// The mean rate (mm per cycle) of `mover` over the next `cycles`: the line through its rates
-    /// then and now, which makes the increment one of second order (Adams–Bashforth).
+    /// The mean rate (mm per cycle) of `mover` over the next `cycles`: linear extrapolation from
+    /// its rates then and now, which makes the increment second-order accurate (Adams–Bashforth).
     pub(super) fn mean(&self, mover: &Mover, cycles: f64) -> f64 {
         let rate = mover.rate;
         let Some(before) = self.movers.iter().find(|before| before.is(mover)) else { return rate };

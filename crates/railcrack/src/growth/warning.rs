@@ -6,17 +6,17 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum WarningKind {
-    /// How the engine represents the cracks.
+    /// Representation of the cracks by the engine.
     Engine,
-    /// The other contact solver took over.
+    /// Fallback to the other contact solver.
     ContactFallback,
-    /// Two kinks are nearly as good.
+    /// Two kinks of nearly equal rate.
     NearTie,
-    /// The history of K still changes from passage to passage.
+    /// A history of K that still changes from passage to passage.
     Passages,
-    /// The residual stress, and how it was balanced.
+    /// Residual stress and its balancing.
     ResidualStress,
-    /// Whether the model still describes the case.
+    /// Limits of validity of the model.
     Validity,
 }
 
@@ -34,7 +34,7 @@ impl WarningKind {
     }
 }
 
-/// Something the reader of the results must know.
+/// A warning to the reader of the results.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Warning {
     /// The step at which it arose.
@@ -46,7 +46,7 @@ pub struct Warning {
 }
 
 impl Warning {
-    /// The warning with the wheel (from 0) of a mix that it is about.
+    /// The same warning, marked with the wheel (from 0) of a mix that it concerns.
     #[must_use]
     pub(crate) fn under_wheel(self, wheel: usize) -> Self {
         Self { text: format!("wheel {}, {}", wheel + 1, self.text), ..self }

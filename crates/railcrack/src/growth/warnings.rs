@@ -1,28 +1,29 @@
-//! Warnings of a step that follow from its tips and passages.
+//! Warnings of a step, derived from its tips and passages.
 
 use super::{GrowthState, StabilisedPassage, TipGeometry, TipRecord, Warning, WarningKind, WheelOfRail};
 
-/// Estimated error of K in groups, over its peak, above which every step warns.
+/// Estimated error of K in groups, relative to its peak, above which every step issues a warning.
 const LARGE_GROUPS_ERROR: f64 = 0.01;
 
-/// K_I at a closed tip, below zero by this share of the largest |K|, that is worth a warning. At
-/// default settings it is at most 0.4 % where K is right to 1 %; a tip for which the engines were
-/// 3.9 % apart had −3.9 %.
+/// A warning is issued where K_I at a closed tip is negative by more than this share of the largest
+/// |K|. At default settings it is at most 0.4 % where K is accurate to 1 %; a tip at which the
+/// engines differed by 3.9 % had −3.9 %.
 const OVERLAP: f64 = 0.01;
 
-/// A rival kink whose rate comes this close to the best is a near tie.
+/// Ratio of a rival kink's rate to the best rate above which the two count as a near tie.
 pub const NEAR_TIE: f64 = 0.98;
 
-/// The step that is warned of.
+/// The step to which the warnings apply.
 pub(super) struct Warnings<'a> {
     pub step: usize,
-    /// What resolves K better.
+    /// The engine settings that would resolve K better.
     pub refinement: &'static str,
     pub wheels: &'a [WheelOfRail<'a>],
 }
 
 impl Warnings<'_> {
-    /// Of `tips`, whose states before the step are in `state`, under the passages of all wheels.
+    /// The warnings on `tips`, whose states before the step are in `state`, under the passages of
+    /// all wheels.
     pub fn of(
         &self,
         state: &GrowthState,
@@ -71,8 +72,8 @@ impl Warnings<'_> {
         (change > tolerance).then(|| self.warning(WarningKind::Passages, text()))
     }
 
-    /// The estimated error of K where contact is followed in groups: of the first step, and of
-    /// others where it is large.
+    /// A warning with the estimated error of K where contact is followed in groups: in the first
+    /// step, and in others if the error is large.
     fn coupled(&self, passage: &StabilisedPassage) -> Option<Warning> {
         let (error, allowed) = (passage.coupling?, self.wheels.first()?.passages.network_tolerance);
         let mut text = format!(
@@ -80,7 +81,7 @@ impl Warnings<'_> {
              interpolation of the neighbours' jumps, {:.3} % by far forces",
             100.0 * error.total(),
             100.0 * error.sweeps,
-            100.0 * error.hand_over,
+            100.0 * error.interpolation,
             100.0 * error.far
         );
         if error.sweeps > allowed {
@@ -110,7 +111,7 @@ impl Warnings<'_> {
     }
 }
 
-/// Which tip it is.
+/// The designation of a tip in a warning.
 fn place(tip: &TipRecord) -> String {
     match tip.geometry {
         TipGeometry::Plane(_) => format!("crack {} tip {}", tip.tip.crack + 1, tip.tip.tip + 1),

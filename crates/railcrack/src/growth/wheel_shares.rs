@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 /// The largest number of wheels of a mix.
 pub const MOST_WHEELS: usize = 20;
 
-/// Shares of the wheels of a mix in the growth of a tip; no members where there is one wheel.
+/// Shares of the wheels of a mix in the growth of a tip; empty where there is only one wheel.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct WheelShares {
     count: usize,
@@ -13,7 +13,7 @@ pub struct WheelShares {
 }
 
 impl WheelShares {
-    /// The shares of `rates` in their sum; zeros where nothing grows.
+    /// The shares of `rates` in their sum; zero where nothing grows.
     pub fn of(rates: &[f64]) -> Self {
         let mut shares = Self { count: rates.len().min(MOST_WHEELS), ..Self::default() };
         let sum: f64 = rates.iter().sum();
@@ -30,7 +30,7 @@ impl WheelShares {
         shares
     }
 
-    /// From wheel to wheel.
+    /// The shares, one per wheel.
     pub fn values(&self) -> &[f64] {
         &self.values[..self.count]
     }

@@ -144,20 +144,20 @@ fn first_event(tips: &[Moving], cracks: &[Crack], resolution: f64) -> Option<Eve
             }
         }
         for other in (0..tips.len()).filter(|&other| other != tip) {
-            let way = |time: f64| {
+            let to_path = |time: f64| {
                 point_to_segment(tips[tip].position(time), tips[other].step.from, tips[other].position(time))
             };
-            let Some(time) = first_within(way, resolution) else { continue };
+            let Some(time) = first_within(to_path, resolution) else { continue };
             // Before the other tip ended it was met as a growing one.
             let time = tips[other].end.map_or(time, |(_, end)| time.max(end));
             let apart = (tips[tip].position(time) - tips[other].position(time)).length();
-            let beside = apart < HEAD_ON * resolution;
-            let obstacle = if beside && tips[other].end.is_none() {
+            let is_head_on = apart < HEAD_ON * resolution;
+            let obstacle = if is_head_on && tips[other].end.is_none() {
                 Obstacle::Tip(other)
             } else {
                 Obstacle::Faces(tips[other].step.tip.crack)
             };
-            offer(Event { tip, time, distance: way(time), obstacle });
+            offer(Event { tip, time, distance: to_path(time), obstacle });
         }
     }
     first
@@ -269,8 +269,8 @@ fn landing(tips: &[Moving], tip: usize, time: f64, crack: usize, cracks: &[Crack
 
 /// The fraction of the step at which it crosses a–b; none where they are parallel.
 fn crossing(step: &Step, a: Vec2, b: Vec2) -> Option<f64> {
-    let (way, face) = (step.to - step.from, b - a);
-    let determinant = way.cross(face);
+    let (increment, face) = (step.to - step.from, b - a);
+    let determinant = increment.cross(face);
     (determinant != 0.0).then(|| ((a - step.from).cross(face) / determinant).clamp(0.0, 1.0))
 }
 

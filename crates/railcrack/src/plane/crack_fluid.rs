@@ -185,10 +185,10 @@ fn neighbours(
     points: &[usize],
     cracks: &[usize],
 ) -> Vec<(usize, usize)> {
-    let beside = |pair: &[usize]| {
+    let adjacent = |pair: &[usize]| {
         (faces.points[pair[0]].crack == faces.points[pair[1]].crack).then_some((pair[0], pair[1]))
     };
-    let mut pairs: Vec<(usize, usize)> = points.windows(2).filter_map(beside).collect();
+    let mut pairs: Vec<(usize, usize)> = points.windows(2).filter_map(adjacent).collect();
     for junction in network.junction_points() {
         let nearest = |&(crack, s): &(usize, f64)| {
             let own = points.iter().copied().filter(|&j| faces.points[j].crack == crack);

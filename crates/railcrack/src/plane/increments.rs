@@ -90,7 +90,7 @@ pub(super) fn advance(state: &StepState<'_>, settings: &GrowthSettings) -> Plane
         let plans = planned(state, &pace, settings, &stops);
         let steps: Vec<Option<Step>> = plans.iter().map(|plan| plan.map(|plan| plan.step)).collect();
         let met = coalescences(&steps, state.cracks, state.resolution);
-        let plans = beside_coalescences(state, plans, &met);
+        let plans = adapted_to_coalescences(state, plans, &met);
         let blocked = blocked_steps(state, &steps, &met, pace.removal);
         if blocked.is_empty() {
             let made: Vec<Option<Step>> =
@@ -333,7 +333,7 @@ fn planned(
 
 /// The plans beside `met`: a tip that joins a crack is not deferred, nor is one whose plan another
 /// tip ends on.
-fn beside_coalescences(
+fn adapted_to_coalescences(
     state: &StepState<'_>,
     plans: Vec<Option<PlannedAdvance>>,
     met: &[Option<Coalescence>],
@@ -341,11 +341,11 @@ fn beside_coalescences(
     let ends_on = |coalescence: &Coalescence, Step { tip, from, to, .. }: Step| {
         coalescence.onto == tip.crack && point_to_segment(coalescence.at, from, to) < state.resolution
     };
-    let beside = |plan: PlannedAdvance, own: &Option<Coalescence>| {
+    let compatible = |plan: PlannedAdvance, own: &Option<Coalescence>| {
         let is_met = own.is_some() || met.iter().flatten().any(|coalescence| ends_on(coalescence, plan.step));
         PlannedAdvance { deferred: plan.deferred && !is_met, ..plan }
     };
-    plans.into_iter().zip(met).map(|(plan, own)| plan.map(|plan| beside(plan, own))).collect()
+    plans.into_iter().zip(met).map(|(plan, own)| plan.map(|plan| compatible(plan, own))).collect()
 }
 
 #[cfg(test)]

@@ -227,13 +227,13 @@ fn buried_crack_makes_a_spall_with_its_second_break_out() {
 }
 
 fn any_crack() -> impl Strategy<Value = Crack> {
-    let way = prop::collection::vec((-90.0..90.0f64, 0.3..1.5f64), 1..4);
-    (-3.0..3.0f64, 1.0..5.0f64, 0.0..360.0f64, way).prop_filter_map(
+    let segments = prop::collection::vec((-90.0..90.0f64, 0.3..1.5f64), 1..4);
+    (-3.0..3.0f64, 1.0..5.0f64, 0.0..360.0f64, segments).prop_filter_map(
         "not a crack",
-        |(x, depth, angle, way)| {
+        |(x, depth, angle, segments)| {
             let mut points = vec![Vec2::new(x, -depth)];
             let mut angle = angle;
-            for (turn, length) in way {
+            for (turn, length) in segments {
                 angle += turn;
                 points.push(points[points.len() - 1] + Vec2::unit(angle.to_radians()) * length);
             }

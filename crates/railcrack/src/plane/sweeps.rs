@@ -50,7 +50,7 @@ pub(super) fn passages_by_groups(
         let near = blocks.near[k].iter().flat_map(|(l, _)| blocks.units[*l].iter().copied());
         near.filter(is_mouth).map(|p| points[p].position.x).collect()
     };
-    let way = |(k, group): (usize, &Group)| {
+    let group_stations = |(k, group): (usize, &Group)| {
         let edges: Vec<f64> = edge_stations(&mouths(k), load.wheel.edges(), half_width).collect();
         stations(&xc, &edges, group.extent, half_width)
     };
@@ -60,7 +60,7 @@ pub(super) fn passages_by_groups(
         solver,
         settings,
         near: distances(problem, half_width, &xc),
-        stations: groups.iter().enumerate().map(way).collect(),
+        stations: groups.iter().enumerate().map(group_stations).collect(),
         xc: &xc,
         states: Vec::new(),
         histories: Vec::new(),
@@ -77,8 +77,8 @@ pub(super) fn passages_by_groups(
         row.settle(Leg::Residual, observer)?;
     }
     let passed = until_repeated(settings, memory(problem), |number, _| row.pass(number, problem, observer))?;
-    let [hand_over, far] = row.handed_over()?;
-    let error = GroupsError { sweeps: row.error, hand_over, far };
+    let [interpolation, far] = row.interpolation_and_far()?;
+    let error = GroupsError { sweeps: row.error, interpolation, far };
     Ok(stabilised(passed, row.counts, row.edge_steps, problem, Some(error)))
 }
 
@@ -249,7 +249,7 @@ impl GroupRow<'_> {
     ///
     /// Jumps are linear between these places; so with every other of them the error is four times
     /// as large.
-    fn handed_over(&self) -> Result<[f64; 2], PassageError> {
+    fn interpolation_and_far(&self) -> Result<[f64; 2], PassageError> {
         let nodes = |k: usize| -> Vec<Vec<f64>> {
             self.parts(Leg::Passage(1), &self.stations[k].0).into_iter().map(|(_, at)| at).collect()
         };
@@ -352,8 +352,8 @@ impl GroupRow<'_> {
             .with_interruption(&interrupted)
             .with_visits(group.own_points.clone());
         let stations = &self.stations[k].1;
-        let way = (&stations[..], self.near);
-        let mut wheel = Rolling::new(&face_load, self.load, way, self.settings.step_control, stepper);
+        let positions = (&stations[..], self.near);
+        let mut wheel = Rolling::new(&face_load, self.load, positions, self.settings.step_control, stepper);
         let own = group.own_points.clone();
         let (mut sifs, mut histories, mut states) = (Vec::new(), Vec::new(), Vec::new());
         match leg {
@@ -369,10 +369,10 @@ impl GroupRow<'_> {
                 states.extend(pass.states.iter().map(|faces| faces[own.clone()].to_vec()));
             }
         }
-        let ways = wheel.stepper.take_visits();
-        let largest = ways.iter().flatten().flat_map(|(_, jump)| jump).fold(0.0f64, |m, w| m.max(w.abs()));
+        let visits = wheel.stepper.take_visits();
+        let largest = visits.iter().flatten().flat_map(|(_, jump)| jump).fold(0.0f64, |m, w| m.max(w.abs()));
         let parts = self.parts(leg, stations);
-        let tracks = ways.iter().map(|way| Track::thinned(way, KEPT * largest));
+        let tracks = visits.iter().map(|samples| Track::thinned(samples, KEPT * largest));
         let history = parts.into_iter().map(|(part, _)| part).zip(tracks).collect();
         let (counts, edge_steps) = (wheel.stepper.counts(), wheel.edge_steps);
         let end = GroupState { faces: wheel.stepper.history(), tips };

@@ -17,22 +17,22 @@ impl Track {
         Self { at, values }
     }
 
-    /// The values at so few of the coordinates of `way` that those at all others are within
+    /// The values at so few of the coordinates of `samples` that those at all others are within
     /// `tolerance` of what is linear between them.
-    pub fn thinned(way: &[(f64, Vec<f64>)], tolerance: f64) -> Self {
-        let mut keeps = vec![false; way.len()];
-        let mut spans = vec![(0, way.len() - 1)];
+    pub fn thinned(samples: &[(f64, Vec<f64>)], tolerance: f64) -> Self {
+        let mut keeps = vec![false; samples.len()];
+        let mut spans = vec![(0, samples.len() - 1)];
         while let Some((first, last)) = spans.pop() {
             (keeps[first], keeps[last]) = (true, true);
             let farthest = (first + 1..last)
-                .map(|i| (off_line(way, (first, last), i), i))
+                .map(|i| (off_line(samples, (first, last), i), i))
                 .max_by(|a, b| a.0.total_cmp(&b.0));
             if let Some((_, i)) = farthest.filter(|(off, _)| *off > tolerance) {
                 spans.extend([(first, i), (i, last)]);
             }
         }
         let kept: Vec<&(f64, Vec<f64>)> =
-            way.iter().zip(&keeps).filter(|(_, k)| **k).map(|(w, _)| w).collect();
+            samples.iter().zip(&keeps).filter(|(_, k)| **k).map(|(w, _)| w).collect();
         let values = Matrix::from_fn(kept.len(), kept[0].1.len(), |i, c| kept[i].1[c]);
         Self { at: kept.iter().map(|(at, _)| *at).collect(), values }
     }
@@ -55,7 +55,7 @@ impl Track {
     }
 
     /// The rows before and after `at` with their weights.
-    fn beside(&self, at: f64) -> [(usize, f64); 2] {
+    fn adjacent_rows(&self, at: f64) -> [(usize, f64); 2] {
         let last = self.at.len() - 1;
         let travel = self.at[last] - self.at[0];
         let after = self.at.partition_point(|x| (x - at) * travel <= 0.0).clamp(1.min(last), last);
@@ -67,7 +67,7 @@ impl Track {
 
     /// Adds the values at `at` to `sum`.
     pub fn add(&self, at: f64, sum: &mut [f64]) {
-        for (row, share) in self.beside(at) {
+        for (row, share) in self.adjacent_rows(at) {
             if share != 0.0 {
                 axpy(share, self.values.row(row), sum);
             }
@@ -89,10 +89,10 @@ pub(super) fn every_other(count: usize) -> impl Iterator<Item = usize> {
     (0..count).filter(move |&i| i % 2 == 0 || i + 1 == count)
 }
 
-/// The largest difference of value `i` of `way` from the line between two others.
-fn off_line(way: &[(f64, Vec<f64>)], (first, last): (usize, usize), i: usize) -> f64 {
-    let ((from, before), (to, after)) = (&way[first], &way[last]);
-    let (at, values) = &way[i];
+/// The largest difference of value `i` of `samples` from the line between two others.
+fn off_line(samples: &[(f64, Vec<f64>)], (first, last): (usize, usize), i: usize) -> f64 {
+    let ((from, before), (to, after)) = (&samples[first], &samples[last]);
+    let (at, values) = &samples[i];
     let share = if to == from { 1.0 } else { (at - from) / (to - from) };
     let off = |((value, a), b): ((&f64, &f64), &f64)| (value - (1.0 - share) * a - share * b).abs();
     values.iter().zip(before).zip(after).map(off).fold(0.0, f64::max)
@@ -107,17 +107,18 @@ mod tests {
         // None of the deviations of the parabola from its chords, (0.05 k)², is just that.
         const TOLERANCE: f64 = 0.012;
         let kink = |x: f64| if x < 3.7 { vec![0.2 * x, 0.0] } else { vec![0.74, (x - 3.7).powi(2)] };
-        let way: Vec<(f64, Vec<f64>)> = (0..=100).map(|i| 0.1 * f64::from(i)).map(|x| (x, kink(x))).collect();
-        let track = Track::thinned(&way, TOLERANCE);
-        let all = track.resampled(&way.iter().map(|(at, _)| *at).collect::<Vec<f64>>());
-        for (i, (at, values)) in way.iter().enumerate() {
+        let samples: Vec<(f64, Vec<f64>)> =
+            (0..=100).map(|i| 0.1 * f64::from(i)).map(|x| (x, kink(x))).collect();
+        let track = Track::thinned(&samples, TOLERANCE);
+        let all = track.resampled(&samples.iter().map(|(at, _)| *at).collect::<Vec<f64>>());
+        for (i, (at, values)) in samples.iter().enumerate() {
             for (c, value) in values.iter().enumerate() {
                 assert!((all[(i, c)] - value).abs() <= TOLERANCE, "at {at}");
             }
         }
         assert!(track.at().len() < 40 && track.at().iter().any(|at| (at - 3.7).abs() < 0.01));
         let halved = track.halved();
-        assert!(halved.at().len() <= track.at().len() / 2 + 1 && halved.at().ends_with(&[way[100].0]));
+        assert!(halved.at().len() <= track.at().len() / 2 + 1 && halved.at().ends_with(&[samples[100].0]));
     }
 
     #[test]

@@ -76,8 +76,8 @@ fn settle_mouth(points: &mut Vec<Vec2>, resolution: f64) {
 /// The beginning of a crack that is worn away, `length` (mm) long: a body has no place for none.
 fn stub(crack: &Crack, length: f64) -> Crack {
     let (from, to) = crack.segment(0);
-    let way = to - from;
-    let end = from + way * f64::min(1.0, length / way.length());
+    let segment = to - from;
+    let end = from + segment * f64::min(1.0, length / segment.length());
     Crack::polyline(vec![from, end]).unwrap_or_else(|_| crack.clone())
 }
 
@@ -98,8 +98,8 @@ pub(super) fn reaches_junction(
 /// Sine of the angle of `crack` at its mouth; none for a buried one.
 pub(super) fn mouth_sine(crack: &Crack) -> Option<f64> {
     let (mouth, next) = crack.segment(0);
-    let way = next - mouth;
-    crack.is_surface_breaking().then(|| -way.y / way.length())
+    let segment = next - mouth;
+    crack.is_surface_breaking().then(|| -segment.y / segment.length())
 }
 
 /// The cracks of a step after the surface has been removed.

@@ -22,7 +22,7 @@ const LOAD_POINTS: usize = 4;
 
 /// Distance of two cracks over their smallest half-axis that is allowed at least: so far the
 /// integrals between them are verified, and cells resolve what lies between them.
-pub const LEAST_DISTANCE: f64 = 0.05;
+pub(super) const LEAST_DISTANCE: f64 = 0.05;
 
 /// A body in space that cannot be made.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -275,7 +275,7 @@ impl SpaceBody {
     }
 
     /// The area (mm²) that each point stands for: ∫ of its hat.
-    pub fn areas(&self) -> Vec<f64> {
+    pub(super) fn areas(&self) -> Vec<f64> {
         let mut areas = vec![0.0; self.points.len()];
         for (point, weight) in self.loads.iter().flat_map(|load| load.hats) {
             areas[point] += weight;
@@ -285,7 +285,7 @@ impl SpaceBody {
 
     /// Where along the rail the cracks are, mm: the middles of their mouths; where none breaks the
     /// surface, that of the first.
-    pub fn places(&self) -> Vec<f64> {
+    pub(super) fn places(&self) -> Vec<f64> {
         let mean = |points: Vec<&[f64; 3]>| {
             let sum = points.iter().map(|point| point[0]).sum::<f64>();
             (!points.is_empty()).then(|| sum / points.len() as f64)

@@ -228,8 +228,8 @@ impl<'a> Cross<'a> {
         let sine = (1.0 - dot3(first, second).powi(2)).max(0.0).sqrt();
         let from = |normal: [f64; 3], turned: &Disc| {
             let across = dot3(between, normal);
-            let beside = (square - across * across).max(0.0).sqrt() - one.radius - other.radius;
-            (across.abs() - sine * turned.radius).max(0.0).hypot(beside.max(0.0))
+            let along = (square - across * across).max(0.0).sqrt() - one.radius - other.radius;
+            (across.abs() - sine * turned.radius).max(0.0).hypot(along.max(0.0))
         };
         from(first, other).max(from(second, one))
     }

@@ -128,9 +128,9 @@ mod tests {
         let want = 3.4 * 15f64.to_radians().sin();
         assert!((half(15.0).distance(&behind) - want).abs() < 1e-8, "planes");
         assert_eq!(half(60.0).distance(&placed(half(130.0), [1.0, 0.0])), 0.0, "they cross");
-        let beside = placed(half(30.0), [0.0, 12.5]);
-        assert!((half(30.0).distance(&beside) - 0.5).abs() < 1e-7, "along the mouth");
-        assert!((beside.distance(&half(30.0)) - 0.5).abs() < 1e-7, "exchanged");
+        let neighbour = placed(half(30.0), [0.0, 12.5]);
+        assert!((half(30.0).distance(&neighbour) - 0.5).abs() < 1e-7, "along the mouth");
+        assert!((neighbour.distance(&half(30.0)) - 0.5).abs() < 1e-7, "exchanged");
         // Pennies in one plane, whose middles lie obliquely.
         let penny = |centre: f64| SpaceCrack::buried(0.5 * PI, 1.0, 1.0, centre).unwrap();
         let distance = penny(10.0).distance(&placed(penny(13.0), [0.0, 4.0]));

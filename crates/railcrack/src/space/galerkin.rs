@@ -212,8 +212,8 @@ impl<'a> Galerkin<'a> {
             (Half::Image, Some(image)) => {
                 let (sin, cos) = image.dip.sin_cos();
                 let depth = |cover: &Cover| (cover.centre[0] - cover.radius).max(0.0) * sin;
-                let beside = ((ds * cos).hypot(tau) - radii).max(0.0);
-                IMAGE_GAP * beside.hypot(depth(one) + depth(other))
+                let along = ((ds * cos).hypot(tau) - radii).max(0.0);
+                IMAGE_GAP * along.hypot(depth(one) + depth(other))
             }
             _ => ds.hypot(tau) - radii,
         }

@@ -4,7 +4,7 @@ use super::body::{FrontSif, SpaceBody};
 use super::contact::{SpaceContact, SpaceContactError, SpaceFaces, StepReport};
 use super::linearised::LaggedFactor;
 use super::nuclei::Symmetric;
-use super::slip_origin::{LONGEST, Moment, slip_origin};
+use super::slip_origin::{LONGEST, WheelInstant, slip_origin};
 use crate::growth::{Observer, output_positions};
 use crate::interruption::{Interrupted, Interruption};
 use crate::load::{Bending, Passage};
@@ -14,7 +14,7 @@ use std::collections::HashMap;
 use std::rc::Rc;
 
 /// Stress (MPa) of the uncracked rail at x, lateral and depth (mm).
-pub type StressAt<'a> = dyn Fn([f64; 3]) -> Symmetric + Sync + 'a;
+pub(super) type StressAt<'a> = dyn Fn([f64; 3]) -> Symmetric + Sync + 'a;
 
 /// Load of the rail with a crack: a wheel that passes and bends the rail, and a stress that stays.
 pub struct SpaceLoad<'a> {
@@ -164,37 +164,37 @@ impl<'a> SpacePassages<'a> {
             violation: 0.0,
             step_error: 0.0,
         };
-        let mut walk = Walk {
+        let mut passage = PassageInProgress {
             passages: self,
             settings,
             history,
             factor: LaggedFactor::default(),
             earlier: None,
-            last: Rc::new(Moment { position: f64::NAN, faces: faces.clone() }),
+            last: Rc::new(WheelInstant { position: f64::NAN, faces: faces.clone() }),
             is_calm: false,
             level: 0,
         };
-        let constant = walk.step(&faces.jumps, &faces.jumps, &self.constant)?;
-        walk.history.before = body.sifs_of_jumps(&constant.jumps);
-        let (first, last) = (walk.history.positions[0], walk.history.positions[positions - 1]);
-        let first = Moment {
+        let constant = passage.step(&faces.jumps, &faces.jumps, &self.constant)?;
+        passage.history.before = body.sifs_of_jumps(&constant.jumps);
+        let (first, last) = (passage.history.positions[0], passage.history.positions[positions - 1]);
+        let first = WheelInstant {
             position: first,
-            faces: walk.step(&constant.jumps, &constant.jumps, &self.forces_at(first))?,
+            faces: passage.step(&constant.jumps, &constant.jumps, &self.forces_at(first))?,
         };
-        walk.go_on(Rc::new(first));
-        while walk.history.sifs.len() < positions {
-            let done = walk.history.sifs.len();
-            match walk.history.positions.get(done + 1) {
-                _ if settings.halvings == 0 => walk.one_step(walk.history.positions[done])?,
+        passage.accept(Rc::new(first));
+        while passage.history.sifs.len() < positions {
+            let done = passage.history.sifs.len();
+            match passage.history.positions.get(done + 1) {
+                _ if settings.halvings == 0 => passage.one_step(passage.history.positions[done])?,
                 // Two intervals at once, and a last one alone.
-                Some(&to) => walk.interval(None, to, 0)?,
-                None => walk.interval(None, last, 1)?,
+                Some(&to) => passage.interval(None, to, 0)?,
+                None => passage.interval(None, last, 1)?,
             }
-            self.observer.progress(walk.history.sifs.len() as f64 / positions as f64);
+            self.observer.progress(passage.history.sifs.len() as f64 / positions as f64);
         }
-        let jumps = &walk.last.faces.jumps.clone();
-        *faces = walk.step(jumps, jumps, &self.constant)?;
-        Ok(walk.history)
+        let jumps = &passage.last.faces.jumps.clone();
+        *faces = passage.step(jumps, jumps, &self.constant)?;
+        Ok(passage.history)
     }
 
     /// Nodal forces (N) with the wheel at `position` (mm).
@@ -210,21 +210,21 @@ impl<'a> SpacePassages<'a> {
 }
 
 /// A passage on its way.
-struct Walk<'a> {
+struct PassageInProgress<'a> {
     passages: &'a SpacePassages<'a>,
     settings: &'a SpacePassageSettings,
     history: SpaceHistory,
     factor: LaggedFactor,
-    /// The moment before the last one, if there was a wheel.
-    earlier: Option<Rc<Moment>>,
-    last: Rc<Moment>,
+    /// The instant before the last one, if there was a wheel.
+    earlier: Option<Rc<WheelInstant>>,
+    last: Rc<WheelInstant>,
     /// Whether the last comparison of steps with a step of twice the length was wrong by little.
     is_calm: bool,
     /// The level that intervals are taken to need at first.
     level: usize,
 }
 
-impl Walk<'_> {
+impl PassageInProgress<'_> {
     /// The faces under `forces`, whose slip counts from the jumps `origin` and whose jumps are near
     /// `guess`.
     fn step(
@@ -247,38 +247,38 @@ impl Walk<'_> {
         Ok(faces)
     }
 
-    /// The faces at the position `to`, after the moments `earlier` and `last`.
-    fn moment(
+    /// The faces at the position `to`, after the instants `earlier` and `last`.
+    fn instant(
         &mut self,
         guess: Option<&[f64]>,
-        earlier: Option<&Moment>,
-        last: &Moment,
+        earlier: Option<&WheelInstant>,
+        last: &WheelInstant,
         to: f64,
-    ) -> Result<Rc<Moment>, SpaceContactError> {
+    ) -> Result<Rc<WheelInstant>, SpaceContactError> {
         let forces = self.passages.forces_at(to);
         let origin = slip_origin(earlier, last, to);
         let faces = match guess {
             Some(guess) => self.step(guess, &origin, &forces)?,
-            None => self.step(&gone_on(earlier, last, to), &origin, &forces)?,
+            None => self.step(&extrapolated_jumps(earlier, last, to), &origin, &forces)?,
         };
-        Ok(Rc::new(Moment { position: to, faces }))
+        Ok(Rc::new(WheelInstant { position: to, faces }))
     }
 
     /// Goes on to the position `to` in one step.
     fn one_step(&mut self, to: f64) -> Result<(), SpaceContactError> {
-        let moment = self.moment(None, self.earlier.clone().as_deref(), &Rc::clone(&self.last), to)?;
-        self.go_on(moment);
+        let instant = self.instant(None, self.earlier.clone().as_deref(), &Rc::clone(&self.last), to)?;
+        self.accept(instant);
         Ok(())
     }
 
-    /// Accepts a moment: the next step begins there.
-    fn go_on(&mut self, moment: Rc<Moment>) {
+    /// Accepts an instant: the next step begins there.
+    fn accept(&mut self, instant: Rc<WheelInstant>) {
         let history = &mut self.history;
-        if history.positions.get(history.sifs.len()) == Some(&moment.position) {
-            history.sifs.push(self.passages.contact.body.sifs_of_jumps(&moment.faces.jumps));
-            history.faces.push(moment.faces.clone());
+        if history.positions.get(history.sifs.len()) == Some(&instant.position) {
+            history.sifs.push(self.passages.contact.body.sifs_of_jumps(&instant.faces.jumps));
+            history.faces.push(instant.faces.clone());
         }
-        let before = std::mem::replace(&mut self.last, moment);
+        let before = std::mem::replace(&mut self.last, instant);
         self.earlier = (!before.position.is_nan()).then_some(before);
     }
 
@@ -288,7 +288,7 @@ impl Walk<'_> {
     /// changes its state and the last comparison was calm.
     fn interval(
         &mut self,
-        whole: Option<Rc<Moment>>,
+        whole: Option<Rc<WheelInstant>>,
         to: f64,
         level: usize,
     ) -> Result<(), SpaceContactError> {
@@ -304,17 +304,17 @@ impl Walk<'_> {
         }
         let one = match &whole {
             // Half of the way.
-            Some(whole) => self.moment(
+            Some(whole) => self.instant(
                 Some(&mean(&last.faces.jumps, &whole.faces.jumps)),
                 earlier.as_deref(),
                 &last,
                 between,
             ),
-            None => self.moment(None, earlier.as_deref(), &last, between),
+            None => self.instant(None, earlier.as_deref(), &last, between),
         };
         let guess = whole.as_ref().map(|whole| &whole.faces.jumps[..]);
         let two = match &one {
-            Ok(one) => self.moment(guess, Some(&last), one, to),
+            Ok(one) => self.instant(guess, Some(&last), one, to),
             Err(error) => Err(error.clone()),
         };
         match (one, two) {
@@ -325,7 +325,7 @@ impl Walk<'_> {
                 } else {
                     let whole = match whole {
                         Some(whole) => Ok(whole),
-                        None => self.moment(Some(&two.faces.jumps), earlier.as_deref(), &last, to),
+                        None => self.instant(Some(&two.faces.jumps), earlier.as_deref(), &last, to),
                     };
                     let error = match whole {
                         Ok(whole) => self.difference(&whole, &two),
@@ -342,8 +342,8 @@ impl Walk<'_> {
                     if error.is_finite() {
                         self.history.step_error = self.history.step_error.max(error);
                     }
-                    self.go_on(one);
-                    self.go_on(two);
+                    self.accept(one);
+                    self.accept(two);
                     return Ok(());
                 }
                 self.level = level + 1;
@@ -364,10 +364,10 @@ impl Walk<'_> {
         self.interval(None, to, level + 1)
     }
 
-    /// The largest difference of K at two moments, MPa √mm.
-    fn difference(&self, one: &Moment, other: &Moment) -> f64 {
+    /// The largest difference of K at two instants, MPa √mm.
+    fn difference(&self, one: &WheelInstant, other: &WheelInstant) -> f64 {
         let body = self.passages.contact.body;
-        let sifs = |moment: &Moment| body.sifs_of_jumps(&moment.faces.jumps);
+        let sifs = |instant: &WheelInstant| body.sifs_of_jumps(&instant.faces.jumps);
         sifs(one).iter().zip(&sifs(other)).map(|(a, b)| a.difference(b)).fold(0.0, f64::max)
     }
 }
@@ -377,7 +377,7 @@ fn mean(a: &[f64], b: &[f64]) -> Vec<f64> {
 }
 
 /// Jumps at the position `to` that go on as they did.
-fn gone_on(earlier: Option<&Moment>, last: &Moment, to: f64) -> Vec<f64> {
+fn extrapolated_jumps(earlier: Option<&WheelInstant>, last: &WheelInstant, to: f64) -> Vec<f64> {
     let jumps = last.faces.jumps.clone();
     let Some(earlier) = earlier else { return jumps };
     let ratio = ((to - last.position) / (last.position - earlier.position)).min(LONGEST);

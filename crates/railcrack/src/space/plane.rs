@@ -64,7 +64,7 @@ impl PlaneFrame {
     }
 
     /// The components of a vector of the rail: normal, dip, trace.
-    pub fn components(&self, vector: [f64; 3]) -> [f64; 3] {
+    pub(super) fn components(&self, vector: [f64; 3]) -> [f64; 3] {
         self.directions().map(|direction| dot3(vector, direction))
     }
 
@@ -75,13 +75,13 @@ impl PlaneFrame {
 
     /// The stiffness −t_i of the jump component j, in units of the shear modulus and per mm³: minus
     /// the traction at (s, ζ) of a unit jump at (s′, ζ′), τ = ζ − ζ′, only of the image.
-    pub fn image_stiffness(&self, s: f64, other: f64, tau: f64, poisson: f64) -> [[f64; 3]; 3] {
+    pub(super) fn image_stiffness(&self, s: f64, other: f64, tau: f64, poisson: f64) -> [[f64; 3]; 3] {
         let (point, source) = (self.position(s, tau), self.position(other, 0.0));
         self.columns(|m| image_stress(point, source, m, poisson), poisson)
     }
 
     /// The same of the full space, for points that differ.
-    pub fn kelvin_stiffness(&self, ds: f64, tau: f64, poisson: f64) -> [[f64; 3]; 3] {
+    pub(super) fn kelvin_stiffness(&self, ds: f64, tau: f64, poisson: f64) -> [[f64; 3]; 3] {
         let d = self.position(ds, tau);
         self.columns(|m| kelvin_stress(d, m, poisson), poisson)
     }

@@ -1,7 +1,6 @@
 //! Shape of a planar crack.
 
 use super::plane::PlaneFrame;
-use std::f64::consts::PI;
 use thiserror::Error;
 
 /// Where the front of a crack ends.
@@ -136,22 +135,14 @@ impl SpaceCrack {
     }
 
     /// Whether the crack is the other one at another place of the surface.
-    pub fn is_copy_of(&self, other: &Self) -> bool {
+    pub(super) fn is_copy_of(&self, other: &Self) -> bool {
         let at_origin = |crack: &Self| Self { middle: [0.0; 2], ..crack.clone() };
         at_origin(self) == at_origin(other)
     }
 
     /// g(φ).
-    pub fn radius_factor(&self, phi: f64) -> f64 {
+    pub(super) fn radius_factor(&self, phi: f64) -> f64 {
         1.0 + self.deviation.iter().enumerate().map(|(k, b)| b * (k as f64 * phi).cos()).sum::<f64>()
-    }
-
-    /// The largest parametric angle of the front: π or 2π.
-    pub fn last_angle(&self) -> f64 {
-        match self.extent {
-            Extent::SurfaceBreaking => PI,
-            Extent::Buried { .. } => 2.0 * PI,
-        }
     }
 
     /// (s, ζ) relative to the middle of the trace (mm) of the point (X, Y) of the unit disc; X goes

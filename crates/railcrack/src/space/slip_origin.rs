@@ -11,7 +11,7 @@ use super::states::SpaceStatus;
 
 /// The faces with the wheel at a position.
 #[derive(Debug, Clone)]
-pub(super) struct Moment {
+pub(super) struct WheelInstant {
     /// Abscissa of the centre of the contact, mm.
     pub position: f64,
     pub faces: SpaceFaces,
@@ -23,7 +23,7 @@ pub(super) struct Moment {
 pub(super) const LONGEST: f64 = 4.0;
 
 /// The jumps (mm), 3p, from which the slip of the step from `before` to the position `to` counts.
-pub(super) fn slip_origin(earlier: Option<&Moment>, before: &Moment, to: f64) -> Vec<f64> {
+pub(super) fn slip_origin(earlier: Option<&WheelInstant>, before: &WheelInstant, to: f64) -> Vec<f64> {
     let mut origin = before.faces.jumps.clone();
     let Some(earlier) = earlier else { return origin };
     let ratio = (to - before.position) / (before.position - earlier.position);
@@ -50,9 +50,9 @@ mod tests {
 
     const SLIP: SpaceStatus = SpaceStatus::Slip { direction: [1.0, 0.0] };
 
-    fn moment(position: f64, status: SpaceStatus, jumps: [f64; 3]) -> Moment {
+    fn instant(position: f64, status: SpaceStatus, jumps: [f64; 3]) -> WheelInstant {
         let faces = SpaceFaces { jumps: jumps.to_vec(), reactions: vec![0.0; 3], status: vec![status] };
-        Moment { position, faces }
+        WheelInstant { position, faces }
     }
 
     #[test]
@@ -60,7 +60,7 @@ mod tests {
         // s = t²: the slip from the origin on has the direction of the rate at the end, and the
         // size that a step of backward Euler of the formula (Gear 1971) would give it.
         let (h, before, step) = (0.3, 1.1, 0.5);
-        let at = |t: f64| moment(t, SLIP, [0.0, t * t, -3.0 * t * t]);
+        let at = |t: f64| instant(t, SLIP, [0.0, t * t, -3.0 * t * t]);
         let origin = slip_origin(Some(&at(before - h)), &at(before), before + step);
         let end = before + step;
         let ratio: f64 = step / h;
@@ -71,24 +71,24 @@ mod tests {
 
     #[test]
     fn closing_points_are_held_where_they_meet() {
-        let earlier = moment(0.0, SpaceStatus::Open, [4.0, 1.0, 0.0]);
-        let before = moment(1.0, SpaceStatus::Open, [3.0, 2.0, 1.0]);
+        let earlier = instant(0.0, SpaceStatus::Open, [4.0, 1.0, 0.0]);
+        let before = instant(1.0, SpaceStatus::Open, [3.0, 2.0, 1.0]);
         assert_eq!(slip_origin(Some(&earlier), &before, 2.0), [3.0, 3.0, 2.0]);
         // Beyond the next position, and before the one after that.
-        let near = moment(1.0, SpaceStatus::Open, [1.0, 2.0, 1.0]);
+        let near = instant(1.0, SpaceStatus::Open, [1.0, 2.0, 1.0]);
         assert_eq!(slip_origin(Some(&earlier), &near, 3.0), [1.0, 2.0 + 1.0 / 3.0, 1.0 + 1.0 / 3.0]);
         assert_eq!(slip_origin(Some(&earlier), &before, 6.0), before.faces.jumps);
-        let opening = moment(0.0, SpaceStatus::Open, [2.0, 1.0, 0.0]);
+        let opening = instant(0.0, SpaceStatus::Open, [2.0, 1.0, 0.0]);
         assert_eq!(slip_origin(Some(&opening), &before, 2.0), before.faces.jumps);
     }
 
     #[test]
     fn points_that_stick_or_have_just_closed_begin_anew() {
-        let earlier = moment(0.0, SpaceStatus::Open, [1.0, 1.0, 0.0]);
+        let earlier = instant(0.0, SpaceStatus::Open, [1.0, 1.0, 0.0]);
         for (earlier, status) in
             [(Some(&earlier), SLIP), (Some(&earlier), SpaceStatus::Stick), (None, SpaceStatus::Open)]
         {
-            let before = moment(1.0, status, [0.0, 2.0, 1.0]);
+            let before = instant(1.0, status, [0.0, 2.0, 1.0]);
             assert_eq!(slip_origin(earlier, &before, 2.0), before.faces.jumps);
         }
     }

@@ -12,7 +12,7 @@ const HALVINGS: usize = 8;
 
 /// Passages until the history repeats.
 #[derive(Debug, Clone, PartialEq)]
-pub struct StabilisedSpace {
+pub(super) struct StabilisedSpace {
     /// All passages, the stabilised one last.
     pub passages: Vec<SpaceHistory>,
     /// K between two passages, after the last one, MPa √mm.
@@ -29,7 +29,7 @@ pub struct StabilisedSpace {
 /// position, which is not counted.
 ///
 /// Errors: a contact that does not converge; an interruption by `observer`.
-pub fn stabilised_space_passage(
+pub(super) fn stabilised_space_passage(
     contact: &SpaceContact,
     load: &SpaceLoad,
     settings: &PassageSettings,

@@ -102,8 +102,8 @@ impl EllipticWheel {
             }
             // Half the sum of the half axes of the ellipse about the interval with a singular point
             // on it, logarithmically.
-            let decay = |[at, beside]: [f64; 2]| {
-                arc_cosine([(2.0 * at - from - to) / reach, 2.0 * beside / reach])[1]
+            let decay = |[at, off_axis]: [f64; 2]| {
+                arc_cosine([(2.0 * at - from - to) / reach, 2.0 * off_axis / reach])[1]
             };
             let mut slowest = decay([0.0, FRAC_PI_2]);
             if !is_alone {

@@ -114,7 +114,7 @@ fn junctions_and_spalls_in_groups() {
 #[test]
 fn a_mix_of_wheels_in_groups() {
     let (groups, whole) = (steps(&case(MIX, "groups"), None), steps(&case(MIX, "whole"), None));
-    assert_eq!((groups.len(), groups[0].0.beside.len()), (2, 1), "steps, other wheels");
+    assert_eq!((groups.len(), groups[0].0.other_wheels.len()), (2, 1), "steps, other wheels");
     for ((groups, _), (whole, _)) in groups.iter().zip(&whole).take(1) {
         for (one, other) in groups.tips.iter().zip(&whole.tips) {
             assert!((one.rate / other.rate - 1.0).abs() < 0.02, "{} {}", one.rate, other.rate);

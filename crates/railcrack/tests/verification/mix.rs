@@ -59,7 +59,7 @@ fn one_wheel_twice_with_half_shares_is_the_wheel_itself() {
             assert!((a - b).abs() <= ROUND_OFF * a.abs(), "{a} {b}");
         }
         assert_eq!(two.tips[0].shares.values(), [0.5, 0.5]);
-        assert!(two.passages.last() == two.beside[0].last(), "the same history under both wheels");
+        assert!(two.passages.last() == two.other_wheels[0].last(), "the same history under both wheels");
     }
 }
 
